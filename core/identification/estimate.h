@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/signal/recording.h"
+
+#include <Eigen/Core>
+#include <QString>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gripscope {
+
+enum class Estimator { Arx, ArxMeanForce, Arx221, InstrumentalVariables, OutputError, Duffing, Periodic };
+
+/// "arx", "arx-mean-force", "arx221", "iv", "oe", "duffing", "periodic".
+[[nodiscard]] QString toString(Estimator estimator);
+[[nodiscard]] std::optional<Estimator> estimatorFromString(const QString& text);
+[[nodiscard]] bool isImplemented(Estimator estimator);
+
+enum class EstimateStatus {
+    Converged,
+    NotConverged,
+    NotIdentifiable,   ///< the data does not determine the parameters (rank deficient, constant force)
+    NoPhysicalMapping, ///< coefficients exist, but no m, b, k > 0 belongs to them
+    TooFewSamples,
+    NotApplicable,
+};
+[[nodiscard]] QString toString(EstimateStatus status); ///< "converged", "not_converged", ...
+
+/// Effective mass, damping and stiffness of m x'' + b x' + k x = F, in the channels' units.
+struct MassDampingStiffness {
+    double m = 0, b = 0, k = 0;
+    [[nodiscard]] Eigen::Vector3d vector() const { return {m, b, k}; }
+    friend bool operator==(const MassDampingStiffness&, const MassDampingStiffness&) = default;
+};
+
+/// What an estimator needs to find besides m, b and k. Absent: not part of the model, or fixed at zero.
+struct Nuisance {
+    std::optional<double> x0, v0, offset;
+};
+
+/// Coefficients of y[t] + a1 y[t-1] + a2 y[t-2] = b1 u[t-1] (+ b2 u[t-2]) + constant + e[t].
+struct ArxCoefficients {
+    double a1 = 0, a2 = 0, b1 = 0;
+    std::optional<double> b2, constant;
+};
+
+/// 100 (1 - |y - yhat| / |y - mean y|), percent; see contracts for the windows. Absent: not defined (a constant y).
+struct Fit {
+    std::optional<double> simulationPercent, predictionPercent;
+};
+
+struct ResidualSummary {
+    double sse = 0;
+    double degreesOfFreedom = 0;
+    std::optional<double> whitenessP;         ///< Ljung-Box
+    std::optional<double> inputIndependenceP; ///< cross-correlation with past and present input
+};
+
+/// One estimator's answer to one window. `parameters` is empty for every status but Converged and, where a usable
+/// last iterate exists, NotConverged. `covariance` is that of (m, b, k); only finite numbers appear anywhere.
+struct Estimate {
+    Estimator estimator = Estimator::OutputError;
+    EstimateStatus status = EstimateStatus::NotApplicable;
+    std::string message; ///< why the status is what it is, in plain words
+    std::optional<MassDampingStiffness> parameters;
+    std::optional<Eigen::Matrix3d> covariance;
+    Nuisance nuisance;
+    std::optional<ArxCoefficients> coefficients;
+    Fit fit;
+    ResidualSummary residuals;
+    int iterations = 0;
+    /// Model output on the window (simulation) and residuals y - yhat, for plots; empty when there is no model.
+    /// ARX models run free from the measured y[0], y[1]; their residuals are those of the one-step prediction and
+    /// start at t = 2.
+    std::vector<double> simulated;
+    std::vector<double> residual;
+
+    [[nodiscard]] std::optional<Eigen::Vector3d> standardErrors() const;
+};
+
+} // namespace gripscope

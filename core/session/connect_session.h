@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/gripper_port.h"
+#include "core/session/safety_gate.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace gripscope {
+
+/// The connection to one gripper: opens it, drains its samples, hands them on, keeps count. No thread, no timer:
+/// whoever owns it calls poll() every 16 to 33 ms (a screen) or in a loop (the command line).
+///
+///     Disconnected -> Connecting -> Connected -> (Lost | Disconnected)
+class ConnectSession {
+public:
+    enum class State { Disconnected, Connecting, Connected, Lost };
+    using SampleListener = std::function<void(const std::vector<Sample>&)>;
+
+    explicit ConnectSession(GripperPortFactory& factory);
+    ~ConnectSession();
+    ConnectSession(const ConnectSession&) = delete;
+    ConnectSession& operator=(const ConnectSession&) = delete;
+
+    /// Closes what is open, then starts to open `address`.
+    [[nodiscard]] Expected<void> connectTo(const QString& address);
+    void disconnect();
+    /// Takes over what arrived, tells the listeners, moves the state on, tells the port that its owner is alive.
+    void poll();
+
+    [[nodiscard]] State state() const;
+    [[nodiscard]] std::optional<Error> lastError() const;
+    [[nodiscard]] QString address() const;
+    [[nodiscard]] GripperIdentity identity() const;
+    [[nodiscard]] LinkCounters counters() const;
+    [[nodiscard]] bool armed() const;
+    [[nodiscard]] GripperPort* port(); ///< null unless connected
+    [[nodiscard]] SafetyGate* gate();  ///< null unless connected
+
+    [[nodiscard]] Expected<void> arm(const QString& person);
+    void disarm();
+    void stop() noexcept;
+
+    /// Called in poll() with each batch of new samples; returns a handle for removeListener().
+    int addListener(SampleListener listener);
+    void removeListener(int handle);
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace gripscope

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/squeeze_job.h"
+#include "core/store/library_service.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace gripscope {
+
+/// A squeeze during an enrolment, with what was found and what is to become of it.
+struct EnrollSqueeze {
+    enum class Decision { Pending, Accepted, Rejected };
+    Recording recording;
+    Identification identification;
+    Decision decision = Decision::Pending;
+    QString reason;   ///< why it was rejected, or is advised to be
+    QString graspId;  ///< once it is in the library
+};
+
+/// Enrolment of one type, step by step. An accepted squeeze is in the library before accept() is reported done;
+/// starting again under the same name goes on where it stopped.
+///
+///     Name -> Recipe -> Squeeze -> Review -> Approved
+///
+/// The squeeze step has an activity of its own: Waiting, Squeezing, Identifying, Deciding, Storing.
+class EnrollSession {
+public:
+    enum class Step { Name, Recipe, Squeeze, Review, Approved };
+    enum class Activity { Waiting, Squeezing, Identifying, Deciding, Storing };
+    static constexpr int suggestedSqueezes = 10;
+    static constexpr int leastSqueezes = 3;
+
+    EnrollSession(ConnectSession& connection, LibraryService& library);
+    ~EnrollSession();
+    EnrollSession(const EnrollSession&) = delete;
+    EnrollSession& operator=(const EnrollSession&) = delete;
+
+    void setOperator(const QString& name);
+    [[nodiscard]] Expected<void> setName(const QString& name);        ///< Name -> Recipe
+    [[nodiscard]] Expected<void> setRecipe(const Recipe& recipe);     ///< Recipe -> Squeeze (creates the type or resumes it)
+    [[nodiscard]] Expected<void> squeeze();                           ///< from the connected gripper
+    [[nodiscard]] Expected<void> addRecording(Recording recording, const QString& source); ///< from a file
+    [[nodiscard]] Expected<void> accept();                            ///< the pending squeeze; not an invalid one
+    [[nodiscard]] Expected<void> reject(const QString& reason);       ///< the pending squeeze
+    [[nodiscard]] Expected<void> drop(int index, const QString& reason); ///< an accepted one, later
+    [[nodiscard]] Expected<void> review();                            ///< Squeeze -> Review
+    [[nodiscard]] Expected<void> back();                              ///< Review -> Squeeze, Recipe -> Name
+    [[nodiscard]] Expected<void> approve();                           ///< Review -> Approved
+    void restart();                                                   ///< a new enrolment; nothing stored is lost
+    /// Moves everything on; never waits. True when something changed.
+    bool poll();
+
+    [[nodiscard]] Step step() const;
+    [[nodiscard]] Activity activity() const;
+    [[nodiscard]] QString typeName() const;
+    [[nodiscard]] const Recipe& recipe() const;
+    [[nodiscard]] const std::vector<EnrollSqueeze>& squeezes() const;
+    [[nodiscard]] int acceptedCount() const;
+    [[nodiscard]] double progress() const; ///< of the squeeze under way
+    [[nodiscard]] std::optional<Error> lastError() const;
+    void setIdentificationOptions(const IdentificationOptions& options);
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace gripscope

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/error.h"
+#include "core/session/safety_gate.h"
+#include "core/signal/recording.h"
+
+#include <QString>
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace gripscope {
+
+/// What a gripper says of itself.
+struct GripperIdentity {
+    QString address, serial, name, firmware;
+    int protocolMajor = 0, protocolMinor = 0;
+    QString forceUnit = QStringLiteral("N");
+    QString positionUnit = QStringLiteral("m");
+    double sampleTime_s = 0.0005;
+    ForceHold hold = ForceHold::Zero;
+    double forceLag_s = 0;
+    DeviceLimits limits;
+    bool commandable = false; ///< false: it only streams (a replay, a read-only gripper)
+};
+
+/// One sample as the device sent it, in the units of its identity. `time_s` counts from the device's own zero.
+struct Sample {
+    std::uint64_t sequence = 0;
+    double time_s = 0;
+    double force = 0;
+    double position = 0;
+    std::uint16_t status = 0; ///< SampleStatus bits
+};
+
+enum class LinkState { Closed, Opening, Ready, Armed, Lost, Closing };
+[[nodiscard]] QString toString(LinkState state);
+
+/// Counted since the link was opened; nothing is lost without being counted.
+struct LinkCounters {
+    std::uint64_t reports = 0;
+    std::uint64_t samples = 0;
+    std::uint64_t lostSamples = 0;      ///< missing by sequence number
+    std::uint64_t duplicateReports = 0;
+    std::uint64_t badReports = 0;       ///< wrong CRC, length or version
+    std::uint64_t droppedSamples = 0;   ///< the program did not keep up: its own queue was full
+    double latency_ms = 0;              ///< age of the newest sample when it was taken over, smoothed
+};
+
+/// What became of the last squeeze asked for.
+enum class SqueezeState { Idle, Uploading, Running, Finished, Stopped, Refused };
+
+/// A gripper as the sessions see it. Every call returns at once; the work is done by threads behind it. Belongs to
+/// one thread at a time, but for stop(), which any thread may call at any moment.
+class GripperPort {
+public:
+    virtual ~GripperPort() = default;
+
+    /// Starts opening; state() goes Opening -> Ready, or Lost with lastError().
+    virtual void open() = 0;
+    /// Bounded: comes back within a second, whatever the device does.
+    virtual void close() = 0;
+    [[nodiscard]] virtual LinkState state() const = 0;
+    [[nodiscard]] virtual std::optional<Error> lastError() const = 0;
+    [[nodiscard]] virtual GripperIdentity identity() const = 0; ///< meaningful from Ready on
+    [[nodiscard]] virtual LinkCounters counters() const = 0;
+
+    /// Takes over what has arrived since the last call, at most `most` samples, and appends it.
+    virtual std::size_t drain(std::vector<Sample>& samples, std::size_t most = 65536) = 0;
+
+    /// Asked for by a person, through the SafetyGate only.
+    virtual void arm(const ArmingOrder& order) = 0;
+    virtual void disarm() = 0;
+    /// Uploads the whole force signal, waits for the acknowledgement, then starts it.
+    virtual void startExcitation(const AdmittedExcitation& excitation) = 0;
+    [[nodiscard]] virtual SqueezeState squeezeState() const = 0;
+    /// Handed to the device before anything else that is queued.
+    virtual void stop() noexcept = 0;
+    /// The screen (or the command line's loop) is alive: to be called at least once a second while armed, or the
+    /// heartbeat ends and the gripper stops by itself.
+    virtual void confirmAlive() noexcept = 0;
+};
+
+/// Makes ports from addresses; devices/ implements it, so that sessions need not know how.
+class GripperPortFactory {
+public:
+    virtual ~GripperPortFactory() = default;
+    [[nodiscard]] virtual Expected<std::unique_ptr<GripperPort>> create(const QString& address) = 0;
+};
+
+} // namespace gripscope

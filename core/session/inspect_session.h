@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/squeeze_job.h"
+#include "core/store/library_service.h"
+
+#include <memory>
+#include <optional>
+
+namespace gripscope {
+
+/// What an inspection shows: one of five outcomes that never share a word or a colour.
+enum class InspectionOutcome { AsExpected, OtherType, Unknown, Inconclusive, NotValid };
+
+/// With nothing expected every named type is "as expected".
+[[nodiscard]] InspectionOutcome inspectionOutcome(VerdictKind verdict, const QString& type, const QString& expectedType);
+[[nodiscard]] QString toString(InspectionOutcome outcome); ///< "as_expected", "other_type", ...
+
+/// Inspections one after another.
+///
+///     Loading -> Ready -> Squeezing -> Judging -> Ready (result()) ...
+///
+/// The verdict is shown as soon as it is known; storing goes on behind it, and a failure to store is lastError().
+class InspectSession {
+public:
+    enum class State { Loading, Ready, Squeezing, Judging };
+
+    InspectSession(ConnectSession& connection, LibraryService& library);
+    ~InspectSession();
+    InspectSession(const InspectSession&) = delete;
+    InspectSession& operator=(const InspectSession&) = delete;
+
+    void setOperator(const QString& name);
+    void setExpectedType(const QString& name); ///< empty: none
+    void setRates(const VerdictOptions& rates);
+    void setIdentificationOptions(const IdentificationOptions& options);
+    void setRecipe(const Recipe& recipe);      ///< used when nothing is expected; else the type's own
+    void setStoring(bool store);               ///< off: classify only (the command line)
+    void reload();                             ///< the library changed
+
+    [[nodiscard]] Expected<void> squeeze();
+    [[nodiscard]] Expected<void> judgeRecording(Recording recording, const QString& source);
+    void cancel();
+    bool poll(); ///< never waits; true when something changed
+
+    struct Result {
+        qint64 number = 0; ///< in the library; 0 until it is stored
+        Recording recording;
+        Identification identification;
+        Verdict verdict;
+        InspectionOutcome outcome = InspectionOutcome::NotValid;
+        QString expectedType;
+        double seconds = 0;
+    };
+    [[nodiscard]] State state() const;
+    [[nodiscard]] double progress() const;
+    [[nodiscard]] const std::optional<Result>& result() const; ///< the last one
+    [[nodiscard]] InspectionCounts counts() const;
+    [[nodiscard]] const TypeModels& models() const;
+    [[nodiscard]] const std::vector<TypeRecord>& types() const;
+    [[nodiscard]] std::optional<Error> lastError() const;
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace gripscope

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/error.h"
+#include "core/identification/identification.h"
+#include "core/recognition/type_model.h"
+#include "core/recognition/verdict.h"
+#include "core/signal/recording.h"
+
+#include <QDateTime>
+#include <QJsonObject>
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace gripscope {
+
+/// How a part is squeezed. Forces in newtons.
+struct Recipe {
+    QString name = QStringLiteral("squeeze-10N");
+    double peak_N = 10, bias_N = 20, bit_s = 0.005, seconds = 1.0;
+    double maxForce_N = 40;   ///< crush limit: no command for this type goes above
+    double maxTravel_m = 0.02;
+    friend bool operator==(const Recipe&, const Recipe&) = default;
+};
+
+struct TypeRecord {
+    QString id, name;
+    Recipe recipe;
+    QString forceUnit, positionUnit; ///< units of its squeezes' estimates
+    QDateTime created;
+    int squeezes = 0; ///< accepted ones
+    bool approved = false;
+};
+
+struct NewGrasp {
+    QString typeId;                             ///< of an enrolment; empty for an inspection
+    std::optional<Recording> recording;         ///< absent for a row of an imported table
+    std::vector<Estimate> estimates;            ///< at least one, the recommended first
+    QString forceUnit, positionUnit;
+    QString source;                             ///< file or device it came from
+    QString operatorName;
+    QJsonObject identification;                 ///< the whole identify document, for audit; may be empty
+};
+
+struct GraspRecord {
+    QString id, typeId, typeName, source, operatorName;
+    QDateTime recorded;
+    bool hasRecording = false;
+    bool accepted = true;                        ///< false once the squeeze was dropped from its type
+    Estimator estimator = Estimator::OutputError;
+    std::optional<MassDampingStiffness> parameters;
+    std::optional<Eigen::Matrix3d> covariance;
+    std::optional<double> simulationFitPercent;
+    QString forceUnit, positionUnit;
+};
+
+struct NewInspection {
+    NewGrasp grasp;
+    Verdict verdict;
+    VerdictOptions rates;
+    QString expectedType;                        ///< name; empty when nothing was expected
+    double seconds = 0;                          ///< length of the squeeze
+};
+
+struct InspectionRecord {
+    QString id, graspId, expectedType;
+    qint64 number = 0;                           ///< 1, 2, 3... in this library
+    QDateTime inspected;
+    VerdictKind verdict = VerdictKind::Invalid;
+    QString type, nearest, reason, operatorName;
+    std::optional<double> posterior, distance, gate;
+    std::optional<MassDampingStiffness> parameters;
+    QString forceUnit, positionUnit;
+    double seconds = 0;
+};
+
+struct HistoryFilter {
+    QString text;                                ///< type, operator or source contains
+    std::optional<VerdictKind> verdict;
+    int limit = 200;
+    int offset = 0;
+};
+
+struct InspectionCounts {
+    qint64 total = 0, asExpected = 0, otherType = 0, unknown = 0, inconclusive = 0, invalid = 0;
+};
+
+/// The library of types, squeezes and inspections in one SQLite file. Rows are appended, never overwritten; keys
+/// are UUIDs in time order; every write is one transaction, so a squeeze is stored whole or not at all.
+/// An object belongs to the thread that opened it.
+class Library {
+public:
+    /// Opens or creates `file`, brings an older one up to date. StorageOpen, StorageNewer, StorageCorrupt.
+    [[nodiscard]] static Expected<std::unique_ptr<Library>> open(const QString& file);
+    /// The user's own library when no file is named.
+    [[nodiscard]] static QString defaultFile();
+
+    ~Library();
+    Library(const Library&) = delete;
+    Library& operator=(const Library&) = delete;
+
+    [[nodiscard]] QString file() const;
+    [[nodiscard]] int schemaVersion() const;
+
+    // Types
+    [[nodiscard]] Expected<TypeRecord> addType(const QString& name, const Recipe& recipe, const QString& forceUnit,
+                                               const QString& positionUnit);
+    [[nodiscard]] Expected<void> approveType(const QString& typeId, const QString& operatorName);
+    [[nodiscard]] Expected<std::vector<TypeRecord>> types() const;                       ///< by name
+    [[nodiscard]] Expected<std::optional<TypeRecord>> findType(const QString& name) const;
+
+    // Squeezes
+    [[nodiscard]] Expected<GraspRecord> addGrasp(const NewGrasp& grasp);
+    [[nodiscard]] Expected<void> dropGrasp(const QString& graspId, const QString& reason, const QString& operatorName);
+    [[nodiscard]] Expected<std::vector<GraspRecord>> grasps(const QString& typeId) const; ///< in order of recording
+    [[nodiscard]] Expected<std::optional<GraspRecord>> grasp(const QString& graspId) const;
+    /// The raw recording, its SHA-256 checked: StorageCorrupt when the bytes are not those that were stored.
+    [[nodiscard]] Expected<Recording> recording(const QString& graspId) const;
+    /// The accepted squeezes of all types, m, b, k in the types' own units: what fitTypeModels() takes.
+    [[nodiscard]] Expected<std::vector<TypeSqueeze>> enrolledSqueezes() const;
+
+    // Inspections
+    [[nodiscard]] Expected<InspectionRecord> addInspection(const NewInspection& inspection);
+    [[nodiscard]] Expected<std::vector<InspectionRecord>> inspections(const HistoryFilter& filter) const; ///< newest first
+    [[nodiscard]] Expected<qint64> countInspections(const HistoryFilter& filter) const;
+    [[nodiscard]] Expected<InspectionCounts> inspectionCounts() const;
+
+    /// Adds the paper's four cans in SI as types A to D with 10 squeezes each, once: nothing when they are there.
+    [[nodiscard]] Expected<void> loadExampleTypes();
+
+private:
+    struct Private;
+    explicit Library(std::unique_ptr<Private> d);
+    std::unique_ptr<Private> d;
+};
+
+} // namespace gripscope

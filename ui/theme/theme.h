@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/inspect_session.h"
+
+#include <QColor>
+#include <QFont>
+#include <QIcon>
+#include <QObject>
+#include <QString>
+
+#include <optional>
+
+namespace gripscope {
+
+enum class ThemeKind { Light, Dark, HighContrast };
+[[nodiscard]] std::optional<ThemeKind> themeKindFromString(const QString& text); ///< light, dark, contrast
+
+/// The design tokens of one theme; every colour on the screen is one of these.
+struct ThemeTokens {
+    ThemeKind kind = ThemeKind::Light;
+    QColor page, surface, line, text, secondText, accent, stop;
+    QColor asExpected, otherType, unknown, inconclusive, notValid;
+    QColor force, position, model;
+    int lineWidth = 1;
+    int curveWidth = 2;
+};
+[[nodiscard]] ThemeTokens themeTokens(ThemeKind kind);
+
+/// Sizes in logical pixels.
+namespace metrics {
+inline constexpr int step = 8;
+inline constexpr int insideControl = 4;
+inline constexpr int radius = 6;
+inline constexpr int touchTarget = 40;
+inline constexpr int fontSmall = 12, fontBase = 14, fontLarge = 16, fontTitle = 20, fontNumber = 28, fontVerdict = 72;
+} // namespace metrics
+
+/// The theme in force. Widgets that paint themselves read tokens() when they paint and repaint on changed().
+class Theme : public QObject {
+    Q_OBJECT
+public:
+    static Theme& instance();
+    /// Sets palette, style sheet, font and icon theme of the application.
+    void apply(ThemeKind kind);
+    [[nodiscard]] const ThemeTokens& tokens() const { return m_tokens; }
+    [[nodiscard]] QColor outcomeColor(InspectionOutcome outcome) const;
+    /// Colour of the n-th type, one of eight that hold 3 to 1 on light; shape too goes by n (sphere, cube, cone,
+    /// octahedron), so that colour is never alone.
+    [[nodiscard]] static QColor typeColor(int index);
+    /// A monochrome icon of the desktop's theme in the text colour (or the one given), sharp at any scale.
+    [[nodiscard]] QIcon icon(const QString& name, std::optional<QColor> color = std::nullopt) const;
+    [[nodiscard]] static QFont font(int pixels, bool strong = false);
+
+signals:
+    void changed();
+
+private:
+    ThemeTokens m_tokens = themeTokens(ThemeKind::Light);
+};
+
+} // namespace gripscope

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/connect_session.h"
+#include "core/session/enroll_session.h"
+#include "core/session/inspect_session.h"
+#include "core/store/library_service.h"
+#include "ui/live_history.h"
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <future>
+#include <memory>
+
+class QTimer;
+
+namespace gripscope {
+
+/// A squeeze with what was found in it: what the Fit page shows.
+struct FitSubject {
+    QString title; ///< "Inspection 12", "A, squeeze 3"
+    Recording recording;
+    Identification identification;
+};
+
+/// All that the pages share: the sessions, the library, the live history, and the one timer (every 16 ms) that drives
+/// them. Lives on the screen's thread and never waits.
+class Workbench : public QObject {
+    Q_OBJECT
+public:
+    explicit Workbench(const QString& libraryFile, QObject* parent = nullptr);
+    ~Workbench() override;
+
+    [[nodiscard]] ConnectSession& connection();
+    [[nodiscard]] EnrollSession& enrollment();
+    [[nodiscard]] InspectSession& inspection();
+    [[nodiscard]] LibraryService& library();
+    [[nodiscard]] const LiveHistory& liveHistory() const;
+    [[nodiscard]] QString operatorName() const;
+    void setOperatorName(const QString& name);
+
+    /// Asks the library on its own thread, and calls `done` on the screen's thread with the answer, unless `context`
+    /// is gone by then.
+    template <typename T>
+    void ask(QObject* context, std::function<Expected<T>(Library&)> work, std::function<void(Expected<T>)> done)
+    {
+        auto future = std::make_shared<std::future<Expected<T>>>(library().run<T>(std::move(work)));
+        whenReady(context, [future] { return future->wait_for(std::chrono::seconds(0)) == std::future_status::ready; },
+                  [future, done = std::move(done)] { done(future->get()); });
+    }
+    /// Runs `work` (identification, clustering) in the thread pool, and `done` on the screen's thread.
+    template <typename T>
+    void compute(QObject* context, std::function<T()> work, std::function<void(T)> done)
+    {
+        auto promise = std::make_shared<std::promise<T>>();
+        auto future = std::make_shared<std::future<T>>(promise->get_future());
+        runInPool([promise, work = std::move(work)] { promise->set_value(work()); });
+        whenReady(context, [future] { return future->wait_for(std::chrono::seconds(0)) == std::future_status::ready; },
+                  [future, done = std::move(done)] { done(future->get()); });
+    }
+
+    /// Puts a squeeze on the Fit page and shows that page.
+    void showInFit(FitSubject subject);
+    [[nodiscard]] const std::optional<FitSubject>& fitSubject() const;
+    void tellLibraryChanged() { emit libraryChanged(); }
+    /// Shows a message (errors, mostly) in the window's message bar.
+    void report(const QString& message) { emit reported(message); }
+
+signals:
+    void ticked();            ///< after every poll; pages refresh what moved
+    void connectionChanged(); ///< state, identity or armed state
+    void libraryChanged();    ///< types, squeezes or inspections were added
+    void inspectionChanged();
+    void enrollmentChanged();
+    void fitSubjectChanged(); ///< a new one; the page need not be in view
+    void fitRequested();      ///< showInFit() was called: bring the Fit page into view
+    void reported(const QString& message);
+
+private:
+    void whenReady(QObject* context, std::function<bool()> ready, std::function<void()> then);
+    void runInPool(std::function<void()> work);
+    void tick();
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace gripscope
