@@ -18,6 +18,6 @@ int runTests(int argc, char** argv);
 
 } // namespace gripscope::test
 
-#define GRIPSCOPE_TEST(Class)                                                                                          \
-    static const bool registered##Class =                                                                              \
+#define GRIPSCOPE_TEST(Class)                                                                                \
+    static const bool registered##Class =                                                                    \
         gripscope::test::registerTest(#Class, [] { return std::unique_ptr<QObject>(new Class); });
