@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/safety_gate.h"
+
+#include "core/session/gripper_port.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString newtons(double force_N)
+{
+    return u"%1 N"_qs.arg(force_N, 0, 'g', 4);
+}
+
+/// Nothing when every value is a push; else what is wrong with the first that is not.
+std::optional<Error> notAPush(const std::vector<double>& force_N)
+{
+    const auto bad =
+        std::find_if(force_N.begin(), force_N.end(), [](double f) { return !std::isfinite(f) || f < 0; });
+    if (bad == force_N.end())
+        return std::nullopt;
+    const QString what = std::isfinite(*bad) ? u"a pull of "_qs + newtons(-*bad) : u"not a number"_qs;
+    return Error{
+        ErrorCode::Usage,
+        {u"The force signal has %1 at sample %2; a gripper can only push. Raise the bias or lower the peak."_qs
+             .arg(what, QString::number(bad - force_N.begin()))}};
+}
+
+} // namespace
+
+JobLimits SafetyGate::effectiveLimits() const
+{
+    const DeviceLimits device = m_port->identity().limits;
+    return {std::min(device.maxForce_N, m_jobLimits.maxForce_N),
+            std::min(device.maxTravel_m, m_jobLimits.maxTravel_m)};
+}
+
+Expected<AdmittedExcitation> SafetyGate::admit(const std::vector<double>& force_N) const
+{
+    const GripperIdentity identity = m_port->identity();
+    if (!identity.commandable)
+        return failure(ErrorCode::DeviceRefused, {u"squeeze"_qs, u"it only listens"_qs});
+    if (force_N.empty())
+        return failure(ErrorCode::Usage, {u"The force signal is empty. Choose a longer squeeze."_qs});
+    if (force_N.size() > identity.limits.maxSamples)
+        return failure(
+            ErrorCode::Usage,
+            {u"The force signal has %1 samples; the gripper holds at most %2. Choose a shorter squeeze."_qs
+                 .arg(QString::number(force_N.size()), QString::number(identity.limits.maxSamples))});
+    if (const std::optional<Error> error = notAPush(force_N))
+        return tl::unexpected<Error>(*error);
+
+    const JobLimits limits = effectiveLimits();
+    const double largest_N = *std::max_element(force_N.begin(), force_N.end());
+    if (largest_N > limits.maxForce_N) {
+        const bool device = identity.limits.maxForce_N <= m_jobLimits.maxForce_N;
+        return failure(ErrorCode::LimitExceeded,
+                       {u"The force"_qs, newtons(largest_N), newtons(limits.maxForce_N),
+                        device ? u"the gripper's own"_qs : u"the recipe's"_qs});
+    }
+    return AdmittedExcitation(force_N, limits);
+}
+
+Expected<void> SafetyGate::arm(const QString& person)
+{
+    if (person.trimmed().isEmpty())
+        return failure(ErrorCode::Usage, {u"Only a person may arm the gripper, and no name was given."_qs});
+    if (!m_port->identity().commandable)
+        return failure(ErrorCode::DeviceRefused, {u"arm"_qs, u"it only listens"_qs});
+    if (const LinkState state = m_port->state(); state != LinkState::Ready && state != LinkState::Armed)
+        return failure(ErrorCode::DeviceRefused, {u"arm"_qs, u"the link is %1"_qs.arg(toString(state))});
+    m_port->arm(ArmingOrder(person.trimmed()));
+    return {};
+}
+
+Expected<void> SafetyGate::start(const std::vector<double>& force_N)
+{
+    const Expected<AdmittedExcitation> admitted = admit(force_N);
+    if (!admitted)
+        return tl::unexpected<Error>(admitted.error());
+    if (m_port->state() != LinkState::Armed)
+        return failure(ErrorCode::NotArmed, {u"move"_qs});
+    m_port->startExcitation(*admitted);
+    return {};
+}
+
+void SafetyGate::stop() noexcept
+{
+    m_port->stop();
+}
+
+} // namespace gripscope
