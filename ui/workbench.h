@@ -25,8 +25,8 @@ struct FitSubject {
     Identification identification;
 };
 
-/// All that the pages share: the sessions, the library, the live history, and the one timer (every 16 ms) that drives
-/// them. Lives on the screen's thread and never waits.
+/// All that the pages share: the sessions, the library, the live history, and the one timer (every 16 ms)
+/// that drives them. Lives on the screen's thread and never waits.
 class Workbench : public QObject {
     Q_OBJECT
 public:
@@ -41,14 +41,24 @@ public:
     [[nodiscard]] QString operatorName() const;
     void setOperatorName(const QString& name);
 
-    /// Asks the library on its own thread, and calls `done` on the screen's thread with the answer, unless `context`
-    /// is gone by then.
+    /// These word the errors of the connection in the message bar.
+    void connectTo(const QString& address);
+    void arm(); ///< only where a person asked for it
+    /// Stop and disarm, from any page, whatever else is going on.
+    void stop();
+    [[nodiscard]] bool squeezing() const; ///< the gripper is busy with a squeeze, whoever asked for it
+
+    /// Asks the library on its own thread, and calls `done` on the screen's thread with the answer, unless
+    /// `context` is gone by then.
     template <typename T>
-    void ask(QObject* context, std::function<Expected<T>(Library&)> work, std::function<void(Expected<T>)> done)
+    void ask(QObject* context, std::function<Expected<T>(Library&)> work,
+             std::function<void(Expected<T>)> done)
     {
         auto future = std::make_shared<std::future<Expected<T>>>(library().run<T>(std::move(work)));
-        whenReady(context, [future] { return future->wait_for(std::chrono::seconds(0)) == std::future_status::ready; },
-                  [future, done = std::move(done)] { done(future->get()); });
+        whenReady(
+            context,
+            [future] { return future->wait_for(std::chrono::seconds(0)) == std::future_status::ready; },
+            [future, done = std::move(done)] { done(future->get()); });
     }
     /// Runs `work` (identification, clustering) in the thread pool, and `done` on the screen's thread.
     template <typename T>
@@ -57,14 +67,19 @@ public:
         auto promise = std::make_shared<std::promise<T>>();
         auto future = std::make_shared<std::future<T>>(promise->get_future());
         runInPool([promise, work = std::move(work)] { promise->set_value(work()); });
-        whenReady(context, [future] { return future->wait_for(std::chrono::seconds(0)) == std::future_status::ready; },
-                  [future, done = std::move(done)] { done(future->get()); });
+        whenReady(
+            context,
+            [future] { return future->wait_for(std::chrono::seconds(0)) == std::future_status::ready; },
+            [future, done = std::move(done)] { done(future->get()); });
     }
 
     /// Puts a squeeze on the Fit page and shows that page.
     void showInFit(FitSubject subject);
+    /// Puts a squeeze on the Fit page without leaving this one.
+    void setFitSubject(FitSubject subject);
     [[nodiscard]] const std::optional<FitSubject>& fitSubject() const;
-    void tellLibraryChanged() { emit libraryChanged(); }
+    /// Types or squeezes in the library were changed by a page.
+    void tellLibraryChanged();
     /// Shows a message (errors, mostly) in the window's message bar.
     void report(const QString& message) { emit reported(message); }
 
@@ -77,11 +92,18 @@ signals:
     void fitSubjectChanged(); ///< a new one; the page need not be in view
     void fitRequested();      ///< showInFit() was called: bring the Fit page into view
     void reported(const QString& message);
+    void operatorChanged();
+    void stopped(); ///< by a person, through stop()
 
 private:
     void whenReady(QObject* context, std::function<bool()> ready, std::function<void()> then);
     void runInPool(std::function<void()> work);
     void tick();
+    void noticeConnection();
+    void noticeEnrollment();
+    void noticeInspection();
+    void noticeError(std::optional<Error>& known, const std::optional<Error>& now);
+    void answerWaiting();
     struct Private;
     std::unique_ptr<Private> d;
 };

@@ -1,2 +1,228 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QtWidgets>
+#include "ui/theme/theme.h"
+
+#include "ui/theme/style_sheet.h"
+#include "ui/theme/tinted_icon.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyleFactory>
+
+#include <array>
+
+using namespace Qt::StringLiterals;
+
+namespace gripscope {
+
+std::optional<ThemeKind> themeKindFromString(const QString& text)
+{
+    if (text == "light"_L1)
+        return ThemeKind::Light;
+    if (text == "dark"_L1)
+        return ThemeKind::Dark;
+    if (text == "contrast"_L1)
+        return ThemeKind::HighContrast;
+    return std::nullopt;
+}
+
+namespace {
+
+ThemeTokens lightTokens()
+{
+    ThemeTokens t;
+    t.kind = ThemeKind::Light;
+    t.page = QColor(QRgb{0xFFF6F7F9});
+    t.surface = QColor(QRgb{0xFFFFFFFF});
+    t.line = QColor(QRgb{0xFFD9DDE3});
+    t.text = QColor(QRgb{0xFF1A1E24});
+    t.secondText = QColor(QRgb{0xFF5B6470});
+    t.accent = QColor(QRgb{0xFF1F5FD6});
+    t.stop = QColor(QRgb{0xFFC22F2F});
+    t.asExpected = QColor(QRgb{0xFF187A47});
+    t.otherType = QColor(QRgb{0xFFA3266B});
+    t.unknown = QColor(QRgb{0xFF6A47B8});
+    t.inconclusive = QColor(QRgb{0xFF4A6076});
+    t.notValid = QColor(QRgb{0xFF8F5500});
+    t.force = QColor(QRgb{0xFF0B6E99});
+    t.position = QColor(QRgb{0xFFA84A0A});
+    t.model = QColor(QRgb{0xFF3D7A00});
+    return t;
+}
+
+ThemeTokens darkTokens()
+{
+    ThemeTokens t;
+    t.kind = ThemeKind::Dark;
+    t.page = QColor(QRgb{0xFF13161A});
+    t.surface = QColor(QRgb{0xFF1C2026});
+    t.line = QColor(QRgb{0xFF333A44});
+    t.text = QColor(QRgb{0xFFE7EAEE});
+    t.secondText = QColor(QRgb{0xFF9AA4B1});
+    t.accent = QColor(QRgb{0xFF6CA6FF});
+    t.stop = QColor(QRgb{0xFFFF5A5A});
+    t.asExpected = QColor(QRgb{0xFF4CC38A});
+    t.otherType = QColor(QRgb{0xFFFF8CC6});
+    t.unknown = QColor(QRgb{0xFFB39CF5});
+    t.inconclusive = QColor(QRgb{0xFF9FB4CA});
+    t.notValid = QColor(QRgb{0xFFF0B04A});
+    t.force = QColor(QRgb{0xFF5CC0EA});
+    t.position = QColor(QRgb{0xFFFF9F5A});
+    t.model = QColor(QRgb{0xFFA5D66B});
+    return t;
+}
+
+/// Black, white and one accent; icons, words and patterns tell apart what colours tell apart elsewhere. Stop
+/// alone stays red, as a safety colour is.
+ThemeTokens highContrastTokens()
+{
+    ThemeTokens t;
+    t.kind = ThemeKind::HighContrast;
+    t.page = t.surface = QColor(Qt::black);
+    t.line = t.text = t.secondText = QColor(QRgb{0xFFFFFFFF});
+    t.accent = QColor(QRgb{0xFFFFE14D});
+    t.stop = QColor(QRgb{0xFFFF5A5A});
+    t.asExpected = t.otherType = t.unknown = t.inconclusive = t.notValid = QColor(QRgb{0xFFFFFFFF});
+    t.force = QColor(QRgb{0xFFFFFFFF});
+    t.position = QColor(QRgb{0xFFFFFFFF});
+    t.model = QColor(QRgb{0xFFFFE14D});
+    t.lineWidth = 2;
+    t.curveWidth = 3;
+    return t;
+}
+
+QPalette palette(const ThemeTokens& t)
+{
+    QPalette p;
+    p.setColor(QPalette::Window, t.page);
+    p.setColor(QPalette::WindowText, t.text);
+    p.setColor(QPalette::Base, t.surface);
+    p.setColor(QPalette::AlternateBase, t.page);
+    p.setColor(QPalette::Text, t.text);
+    p.setColor(QPalette::PlaceholderText, t.secondText);
+    p.setColor(QPalette::Button, t.surface);
+    p.setColor(QPalette::ButtonText, t.text);
+    p.setColor(QPalette::BrightText, t.stop);
+    p.setColor(QPalette::ToolTipBase, t.surface);
+    p.setColor(QPalette::ToolTipText, t.text);
+    p.setColor(QPalette::Highlight, t.accent);
+    p.setColor(QPalette::HighlightedText, Theme::onColor(t.accent));
+    p.setColor(QPalette::Link, t.accent);
+    p.setColor(QPalette::LinkVisited, t.accent);
+    p.setColor(QPalette::Light, t.surface);
+    p.setColor(QPalette::Midlight, t.line);
+    p.setColor(QPalette::Mid, t.line);
+    p.setColor(QPalette::Dark, t.secondText);
+    p.setColor(QPalette::Shadow, t.line);
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        p.setColor(QPalette::Disabled, role, t.secondText);
+    return p;
+}
+
+} // namespace
+
+ThemeTokens themeTokens(ThemeKind kind)
+{
+    switch (kind) {
+    case ThemeKind::Light:
+        return lightTokens();
+    case ThemeKind::Dark:
+        return darkTokens();
+    case ThemeKind::HighContrast:
+        return highContrastTokens();
+    }
+    return lightTokens();
+}
+
+Theme& Theme::instance()
+{
+    static Theme theme;
+    return theme;
+}
+
+void Theme::apply(ThemeKind kind)
+{
+    m_tokens = themeTokens(kind);
+    const QStringList paths{u"/usr/share/icons"_s, u"/usr/local/share/icons"_s};
+    QIcon::setFallbackSearchPaths(paths);
+    QIcon::setThemeName(kind == ThemeKind::Light ? u"breeze"_s : u"breeze-dark"_s);
+    QIcon::setFallbackThemeName(u"breeze"_s);
+
+    QApplication::setStyle(QStyleFactory::create(u"Fusion"_s));
+    QApplication::setFont(font(metrics::fontBase));
+    QApplication::setPalette(palette(m_tokens));
+    if (!m_sheet)
+        m_sheet = std::make_unique<StyleSheet>();
+    qApp->setStyleSheet(m_sheet->text(m_tokens));
+    emit changed();
+}
+
+Theme::Theme() = default;
+Theme::~Theme() = default;
+
+QColor Theme::outcomeColor(InspectionOutcome outcome) const
+{
+    switch (outcome) {
+    case InspectionOutcome::AsExpected:
+        return m_tokens.asExpected;
+    case InspectionOutcome::OtherType:
+        return m_tokens.otherType;
+    case InspectionOutcome::Unknown:
+        return m_tokens.unknown;
+    case InspectionOutcome::Inconclusive:
+        return m_tokens.inconclusive;
+    case InspectionOutcome::NotValid:
+        return m_tokens.notValid;
+    }
+    return m_tokens.text;
+}
+
+QColor Theme::typeColor(int index)
+{
+    static constexpr std::array<QRgb, 8> colors{0xFF0072B2, 0xFFB07400, 0xFF00805C, 0xFFB5608F,
+                                                0xFF2A86C0, 0xFFD55E00, 0xFF8C6D1F, 0xFF666666};
+    const auto size = static_cast<int>(colors.size());
+    return QColor(colors[static_cast<std::size_t>(((index % size) + size) % size)]);
+}
+
+double Theme::contrastRatio(const QColor& one, const QColor& other)
+{
+    const auto channel = [](double c) {
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    const auto luminance = [&channel](const QColor& c) {
+        return 0.2126 * channel(c.redF()) + 0.7152 * channel(c.greenF()) + 0.0722 * channel(c.blueF());
+    };
+    const double a = luminance(one);
+    const double b = luminance(other);
+    return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
+}
+
+QColor Theme::onColor(const QColor& fill)
+{
+    const QColor white(Qt::white);
+    const QColor ink(0x13161A);
+    return contrastRatio(fill, white) >= contrastRatio(fill, ink) ? white : ink;
+}
+
+QColor Theme::mix(const QColor& one, const QColor& other, double share)
+{
+    const auto part = [share](float a, float b) { return a + (b - a) * static_cast<float>(share); };
+    return QColor::fromRgbF(part(one.redF(), other.redF()), part(one.greenF(), other.greenF()),
+                            part(one.blueF(), other.blueF()));
+}
+
+QIcon Theme::icon(const QString& name, std::optional<QColor> color) const
+{
+    return tintedIcon(name, color);
+}
+
+QFont Theme::font(int pixels, bool strong)
+{
+    QFont font(u"Noto Sans"_s);
+    font.setStyleHint(QFont::SansSerif);
+    font.setPixelSize(pixels);
+    font.setWeight(strong ? QFont::DemiBold : QFont::Normal);
+    return font;
+}
+
+} // namespace gripscope

@@ -9,9 +9,12 @@
 #include <QObject>
 #include <QString>
 
+#include <memory>
 #include <optional>
 
 namespace gripscope {
+
+class StyleSheet;
 
 enum class ThemeKind { Light, Dark, HighContrast };
 [[nodiscard]] std::optional<ThemeKind> themeKindFromString(const QString& text); ///< light, dark, contrast
@@ -33,7 +36,8 @@ inline constexpr int step = 8;
 inline constexpr int insideControl = 4;
 inline constexpr int radius = 6;
 inline constexpr int touchTarget = 40;
-inline constexpr int fontSmall = 12, fontBase = 14, fontLarge = 16, fontTitle = 20, fontNumber = 28, fontVerdict = 72;
+inline constexpr int fontSmall = 12, fontBase = 14, fontLarge = 16, fontTitle = 20, fontNumber = 28,
+                     fontVerdict = 72;
 } // namespace metrics
 
 /// The theme in force. Widgets that paint themselves read tokens() when they paint and repaint on changed().
@@ -45,17 +49,26 @@ public:
     void apply(ThemeKind kind);
     [[nodiscard]] const ThemeTokens& tokens() const { return m_tokens; }
     [[nodiscard]] QColor outcomeColor(InspectionOutcome outcome) const;
-    /// Colour of the n-th type, one of eight that hold 3 to 1 on light; shape too goes by n (sphere, cube, cone,
-    /// octahedron), so that colour is never alone.
+    /// Colour of the n-th type, one of eight that hold 3 to 1 on light; shape too goes by n (sphere, cube,
+    /// cone, octahedron), so that colour is never alone.
     [[nodiscard]] static QColor typeColor(int index);
     /// A monochrome icon of the desktop's theme in the text colour (or the one given), sharp at any scale.
     [[nodiscard]] QIcon icon(const QString& name, std::optional<QColor> color = std::nullopt) const;
     [[nodiscard]] static QFont font(int pixels, bool strong = false);
+    /// Contrast of two colours after WCAG 2: 1 to 21.
+    [[nodiscard]] static double contrastRatio(const QColor& one, const QColor& other);
+    /// White or ink, whichever reads better on `fill`.
+    [[nodiscard]] static QColor onColor(const QColor& fill);
+    /// `share` of the way from one colour to the other: tints.
+    [[nodiscard]] static QColor mix(const QColor& one, const QColor& other, double share);
 
 signals:
     void changed();
 
 private:
+    Theme();
+    ~Theme() override;
+    std::unique_ptr<StyleSheet> m_sheet;
     ThemeTokens m_tokens = themeTokens(ThemeKind::Light);
 };
 

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_registry.h"
+#include "ui/live_history.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace gripscope;
+
+namespace {
+
+constexpr double sampleTime_s = 0.0005;
+
+std::vector<Sample> ramp(double from_s, double to_s, double peakAt_s = -1)
+{
+    std::vector<Sample> samples;
+    const auto first = static_cast<std::uint64_t>(std::llround(from_s / sampleTime_s));
+    const auto last = static_cast<std::uint64_t>(std::llround(to_s / sampleTime_s));
+    for (std::uint64_t i = first; i < last; ++i) {
+        Sample s;
+        s.sequence = i;
+        s.time_s = static_cast<double>(i) * sampleTime_s;
+        s.force = std::sin(s.time_s);
+        s.position = std::abs(s.time_s - peakAt_s) < sampleTime_s / 2 ? 9.0 : 1.0;
+        samples.push_back(s);
+    }
+    return samples;
+}
+
+std::size_t points(const std::vector<LiveHistory::Stretch>& stretches)
+{
+    std::size_t count = 0;
+    for (const LiveHistory::Stretch& stretch : stretches)
+        count += stretch.size();
+    return count;
+}
+
+} // namespace
+
+class LiveHistoryTest : public QObject {
+    Q_OBJECT
+private slots:
+    void startsEmpty();
+    void drawingCostsWhatTheWidthCosts_data();
+    void drawingCostsWhatTheWidthCosts();
+    void onePeakSampleIsNeverLost_data();
+    void onePeakSampleIsNeverLost();
+    void reachesUpToTheNewestSample();
+    void valuesStandAtTheirTimes();
+    void gapsStayGaps();
+    void keepsTenMinutesAndForgetsWhatIsOlder();
+    void aDeviceThatStartsAgainStartsANewHistory();
+    void columnsStandStillWhileTheTimeMovesOn();
+};
+
+void LiveHistoryTest::startsEmpty()
+{
+    const LiveHistory history;
+    QVERIFY(history.empty());
+    QVERIFY(history.columns(LiveHistory::Channel::Force, 0, 10, 500).empty());
+}
+
+void LiveHistoryTest::drawingCostsWhatTheWidthCosts_data()
+{
+    QTest::addColumn<double>("seconds");
+    for (const double seconds : {2.0, 10.0, 60.0, 600.0})
+        QTest::newRow(qPrintable(QString::number(seconds))) << seconds;
+}
+
+void LiveHistoryTest::drawingCostsWhatTheWidthCosts()
+{
+    QFETCH(double, seconds);
+    LiveHistory history;
+    history.append(ramp(0, 620));
+    const auto stretches = history.columns(LiveHistory::Channel::Force, history.newestTime_s(), seconds, 800);
+    QCOMPARE(stretches.size(), std::size_t{1});
+    // Two points a column, one column more at either edge.
+    QVERIFY(points(stretches) <= 2 * 802);
+    QVERIFY(points(stretches) >= 800);
+    QVERIFY(stretches.front().front().x <= -seconds + seconds / 400);
+}
+
+void LiveHistoryTest::onePeakSampleIsNeverLost_data()
+{
+    drawingCostsWhatTheWidthCosts_data();
+}
+
+void LiveHistoryTest::onePeakSampleIsNeverLost()
+{
+    QFETCH(double, seconds);
+    LiveHistory history;
+    const double peakAt_s = 619.2345;
+    history.append(ramp(0, 620, peakAt_s));
+    const double now = history.newestTime_s();
+    const auto stretches = history.columns(LiveHistory::Channel::Position, now, seconds, 700);
+    QCOMPARE(stretches.size(), std::size_t{1});
+    const auto top = std::max_element(stretches.front().begin(), stretches.front().end(),
+                                      [](const PlotPoint& a, const PlotPoint& b) { return a.y < b.y; });
+    QCOMPARE(top->y, 9.0);
+    QVERIFY(std::abs(top->x - (peakAt_s - now)) <= seconds / 700 + 0.3 * seconds / 700);
+}
+
+void LiveHistoryTest::reachesUpToTheNewestSample()
+{
+    LiveHistory history;
+    // 1 sample short of a round number of bins on every level.
+    history.append(ramp(0, 100 * 0.128 - sampleTime_s));
+    const auto stretches = history.columns(LiveHistory::Channel::Force, history.newestTime_s(), 600, 4000);
+    QVERIFY(!stretches.empty());
+    QVERIFY(stretches.back().back().x > -600.0 / 4000);
+}
+
+void LiveHistoryTest::valuesStandAtTheirTimes()
+{
+    LiveHistory history;
+    history.append(ramp(0, 30));
+    const double now = history.newestTime_s();
+    for (const LiveHistory::Stretch& stretch : history.columns(LiveHistory::Channel::Force, now, 10, 1000))
+        for (const PlotPoint& p : stretch)
+            // A column is 10 ms wide and the sine's slope at most 1.
+            QVERIFY(std::abs(p.y - std::sin(now + p.x)) <= 0.01);
+}
+
+void LiveHistoryTest::gapsStayGaps()
+{
+    LiveHistory history;
+    history.append(ramp(0, 5));
+    history.append(ramp(6, 8));
+    const auto stretches = history.columns(LiveHistory::Channel::Force, history.newestTime_s(), 10, 500);
+    QCOMPARE(stretches.size(), std::size_t{2});
+    const double hole = stretches[1].front().x - stretches[0].back().x;
+    QVERIFY(std::abs(hole - 1.0) < 0.03); // to a column (20 ms)
+}
+
+void LiveHistoryTest::keepsTenMinutesAndForgetsWhatIsOlder()
+{
+    LiveHistory history;
+    history.append(ramp(0, 1500));
+    const auto stretches = history.columns(LiveHistory::Channel::Force, history.newestTime_s(), 600, 600);
+    QCOMPARE(stretches.size(), std::size_t{1});
+    QVERIFY(stretches.front().front().x <= -598);
+    const auto longer = history.columns(LiveHistory::Channel::Force, history.newestTime_s(), 1500, 600);
+    QVERIFY(longer.front().front().x >
+            -1100); // 8192 bins of 256 samples: 1,049 s, and no more memory than that
+}
+
+void LiveHistoryTest::aDeviceThatStartsAgainStartsANewHistory()
+{
+    LiveHistory history;
+    history.append(ramp(0, 20));
+    history.append(ramp(0, 1));
+    QVERIFY(history.newestTime_s() < 1.0);
+    const auto stretches = history.columns(LiveHistory::Channel::Force, history.newestTime_s(), 10, 500);
+    QVERIFY(stretches.front().front().x >= -1.0);
+}
+
+void LiveHistoryTest::columnsStandStillWhileTheTimeMovesOn()
+{
+    LiveHistory history;
+    history.append(ramp(0, 30));
+    const double now = history.newestTime_s();
+    const auto before = history.columns(LiveHistory::Channel::Force, now - 0.2, 10, 500).front();
+    const auto after = history.columns(LiveHistory::Channel::Force, now - 0.193, 10, 500).front();
+    // The same columns with the same numbers, only further left; the newest column may still be filling.
+    const std::size_t offset = 10;
+    for (std::size_t i = offset; i + 10 < before.size(); ++i) {
+        const auto same = std::find_if(after.begin(), after.end(), [&](const PlotPoint& p) {
+            return std::abs(p.x - (before[i].x - 0.007)) < 1e-9 && p.y == before[i].y;
+        });
+        QVERIFY(same != after.end());
+    }
+}
+
+GRIPSCOPE_TEST(LiveHistoryTest)
+#include "live_history_test.moc"

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/controls.h"
+
+#include "ui/theme/theme.h"
+
+#include <QBoxLayout>
+#include <QStyle>
+
+namespace gripscope {
+
+void setRole(QWidget* widget, const char* role)
+{
+    widget->setProperty("role", QString::fromLatin1(role));
+    widget->style()->unpolish(widget);
+    widget->style()->polish(widget);
+}
+
+QFrame* makeCard(QWidget* parent)
+{
+    auto* card = new QFrame(parent);
+    setRole(card, "card");
+    return card;
+}
+
+QFrame* makeRule(QWidget* parent)
+{
+    auto* rule = new QFrame(parent);
+    setRole(rule, "rule");
+    return rule;
+}
+
+QLabel* makeLabel(const QString& text, const char* role, QWidget* parent)
+{
+    auto* label = new QLabel(text, parent);
+    if (*role)
+        setRole(label, role);
+    return label;
+}
+
+QPushButton* makeButton(const QString& text, const QString& icon, const char* role, QWidget* parent)
+{
+    auto* button = new QPushButton(text, parent);
+    if (*role)
+        setRole(button, role);
+    const auto paintIcon = [button, icon] {
+        if (icon.isEmpty())
+            return;
+        const bool filled = button->property("role").toString() == QLatin1String("primary");
+        const ThemeTokens& tokens = Theme::instance().tokens();
+        button->setIcon(filled ? Theme::instance().icon(icon, Theme::onColor(tokens.accent))
+                               : Theme::instance().icon(icon));
+        button->setIconSize({20, 20});
+    };
+    paintIcon();
+    QObject::connect(&Theme::instance(), &Theme::changed, button, paintIcon);
+    button->setAccessibleName(text);
+    return button;
+}
+
+void setSpacing(QBoxLayout* layout, int margin, int spacing)
+{
+    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->setSpacing(spacing);
+}
+
+} // namespace gripscope

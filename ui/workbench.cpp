@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench.h"
+
+#include "devices/gripper_factory.h"
+
+#include <QPointer>
+#include <QThreadPool>
+#include <QTimer>
+
+#include <algorithm>
+
+namespace gripscope {
+
+namespace {
+
+struct Waiting {
+    QPointer<QObject> context;
+    bool bound = false; ///< to the life of `context`
+    std::function<bool()> ready;
+    std::function<void()> then;
+};
+
+/// What connectionChanged() is told from.
+struct ConnectionView {
+    ConnectSession::State state = ConnectSession::State::Disconnected;
+    bool armed = false;
+    QString address, serial;
+    friend bool operator==(const ConnectionView&, const ConnectionView&) = default;
+};
+
+} // namespace
+
+struct Workbench::Private {
+    explicit Private(const QString& libraryFile)
+        : library(libraryFile), connection(factory), enrollment(connection, library),
+          inspection(connection, library)
+    {
+    }
+
+    // In the order in which they need one another: the sessions go first, then connection and library.
+    DeviceFactory factory;
+    LibraryService library;
+    ConnectSession connection;
+    EnrollSession enrollment;
+    InspectSession inspection;
+    LiveHistory history;
+    QThreadPool pool;
+    QTimer timer;
+    QString operatorName;
+    std::optional<FitSubject> fitSubject;
+    std::vector<Waiting> waiting;
+    ConnectionView seen;
+    std::optional<Error> connectionError, inspectionError, enrollmentError;
+    int enrolledSqueezes = 0;
+    EnrollSession::Step enrollmentStep = EnrollSession::Step::Name;
+    qint64 lastInspection = 0;
+};
+
+Workbench::Workbench(const QString& libraryFile, QObject* parent)
+    : QObject(parent), d(std::make_unique<Private>(libraryFile))
+{
+    d->connection.addListener([this](const std::vector<Sample>& samples) { d->history.append(samples); });
+    // A display refreshes at 60 Hz; the sessions ask to be polled every 16 to 33 ms.
+    d->timer.setInterval(16);
+    d->timer.setTimerType(Qt::PreciseTimer);
+    connect(&d->timer, &QTimer::timeout, this, &Workbench::tick);
+    d->timer.start();
+}
+
+Workbench::~Workbench()
+{
+    d->timer.stop();
+    d->pool.clear();
+    d->pool.waitForDone();
+    d->connection.stop();
+    d->connection.disarm();
+}
+
+ConnectSession& Workbench::connection()
+{
+    return d->connection;
+}
+
+EnrollSession& Workbench::enrollment()
+{
+    return d->enrollment;
+}
+
+InspectSession& Workbench::inspection()
+{
+    return d->inspection;
+}
+
+LibraryService& Workbench::library()
+{
+    return d->library;
+}
+
+const LiveHistory& Workbench::liveHistory() const
+{
+    return d->history;
+}
+
+QString Workbench::operatorName() const
+{
+    return d->operatorName;
+}
+
+void Workbench::setOperatorName(const QString& name)
+{
+    if (d->operatorName == name)
+        return;
+    d->operatorName = name;
+    d->enrollment.setOperator(name);
+    d->inspection.setOperator(name);
+    emit operatorChanged();
+}
+
+void Workbench::connectTo(const QString& address)
+{
+    d->connectionError.reset();
+    if (const Expected<void> done = d->connection.connectTo(address); !done)
+        report(done.error().describe());
+}
+
+void Workbench::arm()
+{
+    const QString person = d->operatorName.isEmpty() ? tr("operator not named") : d->operatorName;
+    if (const Expected<void> done = d->connection.arm(person); !done)
+        report(done.error().describe());
+}
+
+void Workbench::stop()
+{
+    d->connection.stop();
+    d->connection.disarm();
+    emit stopped();
+}
+
+bool Workbench::squeezing() const
+{
+    const GripperPort* port = d->connection.port();
+    return d->inspection.state() == InspectSession::State::Squeezing ||
+           d->enrollment.activity() == EnrollSession::Activity::Squeezing ||
+           (port && (port->squeezeState() == SqueezeState::Running ||
+                     port->squeezeState() == SqueezeState::Uploading));
+}
+
+void Workbench::showInFit(FitSubject subject)
+{
+    setFitSubject(std::move(subject));
+    emit fitRequested();
+}
+
+void Workbench::setFitSubject(FitSubject subject)
+{
+    d->fitSubject = std::move(subject);
+    emit fitSubjectChanged();
+}
+
+const std::optional<FitSubject>& Workbench::fitSubject() const
+{
+    return d->fitSubject;
+}
+
+void Workbench::tellLibraryChanged()
+{
+    d->inspection.reload();
+    emit libraryChanged();
+}
+
+void Workbench::whenReady(QObject* context, std::function<bool()> ready, std::function<void()> then)
+{
+    d->waiting.push_back({context, context != nullptr, std::move(ready), std::move(then)});
+}
+
+void Workbench::runInPool(std::function<void()> work)
+{
+    d->pool.start(std::move(work));
+}
+
+void Workbench::tick()
+{
+    d->connection.poll();
+    noticeConnection();
+    noticeEnrollment();
+    noticeInspection();
+    answerWaiting();
+    emit ticked();
+}
+
+void Workbench::noticeConnection()
+{
+    const ConnectionView now{d->connection.state(), d->connection.armed(), d->connection.address(),
+                             d->connection.port() ? d->connection.identity().serial : QString()};
+    if (now != d->seen) {
+        const bool opened = now.state == ConnectSession::State::Connected && d->seen.state != now.state;
+        d->seen = now;
+        if (opened)
+            d->history.reset(d->connection.identity().sampleTime_s);
+        emit connectionChanged();
+    }
+    noticeError(d->connectionError, d->connection.lastError());
+}
+
+void Workbench::noticeEnrollment()
+{
+    if (!d->enrollment.poll())
+        return;
+    const int accepted = d->enrollment.acceptedCount();
+    const EnrollSession::Step step = d->enrollment.step();
+    const bool stored = accepted != d->enrolledSqueezes ||
+                        (step == EnrollSession::Step::Approved && d->enrollmentStep != step);
+    d->enrolledSqueezes = accepted;
+    d->enrollmentStep = step;
+    noticeError(d->enrollmentError, d->enrollment.lastError());
+    if (stored)
+        tellLibraryChanged();
+    emit enrollmentChanged();
+}
+
+void Workbench::noticeInspection()
+{
+    if (!d->inspection.poll())
+        return;
+    noticeError(d->inspectionError, d->inspection.lastError());
+    const auto& result = d->inspection.result();
+    const qint64 number = result ? result->number : 0;
+    const bool stored = number != 0 && number != d->lastInspection;
+    d->lastInspection = number;
+    if (stored)
+        emit libraryChanged();
+    emit inspectionChanged();
+}
+
+void Workbench::noticeError(std::optional<Error>& known, const std::optional<Error>& now)
+{
+    if (known == now)
+        return;
+    known = now;
+    if (now)
+        report(now->describe());
+}
+
+void Workbench::answerWaiting()
+{
+    // Taken out first: an answer may ask again.
+    std::vector<Waiting> answered;
+    const auto rest = std::stable_partition(d->waiting.begin(), d->waiting.end(), [](const Waiting& w) {
+        return !(w.bound && w.context.isNull()) && !w.ready();
+    });
+    std::move(rest, d->waiting.end(), std::back_inserter(answered));
+    d->waiting.erase(rest, d->waiting.end());
+    for (const Waiting& w : answered)
+        if (!w.bound || !w.context.isNull())
+            w.then();
+}
+
+} // namespace gripscope
