@@ -5,7 +5,8 @@
 
 namespace gripscope {
 
-std::vector<PlotPoint> decimateMinMax(std::span<const double> x, std::span<const double> y, std::size_t columns)
+std::vector<PlotPoint> decimateMinMax(std::span<const double> x, std::span<const double> y,
+                                      std::size_t columns)
 {
     const std::size_t n = std::min(x.size(), y.size());
     std::vector<PlotPoint> points;
