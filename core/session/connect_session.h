@@ -10,8 +10,8 @@
 
 namespace gripscope {
 
-/// The connection to one gripper: opens it, drains its samples, hands them on, keeps count. No thread, no timer:
-/// whoever owns it calls poll() every 16 to 33 ms (a screen) or in a loop (the command line).
+/// The connection to one gripper: opens it, drains its samples, hands them on, keeps count. No thread, no
+/// timer: whoever owns it calls poll() every 16 to 33 ms (a screen) or in a loop (the command line).
 ///
 ///     Disconnected -> Connecting -> Connected -> (Lost | Disconnected)
 class ConnectSession {
@@ -27,14 +27,16 @@ public:
     /// Closes what is open, then starts to open `address`.
     [[nodiscard]] Expected<void> connectTo(const QString& address);
     void disconnect();
-    /// Takes over what arrived, tells the listeners, moves the state on, tells the port that its owner is alive.
+    /// Takes over what arrived, tells the listeners, moves the state on, tells the port that its owner is
+    /// alive.
     void poll();
 
     [[nodiscard]] State state() const;
     [[nodiscard]] std::optional<Error> lastError() const;
     [[nodiscard]] QString address() const;
-    [[nodiscard]] GripperIdentity identity() const;
-    [[nodiscard]] LinkCounters counters() const;
+    [[nodiscard]] GripperIdentity
+    identity() const; ///< of the last gripper that answered, also after it was lost
+    [[nodiscard]] LinkCounters counters() const; ///< as of the last poll()
     [[nodiscard]] bool armed() const;
     [[nodiscard]] GripperPort* port(); ///< null unless connected
     [[nodiscard]] SafetyGate* gate();  ///< null unless connected
@@ -43,7 +45,8 @@ public:
     void disarm();
     void stop() noexcept;
 
-    /// Called in poll() with each batch of new samples; returns a handle for removeListener().
+    /// Called in poll() with each batch of new samples; returns a handle for removeListener(). A listener may
+    /// add and remove listeners, itself too.
     int addListener(SampleListener listener);
     void removeListener(int handle);
 

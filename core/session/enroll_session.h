@@ -16,12 +16,12 @@ struct EnrollSqueeze {
     Recording recording;
     Identification identification;
     Decision decision = Decision::Pending;
-    QString reason;   ///< why it was rejected, or is advised to be
-    QString graspId;  ///< once it is in the library
+    QString reason;  ///< why it was rejected, or is advised to be
+    QString graspId; ///< once it is in the library
 };
 
-/// Enrolment of one type, step by step. An accepted squeeze is in the library before accept() is reported done;
-/// starting again under the same name goes on where it stopped.
+/// Enrolment of one type, step by step. An accepted squeeze is in the library before accept() is reported
+/// done; starting again under the same name goes on where it stopped.
 ///
 ///     Name -> Recipe -> Squeeze -> Review -> Approved
 ///
@@ -39,17 +39,18 @@ public:
     EnrollSession& operator=(const EnrollSession&) = delete;
 
     void setOperator(const QString& name);
-    [[nodiscard]] Expected<void> setName(const QString& name);        ///< Name -> Recipe
-    [[nodiscard]] Expected<void> setRecipe(const Recipe& recipe);     ///< Recipe -> Squeeze (creates the type or resumes it)
-    [[nodiscard]] Expected<void> squeeze();                           ///< from the connected gripper
+    [[nodiscard]] Expected<void> setName(const QString& name); ///< Name -> Recipe
+    [[nodiscard]] Expected<void>
+    setRecipe(const Recipe& recipe);        ///< Recipe -> Squeeze (creates the type or resumes it)
+    [[nodiscard]] Expected<void> squeeze(); ///< from the connected gripper
     [[nodiscard]] Expected<void> addRecording(Recording recording, const QString& source); ///< from a file
-    [[nodiscard]] Expected<void> accept();                            ///< the pending squeeze; not an invalid one
-    [[nodiscard]] Expected<void> reject(const QString& reason);       ///< the pending squeeze
+    [[nodiscard]] Expected<void> accept();                      ///< the pending squeeze; not an invalid one
+    [[nodiscard]] Expected<void> reject(const QString& reason); ///< the pending squeeze
     [[nodiscard]] Expected<void> drop(int index, const QString& reason); ///< an accepted one, later
-    [[nodiscard]] Expected<void> review();                            ///< Squeeze -> Review
-    [[nodiscard]] Expected<void> back();                              ///< Review -> Squeeze, Recipe -> Name
-    [[nodiscard]] Expected<void> approve();                           ///< Review -> Approved
-    void restart();                                                   ///< a new enrolment; nothing stored is lost
+    [[nodiscard]] Expected<void> review();                               ///< Squeeze -> Review
+    [[nodiscard]] Expected<void> back();    ///< Review -> Squeeze, Recipe -> Name
+    [[nodiscard]] Expected<void> approve(); ///< Review -> Approved
+    void restart();                         ///< a new enrolment; nothing stored is lost
     /// Moves everything on; never waits. True when something changed.
     bool poll();
 

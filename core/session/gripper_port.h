@@ -27,7 +27,8 @@ struct GripperIdentity {
     bool commandable = false; ///< false: it only streams (a replay, a read-only gripper)
 };
 
-/// One sample as the device sent it, in the units of its identity. `time_s` counts from the device's own zero.
+/// One sample as the device sent it, in the units of its identity. `time_s` counts from the device's own
+/// zero.
 struct Sample {
     std::uint64_t sequence = 0;
     double time_s = 0;
@@ -43,18 +44,18 @@ enum class LinkState { Closed, Opening, Ready, Armed, Lost, Closing };
 struct LinkCounters {
     std::uint64_t reports = 0;
     std::uint64_t samples = 0;
-    std::uint64_t lostSamples = 0;      ///< missing by sequence number
+    std::uint64_t lostSamples = 0; ///< missing by sequence number
     std::uint64_t duplicateReports = 0;
-    std::uint64_t badReports = 0;       ///< wrong CRC, length or version
-    std::uint64_t droppedSamples = 0;   ///< the program did not keep up: its own queue was full
-    double latency_ms = 0;              ///< age of the newest sample when it was taken over, smoothed
+    std::uint64_t badReports = 0;     ///< wrong CRC, length or version
+    std::uint64_t droppedSamples = 0; ///< the program did not keep up: its own queue was full
+    double latency_ms = 0;            ///< age of the newest sample when it was taken over, smoothed
 };
 
 /// What became of the last squeeze asked for.
 enum class SqueezeState { Idle, Uploading, Running, Finished, Stopped, Refused };
 
-/// A gripper as the sessions see it. Every call returns at once; the work is done by threads behind it. Belongs to
-/// one thread at a time, but for stop(), which any thread may call at any moment.
+/// A gripper as the sessions see it. Every call returns at once; the work is done by threads behind it.
+/// Belongs to one thread at a time, but for stop(), which any thread may call at any moment.
 class GripperPort {
 public:
     virtual ~GripperPort() = default;
@@ -79,8 +80,8 @@ public:
     [[nodiscard]] virtual SqueezeState squeezeState() const = 0;
     /// Handed to the device before anything else that is queued.
     virtual void stop() noexcept = 0;
-    /// The screen (or the command line's loop) is alive: to be called at least once a second while armed, or the
-    /// heartbeat ends and the gripper stops by itself.
+    /// The screen (or the command line's loop) is alive: to be called at least once a second while armed, or
+    /// the heartbeat ends and the gripper stops by itself.
     virtual void confirmAlive() noexcept = 0;
 };
 

@@ -13,14 +13,16 @@ namespace gripscope {
 enum class InspectionOutcome { AsExpected, OtherType, Unknown, Inconclusive, NotValid };
 
 /// With nothing expected every named type is "as expected".
-[[nodiscard]] InspectionOutcome inspectionOutcome(VerdictKind verdict, const QString& type, const QString& expectedType);
+[[nodiscard]] InspectionOutcome inspectionOutcome(VerdictKind verdict, const QString& type,
+                                                  const QString& expectedType);
 [[nodiscard]] QString toString(InspectionOutcome outcome); ///< "as_expected", "other_type", ...
 
 /// Inspections one after another.
 ///
 ///     Loading -> Ready -> Squeezing -> Judging -> Ready (result()) ...
 ///
-/// The verdict is shown as soon as it is known; storing goes on behind it, and a failure to store is lastError().
+/// The verdict is shown as soon as it is known; storing goes on behind it, and a failure to store is
+/// lastError().
 class InspectSession {
 public:
     enum class State { Loading, Ready, Squeezing, Judging };
@@ -34,9 +36,9 @@ public:
     void setExpectedType(const QString& name); ///< empty: none
     void setRates(const VerdictOptions& rates);
     void setIdentificationOptions(const IdentificationOptions& options);
-    void setRecipe(const Recipe& recipe);      ///< used when nothing is expected; else the type's own
-    void setStoring(bool store);               ///< off: classify only (the command line)
-    void reload();                             ///< the library changed
+    void setRecipe(const Recipe& recipe); ///< used when nothing is expected; else the type's own
+    void setStoring(bool store);          ///< off: classify only (the command line)
+    void reload();                        ///< the library changed
 
     [[nodiscard]] Expected<void> squeeze();
     [[nodiscard]] Expected<void> judgeRecording(Recording recording, const QString& source);

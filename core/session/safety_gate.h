@@ -33,7 +33,10 @@ public:
 
 private:
     friend class SafetyGate;
-    AdmittedExcitation(std::vector<double> force_N, JobLimits limits) : m_force_N(std::move(force_N)), m_limits(limits) {}
+    AdmittedExcitation(std::vector<double> force_N, JobLimits limits)
+        : m_force_N(std::move(force_N)), m_limits(limits)
+    {
+    }
     std::vector<double> m_force_N;
     JobLimits m_limits;
 };
@@ -58,8 +61,8 @@ public:
     void setJobLimits(const JobLimits& limits) { m_jobLimits = limits; }
     [[nodiscard]] JobLimits effectiveLimits() const; ///< the lower of device and job
 
-    /// LimitExceeded, Usage (empty, too long, not finite, negative), NotArmed, DeviceRefused (a device that only
-    /// listens).
+    /// LimitExceeded, Usage (empty, too long, not finite, negative), NotArmed, DeviceRefused (a device that
+    /// only listens).
     [[nodiscard]] Expected<void> arm(const QString& person);
     [[nodiscard]] Expected<void> start(const std::vector<double>& force_N);
     void stop() noexcept;

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/connect_session.h"
+
+#include <map>
+#include <utility>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+struct ConnectSession::Private {
+    explicit Private(GripperPortFactory& ports) : factory(ports) {}
+
+    GripperPortFactory& factory;
+    std::unique_ptr<GripperPort> port;
+    std::unique_ptr<SafetyGate> gate;
+    State state = State::Disconnected;
+    std::optional<Error> error;
+    QString address;
+    GripperIdentity
+        identity; // of the last gripper that answered, so that it can still be named once it is lost
+    LinkCounters counters;
+    std::map<int, SampleListener> listeners;
+    int nextHandle = 1;
+    std::vector<Sample> batch;
+
+    void drain();
+    void follow(LinkState link);
+    [[nodiscard]] Error lossReason() const;
+};
+
+void ConnectSession::Private::drain()
+{
+    batch.clear();
+    port->drain(batch);
+    counters = port->counters();
+    if (batch.empty())
+        return;
+    // A listener may come or go while one is called: so by handle, looked up each time.
+    std::vector<int> handles;
+    for (const auto& entry : listeners)
+        handles.push_back(entry.first);
+    for (const int handle : handles) {
+        const auto found = listeners.find(handle);
+        if (found == listeners.end())
+            continue;
+        const SampleListener listener = found->second; // it may remove itself
+        listener(batch);
+    }
+}
+
+Error ConnectSession::Private::lossReason() const
+{
+    if (const std::optional<Error> reason = port->lastError())
+        return *reason;
+    return {ErrorCode::DeviceLost, {address, u"the link closed"_qs}};
+}
+
+void ConnectSession::Private::follow(LinkState link)
+{
+    switch (link) {
+    case LinkState::Opening:
+        return;
+    case LinkState::Ready:
+    case LinkState::Armed:
+        identity = port->identity();
+        state = State::Connected;
+        return;
+    case LinkState::Closed:
+    case LinkState::Closing:
+    case LinkState::Lost:
+        error = lossReason();
+        state = State::Lost;
+        return;
+    }
+}
+
+ConnectSession::ConnectSession(GripperPortFactory& factory) : d(std::make_unique<Private>(factory)) {}
+
+ConnectSession::~ConnectSession()
+{
+    disconnect();
+}
+
+Expected<void> ConnectSession::connectTo(const QString& address)
+{
+    disconnect();
+    d->address = address;
+    d->error.reset();
+    Expected<std::unique_ptr<GripperPort>> port = d->factory.create(address);
+    if (!port) {
+        d->error = port.error();
+        return tl::unexpected<Error>(port.error());
+    }
+    d->port = std::move(*port);
+    d->gate = std::make_unique<SafetyGate>(*d->port);
+    d->identity = {};
+    d->identity.address = address;
+    d->counters = {};
+    d->state = State::Connecting;
+    d->port->open();
+    return {};
+}
+
+void ConnectSession::disconnect()
+{
+    if (d->port) {
+        if (armed())
+            d->port->stop();
+        d->port->close();
+    }
+    d->gate.reset();
+    d->port.reset();
+    d->state = State::Disconnected;
+}
+
+void ConnectSession::poll()
+{
+    if (!d->port || d->state == State::Lost)
+        return;
+    d->port->confirmAlive();
+    // The state first, the samples after it: what arrived before a loss is then handed on before the loss is
+    // told.
+    const LinkState link = d->port->state();
+    d->drain();
+    if (d->port)
+        d->follow(link);
+}
+
+ConnectSession::State ConnectSession::state() const
+{
+    return d->state;
+}
+
+std::optional<Error> ConnectSession::lastError() const
+{
+    return d->error;
+}
+
+QString ConnectSession::address() const
+{
+    return d->address;
+}
+
+GripperIdentity ConnectSession::identity() const
+{
+    return d->identity;
+}
+
+LinkCounters ConnectSession::counters() const
+{
+    return d->counters;
+}
+
+bool ConnectSession::armed() const
+{
+    return d->port && d->port->state() == LinkState::Armed;
+}
+
+GripperPort* ConnectSession::port()
+{
+    return d->state == State::Connected ? d->port.get() : nullptr;
+}
+
+SafetyGate* ConnectSession::gate()
+{
+    return d->state == State::Connected ? d->gate.get() : nullptr;
+}
+
+Expected<void> ConnectSession::arm(const QString& person)
+{
+    if (d->state != State::Connected)
+        return failure(ErrorCode::DeviceRefused, {u"arm"_qs, u"no gripper is connected"_qs});
+    return d->gate->arm(person);
+}
+
+void ConnectSession::disarm()
+{
+    if (d->port)
+        d->port->disarm();
+}
+
+void ConnectSession::stop() noexcept
+{
+    if (d->port)
+        d->port->stop();
+}
+
+int ConnectSession::addListener(SampleListener listener)
+{
+    d->listeners.emplace(d->nextHandle, std::move(listener));
+    return d->nextHandle++;
+}
+
+void ConnectSession::removeListener(int handle)
+{
+    d->listeners.erase(handle);
+}
+
+} // namespace gripscope

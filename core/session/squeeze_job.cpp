@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/squeeze_job.h"
+
+#include "core/session/squeeze_recorder.h"
+
+#include <QDateTime>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// Longer than the device's start and the way of the last samples take, short enough for a person to wait.
+constexpr double graceSeconds = 2.0;
+
+QString number(double value)
+{
+    return QString::number(value, 'g', 12);
+}
+
+/// What a device says of why it ended a squeeze early.
+QString stopReason(std::uint16_t status)
+{
+    if (status & StatusWatchdog)
+        return u"it no longer heard from this program"_qs;
+    if (status & StatusForceLimit)
+        return u"the force limit was reached"_qs;
+    if (status & StatusTravelLimit)
+        return u"the travel limit was reached"_qs;
+    if (status & StatusFault)
+        return u"it reports a fault"_qs;
+    return {};
+}
+
+} // namespace
+
+ExcitationOptions excitationOptions(const Recipe& recipe, const GripperIdentity& identity, std::uint64_t seed)
+{
+    ExcitationOptions options;
+    options.kind = ExcitationKind::Prbs;
+    options.peak = recipe.peak_N;
+    options.bias = recipe.bias_N;
+    options.bit_s = recipe.bit_s;
+    options.sampleTime_s = identity.sampleTime_s;
+    options.samples =
+        static_cast<std::size_t>(std::max(0.0, std::round(recipe.seconds / identity.sampleTime_s)));
+    options.seed = seed;
+    options.oneSided = true;
+    return options;
+}
+
+struct SqueezeJob::Private {
+    explicit Private(ConnectSession& session) : connection(session) {}
+
+    ConnectSession& connection;
+    Clock clock = [] { return std::chrono::steady_clock::now(); };
+    QString operatorName;
+    State state = State::Idle;
+    std::optional<Error> error;
+    SqueezeRecorder recorder;
+    Recording recording;
+    int listener = 0;
+    bool listening = false;
+    double seconds = 0;
+    std::chrono::steady_clock::time_point started, lastNews;
+
+    [[nodiscard]] Expected<void> ready() const;
+    void begin(std::size_t samples, QMap<QString, QString> provenance);
+    void end(State outcome);
+    void fail(Error reason);
+    void followListening(double waited_s);
+    void followSqueeze(double waited_s);
+    void followStop(const GripperPort& port);
+    void finishSqueeze();
+    [[nodiscard]] bool running() const { return state == State::Starting || state == State::Squeezing; }
+    [[nodiscard]] double secondsSince(std::chrono::steady_clock::time_point t) const
+    {
+        return std::chrono::duration<double>(clock() - t).count();
+    }
+};
+
+Expected<void> SqueezeJob::Private::ready() const
+{
+    if (running())
+        return failure(ErrorCode::Usage, {u"A squeeze is under way. Wait for its end or stop it."_qs});
+    if (connection.state() != ConnectSession::State::Connected)
+        return failure(ErrorCode::DeviceRefused, {u"squeeze"_qs, u"no gripper is connected"_qs});
+    return {};
+}
+
+void SqueezeJob::Private::begin(std::size_t samples, QMap<QString, QString> provenance)
+{
+    const GripperIdentity identity = connection.identity();
+    provenance[u"device"_qs] = identity.name;
+    provenance[u"serial"_qs] = identity.serial;
+    provenance[u"address"_qs] = identity.address.isEmpty() ? connection.address() : identity.address;
+    provenance[u"firmware"_qs] = identity.firmware;
+    if (!operatorName.isEmpty())
+        provenance[u"operator"_qs] = operatorName;
+    provenance[u"recorded_utc"_qs] = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs);
+
+    recording = {};
+    recording.sampleTime_s = identity.sampleTime_s;
+    recording.forceUnit = identity.forceUnit;
+    recording.positionUnit = identity.positionUnit;
+    recording.hold = identity.hold;
+    recording.forceLag_s = identity.forceLag_s;
+    recording.provenance = std::move(provenance);
+    recorder.begin(listening ? SqueezeRecorder::Mode::Everything : SqueezeRecorder::Mode::Movement, samples,
+                   identity.sampleTime_s);
+    error.reset();
+    state = State::Starting;
+    seconds = static_cast<double>(samples) * identity.sampleTime_s;
+    started = lastNews = clock();
+    listener = connection.addListener([this](const std::vector<Sample>& batch) {
+        recorder.take(batch);
+        lastNews = clock();
+    });
+}
+
+void SqueezeJob::Private::end(State outcome)
+{
+    connection.removeListener(listener);
+    listener = 0;
+    recorder.moveTo(recording);
+    state = outcome;
+}
+
+void SqueezeJob::Private::fail(Error reason)
+{
+    error = std::move(reason);
+    end(State::Failed);
+}
+
+void SqueezeJob::Private::followListening(double waited_s)
+{
+    if (recorder.complete())
+        return end(State::Done);
+    if (waited_s > seconds + graceSeconds && recorder.size() == 0)
+        return fail({ErrorCode::DeviceTimeout, {u"send anything"_qs, number(seconds + graceSeconds)}});
+    if (recorder.size() > 0 && secondsSince(lastNews) > graceSeconds)
+        end(State::Done);
+}
+
+void SqueezeJob::Private::followStop(const GripperPort& port)
+{
+    const QString reason = stopReason(recorder.statusSeen());
+    if (!reason.isEmpty())
+        return fail({ErrorCode::DeviceRefused, {u"go on with the squeeze"_qs, reason}});
+    if (port.state() == LinkState::Lost)
+        return; // the connection says so at its next poll, with the reason
+    fail({ErrorCode::Cancelled, {u"The squeeze"_qs}});
+}
+
+void SqueezeJob::Private::finishSqueeze()
+{
+    // A report or two may be lost at the end; a tenth of the squeeze is more than that.
+    if (recorder.movingSeconds() > 0.9 * seconds)
+        return end(State::Done);
+    const QString reason = stopReason(recorder.statusSeen());
+    fail(
+        {ErrorCode::DeviceRefused,
+         {u"go on with the squeeze"_qs, reason.isEmpty() ? u"it ended early, without a reason"_qs : reason}});
+}
+
+void SqueezeJob::Private::followSqueeze(double waited_s)
+{
+    const GripperPort& port = *connection.port();
+    switch (port.squeezeState()) {
+    case SqueezeState::Refused:
+        return fail(port.lastError().value_or(
+            Error{ErrorCode::DeviceRefused, {u"squeeze"_qs, u"it gave no reason"_qs}}));
+    case SqueezeState::Stopped:
+        return followStop(port);
+    case SqueezeState::Running:
+        state = State::Squeezing;
+        break;
+    case SqueezeState::Idle:
+    case SqueezeState::Uploading:
+    case SqueezeState::Finished:
+        break;
+    }
+    if (recorder.moved())
+        state = State::Squeezing;
+    if (recorder.complete())
+        return finishSqueeze();
+    if (waited_s > seconds + graceSeconds) {
+        connection.stop();
+        fail({ErrorCode::DeviceTimeout, {u"finish the squeeze"_qs, number(seconds + graceSeconds)}});
+    }
+}
+
+SqueezeJob::SqueezeJob(ConnectSession& connection) : d(std::make_unique<Private>(connection)) {}
+
+SqueezeJob::~SqueezeJob()
+{
+    cancel();
+}
+
+void SqueezeJob::setOperator(const QString& name)
+{
+    d->operatorName = name;
+}
+
+void SqueezeJob::setClock(Clock clock)
+{
+    d->clock = std::move(clock);
+}
+
+Expected<void> SqueezeJob::start(const Recipe& recipe, std::uint64_t seed)
+{
+    return start(excitationOptions(recipe, d->connection.identity(), seed),
+                 {recipe.maxForce_N, recipe.maxTravel_m});
+}
+
+Expected<void> SqueezeJob::start(ExcitationOptions excitation, const JobLimits& limits)
+{
+    if (const Expected<void> ready = d->ready(); !ready)
+        return ready;
+    excitation.sampleTime_s = d->connection.identity().sampleTime_s;
+    const Expected<std::vector<double>> force_N = makeExcitation(excitation);
+    if (!force_N)
+        return tl::unexpected<Error>(force_N.error());
+    SafetyGate& gate = *d->connection.gate();
+    gate.setJobLimits(limits);
+    if (const Expected<void> started = gate.start(*force_N); !started)
+        return started;
+    d->listening = false;
+    d->begin(force_N->size(), {{u"excitation"_qs, toString(excitation.kind)},
+                               {u"excitation_peak_N"_qs, number(excitation.peak)},
+                               {u"excitation_bias_N"_qs, number(excitation.bias)},
+                               {u"excitation_bit_s"_qs, number(excitation.bit_s)},
+                               {u"excitation_seed"_qs, QString::number(excitation.seed)}});
+    return {};
+}
+
+Expected<void> SqueezeJob::listen(double seconds)
+{
+    if (const Expected<void> ready = d->ready(); !ready)
+        return ready;
+    const double samples = std::round(seconds / d->connection.identity().sampleTime_s);
+    if (!(samples >= 1) || !std::isfinite(samples))
+        return failure(ErrorCode::Usage, {u"Listening needs a time above zero."_qs});
+    d->listening = true;
+    d->begin(static_cast<std::size_t>(samples), {{u"excitation"_qs, u"none, listened only"_qs}});
+    return {};
+}
+
+void SqueezeJob::poll()
+{
+    if (!d->running())
+        return;
+    if (d->connection.state() != ConnectSession::State::Connected) {
+        // What was heard until the end of a stream is complete when there is enough of it.
+        if (d->listening && d->recorder.complete())
+            return d->end(State::Done);
+        return d->fail(d->connection.lastError().value_or(
+            Error{ErrorCode::DeviceLost, {d->connection.address(), u"it was disconnected"_qs}}));
+    }
+    const double waited_s = d->secondsSince(d->started);
+    if (d->listening) {
+        d->state = d->recorder.size() > 0 ? State::Squeezing : State::Starting;
+        d->followListening(waited_s);
+    } else {
+        d->followSqueeze(waited_s);
+    }
+}
+
+void SqueezeJob::cancel()
+{
+    if (!d->running())
+        return;
+    if (!d->listening)
+        d->connection.stop();
+    d->fail({ErrorCode::Cancelled, {u"The squeeze"_qs}});
+}
+
+SqueezeJob::State SqueezeJob::state() const
+{
+    return d->state;
+}
+
+double SqueezeJob::progress() const
+{
+    if (d->state == State::Done)
+        return 1;
+    return d->running() ? d->recorder.progress() : 0;
+}
+
+const Recording& SqueezeJob::recording() const
+{
+    return d->recording;
+}
+
+std::optional<Error> SqueezeJob::error() const
+{
+    return d->error;
+}
+
+} // namespace gripscope

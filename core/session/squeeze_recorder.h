@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/gripper_port.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace gripscope {
+
+/// Keeps the samples of one squeeze out of an endless stream: from a little before the device reports that it
+/// moves to a little after, or simply the next so many seconds. Lost samples stay lost; time is the device's.
+class SqueezeRecorder {
+public:
+    enum class Mode { Movement, Everything };
+    /// Kept before and after the movement; the position settles in less on any part a gripper can hold
+    /// firmly.
+    static constexpr double margin_s = 0.02;
+
+    void begin(Mode mode, std::size_t samples, double sampleTime_s);
+    void take(const std::vector<Sample>& batch);
+
+    [[nodiscard]] bool complete() const { return m_phase == Phase::Complete; }
+    [[nodiscard]] bool moved() const { return m_mode == Mode::Movement && m_phase != Phase::Before; }
+    [[nodiscard]] std::size_t size() const { return m_samples.size(); }
+    [[nodiscard]] double movingSeconds() const; ///< from the first moving sample to the last, both included
+    [[nodiscard]] double progress() const;      ///< 0 to 1
+    [[nodiscard]] std::uint16_t statusSeen() const
+    {
+        return m_statusSeen;
+    } ///< all bits since the movement began
+    /// Puts the samples into `recording` and forgets them.
+    void moveTo(Recording& recording);
+
+private:
+    enum class Phase { Before, Moving, After, Complete };
+    void take(const Sample& sample);
+    void takeMovement(const Sample& sample);
+
+    Mode m_mode = Mode::Movement;
+    Phase m_phase = Phase::Before;
+    std::vector<Sample> m_samples;
+    std::size_t m_wanted = 0, m_margin = 0, m_after = 0;
+    double m_sampleTime_s = 0;
+    double m_firstMoving_s = 0, m_lastMoving_s = 0;
+    std::uint16_t m_statusSeen = 0;
+};
+
+} // namespace gripscope
