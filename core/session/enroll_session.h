@@ -10,7 +10,8 @@
 
 namespace gripscope {
 
-/// A squeeze during an enrolment, with what was found and what is to become of it.
+/// A squeeze during an enrolment, with what was found and what is to become of it. One taken over from the
+/// library has the stored estimate and no recording; Library::recording(graspId) has that.
 struct EnrollSqueeze {
     enum class Decision { Pending, Accepted, Rejected };
     Recording recording;
@@ -25,7 +26,12 @@ struct EnrollSqueeze {
 ///
 ///     Name -> Recipe -> Squeeze -> Review -> Approved
 ///
-/// The squeeze step has an activity of its own: Waiting, Squeezing, Identifying, Deciding, Storing.
+/// The squeeze step has an activity of its own: Waiting, Squeezing, Identifying, Deciding, Storing. Whatever
+/// reads or writes the library (setRecipe, accept, drop, approve) is Storing until a later poll() has the
+/// answer; the step or the decision changes then, or lastError() says why not.
+///
+/// A name that the library knows is resumed, with the recipe it has. A new type comes into the library with
+/// its first accepted squeeze, in the units of that squeeze.
 class EnrollSession {
 public:
     enum class Step { Name, Recipe, Squeeze, Review, Approved };
@@ -40,8 +46,8 @@ public:
 
     void setOperator(const QString& name);
     [[nodiscard]] Expected<void> setName(const QString& name); ///< Name -> Recipe
-    [[nodiscard]] Expected<void>
-    setRecipe(const Recipe& recipe);        ///< Recipe -> Squeeze (creates the type or resumes it)
+    /// Recipe -> Squeeze; resumes the type when the library has one of that name.
+    [[nodiscard]] Expected<void> setRecipe(const Recipe& recipe);
     [[nodiscard]] Expected<void> squeeze(); ///< from the connected gripper
     [[nodiscard]] Expected<void> addRecording(Recording recording, const QString& source); ///< from a file
     [[nodiscard]] Expected<void> accept();                      ///< the pending squeeze; not an invalid one

@@ -56,10 +56,11 @@ public:
     };
     [[nodiscard]] State state() const;
     [[nodiscard]] double progress() const;
-    [[nodiscard]] const std::optional<Result>& result() const; ///< the last one
+    [[nodiscard]] const std::optional<Result>& result() const; ///< of the last squeeze
     [[nodiscard]] InspectionCounts counts() const;
-    [[nodiscard]] const TypeModels& models() const;
+    [[nodiscard]] const TypeModels& models() const; ///< in SI where any type's units are known
     [[nodiscard]] const std::vector<TypeRecord>& types() const;
+    [[nodiscard]] bool storing() const; ///< an inspection is on its way into the library
     [[nodiscard]] std::optional<Error> lastError() const;
 
 private:

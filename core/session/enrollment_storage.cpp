@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/enrollment_storage.h"
+
+#include "core/identification/identification_json.h"
+#include "core/session/comparable_units.h"
+
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+NewGrasp makeGrasp(const Recording& recording, const Identification& identification, const QString& source,
+                   const QString& operatorName)
+{
+    NewGrasp grasp;
+    grasp.recording = recording;
+    if (const Estimate* best = identification.best())
+        grasp.estimates.push_back(*best);
+    for (const Estimate& estimate : identification.estimates)
+        if (&estimate != identification.best())
+            grasp.estimates.push_back(estimate);
+    grasp.forceUnit = recording.forceUnit;
+    grasp.positionUnit = recording.positionUnit;
+    grasp.source = source;
+    grasp.operatorName = operatorName;
+    grasp.identification = toJson(identification, recording, source);
+    return grasp;
+}
+
+Expected<StoredType> findStoredType(Library& library, const QString& name)
+{
+    const Expected<std::optional<TypeRecord>> type = library.findType(name);
+    if (!type)
+        return tl::unexpected<Error>(type.error());
+    StoredType found{*type, {}};
+    if (!found.type)
+        return found;
+    Expected<std::vector<GraspRecord>> grasps = library.grasps(found.type->id);
+    if (!grasps)
+        return tl::unexpected<Error>(grasps.error());
+    found.grasps = std::move(*grasps);
+    return found;
+}
+
+Expected<StoredSqueeze> storeSqueeze(Library& library, const QString& name, const Recipe& recipe,
+                                     NewGrasp grasp)
+{
+    Expected<std::optional<TypeRecord>> known = library.findType(name);
+    if (!known)
+        return tl::unexpected<Error>(known.error());
+    if (!*known) {
+        const Expected<TypeRecord> added = library.addType(name, recipe, grasp.forceUnit, grasp.positionUnit);
+        if (!added)
+            return tl::unexpected<Error>(added.error());
+        known = *added;
+    }
+    const TypeRecord& type = **known;
+    const Expected<double> factor =
+        parameterFactor(grasp.forceUnit, grasp.positionUnit, type.forceUnit, type.positionUnit);
+    if (!factor)
+        return tl::unexpected<Error>(factor.error());
+    grasp.typeId = type.id;
+    const Expected<GraspRecord> added = library.addGrasp(grasp);
+    if (!added)
+        return tl::unexpected<Error>(added.error());
+    return StoredSqueeze{type, added->id};
+}
+
+EnrollSqueeze enrolledSqueeze(const GraspRecord& grasp)
+{
+    EnrollSqueeze squeeze;
+    squeeze.decision = EnrollSqueeze::Decision::Accepted;
+    squeeze.graspId = grasp.id;
+    squeeze.recording.forceUnit = grasp.forceUnit;
+    squeeze.recording.positionUnit = grasp.positionUnit;
+    Estimate estimate;
+    estimate.estimator = grasp.estimator;
+    estimate.status = EstimateStatus::Converged;
+    estimate.parameters = grasp.parameters;
+    estimate.covariance = grasp.covariance;
+    estimate.fit.simulationPercent = grasp.simulationFitPercent;
+    squeeze.identification.recommended = grasp.estimator;
+    squeeze.identification.estimates = {estimate};
+    return squeeze;
+}
+
+QString whyNotEnrolled(const Identification& identification)
+{
+    for (const ValidityCheck& check : identification.validity.checks)
+        if (!check.ok && check.decisive)
+            return check.message;
+    if (const Estimate* best = identification.best())
+        return identification.validity.verdict == ValidityVerdict::Invalid
+                   ? QString::fromStdString(best->message)
+                   : QString();
+    const QString message = identification.estimates.empty()
+                                ? QString()
+                                : QString::fromStdString(identification.estimates.back().message);
+    return message.isEmpty() ? u"No m, b and k could be found in it."_qs : message;
+}
+
+std::optional<Error> recipeError(const Recipe& recipe)
+{
+    const auto positive = [](double x) { return std::isfinite(x) && x > 0; };
+    if (!positive(recipe.peak_N) || !positive(recipe.bit_s) || !positive(recipe.seconds) ||
+        !positive(recipe.maxForce_N) || !positive(recipe.maxTravel_m))
+        return Error{ErrorCode::Usage,
+                     {u"Peak force, bit, length and limits of a recipe must be above zero."_qs}};
+    if (!std::isfinite(recipe.bias_N) || recipe.bias_N < 0)
+        return Error{ErrorCode::Usage, {u"The preload of a recipe must be zero or above."_qs}};
+    if (recipe.bias_N + recipe.peak_N > recipe.maxForce_N)
+        return Error{ErrorCode::LimitExceeded,
+                     {u"Preload plus peak force"_qs, u"%1 N"_qs.arg(recipe.bias_N + recipe.peak_N),
+                      u"%1 N"_qs.arg(recipe.maxForce_N), u"the recipe's"_qs}};
+    return std::nullopt;
+}
+
+} // namespace gripscope

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/inspect_session.h"
+
+#include "core/session/comparable_units.h"
+#include "core/session/enrollment_storage.h"
+#include "core/session/library_answer.h"
+
+#include <algorithm>
+#include <list>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Loaded {
+    std::vector<TypeRecord> types;
+    ComparableTypes comparable;
+    InspectionCounts counts;
+};
+
+Expected<Loaded> load(Library& library)
+{
+    Expected<std::vector<TypeRecord>> types = library.types();
+    if (!types)
+        return tl::unexpected<Error>(types.error());
+    const Expected<std::vector<TypeSqueeze>> squeezes = library.enrolledSqueezes();
+    if (!squeezes)
+        return tl::unexpected<Error>(squeezes.error());
+    const Expected<InspectionCounts> counts = library.inspectionCounts();
+    if (!counts)
+        return tl::unexpected<Error>(counts.error());
+    ComparableTypes comparable(*types, *squeezes);
+    return Loaded{std::move(*types), std::move(comparable), *counts};
+}
+
+struct Stored {
+    qint64 number = 0;
+    InspectionCounts counts;
+};
+
+Expected<Stored> store(Library& library, const NewInspection& inspection)
+{
+    const Expected<InspectionRecord> added = library.addInspection(inspection);
+    if (!added)
+        return tl::unexpected<Error>(added.error());
+    const Expected<InspectionCounts> counts = library.inspectionCounts();
+    if (!counts)
+        return tl::unexpected<Error>(counts.error());
+    return Stored{added->number, *counts};
+}
+
+/// Answers to a reload and to a store may be told in another order than they were made; inspections only get
+/// more.
+const InspectionCounts& newer(const InspectionCounts& one, const InspectionCounts& other)
+{
+    return one.total >= other.total ? one : other;
+}
+
+double lengthOf(const Recording& recording)
+{
+    return recording.time_s.empty()
+               ? static_cast<double>(recording.size()) * recording.sampleTime_s
+               : recording.time_s.back() - recording.time_s.front() + recording.sampleTime_s;
+}
+
+} // namespace
+
+struct InspectSession::Private {
+    Private(ConnectSession& session, LibraryService& service)
+        : connection(session), library(service), job(session)
+    {
+    }
+
+    ConnectSession& connection;
+    LibraryService& library;
+    SqueezeJob job;
+    IdentificationTask task;
+    LibraryAnswer loading;
+    std::list<LibraryAnswer> storing; // in the order the inspections were made
+    IdentificationOptions options;
+    VerdictOptions rates;
+    Recipe recipe;
+    QString operatorName, expectedType;
+    bool storeResults = true;
+
+    State state = State::Loading;
+    Loaded loaded;
+    Recording measured; // what is being identified
+    QString source, measuredExpectedType;
+    std::uint64_t squeezes = 0;
+    std::optional<Result> result;
+    std::optional<Error> error;
+
+    void reload();
+    [[nodiscard]] Expected<void> ready() const;
+    [[nodiscard]] Recipe wantedRecipe() const;
+    void begin(State next);
+    void fail(const Error& reason);
+    void identify(Recording recording, const QString& from);
+    void judgeIt(Identification identification);
+    void keep();
+    bool pollStoring();
+};
+
+void InspectSession::Private::reload()
+{
+    if (state == State::Ready)
+        state = State::Loading;
+    loading.await<Loaded>(library.run<Loaded>(load), [this](Expected<Loaded> answer) {
+        if (!answer) {
+            error = answer.error();
+            return;
+        }
+        answer->counts = newer(answer->counts, loaded.counts);
+        loaded = std::move(*answer);
+        if (state == State::Loading) {
+            state = State::Ready;
+            error.reset();
+        }
+    });
+}
+
+Expected<void> InspectSession::Private::ready() const
+{
+    switch (state) {
+    case State::Ready:
+        return {};
+    case State::Loading:
+        return failure(ErrorCode::Usage, {u"The library is still being read."_qs});
+    case State::Squeezing:
+    case State::Judging:
+        break;
+    }
+    return failure(ErrorCode::Usage, {u"The last squeeze is still being worked on."_qs});
+}
+
+Recipe InspectSession::Private::wantedRecipe() const
+{
+    const auto type = std::find_if(loaded.types.begin(), loaded.types.end(),
+                                   [this](const TypeRecord& record) { return record.name == expectedType; });
+    return type == loaded.types.end() ? recipe : type->recipe;
+}
+
+void InspectSession::Private::begin(State next)
+{
+    state = next;
+    result.reset();
+    error.reset();
+    measuredExpectedType = expectedType;
+}
+
+void InspectSession::Private::fail(const Error& reason)
+{
+    error = reason;
+    state = State::Ready;
+}
+
+void InspectSession::Private::identify(Recording recording, const QString& from)
+{
+    state = State::Judging;
+    measured = recording;
+    source = from;
+    task.start(std::move(recording), options);
+}
+
+void InspectSession::Private::judgeIt(Identification identification)
+{
+    const Expected<ComparableTypes::Choice> choice =
+        loaded.comparable.modelsFor(measured.forceUnit, measured.positionUnit);
+    if (!choice)
+        return fail(choice.error());
+    Result found;
+    found.verdict = judge(*choice->models, identification, choice->factor, rates);
+    found.outcome = inspectionOutcome(found.verdict.kind, found.verdict.type, measuredExpectedType);
+    found.expectedType = measuredExpectedType;
+    found.seconds = lengthOf(measured);
+    found.identification = std::move(identification);
+    found.recording = std::move(measured);
+    result = std::move(found);
+    state = State::Ready;
+    if (storeResults)
+        keep();
+}
+
+void InspectSession::Private::keep()
+{
+    NewInspection inspection;
+    inspection.grasp = makeGrasp(result->recording, result->identification, source, operatorName);
+    inspection.verdict = result->verdict;
+    inspection.rates = rates;
+    inspection.expectedType = result->expectedType;
+    inspection.seconds = result->seconds;
+    const std::uint64_t which = squeezes;
+    storing.emplace_back().await<Stored>(
+        library.run<Stored>([inspection](Library& store_) { return store(store_, inspection); }),
+        [this, which](Expected<Stored> stored) {
+            if (!stored) {
+                error = stored.error();
+                return;
+            }
+            loaded.counts = newer(stored->counts, loaded.counts);
+            if (result && which == squeezes)
+                result->number = stored->number;
+        });
+}
+
+bool InspectSession::Private::pollStoring()
+{
+    bool changed = false;
+    while (!storing.empty() && storing.front().poll()) {
+        storing.pop_front();
+        changed = true;
+    }
+    return changed;
+}
+
+InspectSession::InspectSession(ConnectSession& connection, LibraryService& library)
+    : d(std::make_unique<Private>(connection, library))
+{
+    d->reload();
+}
+
+InspectSession::~InspectSession() = default;
+
+void InspectSession::setOperator(const QString& name)
+{
+    d->operatorName = name;
+    d->job.setOperator(name);
+}
+
+void InspectSession::setExpectedType(const QString& name)
+{
+    d->expectedType = name;
+}
+
+void InspectSession::setRates(const VerdictOptions& rates)
+{
+    d->rates = rates;
+}
+
+void InspectSession::setIdentificationOptions(const IdentificationOptions& options)
+{
+    d->options = options;
+}
+
+void InspectSession::setRecipe(const Recipe& recipe)
+{
+    d->recipe = recipe;
+}
+
+void InspectSession::setStoring(bool store)
+{
+    d->storeResults = store;
+}
+
+void InspectSession::reload()
+{
+    d->reload();
+}
+
+Expected<void> InspectSession::squeeze()
+{
+    if (const Expected<void> may = d->ready(); !may)
+        return may;
+    const Recipe recipe = d->wantedRecipe();
+    const bool commandable = d->connection.identity().commandable;
+    const Expected<void> started =
+        commandable ? d->job.start(recipe, d->squeezes + 1) : d->job.listen(recipe.seconds);
+    if (!started)
+        return started;
+    ++d->squeezes;
+    d->begin(State::Squeezing);
+    return {};
+}
+
+Expected<void> InspectSession::judgeRecording(Recording recording, const QString& source)
+{
+    if (const Expected<void> may = d->ready(); !may)
+        return may;
+    ++d->squeezes;
+    d->begin(State::Judging);
+    d->identify(std::move(recording), source);
+    return {};
+}
+
+void InspectSession::cancel()
+{
+    if (d->state != State::Squeezing && d->state != State::Judging)
+        return;
+    d->job.cancel();
+    d->task.forget();
+    d->fail({ErrorCode::Cancelled, {u"The inspection"_qs}});
+}
+
+bool InspectSession::poll()
+{
+    bool changed = d->pollStoring();
+    changed = d->loading.poll() || changed;
+    if (d->state == State::Squeezing) {
+        d->job.poll();
+        if (d->job.state() == SqueezeJob::State::Done)
+            d->identify(d->job.recording(), d->connection.address());
+        else if (d->job.state() == SqueezeJob::State::Failed)
+            d->fail(*d->job.error());
+        return true; // progress, at least
+    }
+    if (d->state == State::Judging) {
+        if (std::optional<Identification> identification = d->task.take()) {
+            d->judgeIt(std::move(*identification));
+            return true;
+        }
+    }
+    return changed;
+}
+
+InspectSession::State InspectSession::state() const
+{
+    return d->state;
+}
+
+double InspectSession::progress() const
+{
+    return d->state == State::Squeezing ? d->job.progress() : 0;
+}
+
+const std::optional<InspectSession::Result>& InspectSession::result() const
+{
+    return d->result;
+}
+
+InspectionCounts InspectSession::counts() const
+{
+    return d->loaded.counts;
+}
+
+const TypeModels& InspectSession::models() const
+{
+    return d->loaded.comparable.main();
+}
+
+const std::vector<TypeRecord>& InspectSession::types() const
+{
+    return d->loaded.types;
+}
+
+bool InspectSession::storing() const
+{
+    return !d->storing.empty();
+}
+
+std::optional<Error> InspectSession::lastError() const
+{
+    return d->error;
+}
+
+} // namespace gripscope
