@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/scene/axis_scale.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct ShownUnit {
+    QString unit;
+    double factor = 1;
+};
+
+/// Prefixes that people use for these quantities; `largest` is the largest magnitude to be shown.
+ShownUnit shownUnit(const QString& unit, double largest)
+{
+    if (unit == u"1")
+        return {QString(), 1};
+    if (unit == u"kg" && largest < 1)
+        return {u"g"_s, 1e3};
+    if (unit == u"N/m" && largest >= 1e6)
+        return {u"MN/m"_s, 1e-6};
+    if (unit == u"N/m" && largest >= 1e3)
+        return {u"kN/m"_s, 1e-3};
+    if (unit == u"N s/m" && largest >= 1e4)
+        return {u"kN s/m"_s, 1e-3};
+    return {unit, 1};
+}
+
+int decimalsOf(double step)
+{
+    int decimals = 0;
+    // 2.5 and 0.25 need one digit more than their power of ten; 1e-9 of the step absorbs binary rounding.
+    while (decimals < 9 && std::abs(step - std::round(step)) > 1e-9 * std::abs(step)) {
+        step *= 10;
+        ++decimals;
+    }
+    return decimals;
+}
+
+} // namespace
+
+double roundStep(double span, int most)
+{
+    const double raw = span / std::max(1, most);
+    const double power = std::pow(10.0, std::floor(std::log10(raw)));
+    constexpr std::array<double, 5> factors{1, 2, 2.5, 5, 10};
+    for (const double factor : factors)
+        if (factor * power >= raw * (1 - 1e-9))
+            return factor * power;
+    return 10 * power;
+}
+
+AxisScale axisScale(const QString& name, const QString& unit, double low, double high, int most)
+{
+    if (!(high > low)) {
+        const double middle = std::isfinite(low) && std::isfinite(high) ? (low + high) / 2 : 0.5;
+        const double half = middle != 0 ? std::abs(middle) / 10 : 0.5;
+        low = middle - half;
+        high = middle + half;
+    }
+    AxisScale scale;
+    scale.name = name;
+    const ShownUnit shown = shownUnit(unit, std::max(std::abs(low), std::abs(high)));
+    scale.unit = shown.unit;
+    scale.factor = shown.factor;
+    // Steps are round in the unit shown, not in the one stored.
+    const double step = roundStep((high - low) * shown.factor, most);
+    const double first = std::floor(low * shown.factor / step + 1e-9);
+    const double last = std::ceil(high * shown.factor / step - 1e-9);
+    scale.step = step / shown.factor;
+    scale.low = first * scale.step;
+    scale.high = last * scale.step;
+    for (double n = first; n <= last + 0.5; ++n)
+        scale.ticks.push_back(n * scale.step);
+    return scale;
+}
+
+QString AxisScale::title() const
+{
+    if (unit.isEmpty())
+        return QCoreApplication::translate("gripscope::AxisScale", "%1 (as printed)").arg(name);
+    return u"%1 (%2)"_s.arg(name, unit);
+}
+
+QString AxisScale::tickText(double value) const
+{
+    const double shown = value * factor;
+    return QLocale().toString(std::abs(shown) < 1e-9 * step * factor ? 0.0 : shown, 'f',
+                              decimalsOf(step * factor));
+}
+
+QString AxisScale::valueText(double value) const
+{
+    const QString number = QLocale().toString(value * factor, 'g', 4);
+    return unit.isEmpty() ? number : number + QChar::Nbsp + unit;
+}
+
+} // namespace gripscope

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/recognition/type_model.h"
+#include "ui/scene/axis_scale.h"
+
+#include <Eigen/Core>
+#include <QString>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace gripscope {
+
+/// One squeeze in the space of m, b and k, in the units of the axes.
+struct ScenePoint {
+    QString id;
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    int color = 0; ///< index into Theme::typeColor()
+    int shape = 0; ///< sphere, cube, cone, octahedron, then from the start again
+    QString tip;   ///< shown when it is pointed at or picked
+};
+
+struct SceneEllipsoid {
+    Ellipsoid shape;
+    int color = 0;
+};
+
+/// The squeeze at hand: a ringed point with the ellipsoid of its own uncertainty.
+struct SceneHighlight {
+    ScenePoint point;
+    std::optional<Ellipsoid> ellipsoid;
+};
+
+/// A cluster centre and where it came from; the last of `trail` is where it is.
+struct SceneCentroid {
+    std::vector<Eigen::Vector3d> trail;
+    int color = 0;
+};
+
+/// All that a view of the m-b-k space shows. A value: build it, hand it over, forget it.
+struct SceneContent {
+    std::array<AxisScale, 3> axes; ///< m, b, k
+    std::vector<ScenePoint> points;
+    std::vector<SceneEllipsoid> ellipsoids;
+    std::vector<SceneCentroid> centroids;
+    std::optional<SceneHighlight> highlight;
+};
+
+/// The smallest and the largest values along each axis of points, ellipsoids, trails and highlight (columns:
+/// low, high). Without any of them: 0 to 1.
+[[nodiscard]] Eigen::Matrix<double, 3, 2> contentBounds(const SceneContent& content);
+
+/// Half the extent of an ellipsoid along each axis of the space.
+[[nodiscard]] Eigen::Vector3d halfExtent(const Ellipsoid& ellipsoid);
+
+/// Where a value lies in the cube of side 1 around the origin that the axes span.
+[[nodiscard]] Eigen::Vector3d cubePosition(const SceneContent& content, const Eigen::Vector3d& value);
+
+/// The outline of an ellipsoid seen along the third axis, as a 2 x count matrix of values of axes
+/// `horizontal` and `vertical`: the shadow of the whole ellipsoid, not a cut through it.
+[[nodiscard]] Eigen::Matrix2Xd ellipsoidOutline(const Ellipsoid& ellipsoid, int horizontal, int vertical,
+                                                int count = 72);
+
+} // namespace gripscope

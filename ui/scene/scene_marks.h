@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QPointF>
+
+#include <vector>
+
+class QPainter;
+
+namespace gripscope {
+
+/// The flat sign of a type: disc, square, triangle, diamond, for sphere, cube, cone, octahedron. The same in
+/// legends, pair plots and tables.
+void drawTypeSign(QPainter& painter, QPointF at, double radius, int shape, const QColor& fill,
+                  const QColor& outline);
+
+/// The sign of a type with its colour and the outline that the theme asks for.
+void drawTypeSign(QPainter& painter, QPointF at, double radius, int type);
+
+/// The ring around the squeeze at hand: thick, with a gap to the point.
+void drawHighlightRing(QPainter& painter, QPointF at);
+/// The ring around a picked point: thin.
+void drawPickRing(QPainter& painter, QPointF at);
+/// A cluster centre where the trail ends, and the way it came.
+void drawCentroid(QPainter& painter, const std::vector<QPointF>& trail, const QColor& color);
+
+} // namespace gripscope

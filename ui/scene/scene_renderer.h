@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/scene/scene_camera.h"
+#include "ui/scene/scene_content.h"
+
+#include <QColor>
+#include <QImage>
+#include <QSize>
+
+#include <memory>
+
+namespace gripscope {
+
+class OffscreenGl;
+
+/// The colours of a scene, resolved on the screen's thread so that the renderer asks nobody.
+struct SceneLook {
+    QColor background, grid, frame, outline, text;
+    double lineWidth = 1; ///< logical pixels
+    friend bool operator==(const SceneLook&, const SceneLook&) = default;
+};
+
+/// One picture to be made.
+struct SceneRequest {
+    std::shared_ptr<const SceneContent> content;
+    SceneLook look;
+    SceneCamera camera;
+    QSize size;       ///< logical pixels
+    double ratio = 1; ///< device pixels a logical pixel
+    bool atRest =
+        true; ///< nothing moves: translucent surfaces are sorted exactly (depth peeling), which takes longer
+};
+
+/// Above this many points they are drawn as plain dots: a glyph costs a hundred times a dot in software
+/// rendering.
+inline constexpr std::size_t mostGlyphs = 2000;
+/// Radius of a point's glyph on the screen at the middle of the cube, logical pixels.
+inline constexpr double glyphRadius = 5.5;
+
+/// Draws grid, points and ellipsoids with VTK into a context of its own and reads the picture back. Words,
+/// rings and trails are painted over it by the widget. Belongs to one thread: the one that calls render()
+/// first.
+class SceneRenderer {
+public:
+    explicit SceneRenderer(std::unique_ptr<OffscreenGl> gl);
+    ~SceneRenderer();
+    SceneRenderer(const SceneRenderer&) = delete;
+    SceneRenderer& operator=(const SceneRenderer&) = delete;
+
+    /// Null when the context could not be made current.
+    [[nodiscard]] QImage render(const SceneRequest& request);
+    /// Frees what the graphics driver holds; on the thread that rendered.
+    void release();
+    [[nodiscard]] OffscreenGl* gl() const;
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace gripscope

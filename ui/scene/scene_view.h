@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/scene/scene_camera.h"
+#include "ui/scene/scene_content.h"
+
+#include <QImage>
+#include <QWidget>
+
+#include <memory>
+
+namespace gripscope {
+
+/// A view of the m-b-k space: in three dimensions where there is OpenGL, else three pair plots. Who uses it
+/// need not know which.
+class SceneView : public QWidget {
+    Q_OBJECT
+public:
+    explicit SceneView(QWidget* parent);
+    ~SceneView() override;
+
+    void setContent(SceneContent content);
+    [[nodiscard]] const SceneContent& content() const { return *m_content; }
+    /// What stands in the middle of an empty view: what to do.
+    void setEmptyText(const QString& text);
+
+    [[nodiscard]] virtual bool threeDimensional() const = 0;
+    virtual void lookAlong(SceneDirection) {}
+    virtual void setOrthographic(bool) {}
+    [[nodiscard]] virtual bool orthographic() const { return true; }
+    /// What is shown now is drawn to the end, nothing is under way.
+    [[nodiscard]] virtual bool settled() const { return true; }
+    /// The picture as it is on the screen, for the clipboard or a file.
+    [[nodiscard]] virtual QImage picture();
+
+    /// Rings a point; an id that is not there rings none.
+    void pick(const QString& id);
+    [[nodiscard]] const QString& pickedId() const { return m_pickedId; }
+    /// Where a point is on the screen; null when it is not there. The first of several places.
+    [[nodiscard]] std::optional<QPointF> placeOf(const QString& id) const;
+
+    QSize sizeHint() const override { return {720, 540}; }
+    QSize minimumSizeHint() const override { return {280, 240}; }
+
+signals:
+    void picked(const QString& id); ///< by mouse or keyboard; empty: nothing any more
+    void cameraChanged();
+
+protected:
+    /// A point on the screen; in a pair plot each has three.
+    struct Spot {
+        const ScenePoint* point = nullptr;
+        QPointF at;
+        double depth = 0;
+    };
+    [[nodiscard]] virtual std::vector<Spot> spots() const = 0;
+    virtual void contentChanged() = 0;
+    virtual void themeChanged() { update(); }
+    /// The one under the pointer: within reach, the nearest to the eye first.
+    [[nodiscard]] const ScenePoint* pointNear(QPointF position) const;
+    [[nodiscard]] const std::shared_ptr<const SceneContent>& sharedContent() const { return m_content; }
+    [[nodiscard]] const QString& emptyText() const { return m_emptyText; }
+    [[nodiscard]] bool empty() const;
+
+    bool event(QEvent* event) override;
+    /// Picks the point there, or none.
+    void pickAt(QPointF position);
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void pickNext(int step);
+
+    std::shared_ptr<const SceneContent> m_content;
+    QString m_pickedId;
+    QString m_emptyText;
+};
+
+/// Best: three dimensions where there is OpenGL.
+enum class SceneKind { Best, PairPlots };
+[[nodiscard]] SceneView* makeSceneView(QWidget* parent, SceneKind kind = SceneKind::Best);
+
+} // namespace gripscope
