@@ -81,13 +81,13 @@ class AxisPainter {
 public:
     AxisPainter(QPainter& painter, QSizeF size) : m_painter(painter), m_size(size) {}
 
-    void paint(const AxisScale& scale, const Edge& edge, bool vertical)
+    void paint(const AxisScale& scale, const Edge& edge)
     {
         constexpr double shortest = 48; // below that there is no room for two numbers
         if (edge.length() < shortest)
             return;
         const double reach = paintTicks(scale, edge);
-        paintTitle(scale, edge, vertical, reach);
+        paintTitle(scale, edge, reach);
     }
 
 private:
@@ -114,15 +114,18 @@ private:
         return reach;
     }
 
-    void paintTitle(const AxisScale& scale, const Edge& edge, bool vertical, double reach)
+    void paintTitle(const AxisScale& scale, const Edge& edge, double reach)
     {
         m_painter.setFont(Theme::font(metrics::fontSmall, true));
         m_painter.setPen(Theme::instance().tokens().text);
         const QFontMetricsF metrics(m_painter.font(), m_painter.device());
+        const QPointF along = edge.b - edge.a;
+        const bool steep =
+            std::abs(along.y()) > 2 * std::abs(along.x()); // the title then stands on its upper end
         const QPointF top = edge.a.y() < edge.b.y() ? edge.a : edge.b;
         const QRectF wanted =
-            vertical ? textRect(scale.title(), top, QPointF(0, -1), 10, metrics)
-                     : textRect(scale.title(), (edge.a + edge.b) / 2, edge.outward, 14 + reach, metrics);
+            steep ? textRect(scale.title(), top, QPointF(0, -1), 10, metrics)
+                  : textRect(scale.title(), (edge.a + edge.b) / 2, edge.outward, 14 + reach, metrics);
         const QRectF rect = moveInside(wanted, m_size);
         m_painter.drawText(rect, Qt::AlignCenter, scale.title());
         m_taken.push_back(rect);
@@ -153,7 +156,7 @@ void paintSceneAxes(QPainter& painter, const SceneContent& content, const SceneC
     painter.setRenderHint(QPainter::Antialiasing);
     AxisPainter axes(painter, size);
     for (int axis = 0; axis < 3; ++axis)
-        axes.paint(content.axes[std::size_t(axis)], labelledEdge(axis, far, projection), axis == 2);
+        axes.paint(content.axes[std::size_t(axis)], labelledEdge(axis, far, projection));
     painter.restore();
 }
 

@@ -27,7 +27,7 @@ void SceneCamera::zoomBy(double factor)
 
 void SceneCamera::lookAlong(SceneDirection direction)
 {
-    zoom = 1;
+    zoom = 1.5; // one face fills less of the picture than the cube on its corner
     pan = QPointF();
     switch (direction) {
     case SceneDirection::AlongMass: // damping to the right, stiffness up

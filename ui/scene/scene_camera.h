@@ -31,7 +31,7 @@ struct SceneProjection {
     SceneProjection(const SceneCamera& camera, QSizeF size);
 
     static constexpr double viewDistance = 5.2;    ///< from the middle of the cube, whose side is 1
-    static constexpr double viewAngleDegrees = 23; ///< shows the whole cube and its labels at zoom 1
+    static constexpr double viewAngleDegrees = 20; ///< shows the whole cube and its labels at zoom 1
 
     Eigen::Vector3d right, up, forward, position;
     double halfHeight = 1; ///< of the picture, at the middle of the cube

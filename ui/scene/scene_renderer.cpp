@@ -6,9 +6,12 @@
 #include "ui/scene/scene_axes.h"
 #include "ui/theme/theme.h"
 
+#include <QLoggingCategory>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkLogger.h>
+#include <vtkOutputWindow.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -17,6 +20,39 @@
 #include <numbers>
 
 namespace gripscope {
+
+namespace {
+
+Q_LOGGING_CATEGORY(sceneLog, "gripscope.scene", QtWarningMsg)
+
+/// What VTK has to say goes where everything else goes. (Its complaint about GLEW on EGL is harmless: the
+/// functions are found all the same.)
+class VtkLog : public vtkOutputWindow {
+public:
+    static VtkLog* New()
+    {
+        auto* log = new VtkLog;
+        log->InitializeObjectBase();
+        return log;
+    }
+    void DisplayText(const char* text) override { qCDebug(sceneLog, "%s", text); }
+
+protected:
+    VtkLog() = default;
+};
+
+void redirectVtkLog()
+{
+    static const bool done = [] {
+        const auto log = vtkSmartPointer<VtkLog>::New();
+        vtkOutputWindow::SetInstance(log);
+        vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+        return true;
+    }();
+    Q_UNUSED(done)
+}
+
+} // namespace
 
 struct SceneRenderer::Private {
     std::unique_ptr<OffscreenGl> gl;
@@ -34,6 +70,7 @@ struct SceneRenderer::Private {
     void buildGrid(const SceneRequest& request);
     void aim(const SceneRequest& request);
     [[nodiscard]] QImage readBack(QSize pixels) const;
+    [[nodiscard]] static int oversampling(const SceneRequest& request);
     static void onWindowEvent(vtkObject*, unsigned long event, void* self, void* data);
 };
 
@@ -58,6 +95,7 @@ void SceneRenderer::Private::onWindowEvent(vtkObject*, unsigned long event, void
 
 void SceneRenderer::Private::initialise()
 {
+    redirectVtkLog();
     window = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
     auto callback = vtkSmartPointer<vtkCallbackCommand>::New();
     callback->SetCallback(&Private::onWindowEvent);
@@ -68,7 +106,7 @@ void SceneRenderer::Private::initialise()
         window->AddObserver(event, callback);
     window->SetOwnContext(0);
     window->SetFrameBlitModeToNoBlit();
-    window->SetMultiSamples(4);
+    window->SetMultiSamples(0); // VTK 9.1 draws no translucent surface into a multisampled buffer
     window->SetAlphaBitPlanes(1);
     window->OpenGLInit();
     renderer = vtkSmartPointer<vtkRenderer>::New();
@@ -77,13 +115,20 @@ void SceneRenderer::Private::initialise()
     window->AddRenderer(renderer);
 }
 
+int SceneRenderer::Private::oversampling(const SceneRequest& request)
+{
+    // Edges are smoothed by drawing twice as large and scaling down; while it moves a filter must do.
+    return request.atRest && request.ratio < 2 ? 2 : 1;
+}
+
 void SceneRenderer::Private::build(const SceneRequest& request)
 {
-    if (content == request.content && look == request.look && ratio == request.ratio)
+    const double drawnRatio = request.ratio * oversampling(request);
+    if (content == request.content && look == request.look && ratio == drawnRatio)
         return;
     content = request.content;
     look = request.look;
-    ratio = request.ratio;
+    ratio = drawnRatio;
     renderer->RemoveAllViewProps();
     renderer->SetBackground(look.background.redF(), look.background.greenF(), look.background.blueF());
     points = pointActors(*content, look, ratio);
@@ -135,7 +180,7 @@ void SceneRenderer::Private::aim(const SceneRequest& request)
     camera->SetClippingRange(SceneProjection::viewDistance - 2, SceneProjection::viewDistance + 2);
     // Glyphs keep their size on the screen whatever the zoom.
     const double radius = glyphRadius / projection.pixelsPerUnit();
-    const double outlined = (glyphRadius + 1.2) / projection.pixelsPerUnit();
+    const double outlined = (glyphRadius + 1.0) / projection.pixelsPerUnit();
     for (const PointActors& actors : points) {
         if (actors.glyphMapper)
             actors.glyphMapper->SetScaleFactor(radius);
@@ -172,13 +217,17 @@ QImage SceneRenderer::render(const SceneRequest& request)
         return {};
     if (!d->window)
         d->initialise();
-    d->window->SetSize(pixels.width(), pixels.height());
+    const QSize drawn = pixels * Private::oversampling(request);
+    d->window->SetSize(drawn.width(), drawn.height());
     d->build(request);
     d->buildGrid(request);
     d->aim(request);
     d->renderer->SetUseDepthPeeling(request.atRest ? 1 : 0);
+    d->renderer->SetUseFXAA(!request.atRest);
     d->window->Render();
-    QImage image = d->readBack(pixels);
+    QImage image = d->readBack(drawn);
+    if (drawn != pixels)
+        image = image.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     image.setDevicePixelRatio(request.ratio);
     d->gl->doneCurrent();
     return image;

@@ -36,7 +36,7 @@ struct SceneRequest {
 /// rendering.
 inline constexpr std::size_t mostGlyphs = 2000;
 /// Radius of a point's glyph on the screen at the middle of the cube, logical pixels.
-inline constexpr double glyphRadius = 5.5;
+inline constexpr double glyphRadius = 5.0;
 
 /// Draws grid, points and ellipsoids with VTK into a context of its own and reads the picture back. Words,
 /// rings and trails are painted over it by the widget. Belongs to one thread: the one that calls render()

@@ -38,15 +38,11 @@ namespace {
 SceneLook sceneLook()
 {
     const ThemeTokens& tokens = Theme::instance().tokens();
-    const auto mix = [](const QColor& a, const QColor& b, double share) {
-        return QColor::fromRgbF(float(a.redF() + (b.redF() - a.redF()) * share),
-                                float(a.greenF() + (b.greenF() - a.greenF()) * share),
-                                float(a.blueF() + (b.blueF() - a.blueF()) * share));
-    };
     SceneLook look;
     look.background = tokens.surface;
-    look.grid = mix(tokens.surface, tokens.line, 0.75);
-    look.frame = mix(tokens.line, tokens.secondText, 0.25);
+    look.grid =
+        tokens.kind == ThemeKind::HighContrast ? Theme::mix(tokens.surface, tokens.line, 0.4) : tokens.line;
+    look.frame = Theme::mix(tokens.line, tokens.secondText, 0.5);
     look.outline = tokens.kind == ThemeKind::Light ? tokens.surface : tokens.text;
     look.text = tokens.text;
     look.lineWidth = tokens.lineWidth;
