@@ -13,11 +13,16 @@ namespace gripscope {
 struct ClusterAgreement {
     QStringList truths;
     Eigen::MatrixXi counts;
-    double adjustedRandIndex = 0; ///< 1: the same partition; about 0: no better than chance. Hubert and Arabie 1985
+    double adjustedRandIndex =
+        0; ///< 1: the same partition; about 0: no better than chance. Hubert and Arabie 1985
 };
-[[nodiscard]] ClusterAgreement clusterAgreement(const QStringList& truth, const std::vector<int>& labels, int clusters);
+/// `labels`: one a truth, from 0 to clusters - 1.
+[[nodiscard]] ClusterAgreement clusterAgreement(const QStringList& truth, const std::vector<int>& labels,
+                                                int clusters);
 
-/// The paper's Table 1: row t holds, for each truth in sorted order, the cluster (numbered from 1) of its t-th item.
-[[nodiscard]] std::vector<std::vector<int>> clusterTable(const QStringList& truth, const std::vector<int>& labels);
+/// The paper's Table 1: row t holds, for each truth in sorted order, the cluster (numbered from 1) of its
+/// t-th item (0 where that truth has fewer items).
+[[nodiscard]] std::vector<std::vector<int>> clusterTable(const QStringList& truth,
+                                                         const std::vector<int>& labels);
 
 } // namespace gripscope

@@ -10,7 +10,8 @@
 
 namespace gripscope {
 
-/// none: as they are; zscore: (x - mean) / population deviation; log: natural logarithm; zlog: z-score of the logs.
+/// none: as they are; zscore: (x - mean) / population deviation; log: natural logarithm; zlog: z-score of the
+/// logs.
 enum class FeatureScaling { None, ZScore, Log, ZLog };
 [[nodiscard]] QString toString(FeatureScaling scaling);
 [[nodiscard]] std::optional<FeatureScaling> featureScalingFromString(const QString& text);
@@ -24,8 +25,9 @@ struct FeatureTransform {
     [[nodiscard]] Eigen::MatrixXd undo(const Eigen::MatrixXd& scaled) const;
 };
 
-/// The transform that `scaling` means for this table (rows: items, columns: features). BadInput when a logarithm
-/// meets a value <= 0; a column without spread keeps scale 1.
-[[nodiscard]] Expected<FeatureTransform> featureTransform(const Eigen::MatrixXd& features, FeatureScaling scaling);
+/// The transform that `scaling` means for this table (rows: items, columns: features). BadInput when a
+/// logarithm meets a value <= 0; a column without spread keeps scale 1.
+[[nodiscard]] Expected<FeatureTransform> featureTransform(const Eigen::MatrixXd& features,
+                                                          FeatureScaling scaling);
 
 } // namespace gripscope

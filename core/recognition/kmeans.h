@@ -17,7 +17,8 @@ namespace gripscope {
 struct KMeansOptions {
     int clusters = 4;
     int restarts = 10;
-    int candidates = 3; ///< tried for each new centre by greedy k-means++; 3 reach the optimum 99.9 % of the time
+    int candidates =
+        3; ///< tried for each new centre by greedy k-means++; 3 reach the optimum 99.9 % of the time
     int maxIterations = 300;
     std::uint64_t seed = 1;
     [[nodiscard]] std::optional<Error> validate() const;
@@ -43,6 +44,8 @@ struct KMeansResult {
 };
 
 /// `items`: rows are items, columns features, all finite. The best of the restarts; the earliest of equals.
+/// The seed feeds a Mersenne twister of 64 bits, so that every machine takes the same starts. Converged: no
+/// item changed its cluster. Errors: Usage (options), BadInput (a number that is not finite).
 [[nodiscard]] Expected<KMeansResult> kMeans(const Eigen::MatrixXd& items, const KMeansOptions& options = {});
 
 } // namespace gripscope

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/recognition/kmeans.h"
 #include "core/recognition/cluster_agreement.h"
 #include "core/recognition/feature_scaling.h"
+#include "core/recognition/kmeans.h"
 #include "core/recognition/type_model.h"
 
 #include <Eigen/Core>
@@ -22,8 +22,8 @@ struct PaperAppendix {
 };
 [[nodiscard]] const PaperAppendix& paperAppendix();
 
-/// Seconds in one of the paper's units of time that turn its cans into plausible ones in SI: m stays, b is divided
-/// by it, k by its square (A: 0.0396 kg, 43.0 N s/m, 9,990 N/m; natural frequency 80 Hz).
+/// Seconds in one of the paper's units of time that turn its cans into plausible ones in SI: m stays, b is
+/// divided by it, k by its square (A: 0.0396 kg, 43.0 N s/m, 9,990 N/m; natural frequency 80 Hz).
 inline constexpr double paperTimeUnit_s = 0.0032;
 [[nodiscard]] std::vector<TypeSqueeze> paperSqueezesAsPrinted();
 [[nodiscard]] std::vector<TypeSqueeze> paperSqueezesInSi();
@@ -31,7 +31,7 @@ inline constexpr double paperTimeUnit_s = 0.0032;
 /// K-means on the appendix in one scaling, with everything a table or a plot of it needs.
 struct PaperClustering {
     FeatureScaling scaling = FeatureScaling::ZScore;
-    KMeansResult result;            ///< in the scaled space
+    KMeansResult result; ///< in the scaled space
     FeatureTransform transform;
     ClusterAgreement agreement;
     std::vector<std::vector<int>> table1;

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recognition/feature_scaling.h"
+
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// Population deviation of a column; 1 when all its values are the same, so that it stays as it is.
+double columnScale(const Eigen::VectorXd& column, double mean)
+{
+    if (column.maxCoeff() == column.minCoeff())
+        return 1;
+    return std::sqrt((column.array() - mean).square().mean());
+}
+
+tl::unexpected<Error> badValue(Eigen::Index row, Eigen::Index column, double found, const QString& expected)
+{
+    return failure(ErrorCode::BadInput, {u"Row %1, feature %2"_s.arg(row + 1).arg(column + 1),
+                                         u"found %1"_s.arg(found), u"expected %1"_s.arg(expected)});
+}
+
+} // namespace
+
+QString toString(FeatureScaling scaling)
+{
+    switch (scaling) {
+    case FeatureScaling::None:
+        return u"none"_s;
+    case FeatureScaling::ZScore:
+        return u"zscore"_s;
+    case FeatureScaling::Log:
+        return u"log"_s;
+    case FeatureScaling::ZLog:
+        return u"zlog"_s;
+    }
+    return {};
+}
+
+std::optional<FeatureScaling> featureScalingFromString(const QString& text)
+{
+    for (FeatureScaling scaling :
+         {FeatureScaling::None, FeatureScaling::ZScore, FeatureScaling::Log, FeatureScaling::ZLog})
+        if (toString(scaling) == text)
+            return scaling;
+    return {};
+}
+
+Eigen::MatrixXd FeatureTransform::apply(const Eigen::MatrixXd& features) const
+{
+    Eigen::MatrixXd scaled = logarithm ? Eigen::MatrixXd(features.array().log()) : features;
+    scaled.rowwise() -= shift;
+    return scaled.array().rowwise() / scale.array();
+}
+
+Eigen::MatrixXd FeatureTransform::undo(const Eigen::MatrixXd& scaled) const
+{
+    Eigen::MatrixXd features = scaled.array().rowwise() * scale.array();
+    features.rowwise() += shift;
+    return logarithm ? Eigen::MatrixXd(features.array().exp()) : features;
+}
+
+Expected<FeatureTransform> featureTransform(const Eigen::MatrixXd& features, FeatureScaling scaling)
+{
+    const bool logarithm = scaling == FeatureScaling::Log || scaling == FeatureScaling::ZLog;
+    for (Eigen::Index i = 0; i < features.rows(); ++i)
+        for (Eigen::Index j = 0; j < features.cols(); ++j) {
+            if (!std::isfinite(features(i, j)))
+                return badValue(i, j, features(i, j), u"a finite number"_s);
+            if (logarithm && features(i, j) <= 0)
+                return badValue(i, j, features(i, j),
+                                u"a number above 0, since its logarithm is asked for"_s);
+        }
+    FeatureTransform transform;
+    transform.logarithm = logarithm;
+    transform.shift = Eigen::RowVectorXd::Zero(features.cols());
+    transform.scale = Eigen::RowVectorXd::Ones(features.cols());
+    if (features.rows() == 0 || scaling == FeatureScaling::None || scaling == FeatureScaling::Log)
+        return transform;
+    const Eigen::MatrixXd x = logarithm ? Eigen::MatrixXd(features.array().log()) : features;
+    for (Eigen::Index j = 0; j < x.cols(); ++j) {
+        transform.shift(j) = x.col(j).mean();
+        transform.scale(j) = columnScale(x.col(j), transform.shift(j));
+        if (!std::isfinite(transform.shift(j)) || !std::isfinite(transform.scale(j)) ||
+            transform.scale(j) <= 0)
+            return failure(ErrorCode::BadInput,
+                           {u"Feature %1"_s.arg(j + 1), u"found numbers too large or too small"_s,
+                            u"expected numbers whose squares can be computed"_s});
+    }
+    return transform;
+}
+
+} // namespace gripscope

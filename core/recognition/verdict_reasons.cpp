@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recognition/verdict_reasons.h"
+
+#include "core/recognition/quantity_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("Verdict", text);
+}
+
+/// log(m, b, k) less the type's mean.
+Eigen::Vector3d offsets(const TypeModel& type, const MassDampingStiffness& parameters)
+{
+    return parameters.vector().array().log().matrix() - type.meanLog;
+}
+
+/// The same in standard deviations of each parameter on its own.
+Eigen::Vector3d offsetsInDeviations(const TypeModels& models, const TypeModel& type,
+                                    const MassDampingStiffness& parameters)
+{
+    return offsets(type, parameters).cwiseQuotient(models.covarianceLog.diagonal().cwiseSqrt());
+}
+
+/// "Stiffness 9.98 kN/m", or only "Stiffness" where the numbers have no units.
+QString named(int parameter, const MassDampingStiffness& parameters, bool siUnits)
+{
+    const auto quantity = MechanicalQuantity(parameter);
+    if (!siUnits)
+        return nameOf(quantity);
+    return nameOf(quantity) + u' ' + quantityText(quantity, parameters.vector()(parameter));
+}
+
+double deviations(const TypeModels& models, const TypeModel& type, const MassDampingStiffness& parameters)
+{
+    return std::sqrt(squaredDistance(models, type, parameters).value_or(0));
+}
+
+QString percent(double share)
+{
+    return shortNumber(100 * share) + u" %"_s;
+}
+
+/// "29 % below", "12 % above", "3.2 times"; `offset` is a difference of logarithms.
+QString comparedWith(double offset, const QString& type)
+{
+    const double ratio = std::exp(offset);
+    if (ratio >= 2)
+        return tr("%1 times that of %2").arg(shortNumber(ratio), type);
+    if (ratio >= 1)
+        return tr("%1 above that of %2").arg(percent(ratio - 1), type);
+    return tr("%1 below that of %2").arg(percent(1 - ratio), type);
+}
+
+} // namespace
+
+QStringList typeReasons(const TypeModels& models, const TypeModel& type, const TypeModel* next,
+                        const MassDampingStiffness& parameters, const VerdictOptions& options)
+{
+    if (!next)
+        return {tr("Mass, damping and stiffness are where %1 sits; it is the only type enrolled.")
+                    .arg(type.name)};
+    // The parameter that tells the two types apart best.
+    Eigen::Index parameter = 0;
+    offsetsInDeviations(models, *next, parameters).cwiseAbs().maxCoeff(&parameter);
+    return {tr("%1 is where %2 sits; the next type, %3, is %4 sd away.")
+                .arg(named(int(parameter), parameters, options.siUnits), type.name, next->name,
+                     shortNumber(deviations(models, *next, parameters)))};
+}
+
+QStringList unknownReasons(const TypeModels& models, const TypeModel& nearest,
+                           const MassDampingStiffness& parameters, const VerdictOptions& options)
+{
+    Eigen::Index parameter = 0;
+    const double most = offsetsInDeviations(models, nearest, parameters).cwiseAbs().maxCoeff(&parameter);
+    const double offset = offsets(nearest, parameters)(parameter);
+    const double distance = deviations(models, nearest, parameters);
+    const double gate = std::sqrt(
+        falseRejectGate(nearest.squeezes, models.degreesOfFreedom, options.falseReject).value_or(0));
+    QStringList reasons;
+    reasons +=
+        tr("%1 is %2, the nearest type.")
+            .arg(named(int(parameter), parameters, options.siUnits), comparedWith(offset, nearest.name));
+    reasons += tr("That is %1 sd away; squeezes of %2 stay within %3 sd.")
+                   .arg(shortNumber(distance), nearest.name, shortNumber(gate));
+    if (most < gate / 2) // each is near its usual value, but they do not go together as they do in the type
+        reasons += tr("Each of mass, damping and stiffness alone could be %1, but not the three together.")
+                       .arg(nearest.name);
+    return reasons;
+}
+
+QStringList betweenTypesReasons(const Verdict& verdict)
+{
+    QList<std::pair<double, QString>> ranked;
+    for (auto it = verdict.posterior.cbegin(); it != verdict.posterior.cend(); ++it)
+        ranked.append({it.value(), it.key()});
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    if (ranked.size() < 2)
+        return {};
+    return {tr("The squeeze could be %1 (%2) or %3 (%4).")
+                .arg(ranked[0].second, percent(ranked[0].first), ranked[1].second, percent(ranked[1].first)),
+            tr("Squeeze it again; if this happens often, enrol more squeezes of both types.")};
+}
+
+QStringList noGateReasons(const TypeModels& models)
+{
+    if (models.types.empty())
+        return {tr("No type is enrolled yet.")};
+    const int missing = 3 - models.degreesOfFreedom;
+    if (missing <= 0)
+        return {tr("The rate of false alarms asked for is too small for so few squeezes; enrol more.")};
+    if (missing == 1)
+        return {tr("Too few squeezes are enrolled to say what is usual: 1 more is needed.")};
+    return {tr("Too few squeezes are enrolled to say what is usual: %1 more are needed.").arg(missing)};
+}
+
+QStringList invalidReasons(const Identification& identification)
+{
+    QStringList reasons;
+    for (const ValidityCheck& check : identification.validity.checks)
+        if (!check.ok && check.decisive && !check.message.isEmpty())
+            reasons += check.message;
+    if (!reasons.isEmpty())
+        return reasons;
+    for (const Estimate& estimate : identification.estimates)
+        if (estimate.estimator == identification.recommended && !estimate.message.empty())
+            reasons += QString::fromStdString(estimate.message);
+    if (reasons.isEmpty())
+        reasons += tr("No mass, damping and stiffness could be found from this squeeze.");
+    return reasons;
+}
+
+} // namespace gripscope
