@@ -21,7 +21,7 @@ namespace gripscope {
 struct Recipe {
     QString name = QStringLiteral("squeeze-10N");
     double peak_N = 10, bias_N = 20, bit_s = 0.005, seconds = 1.0;
-    double maxForce_N = 40;   ///< crush limit: no command for this type goes above
+    double maxForce_N = 40; ///< crush limit: no command for this type goes above
     double maxTravel_m = 0.02;
     friend bool operator==(const Recipe&, const Recipe&) = default;
 };
@@ -36,20 +36,20 @@ struct TypeRecord {
 };
 
 struct NewGrasp {
-    QString typeId;                             ///< of an enrolment; empty for an inspection
-    std::optional<Recording> recording;         ///< absent for a row of an imported table
-    std::vector<Estimate> estimates;            ///< at least one, the recommended first
+    QString typeId;                     ///< of an enrolment; empty for an inspection
+    std::optional<Recording> recording; ///< absent for a row of an imported table
+    std::vector<Estimate> estimates;    ///< at least one, the recommended first
     QString forceUnit, positionUnit;
-    QString source;                             ///< file or device it came from
+    QString source; ///< file or device it came from
     QString operatorName;
-    QJsonObject identification;                 ///< the whole identify document, for audit; may be empty
+    QJsonObject identification; ///< the whole identify document, for audit; may be empty
 };
 
 struct GraspRecord {
     QString id, typeId, typeName, source, operatorName;
     QDateTime recorded;
     bool hasRecording = false;
-    bool accepted = true;                        ///< false once the squeeze was dropped from its type
+    bool accepted = true; ///< false once the squeeze was dropped from its type
     Estimator estimator = Estimator::OutputError;
     std::optional<MassDampingStiffness> parameters;
     std::optional<Eigen::Matrix3d> covariance;
@@ -61,13 +61,13 @@ struct NewInspection {
     NewGrasp grasp;
     Verdict verdict;
     VerdictOptions rates;
-    QString expectedType;                        ///< name; empty when nothing was expected
-    double seconds = 0;                          ///< length of the squeeze
+    QString expectedType; ///< name; empty when nothing was expected
+    double seconds = 0;   ///< length of the squeeze
 };
 
 struct InspectionRecord {
     QString id, graspId, expectedType;
-    qint64 number = 0;                           ///< 1, 2, 3... in this library
+    qint64 number = 0; ///< 1, 2, 3... in this library
     QDateTime inspected;
     VerdictKind verdict = VerdictKind::Invalid;
     QString type, nearest, reason, operatorName;
@@ -78,7 +78,7 @@ struct InspectionRecord {
 };
 
 struct HistoryFilter {
-    QString text;                                ///< type, operator or source contains
+    QString text; ///< type, operator or source contains
     std::optional<VerdictKind> verdict;
     int limit = 200;
     int offset = 0;
@@ -88,9 +88,12 @@ struct InspectionCounts {
     qint64 total = 0, asExpected = 0, otherType = 0, unknown = 0, inconclusive = 0, invalid = 0;
 };
 
-/// The library of types, squeezes and inspections in one SQLite file. Rows are appended, never overwritten; keys
-/// are UUIDs in time order; every write is one transaction, so a squeeze is stored whole or not at all.
-/// An object belongs to the thread that opened it.
+/// The library of types, squeezes and inspections in one SQLite file. Rows are appended, never overwritten;
+/// keys are UUIDs in time order; every write is one transaction, so a squeeze is stored whole or not at all.
+/// All types of a library have comparable units: channels that can be taken to SI, or all the same units
+/// ("1"). Several processes may use one file at once. An object belongs to the thread that opened it.
+///
+/// Every function may fail with StorageFailed (locked, disk full) or StorageCorrupt; nothing is changed then.
 class Library {
 public:
     /// Opens or creates `file`, brings an older one up to date. StorageOpen, StorageNewer, StorageCorrupt.
@@ -106,29 +109,44 @@ public:
     [[nodiscard]] int schemaVersion() const;
 
     // Types
-    [[nodiscard]] Expected<TypeRecord> addType(const QString& name, const Recipe& recipe, const QString& forceUnit,
-                                               const QString& positionUnit);
+    /// Usage: no name, or one that is taken. UnitsDiffer: not comparable with the types that are there.
+    [[nodiscard]] Expected<TypeRecord> addType(const QString& name, const Recipe& recipe,
+                                               const QString& forceUnit, const QString& positionUnit);
+    /// A new version of the type with another recipe; the old one stays on record. NotFound.
+    [[nodiscard]] Expected<TypeRecord> reviseType(const QString& typeId, const Recipe& recipe);
     [[nodiscard]] Expected<void> approveType(const QString& typeId, const QString& operatorName);
-    [[nodiscard]] Expected<std::vector<TypeRecord>> types() const;                       ///< by name
+    [[nodiscard]] Expected<std::vector<TypeRecord>> types() const; ///< by name
     [[nodiscard]] Expected<std::optional<TypeRecord>> findType(const QString& name) const;
 
     // Squeezes
+    /// NotFound: no such type. UnitsDiffer: not comparable with the type's. Usage: no estimate for an
+    /// enrolment, a number that is not finite, channels of different length.
     [[nodiscard]] Expected<GraspRecord> addGrasp(const NewGrasp& grasp);
-    [[nodiscard]] Expected<void> dropGrasp(const QString& graspId, const QString& reason, const QString& operatorName);
-    [[nodiscard]] Expected<std::vector<GraspRecord>> grasps(const QString& typeId) const; ///< in order of recording
+    /// Takes a squeeze out of its type; it stays on record. Dropping it again changes nothing. NotFound.
+    [[nodiscard]] Expected<void> dropGrasp(const QString& graspId, const QString& reason,
+                                           const QString& operatorName);
+    [[nodiscard]] Expected<std::vector<GraspRecord>>
+    grasps(const QString& typeId) const; ///< in order of recording
     [[nodiscard]] Expected<std::optional<GraspRecord>> grasp(const QString& graspId) const;
     /// The raw recording, its SHA-256 checked: StorageCorrupt when the bytes are not those that were stored.
     [[nodiscard]] Expected<Recording> recording(const QString& graspId) const;
-    /// The accepted squeezes of all types, m, b, k in the types' own units: what fitTypeModels() takes.
+    /// The identify document that was stored with it; empty when there was none.
+    [[nodiscard]] Expected<QJsonObject> identificationDocument(const QString& graspId) const;
+    /// The accepted squeezes of all types, what fitTypeModels() takes: m, b, k of the recommended estimate,
+    /// in SI where the channels' units are known, else in the units they have. Squeezes without parameters
+    /// are left out.
     [[nodiscard]] Expected<std::vector<TypeSqueeze>> enrolledSqueezes() const;
 
     // Inspections
+    /// Squeeze, estimates (there may be none) and verdict in one transaction.
     [[nodiscard]] Expected<InspectionRecord> addInspection(const NewInspection& inspection);
-    [[nodiscard]] Expected<std::vector<InspectionRecord>> inspections(const HistoryFilter& filter) const; ///< newest first
+    [[nodiscard]] Expected<std::vector<InspectionRecord>>
+    inspections(const HistoryFilter& filter) const; ///< newest first
     [[nodiscard]] Expected<qint64> countInspections(const HistoryFilter& filter) const;
     [[nodiscard]] Expected<InspectionCounts> inspectionCounts() const;
 
-    /// Adds the paper's four cans in SI as types A to D with 10 squeezes each, once: nothing when they are there.
+    /// Adds the paper's four cans in SI as types A to D with 10 squeezes each, once: nothing when they are
+    /// there.
     [[nodiscard]] Expected<void> loadExampleTypes();
 
 private:

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/database.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QFileInfo>
+#include <QSqlError>
+#include <QSqlQuery>
+#include <QThread>
+
+#include <atomic>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// How long a statement waits for another process before it gives up; a squeeze takes milliseconds to store.
+constexpr int busyTimeout_ms = 10'000;
+
+/// SQLite's primary result codes (sqlite.org/rescode.html).
+enum SqliteCode {
+    Busy = 5,
+    Locked = 6,
+    ReadOnly = 8,
+    IoError = 10,
+    Corrupt = 11,
+    Full = 13,
+    CantOpen = 14,
+    NotADatabase = 26
+};
+
+int primaryCode(const QSqlError& error)
+{
+    return error.nativeErrorCode().toInt() & 0xff; // the higher bits only refine it
+}
+
+QString inWords(const QSqlError& error)
+{
+    switch (primaryCode(error)) {
+    case Busy:
+    case Locked:
+        return u"another program kept it locked for %1 s"_s.arg(busyTimeout_ms / 1000);
+    case ReadOnly:
+        return u"the file or its folder is write-protected"_s;
+    case IoError:
+        return u"the disk reports an error"_s;
+    case Full:
+        return u"the disk is full"_s;
+    case CantOpen:
+        return u"the file or its folder is missing or may not be opened or written"_s;
+    default:
+        return error.databaseText().isEmpty() ? error.driverText() : error.databaseText();
+    }
+}
+
+/// Looks at the first bytes, so that a file of another kind is refused before SQLite touches it.
+std::optional<QString> reasonNotToOpen(const QString& name)
+{
+    if (name.isEmpty())
+        return u"no file is named"_s;
+    const QFileInfo info(name);
+    if (!info.exists())
+        return {};
+    if (info.isDir())
+        return u"it is a folder"_s;
+    QFile file(name);
+    if (!file.open(QIODevice::ReadOnly))
+        return file.errorString();
+    const QByteArray head = file.read(16);
+    if (!head.isEmpty() && head != QByteArray("SQLite format 3\0", 16))
+        return u"it is not a library but a file of another kind"_s;
+    return {};
+}
+
+QString uniqueConnectionName()
+{
+    static std::atomic<quint64> counter{0};
+    return u"gripscope-library-%1"_s.arg(++counter);
+}
+
+} // namespace
+
+Database::Database(QString file, const QString& name)
+    : m_file(std::move(file)), m_connection(QSqlDatabase::addDatabase(u"QSQLITE"_s, name))
+{
+    m_connection.setDatabaseName(m_file);
+    m_connection.setConnectOptions(u"QSQLITE_BUSY_TIMEOUT=%1"_s.arg(busyTimeout_ms));
+}
+
+Database::~Database()
+{
+    const QString name = m_connection.connectionName();
+    m_connection.close();
+    m_connection = {}; // the last handle has to be gone before the name is given back
+    QSqlDatabase::removeDatabase(name);
+}
+
+Expected<std::unique_ptr<Database>> Database::open(const QString& file)
+{
+    if (const auto reason = reasonNotToOpen(file))
+        return failure(ErrorCode::StorageOpen, {file, *reason});
+    if (!QSqlDatabase::isDriverAvailable(u"QSQLITE"_s))
+        return failure(ErrorCode::StorageOpen, {file, u"Qt's SQLite driver is not installed"_s});
+    std::unique_ptr<Database> database(new Database(file, uniqueConnectionName()));
+    if (!database->m_connection.open())
+        return failure(ErrorCode::StorageOpen, {file, inWords(database->m_connection.lastError())});
+    if (auto done = database->execute(u"PRAGMA foreign_keys=ON"_s, u"be opened"_s); !done)
+        return tl::unexpected(done.error());
+    return database;
+}
+
+Expected<void> Database::prepareForWriting()
+{
+    const QString doing = u"be opened for writing"_s;
+    QElapsedTimer timer;
+    timer.start();
+    while (true) {
+        QSqlQuery query(m_connection);
+        if (query.exec(u"PRAGMA journal_mode=WAL"_s) && query.next()) {
+            if (query.value(0).toString() == "wal"_L1)
+                break;
+            return failure(ErrorCode::StorageOpen,
+                           {m_file, u"its file system cannot keep a write-ahead log"_s});
+        }
+        // While another process makes the same change SQLite answers "busy" at once, without the timeout.
+        const int code = primaryCode(query.lastError());
+        if ((code != Busy && code != Locked) || timer.elapsed() > busyTimeout_ms)
+            return error(query.lastError(), doing);
+        QThread::msleep(5);
+    }
+    return execute(u"PRAGMA synchronous=FULL"_s, doing);
+}
+
+Expected<void> Database::execute(const QString& sql, const QString& doing)
+{
+    QSqlQuery query(m_connection);
+    if (!query.exec(sql))
+        return error(query.lastError(), doing);
+    return {};
+}
+
+Expected<QStringList> Database::tables()
+{
+    QSqlQuery query(m_connection);
+    QStringList names;
+    if (!query.exec(u"SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name"_s))
+        return error(query.lastError(), u"be read"_s);
+    while (query.next())
+        names.append(query.value(0).toString());
+    return names;
+}
+
+tl::unexpected<Error> Database::error(const QSqlError& error, const QString& doing) const
+{
+    switch (primaryCode(error)) {
+    case Corrupt:
+    case NotADatabase:
+        return failure(ErrorCode::StorageCorrupt, {m_file, error.databaseText()});
+    case CantOpen:
+        return failure(ErrorCode::StorageOpen, {m_file, inWords(error)});
+    default:
+        return failure(ErrorCode::StorageFailed, {doing, inWords(error)});
+    }
+}
+
+Expected<std::unique_ptr<Transaction>> Transaction::begin(Database& database, const QString& doing)
+{
+    if (auto done = database.execute(u"BEGIN IMMEDIATE"_s, doing); !done)
+        return tl::unexpected(done.error());
+    return std::unique_ptr<Transaction>(new Transaction(database, doing));
+}
+
+Transaction::~Transaction()
+{
+    if (m_open) // an error here means that SQLite has rolled back by itself already
+        static_cast<void>(m_database.execute(u"ROLLBACK"_s, m_doing));
+}
+
+Expected<void> Transaction::commit()
+{
+    auto done = m_database.execute(u"COMMIT"_s, m_doing);
+    m_open = !done;
+    return done;
+}
+
+} // namespace gripscope

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/grasp_table.h"
+
+namespace gripscope::grasp_table {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const auto doing = u"read the squeezes"_s;
+
+const auto select = u"SELECT g.id, g.type_id, t.name, g.source, g.operator_name, g.recorded_utc, "
+                    u"g.force_unit, g.position_unit, "
+                    "(SELECT COUNT(*) FROM recordings r WHERE r.grasp_id = g.id), "
+                    "(SELECT COUNT(*) FROM decisions d WHERE d.grasp_id = g.id AND d.kind = 'dropped'), "
+                    "e.estimator, e.m, e.b, e.k, e.var_m, e.cov_mb, e.cov_mk, e.var_b, e.cov_bk, e.var_k, "
+                    "e.simulation_fit_percent "
+                    "FROM grasps g LEFT JOIN types t ON t.id = g.type_id "
+                    "LEFT JOIN estimates e ON e.grasp_id = g.id AND e.rank = 0 "_s;
+
+std::optional<MassDampingStiffness> takeParameters(Statement& row)
+{
+    const auto m = row.takeOptionalReal();
+    const auto b = row.takeOptionalReal();
+    const auto k = row.takeOptionalReal();
+    if (!m || !b || !k)
+        return {};
+    return MassDampingStiffness{*m, *b, *k};
+}
+
+std::optional<Eigen::Matrix3d> takeCovariance(Statement& row)
+{
+    Eigen::Matrix3d covariance;
+    bool complete = true;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = i; j < 3; ++j) {
+            const auto value = row.takeOptionalReal();
+            complete = complete && value;
+            covariance(i, j) = covariance(j, i) = value.value_or(0);
+        }
+    }
+    return complete ? std::optional(covariance) : std::nullopt;
+}
+
+GraspRecord takeGrasp(Statement& row)
+{
+    GraspRecord grasp;
+    grasp.id = row.takeText();
+    grasp.typeId = row.takeText();
+    grasp.typeName = row.takeText();
+    grasp.source = row.takeText();
+    grasp.operatorName = row.takeText();
+    grasp.recorded = row.takeUtc();
+    grasp.forceUnit = row.takeText();
+    grasp.positionUnit = row.takeText();
+    grasp.hasRecording = row.takeInteger() > 0;
+    grasp.accepted = row.takeInteger() == 0;
+    grasp.estimator = estimatorFromString(row.takeText()).value_or(Estimator::OutputError);
+    grasp.parameters = takeParameters(row);
+    grasp.covariance = takeCovariance(row);
+    grasp.simulationFitPercent = row.takeOptionalReal();
+    return grasp;
+}
+
+Expected<std::vector<GraspRecord>> read(Statement& query)
+{
+    std::vector<GraspRecord> grasps;
+    auto done = query.forEach([&](Statement& row) { grasps.push_back(takeGrasp(row)); });
+    if (!done)
+        return tl::unexpected(done.error());
+    return grasps;
+}
+
+} // namespace
+
+Expected<void> insert(Database& database, const RowStamp& stamp, const NewGrasp& grasp)
+{
+    Statement row(
+        database, u"store the squeeze"_s,
+        u"INSERT INTO grasps (id, station, recorded_utc, type_id, operator_name, source, force_unit, "
+        "position_unit) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"_s);
+    row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bindOrNull(grasp.typeId);
+    return row.bind(grasp.operatorName)
+        .bind(grasp.source)
+        .bind(grasp.forceUnit)
+        .bind(grasp.positionUnit)
+        .run();
+}
+
+Expected<std::vector<GraspRecord>> ofType(Database& database, const QString& typeId)
+{
+    Statement query(database, doing, select + u"WHERE g.type_id = ? ORDER BY g.recorded_utc, g.id"_s);
+    return read(query.bind(typeId));
+}
+
+Expected<std::optional<GraspRecord>> find(Database& database, const QString& id)
+{
+    Statement query(database, doing, select + u"WHERE g.id = ?"_s);
+    auto grasps = read(query.bind(id));
+    if (!grasps)
+        return tl::unexpected(grasps.error());
+    return grasps->empty() ? std::nullopt : std::optional(std::move(grasps->front()));
+}
+
+Expected<std::vector<GraspRecord>> enrolled(Database& database)
+{
+    Statement query(
+        database, doing,
+        select + u"WHERE g.type_id IS NOT NULL AND e.m IS NOT NULL AND NOT EXISTS (SELECT 1 FROM decisions x "
+                 "WHERE x.grasp_id = g.id AND x.kind = 'dropped') ORDER BY t.name, g.recorded_utc, g.id"_s);
+    return read(query);
+}
+
+} // namespace gripscope::grasp_table

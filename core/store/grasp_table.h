@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/store/library.h"
+#include "core/store/statement.h"
+
+namespace gripscope::grasp_table {
+
+/// The squeeze's own row, without recording and estimates.
+[[nodiscard]] Expected<void> insert(Database& database, const RowStamp& stamp, const NewGrasp& grasp);
+[[nodiscard]] Expected<std::vector<GraspRecord>> ofType(Database& database, const QString& typeId);
+[[nodiscard]] Expected<std::optional<GraspRecord>> find(Database& database, const QString& id);
+/// The accepted squeezes that have parameters, in their own units, by type and time.
+[[nodiscard]] Expected<std::vector<GraspRecord>> enrolled(Database& database);
+
+} // namespace gripscope::grasp_table

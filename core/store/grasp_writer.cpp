@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/grasp_writer.h"
+
+#include "core/store/document_table.h"
+#include "core/store/estimate_table.h"
+#include "core/store/grasp_table.h"
+#include "core/store/recording_table.h"
+#include "core/store/type_writer.h"
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+Expected<void> checkGrasp(Database& database, const NewGrasp& grasp)
+{
+    for (const Estimate& estimate : grasp.estimates)
+        if ((estimate.parameters && !estimate.parameters->vector().allFinite()) ||
+            (estimate.covariance && !estimate.covariance->allFinite()))
+            return failure(ErrorCode::Usage, {u"An estimate holds a number that is not finite."_s});
+    if (grasp.typeId.isEmpty())
+        return {};
+    if (grasp.estimates.empty())
+        return failure(ErrorCode::Usage, {u"A squeeze of a type needs an estimate."_s});
+    const auto type = requireType(database, grasp.typeId);
+    if (!type)
+        return tl::unexpected(type.error());
+    return requireComparableUnits(grasp.forceUnit, grasp.positionUnit, type->forceUnit, type->positionUnit);
+}
+
+} // namespace
+
+Expected<QString> storeGrasp(Database& database, const NewGrasp& grasp)
+{
+    const RowStamp stamp = RowStamp::now();
+    auto done = checkGrasp(database, grasp);
+    if (done)
+        done = grasp_table::insert(database, stamp, grasp);
+    if (done && grasp.recording)
+        done = recording_table::insert(database, RowStamp::now(), stamp.id, *grasp.recording);
+    for (std::size_t rank = 0; done && rank < grasp.estimates.size(); ++rank)
+        done = estimate_table::insert(database, RowStamp::now(), stamp.id, int(rank), grasp.estimates[rank]);
+    if (done && !grasp.identification.isEmpty())
+        done = document_table::insert(database, RowStamp::now(), stamp.id, grasp.identification);
+    if (!done)
+        return tl::unexpected(done.error());
+    return stamp.id;
+}
+
+Expected<GraspRecord> requireGrasp(Database& database, const QString& id)
+{
+    const auto grasp = grasp_table::find(database, id);
+    if (!grasp)
+        return tl::unexpected(grasp.error());
+    if (!*grasp)
+        return failure(ErrorCode::NotFound, {u"squeeze with the key %1"_s.arg(id)});
+    return **grasp;
+}
+
+} // namespace gripscope

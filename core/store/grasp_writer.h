@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/store/database.h"
+#include "core/store/library.h"
+
+namespace gripscope {
+
+// Inside a write transaction of the caller; errors as in Library.
+
+/// Stores the squeeze with its recording, estimates and document; its key.
+[[nodiscard]] Expected<QString> storeGrasp(Database& database, const NewGrasp& grasp);
+[[nodiscard]] Expected<GraspRecord> requireGrasp(Database& database, const QString& id);
+
+} // namespace gripscope

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/inspection_table.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+
+namespace gripscope::inspection_table {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const auto doing = u"read the inspections"_s;
+
+const auto select = u"SELECT i.id, i.grasp_id, i.expected_type, i.number, i.inspected_utc, i.verdict, "
+                    u"i.type_name, i.nearest, i.reasons, "
+                    "i.operator_name, i.posterior, i.distance, i.gate, e.m, e.b, e.k, g.force_unit, "
+                    "g.position_unit, i.seconds "
+                    "FROM inspections i JOIN grasps g ON g.id = i.grasp_id "
+                    "LEFT JOIN estimates e ON e.grasp_id = i.grasp_id AND e.rank = 0 "_s;
+
+template <typename Json>
+QString compact(const Json& json)
+{
+    return QString::fromUtf8(QJsonDocument(json).toJson(QJsonDocument::Compact));
+}
+
+QJsonObject toJson(const QMap<QString, double>& posterior)
+{
+    QJsonObject object;
+    for (auto it = posterior.cbegin(); it != posterior.cend(); ++it)
+        object.insert(it.key(), it.value());
+    return object;
+}
+
+/// That of the type named, else of the nearest one.
+std::optional<double> leadingPosterior(const Verdict& verdict)
+{
+    const auto it = verdict.posterior.find(verdict.type.isEmpty() ? verdict.nearest : verdict.type);
+    return it == verdict.posterior.end() ? std::nullopt : std::optional(*it);
+}
+
+QString joinReasons(const QString& json)
+{
+    QStringList sentences;
+    for (const QJsonValue& sentence : QJsonDocument::fromJson(json.toUtf8()).array())
+        sentences.append(sentence.toString());
+    return sentences.join(u' ');
+}
+
+InspectionRecord takeInspection(Statement& row)
+{
+    InspectionRecord inspection;
+    inspection.id = row.takeText();
+    inspection.graspId = row.takeText();
+    inspection.expectedType = row.takeText();
+    inspection.number = row.takeInteger();
+    inspection.inspected = row.takeUtc();
+    inspection.verdict = verdictKindFromString(row.takeText()).value_or(VerdictKind::Invalid);
+    inspection.type = row.takeText();
+    inspection.nearest = row.takeText();
+    inspection.reason = joinReasons(row.takeText());
+    inspection.operatorName = row.takeText();
+    inspection.posterior = row.takeOptionalReal();
+    inspection.distance = row.takeOptionalReal();
+    inspection.gate = row.takeOptionalReal();
+    const auto m = row.takeOptionalReal();
+    const auto b = row.takeOptionalReal();
+    const auto k = row.takeOptionalReal();
+    if (m && b && k)
+        inspection.parameters = MassDampingStiffness{*m, *b, *k};
+    inspection.forceUnit = row.takeText();
+    inspection.positionUnit = row.takeText();
+    inspection.seconds = row.takeReal();
+    return inspection;
+}
+
+Expected<std::vector<InspectionRecord>> read(Statement& query)
+{
+    std::vector<InspectionRecord> inspections;
+    auto done = query.forEach([&](Statement& row) { inspections.push_back(takeInspection(row)); });
+    if (!done)
+        return tl::unexpected(done.error());
+    return inspections;
+}
+
+/// The part of a SELECT that finds the rows of a filter: it joins the squeezes only when their text is asked
+/// for.
+QString matching(const HistoryFilter& filter)
+{
+    const bool byText = !filter.text.isEmpty();
+    QString sql = u"FROM inspections p "_s;
+    if (byText)
+        sql += u"JOIN grasps q ON q.id = p.grasp_id "_s;
+    QStringList conditions;
+    if (filter.verdict)
+        conditions += u"p.verdict = ?"_s;
+    if (byText)
+        conditions += u"(LOWER(p.type_name) LIKE LOWER(?) ESCAPE '!' OR LOWER(p.operator_name) LIKE LOWER(?) "
+                      u"ESCAPE '!' "
+                      "OR LOWER(q.source) LIKE LOWER(?) ESCAPE '!')"_s;
+    return conditions.isEmpty() ? sql : sql + u"WHERE "_s + conditions.join(u" AND "_s) + u' ';
+}
+
+void bindFilter(Statement& query, const HistoryFilter& filter)
+{
+    if (filter.verdict)
+        query.bind(toString(*filter.verdict));
+    if (filter.text.isEmpty())
+        return;
+    QString text = filter.text;
+    text.replace(u'!', "!!"_L1).replace(u'%', "!%"_L1).replace(u'_', "!_"_L1);
+    for (int i = 0; i < 3; ++i)
+        query.bind(u'%' + text + u'%');
+}
+
+} // namespace
+
+Expected<void> insert(Database& database, const RowStamp& stamp, const QString& graspId,
+                      const NewInspection& inspection)
+{
+    const Verdict& verdict = inspection.verdict;
+    Statement row(
+        database, u"store the inspection"_s,
+        u"INSERT INTO inspections (id, station, inspected_utc, number, grasp_id, expected_type, verdict, "
+        "type_name, nearest, posterior, distance, gate, samples_used, false_reject, wrong_type, seconds, "
+        "operator_name, posteriors, reasons) VALUES (?, ?, ?, "
+        "(SELECT COALESCE(MAX(number), 0) + 1 FROM inspections), "
+        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+    row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(graspId).bind(inspection.expectedType);
+    row.bind(toString(verdict.kind)).bind(verdict.type).bind(verdict.nearest);
+    row.bind(leadingPosterior(verdict)).bind(verdict.distance).bind(verdict.gate);
+    row.bind(qint64(verdict.samplesUsed)).bind(inspection.rates.falseReject).bind(inspection.rates.wrongType);
+    row.bind(inspection.seconds).bind(inspection.grasp.operatorName).bind(compact(toJson(verdict.posterior)));
+    return row.bind(compact(QJsonArray::fromStringList(verdict.reasons))).run();
+}
+
+Expected<std::optional<InspectionRecord>> find(Database& database, const QString& id)
+{
+    Statement query(database, doing, select + u"WHERE i.id = ?"_s);
+    auto inspections = read(query.bind(id));
+    if (!inspections)
+        return tl::unexpected(inspections.error());
+    return inspections->empty() ? std::nullopt : std::optional(std::move(inspections->front()));
+}
+
+Expected<std::vector<InspectionRecord>> page(Database& database, const HistoryFilter& filter)
+{
+    // The page is picked by number first and joined afterwards, so that a far page does not join all before
+    // it.
+    Statement query(database, doing,
+                    select + u"WHERE i.number IN (SELECT p.number "_s + matching(filter) +
+                        u"ORDER BY p.number DESC LIMIT ? OFFSET ?) ORDER BY i.number DESC"_s);
+    bindFilter(query, filter);
+    return read(query.bind(std::max(0, filter.limit)).bind(std::max(0, filter.offset)));
+}
+
+Expected<qint64> count(Database& database, const HistoryFilter& filter)
+{
+    qint64 total = 0;
+    Statement query(database, doing, u"SELECT COUNT(*) "_s + matching(filter));
+    bindFilter(query, filter);
+    auto done = query.forEach([&](Statement& row) { total = row.takeInteger(); });
+    if (!done)
+        return tl::unexpected(done.error());
+    return total;
+}
+
+Expected<InspectionCounts> counts(Database& database)
+{
+    InspectionCounts counts;
+    Statement query(database, doing,
+                    u"SELECT verdict, expected_type, type_name, COUNT(*) FROM inspections "
+                    "GROUP BY verdict, expected_type, type_name"_s);
+    auto done = query.forEach([&](Statement& row) {
+        const auto verdict = verdictKindFromString(row.takeText()).value_or(VerdictKind::Invalid);
+        const QString expected = row.takeText();
+        const QString type = row.takeText();
+        const qint64 n = row.takeInteger();
+        counts.total += n;
+        switch (verdict) {
+        case VerdictKind::Type:
+            (expected.isEmpty() || expected == type ? counts.asExpected : counts.otherType) += n;
+            break;
+        case VerdictKind::Unknown:
+            counts.unknown += n;
+            break;
+        case VerdictKind::Inconclusive:
+            counts.inconclusive += n;
+            break;
+        case VerdictKind::Invalid:
+            counts.invalid += n;
+            break;
+        }
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return counts;
+}
+
+} // namespace gripscope::inspection_table

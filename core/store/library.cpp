@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/library.h"
+
+#include "core/signal/units.h"
+#include "core/store/approval_table.h"
+#include "core/store/decision_table.h"
+#include "core/store/document_table.h"
+#include "core/store/grasp_table.h"
+#include "core/store/grasp_writer.h"
+#include "core/store/inspection_table.h"
+#include "core/store/library_private.h"
+#include "core/store/migration.h"
+#include "core/store/recording_table.h"
+#include "core/store/type_table.h"
+#include "core/store/type_writer.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+Library::Library(std::unique_ptr<Private> p) : d(std::move(p)) {}
+Library::~Library() = default;
+
+QString Library::defaultFile()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + u"/library.db"_s;
+}
+
+Expected<std::unique_ptr<Library>> Library::open(const QString& file)
+{
+    if (file == defaultFile()) // any other folder is the user's to make: a typing error must not create one
+        QDir().mkpath(QFileInfo(file).absolutePath());
+    auto database = Database::open(file);
+    if (!database)
+        return tl::unexpected(database.error());
+    if (auto done = migrate(**database); !done)
+        return tl::unexpected(done.error());
+    return std::unique_ptr<Library>(new Library(std::make_unique<Private>(std::move(*database))));
+}
+
+QString Library::file() const
+{
+    return d->database->file();
+}
+
+int Library::schemaVersion() const
+{
+    return migrations().back().version; // open() brought it there
+}
+
+Expected<TypeRecord> Library::addType(const QString& name, const Recipe& recipe, const QString& forceUnit,
+                                      const QString& positionUnit)
+{
+    return d->write<TypeRecord>(u"add the type"_s, [&] {
+        return createType(*d->database, {name, recipe, forceUnit, positionUnit});
+    });
+}
+
+Expected<TypeRecord> Library::reviseType(const QString& typeId, const Recipe& recipe)
+{
+    return d->write<TypeRecord>(u"store the recipe"_s,
+                                [&] { return changeRecipe(*d->database, typeId, recipe); });
+}
+
+Expected<void> Library::approveType(const QString& typeId, const QString& operatorName)
+{
+    return d->write<void>(u"approve the type"_s, [&]() -> Expected<void> {
+        const auto type = requireType(*d->database, typeId);
+        if (!type)
+            return tl::unexpected(type.error());
+        return approval_table::insert(*d->database, RowStamp::now(), typeId, operatorName);
+    });
+}
+
+Expected<std::vector<TypeRecord>> Library::types() const
+{
+    return type_table::all(*d->database);
+}
+
+Expected<std::optional<TypeRecord>> Library::findType(const QString& name) const
+{
+    return type_table::findByName(*d->database, name);
+}
+
+Expected<GraspRecord> Library::addGrasp(const NewGrasp& grasp)
+{
+    return d->write<GraspRecord>(u"store the squeeze"_s, [&]() -> Expected<GraspRecord> {
+        const auto id = storeGrasp(*d->database, grasp);
+        return id ? requireGrasp(*d->database, *id) : tl::unexpected(id.error());
+    });
+}
+
+Expected<void> Library::dropGrasp(const QString& graspId, const QString& reason, const QString& operatorName)
+{
+    return d->write<void>(u"drop the squeeze"_s, [&]() -> Expected<void> {
+        const auto grasp = requireGrasp(*d->database, graspId);
+        if (!grasp)
+            return tl::unexpected(grasp.error());
+        if (!grasp->accepted)
+            return {};
+        return decision_table::insertDrop(*d->database, RowStamp::now(), graspId, reason, operatorName);
+    });
+}
+
+Expected<std::vector<GraspRecord>> Library::grasps(const QString& typeId) const
+{
+    return grasp_table::ofType(*d->database, typeId);
+}
+
+Expected<std::optional<GraspRecord>> Library::grasp(const QString& graspId) const
+{
+    return grasp_table::find(*d->database, graspId);
+}
+
+Expected<Recording> Library::recording(const QString& graspId) const
+{
+    return recording_table::read(*d->database, graspId);
+}
+
+Expected<QJsonObject> Library::identificationDocument(const QString& graspId) const
+{
+    return document_table::read(*d->database, graspId);
+}
+
+Expected<std::vector<TypeSqueeze>> Library::enrolledSqueezes() const
+{
+    const auto grasps = grasp_table::enrolled(*d->database);
+    if (!grasps)
+        return tl::unexpected(grasps.error());
+    std::vector<TypeSqueeze> squeezes;
+    for (const GraspRecord& grasp : *grasps) {
+        if (!grasp.parameters)
+            continue;
+        const double si = siFactor(grasp.forceUnit, grasp.positionUnit).value_or(1);
+        const MassDampingStiffness& p = *grasp.parameters;
+        squeezes.push_back({grasp.typeName, {p.m * si, p.b * si, p.k * si}});
+    }
+    return squeezes;
+}
+
+Expected<InspectionRecord> Library::addInspection(const NewInspection& inspection)
+{
+    return d->write<InspectionRecord>(u"store the inspection"_s, [&]() -> Expected<InspectionRecord> {
+        const auto graspId = storeGrasp(*d->database, inspection.grasp);
+        if (!graspId)
+            return tl::unexpected(graspId.error());
+        const RowStamp stamp = RowStamp::now();
+        if (auto done = inspection_table::insert(*d->database, stamp, *graspId, inspection); !done)
+            return tl::unexpected(done.error());
+        const auto stored = inspection_table::find(*d->database, stamp.id);
+        if (!stored)
+            return tl::unexpected(stored.error());
+        return stored->value();
+    });
+}
+
+Expected<std::vector<InspectionRecord>> Library::inspections(const HistoryFilter& filter) const
+{
+    return inspection_table::page(*d->database, filter);
+}
+
+Expected<qint64> Library::countInspections(const HistoryFilter& filter) const
+{
+    return inspection_table::count(*d->database, filter);
+}
+
+Expected<InspectionCounts> Library::inspectionCounts() const
+{
+    return inspection_table::counts(*d->database);
+}
+
+} // namespace gripscope

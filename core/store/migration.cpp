@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/migration.h"
+
+#include "core/store/migration_scripts.h"
+#include "core/store/statement.h"
+
+#include <QCryptographicHash>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const auto doing = u"be brought up to date"_s;
+
+Expected<void> checkApplied(Database& database, const std::vector<Migration>& steps)
+{
+    QString changed;
+    Statement query(database, doing, u"SELECT version, checksum FROM schema_migrations ORDER BY version"_s);
+    auto done = query.forEach([&](Statement& row) {
+        const qint64 version = row.takeInteger();
+        const QString checksum = row.takeText();
+        for (const Migration& step : steps)
+            if (step.version == version && step.checksum() != checksum)
+                changed = step.name;
+    });
+    if (done && !changed.isEmpty())
+        return failure(ErrorCode::StorageOpen,
+                       {database.file(),
+                        u"its tables (\"%1\") were made by another edition of this program"_s.arg(changed)});
+    return done;
+}
+
+Expected<void> apply(Database& database, const Migration& step)
+{
+    auto transaction = Transaction::begin(database, doing);
+    if (!transaction)
+        return tl::unexpected(transaction.error());
+    const auto version = schemaVersion(database); // another process may have been quicker
+    if (!version)
+        return tl::unexpected(version.error());
+    if (*version >= step.version)
+        return {};
+    QStringList statements = step.statements;
+    if (*version == 0)
+        statements.prepend(
+            u"CREATE TABLE schema_migrations (version INTEGER PRIMARY KEY, name TEXT NOT NULL, "
+            "checksum TEXT NOT NULL, program TEXT NOT NULL, station TEXT NOT NULL, "
+            "applied_utc TEXT NOT NULL)"_s);
+    for (QString& statement : statements)
+        if (auto done = database.execute(statement.replace("{blob}"_L1, database.blobType()), doing); !done)
+            return done;
+    const RowStamp stamp = RowStamp::now();
+    Statement entry(database, doing, u"INSERT INTO schema_migrations VALUES (?, ?, ?, ?, ?, ?)"_s);
+    entry.bind(step.version).bind(step.name).bind(step.checksum());
+    entry.bind(QStringLiteral(GRIPSCOPE_VERSION)).bind(stamp.station).bind(stamp.utc);
+    if (auto done = entry.run(); !done)
+        return done;
+    return (*transaction)->commit();
+}
+
+} // namespace
+
+QString Migration::checksum() const
+{
+    const QByteArray text = statements.join(u";\n"_s).toUtf8();
+    return QString::fromLatin1(QCryptographicHash::hash(text, QCryptographicHash::Sha256).toHex());
+}
+
+QStringList statementsOf(const QString& script)
+{
+    QStringList statements;
+    QString current;
+    for (const QString& line : script.split(u'\n')) {
+        const QString text = line.trimmed();
+        if (text.isEmpty() || text.startsWith("--"_L1))
+            continue;
+        current += (current.isEmpty() ? u""_s : u"\n"_s) + text;
+        if (current.endsWith(u';')) {
+            current.chop(1);
+            statements.append(current);
+            current.clear();
+        }
+    }
+    return statements;
+}
+
+const std::vector<Migration>& migrations()
+{
+    static const std::vector<Migration> steps = {
+        {1, u"types, squeezes and inspections"_s, statementsOf(QString::fromUtf8(migrationScript1))},
+    };
+    return steps;
+}
+
+Expected<int> schemaVersion(Database& database)
+{
+    const auto tables = database.tables();
+    if (!tables)
+        return tl::unexpected(tables.error());
+    if (tables->isEmpty())
+        return 0;
+    if (!tables->contains("schema_migrations"_L1))
+        return failure(ErrorCode::StorageOpen, {database.file(), u"it is the database of another program"_s});
+    int version = 0;
+    Statement query(database, doing, u"SELECT MAX(version) FROM schema_migrations"_s);
+    auto done = query.forEach([&](Statement& row) { version = int(row.takeInteger()); });
+    if (!done)
+        return tl::unexpected(done.error());
+    return version;
+}
+
+Expected<void> migrate(Database& database, const std::vector<Migration>& steps)
+{
+    const auto version = schemaVersion(database);
+    if (!version)
+        return tl::unexpected(version.error());
+    const int newest = steps.back().version;
+    if (*version > newest)
+        return failure(ErrorCode::StorageNewer,
+                       {database.file(), QString::number(*version), QString::number(newest)});
+    if (auto ready = database.prepareForWriting(); !ready)
+        return ready;
+    for (const Migration& step : steps) {
+        if (step.version <= *version)
+            continue;
+        if (auto done = apply(database, step); !done)
+            return done;
+    }
+    return checkApplied(database, steps);
+}
+
+} // namespace gripscope

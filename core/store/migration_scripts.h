@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace gripscope {
+
+/// The schema as numbered scripts, one file each, never edited after a release (a checksum in every library
+/// sees it).
+extern const char* const migrationScript1;
+
+} // namespace gripscope

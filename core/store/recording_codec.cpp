@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/recording_codec.h"
+
+#include <QtEndian>
+
+#include <cstring>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr char magic[4] = {'G', 'S', 'R', 'B'};
+constexpr std::uint16_t version = 1;
+enum Columns : std::uint8_t { HasSequence = 1, HasStatus = 2 };
+
+class Writer {
+public:
+    template <typename T>
+    void put(T value)
+    {
+        char raw[sizeof(T)];
+        qToLittleEndian(value, raw);
+        m_bytes.append(raw, sizeof(T));
+    }
+    void put(const QString& text)
+    {
+        const QByteArray utf8 = text.toUtf8();
+        put(std::uint32_t(utf8.size()));
+        m_bytes.append(utf8);
+    }
+    template <typename T>
+    void put(const std::vector<T>& values)
+    {
+        const qsizetype start = m_bytes.size();
+        m_bytes.resize(start + qsizetype(values.size() * sizeof(T)));
+        qToLittleEndian<T>(values.data(), qsizetype(values.size()), m_bytes.data() + start);
+    }
+    void raw(const char* data, qsizetype size) { m_bytes.append(data, size); }
+    [[nodiscard]] QByteArray take() { return std::move(m_bytes); }
+
+private:
+    QByteArray m_bytes;
+};
+
+/// Reads as long as there are bytes; after the first shortage everything is zero and ok() is false.
+class Reader {
+public:
+    explicit Reader(const QByteArray& bytes) : m_bytes(bytes) {}
+    template <typename T>
+    T get()
+    {
+        if (!has(sizeof(T)))
+            return T{};
+        const T value = qFromLittleEndian<T>(m_bytes.constData() + m_at);
+        m_at += qsizetype(sizeof(T));
+        return value;
+    }
+    QString text()
+    {
+        const auto size = get<std::uint32_t>();
+        if (!has(size))
+            return {};
+        m_at += size;
+        return QString::fromUtf8(m_bytes.constData() + m_at - size, size);
+    }
+    template <typename T>
+    void get(std::vector<T>& values, std::uint64_t count)
+    {
+        // The division keeps a damaged count from overflowing or from asking for more memory than there are
+        // bytes.
+        if (!m_ok || count > std::uint64_t(m_bytes.size() - m_at) / sizeof(T)) {
+            m_ok = false;
+            return;
+        }
+        values.resize(count);
+        qFromLittleEndian<T>(m_bytes.constData() + m_at, qsizetype(count), values.data());
+        m_at += qsizetype(count * sizeof(T));
+    }
+    [[nodiscard]] bool ok() const { return m_ok; }
+    [[nodiscard]] bool atEnd() const { return m_at == m_bytes.size(); }
+
+private:
+    bool has(std::uint64_t size)
+    {
+        m_ok = m_ok && size <= std::uint64_t(m_bytes.size() - m_at);
+        return m_ok;
+    }
+    const QByteArray& m_bytes;
+    qsizetype m_at = 0;
+    bool m_ok = true;
+};
+
+std::uint8_t holdCode(const std::optional<ForceHold>& hold)
+{
+    return !hold ? 0 : *hold == ForceHold::Zero ? 1 : 2;
+}
+
+tl::unexpected<Error> damaged(const QString& reason)
+{
+    return failure(ErrorCode::StorageCorrupt, {u"A recording"_s, reason});
+}
+
+} // namespace
+
+Expected<QByteArray> encodeRecording(const Recording& recording)
+{
+    const std::size_t n = recording.size();
+    const auto fits = [n](std::size_t size) { return size == 0 || size == n; };
+    if (recording.time_s.size() != n || recording.position.size() != n || !fits(recording.sequence.size()) ||
+        !fits(recording.status.size()))
+        return failure(ErrorCode::Usage, {u"The channels of the recording differ in length."_s});
+    Writer out;
+    out.raw(magic, sizeof(magic));
+    out.put(version);
+    out.put(recording.sampleTime_s);
+    out.put(recording.forceLag_s);
+    out.put(holdCode(recording.hold));
+    out.put(recording.forceUnit);
+    out.put(recording.positionUnit);
+    out.put(std::uint32_t(recording.provenance.size()));
+    for (auto it = recording.provenance.cbegin(); it != recording.provenance.cend(); ++it) {
+        out.put(it.key());
+        out.put(it.value());
+    }
+    out.put(std::uint64_t(n));
+    out.put(std::uint8_t((recording.sequence.empty() ? 0 : HasSequence) |
+                         (recording.status.empty() ? 0 : HasStatus)));
+    out.put(recording.time_s);
+    out.put(recording.force);
+    out.put(recording.position);
+    out.put(recording.sequence);
+    out.put(recording.status);
+    return out.take();
+}
+
+Expected<Recording> decodeRecording(const QByteArray& bytes)
+{
+    if (!bytes.startsWith(QByteArrayView(magic, sizeof(magic))))
+        return damaged(u"it does not begin like one"_s);
+    const QByteArray body = bytes.mid(sizeof(magic));
+    Reader in(body);
+    if (const auto found = in.get<std::uint16_t>(); found != version)
+        return damaged(u"its layout has version %1; this program knows %2"_s.arg(found).arg(version));
+    Recording recording;
+    recording.sampleTime_s = in.get<double>();
+    recording.forceLag_s = in.get<double>();
+    const auto hold = in.get<std::uint8_t>();
+    if (hold > 2)
+        return damaged(u"its hold is not known"_s);
+    if (hold > 0)
+        recording.hold = hold == 1 ? ForceHold::Zero : ForceHold::First;
+    recording.forceUnit = in.text();
+    recording.positionUnit = in.text();
+    for (auto left = in.get<std::uint32_t>(); left > 0 && in.ok(); --left) {
+        const QString key = in.text();
+        recording.provenance.insert(key, in.text());
+    }
+    const auto samples = in.get<std::uint64_t>();
+    const auto columns = in.get<std::uint8_t>();
+    in.get(recording.time_s, samples);
+    in.get(recording.force, samples);
+    in.get(recording.position, samples);
+    if (columns & HasSequence)
+        in.get(recording.sequence, samples);
+    if (columns & HasStatus)
+        in.get(recording.status, samples);
+    if (!in.ok() || !in.atEnd())
+        return damaged(u"it is shorter or longer than it says"_s);
+    return recording;
+}
+
+} // namespace gripscope

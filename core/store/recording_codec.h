@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/error.h"
+#include "core/signal/recording.h"
+
+#include <QByteArray>
+
+namespace gripscope {
+
+/// The bytes of a recording as the library keeps them, every number bit for bit. All values little-endian,
+/// doubles as IEEE 754 binary64, texts as a 32-bit count of bytes followed by UTF-8:
+///
+///     "GSRB"  u16 version = 1
+///     f64 sampleTime_s   f64 forceLag_s   u8 hold (0: not said, 1: zero-order, 2: first-order)
+///     text forceUnit   text positionUnit
+///     u32 n   n times (text key, text value)           provenance, sorted by key
+///     u64 samples   u8 columns (1: sequence, 2: status)
+///     f64 time_s[samples]   f64 force[samples]   f64 position[samples]
+///     u64 sequence[samples]  if columns & 1      u16 status[samples]  if columns & 2
+///
+/// Usage when the channels differ in length.
+[[nodiscard]] Expected<QByteArray> encodeRecording(const Recording& recording);
+/// StorageCorrupt when the bytes are not exactly one such block.
+[[nodiscard]] Expected<Recording> decodeRecording(const QByteArray& bytes);
+
+} // namespace gripscope

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/type_table.h"
+
+namespace gripscope::type_table {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const auto select =
+    u"SELECT t.id, t.name, t.created_utc, v.recipe_name, v.peak_n, v.bias_n, v.bit_s, v.seconds, "
+    "v.max_force_n, v.max_travel_m, v.force_unit, v.position_unit, "
+    "(SELECT COUNT(*) FROM grasps g WHERE g.type_id = t.id AND NOT EXISTS "
+    "(SELECT 1 FROM decisions d WHERE d.grasp_id = g.id AND d.kind = 'dropped')), "
+    "(SELECT COUNT(*) FROM approvals a WHERE a.type_id = t.id) "
+    "FROM types t JOIN type_versions v ON v.type_id = t.id AND v.version = "
+    "(SELECT MAX(w.version) FROM type_versions w WHERE w.type_id = t.id) "_s;
+
+TypeRecord takeType(Statement& row)
+{
+    TypeRecord type;
+    type.id = row.takeText();
+    type.name = row.takeText();
+    type.created = row.takeUtc();
+    type.recipe.name = row.takeText();
+    type.recipe.peak_N = row.takeReal();
+    type.recipe.bias_N = row.takeReal();
+    type.recipe.bit_s = row.takeReal();
+    type.recipe.seconds = row.takeReal();
+    type.recipe.maxForce_N = row.takeReal();
+    type.recipe.maxTravel_m = row.takeReal();
+    type.forceUnit = row.takeText();
+    type.positionUnit = row.takeText();
+    type.squeezes = int(row.takeInteger());
+    type.approved = row.takeInteger() > 0;
+    return type;
+}
+
+Expected<std::vector<TypeRecord>> read(Statement& query)
+{
+    std::vector<TypeRecord> types;
+    auto done = query.forEach([&](Statement& row) { types.push_back(takeType(row)); });
+    if (!done)
+        return tl::unexpected(done.error());
+    return types;
+}
+
+Expected<std::optional<TypeRecord>> readOne(Statement& query)
+{
+    auto types = read(query);
+    if (!types)
+        return tl::unexpected(types.error());
+    return types->empty() ? std::nullopt : std::optional(std::move(types->front()));
+}
+
+} // namespace
+
+Expected<void> insert(Database& database, const RowStamp& stamp, const QString& name)
+{
+    Statement row(database, u"add the type"_s,
+                  u"INSERT INTO types (id, station, created_utc, name) VALUES (?, ?, ?, ?)"_s);
+    return row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(name).run();
+}
+
+Expected<std::vector<TypeRecord>> all(Database& database)
+{
+    Statement query(database, u"read the types"_s, select + u"ORDER BY t.name"_s);
+    return read(query);
+}
+
+Expected<std::optional<TypeRecord>> findByName(Database& database, const QString& name)
+{
+    Statement query(database, u"read the types"_s, select + u"WHERE t.name = ?"_s);
+    return readOne(query.bind(name));
+}
+
+Expected<std::optional<TypeRecord>> findById(Database& database, const QString& id)
+{
+    Statement query(database, u"read the types"_s, select + u"WHERE t.id = ?"_s);
+    return readOne(query.bind(id));
+}
+
+} // namespace gripscope::type_table

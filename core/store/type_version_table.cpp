@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/type_version_table.h"
+
+namespace gripscope::type_version_table {
+
+using namespace Qt::StringLiterals;
+
+Expected<void> insert(Database& database, const RowStamp& stamp, const QString& typeId, const Recipe& recipe,
+                      const QString& forceUnit, const QString& positionUnit)
+{
+    Statement row(database, u"store the recipe"_s,
+                  u"INSERT INTO type_versions (id, station, created_utc, type_id, version, recipe_name, "
+                  u"peak_n, bias_n, "
+                  "bit_s, seconds, max_force_n, max_travel_m, force_unit, position_unit) VALUES (?, ?, ?, ?, "
+                  "(SELECT COALESCE(MAX(version), 0) + 1 FROM type_versions WHERE type_id = ?), "
+                  "?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+    row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(typeId).bind(typeId);
+    row.bind(recipe.name).bind(recipe.peak_N).bind(recipe.bias_N).bind(recipe.bit_s).bind(recipe.seconds);
+    row.bind(recipe.maxForce_N).bind(recipe.maxTravel_m).bind(forceUnit).bind(positionUnit);
+    return row.run();
+}
+
+} // namespace gripscope::type_version_table

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/store/database.h"
+#include "core/store/library.h"
+
+namespace gripscope {
+
+/// What addType() is asked for.
+struct NewType {
+    QString name;
+    Recipe recipe;
+    QString forceUnit, positionUnit;
+};
+
+// All inside a write transaction of the caller; errors as in Library.
+[[nodiscard]] Expected<TypeRecord> createType(Database& database, const NewType& type);
+[[nodiscard]] Expected<TypeRecord> changeRecipe(Database& database, const QString& typeId,
+                                                const Recipe& recipe);
+[[nodiscard]] Expected<TypeRecord> requireType(Database& database, const QString& typeId);
+
+/// Nothing when m, b and k in the one pair of channel units can be compared with those in the other: both can
+/// be taken to SI, or they are the same. Else UnitsDiffer.
+[[nodiscard]] Expected<void> requireComparableUnits(const QString& force, const QString& position,
+                                                    const QString& wantedForce,
+                                                    const QString& wantedPosition);
+
+} // namespace gripscope
