@@ -49,10 +49,8 @@ ComparableTypes::ComparableTypes(const std::vector<TypeRecord>& types,
                                        [&](const TypeRecord& record) { return record.name == squeeze.type; });
         if (type == types.end())
             continue;
-        const double factor = factorToSystem(type->forceUnit, type->positionUnit);
-        const MassDampingStiffness& p = squeeze.parameters;
         const QString system = systemOf(type->forceUnit, type->positionUnit);
-        bySystem[system].push_back({squeeze.type, {factor * p.m, factor * p.b, factor * p.k}});
+        bySystem[system].push_back(squeeze);
         m_unitsOf[system] = inWords(type->forceUnit, type->positionUnit);
     }
     for (auto it = bySystem.cbegin(); it != bySystem.cend(); ++it)

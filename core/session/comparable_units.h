@@ -23,7 +23,7 @@ namespace gripscope {
 class ComparableTypes {
 public:
     ComparableTypes() = default;
-    /// `squeezes`: m, b, k in the units of their own types.
+    /// `squeezes`: as the library gives them, m, b, k in SI where the units of their types are known.
     ComparableTypes(const std::vector<TypeRecord>& types, const std::vector<TypeSqueeze>& squeezes);
 
     struct Choice {

@@ -4,6 +4,7 @@
 #include "core/session/comparable_units.h"
 #include "core/session/enrollment_storage.h"
 #include "core/session/library_answer.h"
+#include "core/signal/units.h"
 
 #include <algorithm>
 #include <list>
@@ -171,8 +172,10 @@ void InspectSession::Private::judgeIt(Identification identification)
         loaded.comparable.modelsFor(measured.forceUnit, measured.positionUnit);
     if (!choice)
         return fail(choice.error());
+    VerdictOptions judging = rates;
+    judging.siUnits = siFactor(measured.forceUnit, measured.positionUnit).has_value();
     Result found;
-    found.verdict = judge(*choice->models, identification, choice->factor, rates);
+    found.verdict = judge(*choice->models, identification, choice->factor, judging);
     found.outcome = inspectionOutcome(found.verdict.kind, found.verdict.type, measuredExpectedType);
     found.expectedType = measuredExpectedType;
     found.seconds = lengthOf(measured);
