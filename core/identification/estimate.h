@@ -48,7 +48,8 @@ struct ArxCoefficients {
     std::optional<double> b2, constant;
 };
 
-/// 100 (1 - |y - yhat| / |y - mean y|), percent; see contracts for the windows. Absent: not defined (a constant y).
+/// 100 (1 - |y - yhat| / |y - mean y|), percent; see contracts for the windows. Absent: not defined (a
+/// constant y).
 struct Fit {
     std::optional<double> simulationPercent, predictionPercent;
 };
@@ -60,8 +61,9 @@ struct ResidualSummary {
     std::optional<double> inputIndependenceP; ///< cross-correlation with past and present input
 };
 
-/// One estimator's answer to one window. `parameters` is empty for every status but Converged and, where a usable
-/// last iterate exists, NotConverged. `covariance` is that of (m, b, k); only finite numbers appear anywhere.
+/// One estimator's answer to one window. `parameters` is empty for every status but Converged and, where a
+/// usable last iterate exists, NotConverged. `covariance` is that of (m, b, k); only finite numbers appear
+/// anywhere.
 struct Estimate {
     Estimator estimator = Estimator::OutputError;
     EstimateStatus status = EstimateStatus::NotApplicable;
@@ -73,9 +75,9 @@ struct Estimate {
     Fit fit;
     ResidualSummary residuals;
     int iterations = 0;
-    /// Model output on the window (simulation) and residuals y - yhat, for plots; empty when there is no model.
-    /// ARX models run free from the measured y[0], y[1]; their residuals are those of the one-step prediction and
-    /// start at t = 2.
+    /// Model output on the window (simulation) and residuals y - yhat, for plots; empty when there is no
+    /// model. ARX models run free from the measured y[0], y[1]; their residuals are those of the one-step
+    /// prediction and start at t = 2.
     std::vector<double> simulated;
     std::vector<double> residual;
 

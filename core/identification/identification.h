@@ -35,7 +35,8 @@ struct Identification {
     [[nodiscard]] const Estimate* find(Estimator estimator) const;
 };
 
-/// Chooses the window, runs every estimator asked for, and judges the measurement. Pure; never throws for data.
+/// Chooses the window, runs every estimator asked for, and judges the measurement. Pure; never throws for
+/// data.
 [[nodiscard]] Identification identify(const Recording& recording, const IdentificationOptions& options = {});
 
 } // namespace gripscope

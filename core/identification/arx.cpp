@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/arx.h"
+
+#include "core/identification/arx_mapping.h"
+#include "core/identification/fit.h"
+#include "core/identification/lag_alignment.h"
+#include "core/identification/residual_tests.h"
+#include "core/identification/tall_qr.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace gripscope {
+
+namespace {
+
+/// Above this condition number of the scaled columns nothing is left of the numbers' 16 digits.
+constexpr double largestCondition = 1e13;
+
+constexpr const char* fitWarning = "noise on the position biases m, b and k of an ARX model heavily while "
+                                   "its fit still looks good: compare oe";
+
+/// The regression in scaled units, so that no square overflows: y / positionScale, u / forceScale.
+struct Regression {
+    std::vector<double> force, position;
+    double forceScale = 1, positionScale = 1;
+    int numeratorTerms = 1;
+    bool constant = true;
+
+    [[nodiscard]] Eigen::Index columns() const { return 2 + numeratorTerms + (constant ? 1 : 0); }
+    [[nodiscard]] std::size_t rows() const { return force.size() < 2 ? 0 : force.size() - 2; }
+
+    template <typename Row>
+    void fillRow(std::size_t t, Row&& row) const
+    {
+        row(0) = -position[t - 1];
+        row(1) = -position[t - 2];
+        row(2) = force[t - 1];
+        if (numeratorTerms == 2)
+            row(3) = force[t - 2];
+        if (constant)
+            row(columns() - 1) = 1;
+    }
+    [[nodiscard]] double predict(std::size_t t, double y1, double y2, const Eigen::VectorXd& c) const
+    {
+        double y = -c(0) * y1 - c(1) * y2 + c(2) * force[t - 1];
+        if (numeratorTerms == 2)
+            y += c(3) * force[t - 2];
+        return constant ? y + c(columns() - 1) : y;
+    }
+};
+
+Regression makeRegression(const std::vector<double>& force, const std::vector<double>& position,
+                          const ArxOptions& options)
+{
+    const LagAlignment lag(options.lag_s, options.sampleTime_s);
+    const std::ptrdiff_t shift = lag.samples + (lag.rest >= 0.5 ? 1 : 0);
+    const auto skip = static_cast<std::size_t>(std::abs(shift));
+    Regression regression;
+    regression.numeratorTerms = options.estimator == Estimator::Arx221 ? 2 : 1;
+    regression.constant = options.freeOffset;
+    if (skip >= force.size())
+        return regression;
+    const std::size_t count = force.size() - skip;
+    const std::span<const double> u = std::span(force).subspan(shift > 0 ? skip : 0, count);
+    const std::span<const double> y = std::span(position).subspan(shift < 0 ? skip : 0, count);
+    regression.forceScale = powerOfTwoScale(u);
+    regression.positionScale = powerOfTwoScale(y);
+    for (std::size_t t = 0; t < count; ++t) {
+        const double before = t > 0 ? u[t - 1] / regression.forceScale : 0;
+        const double now = u[t] / regression.forceScale;
+        regression.force.push_back(options.estimator == Estimator::ArxMeanForce ? (now + before) / 2 : now);
+        regression.position.push_back(y[t] / regression.positionScale);
+    }
+    return regression;
+}
+
+/// Coefficients, condition and (R'R)^-1 of the scaled regression.
+struct Solution {
+    double condition = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd coefficients;
+    Eigen::MatrixXd inverse;
+};
+
+Solution solve(const Regression& regression)
+{
+    const Eigen::Index n = regression.columns();
+    TallQr qr(n + 1);
+    for (std::size_t t = 2; t < regression.position.size(); ++t) {
+        auto row = qr.nextRow();
+        regression.fillRow(t, row);
+        row(n) = regression.position[t];
+    }
+    const Eigen::MatrixXd triangle = qr.triangle();
+    const Eigen::MatrixXd left = triangle.topLeftCorner(n, n);
+    Solution solution;
+    solution.condition = scaledConditionNumber(left);
+    if (!(solution.condition < largestCondition))
+        return solution;
+    const auto upper = left.triangularView<Eigen::Upper>();
+    solution.coefficients = upper.solve(triangle.topRightCorner(n, 1));
+    const Eigen::MatrixXd inverse = upper.solve(Eigen::MatrixXd::Identity(n, n));
+    solution.inverse = inverse * inverse.transpose();
+    return solution;
+}
+
+ArxCoefficients inChannelUnits(const Regression& regression, const Eigen::VectorXd& c)
+{
+    const double gain = regression.positionScale / regression.forceScale;
+    ArxCoefficients out;
+    out.a1 = c(0);
+    out.a2 = c(1);
+    out.b1 = c(2) * gain;
+    if (regression.numeratorTerms == 2)
+        out.b2 = c(3) * gain;
+    if (regression.constant)
+        out.constant = c(regression.columns() - 1) * regression.positionScale;
+    return out;
+}
+
+/// One-step prediction and its residuals, free run from the measured y[0], y[1], and both fits.
+void describeModel(const Regression& regression, const Eigen::VectorXd& c, Estimate& estimate)
+{
+    const std::vector<double>& y = regression.position;
+    std::vector<double> predicted(y.size());
+    std::vector<double> simulated(y.begin(), y.begin() + 2);
+    simulated.resize(y.size());
+    double sse = 0;
+    for (std::size_t t = 2; t < y.size(); ++t) {
+        predicted[t] = regression.predict(t, y[t - 1], y[t - 2], c);
+        simulated[t] = regression.predict(t, simulated[t - 1], simulated[t - 2], c);
+        const double e = y[t] - predicted[t];
+        sse += e * e;
+        estimate.residual.push_back(e * regression.positionScale);
+    }
+    const std::span<const double> measured = std::span(y).subspan(2);
+    estimate.fit.predictionPercent = fitPercent(measured, std::span<const double>(predicted).subspan(2));
+    estimate.fit.simulationPercent = fitPercent(measured, std::span<const double>(simulated).subspan(2));
+    estimate.residuals.sse = std::min(sse * regression.positionScale * regression.positionScale,
+                                      std::numeric_limits<double>::max());
+    estimate.residuals.degreesOfFreedom =
+        static_cast<double>(regression.rows()) - static_cast<double>(regression.columns());
+    estimate.residuals.whitenessP = ljungBoxP(estimate.residual, 2);
+    for (double& value : simulated)
+        value *= regression.positionScale;
+    if (allFinite(simulated))
+        estimate.simulated = std::move(simulated);
+}
+
+/// m, b, k and their covariance from the coefficients' by the derivative of the mapping.
+void mapToParameters(const Regression& regression, const Solution& solution, const ArxOptions& options,
+                     Estimate& estimate)
+{
+    const bool byPoles = options.estimator == Estimator::Arx221;
+    const double t = options.sampleTime_s;
+    const ArxCoefficients& c = *estimate.coefficients;
+    const double numerator = c.b1 + c.b2.value_or(0);
+    estimate.parameters =
+        byPoles ? poleMapping(c.a1, c.a2, numerator, t) : centralDifferenceMapping(c.a1, c.a2, numerator, t);
+    if (!estimate.parameters) {
+        estimate.status = EstimateStatus::NoPhysicalMapping;
+        estimate.message =
+            "the coefficients belong to no object with m, b, k > 0; noise on the position does that";
+        return;
+    }
+    estimate.status = EstimateStatus::Converged;
+    estimate.message = fitWarning;
+
+    const double gain = regression.positionScale / regression.forceScale;
+    Eigen::MatrixXd toCoefficients = Eigen::MatrixXd::Zero(3, regression.columns());
+    toCoefficients(0, 0) = 1;
+    toCoefficients(1, 1) = 1;
+    toCoefficients.row(2).segment(2, regression.numeratorTerms).setConstant(gain);
+    const Eigen::Matrix3d jacobian = byPoles ? poleJacobian(c.a1, c.a2, numerator, t)
+                                             : centralDifferenceJacobian(c.a1, c.a2, numerator, t);
+    const Eigen::MatrixXd chain = jacobian * toCoefficients;
+    const double scaledSse = estimate.residuals.sse / regression.positionScale / regression.positionScale;
+    const double variance = scaledSse / estimate.residuals.degreesOfFreedom;
+    const Eigen::Matrix3d covariance = variance * (chain * solution.inverse * chain.transpose());
+    if (covariance.allFinite())
+        estimate.covariance = (covariance + covariance.transpose()) / 2;
+}
+
+} // namespace
+
+Estimate estimateArx(const std::vector<double>& force, const std::vector<double>& position,
+                     const ArxOptions& options)
+{
+    Estimate estimate;
+    estimate.estimator = options.estimator;
+    const Regression regression = makeRegression(force, position, options);
+    if (static_cast<Eigen::Index>(regression.rows()) <= regression.columns()) {
+        estimate.status = EstimateStatus::TooFewSamples;
+        estimate.message = "there are fewer samples than the model has coefficients";
+        return estimate;
+    }
+    const Solution solution = solve(regression);
+    if (solution.coefficients.size() == 0 || !solution.coefficients.allFinite()) {
+        estimate.status = EstimateStatus::NotIdentifiable;
+        estimate.message =
+            "force and position do not determine the coefficients: the force does not vary enough";
+        return estimate;
+    }
+    estimate.coefficients = inChannelUnits(regression, solution.coefficients);
+    describeModel(regression, solution.coefficients, estimate);
+    mapToParameters(regression, solution, options, estimate);
+    return estimate;
+}
+
+} // namespace gripscope

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/identification_json.h"
+
+#include "core/signal/units.h"
+
+#include <QJsonArray>
+
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QJsonValue number(double value)
+{
+    return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null);
+}
+
+QJsonValue number(const std::optional<double>& value)
+{
+    return value ? number(*value) : QJsonValue(QJsonValue::Null);
+}
+
+QJsonObject byName(const Eigen::Vector3d& values)
+{
+    return {{u"m"_s, number(values(0))}, {u"b"_s, number(values(1))}, {u"k"_s, number(values(2))}};
+}
+
+QJsonValue toJson(const std::optional<Eigen::Matrix3d>& covariance)
+{
+    if (!covariance)
+        return QJsonValue::Null;
+    QJsonArray rows;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        QJsonArray row;
+        for (Eigen::Index j = 0; j < 3; ++j)
+            row.append(number((*covariance)(i, j)));
+        rows.append(row);
+    }
+    return rows;
+}
+
+QJsonObject toJson(const std::optional<ArxCoefficients>& c)
+{
+    const auto optional = [&](auto member) {
+        return c ? number(std::optional<double>((*c).*member)) : QJsonValue();
+    };
+    return {{u"a1"_s, optional(&ArxCoefficients::a1)},
+            {u"a2"_s, optional(&ArxCoefficients::a2)},
+            {u"b1"_s, optional(&ArxCoefficients::b1)},
+            {u"b2"_s, optional(&ArxCoefficients::b2)},
+            {u"constant"_s, optional(&ArxCoefficients::constant)}};
+}
+
+QJsonObject toJson(const Estimate& e)
+{
+    const std::optional<Eigen::Vector3d> errors = e.standardErrors();
+    const bool tested = !e.residual.empty();
+    return {
+        {u"estimator"_s, toString(e.estimator)},
+        {u"status"_s, toString(e.status)},
+        {u"parameters"_s, e.parameters ? QJsonValue(byName(e.parameters->vector())) : QJsonValue()},
+        {u"standard_errors"_s, errors ? QJsonValue(byName(*errors)) : QJsonValue()},
+        {u"covariance"_s, toJson(e.covariance)},
+        {u"nuisance"_s, QJsonObject{{u"x0"_s, number(e.nuisance.x0)},
+                                    {u"v0"_s, number(e.nuisance.v0)},
+                                    {u"offset"_s, number(e.nuisance.offset)}}},
+        {u"coefficients"_s, toJson(e.coefficients)},
+        {u"fit"_s, QJsonObject{{u"simulation_percent"_s, number(e.fit.simulationPercent)},
+                               {u"prediction_percent"_s, number(e.fit.predictionPercent)}}},
+        {u"residuals"_s,
+         QJsonObject{{u"sse"_s, tested ? number(e.residuals.sse) : QJsonValue()},
+                     {u"degrees_of_freedom"_s, tested ? number(e.residuals.degreesOfFreedom) : QJsonValue()},
+                     {u"whiteness_p"_s, number(e.residuals.whitenessP)},
+                     {u"input_independence_p"_s, number(e.residuals.inputIndependenceP)}}},
+        {u"iterations"_s, e.iterations}};
+}
+
+QJsonObject toJson(const Validity& validity)
+{
+    QJsonArray checks;
+    for (const ValidityCheck& check : validity.checks) {
+        checks.append(QJsonObject{{u"id"_s, check.id},
+                                  {u"ok"_s, check.ok},
+                                  {u"value"_s, number(check.value)},
+                                  {u"limit"_s, number(check.limit)},
+                                  {u"message"_s, check.message}});
+    }
+    return {{u"verdict"_s, toString(validity.verdict)}, {u"checks"_s, checks}};
+}
+
+} // namespace
+
+QJsonObject toJson(const Identification& identification, const Recording& recording, const QString& file)
+{
+    const ParameterUnits units = parameterUnits(recording.forceUnit, recording.positionUnit);
+    QJsonArray estimates;
+    for (const Estimate& estimate : identification.estimates)
+        estimates.append(toJson(estimate));
+    return {{u"file"_s, file},
+            {u"recording"_s, QJsonObject{{u"samples"_s, static_cast<qint64>(recording.size())},
+                                         {u"sample_time_s"_s, number(identification.sampleTime_s)},
+                                         {u"gaps"_s, static_cast<qint64>(identification.choice.gaps)},
+                                         {u"hold"_s, toString(identification.hold)},
+                                         {u"units"_s, QJsonObject{{u"force"_s, recording.forceUnit},
+                                                                  {u"position"_s, recording.positionUnit},
+                                                                  {u"m"_s, units.m},
+                                                                  {u"b"_s, units.b},
+                                                                  {u"k"_s, units.k}}}}},
+            {u"estimates"_s, estimates},
+            {u"recommended"_s, toString(identification.recommended)},
+            {u"validity"_s, toJson(identification.validity)}};
+}
+
+} // namespace gripscope

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/output_error_search.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+namespace {
+
+/// The step still to go, in standard errors, at which the search has arrived.
+constexpr double arrived = 1e-9;
+/// Share of the position's own size below which residuals are rounding errors.
+constexpr double rounding = 1e-13;
+/// Steps in ln m, ln b, ln k are cut to a factor of ten.
+constexpr double longestStep = 2.302585;
+/// A parameter that wants to change by more than this factor (e) where the cost no longer changes has run
+/// away.
+constexpr double runaway = 1.0;
+constexpr double smallestDamping = 1e-12, largestDamping = 1e16;
+
+double squaredSize(const OutputErrorProblem& problem)
+{
+    double sum = 0;
+    for (const double y : problem.position)
+        sum += y * y;
+    return sum;
+}
+
+/// min |R d - c|^2 + damping |D d|^2.
+Eigen::Vector3d dampedStep(const Eigen::Matrix3d& triangle, const Eigen::Vector3d& right,
+                           const Eigen::Vector3d& scales, double damping)
+{
+    Eigen::Matrix<double, 6, 3> stacked;
+    stacked.topRows<3>() = triangle;
+    stacked.bottomRows<3>() = (std::sqrt(damping) * scales).asDiagonal();
+    Eigen::Matrix<double, 6, 1> rhs = Eigen::Matrix<double, 6, 1>::Zero();
+    rhs.head<3>() = right;
+    // Columns of very different size: scale, so that the rank decision of the pivoting means something.
+    const Eigen::Vector3d norms = stacked.colwise().norm().transpose().cwiseMax(1e-300);
+    const Eigen::Matrix<double, 6, 3> scaled = stacked * norms.cwiseInverse().asDiagonal();
+    return norms.cwiseInverse().asDiagonal() * Eigen::Vector3d(scaled.colPivHouseholderQr().solve(rhs));
+}
+
+class Search {
+public:
+    Search(const OutputErrorProblem& problem, const Eigen::Vector3d& start)
+        : m_problem(problem), m_size(squaredSize(problem))
+    {
+        m_result.theta = start;
+        m_result.response = fitResponse(problem, start);
+    }
+
+    SearchResult run(int maxIterations)
+    {
+        while (m_result.response.finite && m_result.iterations < maxIterations) {
+            if (!linearizeHere() || hasArrived())
+                break;
+            ++m_result.iterations;
+            if (!improve()) {
+                stall();
+                break;
+            }
+        }
+        return m_result;
+    }
+
+private:
+    bool linearizeHere()
+    {
+        const Linearization linear = linearize(m_problem, m_result.theta, m_result.response.nuisance);
+        if (!linear.finite)
+            return false;
+        const Eigen::HouseholderQR<Eigen::MatrixXd> qr(linear.sensitivities);
+        m_result.triangle = qr.matrixQR().topRows(3).triangularView<Eigen::Upper>();
+        m_right = (qr.householderQ().adjoint() * linear.residual).head<3>();
+        m_scales = m_scales.cwiseMax(m_result.triangle.colwise().norm().transpose());
+        return true;
+    }
+
+    [[nodiscard]] double degreesOfFreedom() const
+    {
+        return static_cast<double>(
+            std::max<std::ptrdiff_t>(m_problem.rows() - 3 - m_result.response.nuisanceRank, 1));
+    }
+
+    /// |m_right| is the length of the step still to go, in units of the residuals.
+    bool hasArrived()
+    {
+        const double residual = std::sqrt(m_result.response.cost / degreesOfFreedom());
+        if (m_right.norm() > arrived * residual + rounding * std::sqrt(m_size / degreesOfFreedom()))
+            return false;
+        m_result.outcome = SearchOutcome::Converged;
+        return true;
+    }
+
+    /// Takes the first damped step that lowers the cost; false when none does.
+    bool improve()
+    {
+        for (; m_damping < largestDamping; m_damping *= 10) {
+            Eigen::Vector3d step = dampedStep(m_result.triangle, m_right, m_scales, m_damping);
+            const double longest = step.cwiseAbs().maxCoeff();
+            if (!std::isfinite(longest))
+                continue;
+            step *= std::min(1.0, longestStep / std::max(longest, 1e-300));
+            const ResponseFit trial = fitResponse(m_problem, m_result.theta + step);
+            if (!trial.finite || !(trial.cost < m_result.response.cost))
+                continue;
+            m_gain = m_result.response.cost - trial.cost;
+            m_result.theta += step;
+            m_result.response = trial;
+            m_damping = std::max(m_damping / 10, smallestDamping);
+            return !runsAway();
+        }
+        return false;
+    }
+
+    /// The cost stands still while a logarithm keeps going.
+    bool runsAway()
+    {
+        const double noise = rounding * (m_result.response.cost + rounding * m_size);
+        m_idle = m_gain < noise ? m_idle + 1 : 0;
+        return m_idle >= 3;
+    }
+
+    /// No step lowers the cost any more: rounding, the end of a valley, or a runaway.
+    void stall()
+    {
+        const Eigen::Vector3d step = dampedStep(m_result.triangle, m_right, m_scales, 0);
+        Eigen::Index index = 0;
+        const double longest = step.cwiseAbs().maxCoeff(&index);
+        const double residual = std::sqrt(m_result.response.cost / degreesOfFreedom());
+        if (std::isfinite(longest) && longest > runaway) {
+            m_result.outcome = SearchOutcome::Boundary;
+            m_result.boundaryIndex = static_cast<int>(index);
+            m_result.boundaryAtZero = step(index) < 0;
+        } else if (m_right.norm() < 1e-4 * residual || m_result.response.cost < rounding * m_size ||
+                   longest < 1e-10) {
+            m_result.outcome = SearchOutcome::Converged;
+        }
+    }
+
+    const OutputErrorProblem& m_problem;
+    double m_size;
+    SearchResult m_result;
+    Eigen::Vector3d m_right = Eigen::Vector3d::Zero();
+    Eigen::Vector3d m_scales = Eigen::Vector3d::Zero();
+    double m_damping = 1e-3, m_gain = 0;
+    int m_idle = 0;
+};
+
+} // namespace
+
+SearchResult searchOutputError(const OutputErrorProblem& problem, const Eigen::Vector3d& start,
+                               int maxIterations)
+{
+    return Search(problem, start).run(maxIterations);
+}
+
+} // namespace gripscope

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/output_error_start.h"
+
+#include "core/identification/arx_mapping.h"
+#include "core/identification/exact_step.h"
+#include "core/identification/tall_qr.h"
+
+#include <Eigen/QR>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace gripscope {
+
+namespace {
+
+/// Bandwidths of the filters in radians a sample.
+constexpr std::array<double, 5> filterBandwidths{0.01, 0.03, 0.1, 0.3, 1.0};
+/// A start that leaves more than this share of the position's energy unexplained (a fit below 50 %) is not
+/// trusted.
+constexpr double poorShare = 0.25;
+/// Samples the grid is tried on: enough to rank its coarse points.
+constexpr std::ptrdiff_t gridSamples = 2000;
+
+/// signal / (1 + s/lambda)^2 and its first derivative, from rest, for a signal that is straight between
+/// samples.
+class StateVariableFilter {
+public:
+    StateVariableFilter(double bandwidth, ForceHold hold) : m_bandwidth(bandwidth)
+    {
+        Eigen::Matrix2d a;
+        a << 0, 1, -bandwidth * bandwidth, -2 * bandwidth;
+        m_step = exactStep<2>(a, Eigen::Vector2d(0, bandwidth * bandwidth), hold);
+    }
+    [[nodiscard]] double value() const { return m_state(0); }
+    [[nodiscard]] double slope() const { return m_state(1); }
+    [[nodiscard]] double curvature(double input) const
+    {
+        return m_bandwidth * m_bandwidth * (input - m_state(0)) - 2 * m_bandwidth * m_state(1);
+    }
+    void advance(double now, double next)
+    {
+        m_state = (m_step.phi * m_state + m_step.gamma0 * now + m_step.gamma1 * next).eval();
+    }
+
+private:
+    double m_bandwidth;
+    ExactStep<2> m_step;
+    Eigen::Vector2d m_state = Eigen::Vector2d::Zero();
+};
+
+/// Position and force at the same time index, the lag rounded to whole samples.
+struct AlignedSamples {
+    const OutputErrorProblem& problem;
+    std::ptrdiff_t shift, count;
+
+    explicit AlignedSamples(const OutputErrorProblem& p)
+        : problem(p), shift(p.lag.samples + (p.lag.rest >= 0.5 ? 1 : 0)),
+          count(static_cast<std::ptrdiff_t>(p.force.size()) - std::abs(shift))
+    {
+    }
+    [[nodiscard]] double force(std::ptrdiff_t t) const
+    {
+        return at(problem.force, t + std::max<std::ptrdiff_t>(shift, 0));
+    }
+    [[nodiscard]] double position(std::ptrdiff_t t) const
+    {
+        return at(problem.position, t + std::max<std::ptrdiff_t>(-shift, 0));
+    }
+
+private:
+    static double at(const std::vector<double>& values, std::ptrdiff_t i)
+    {
+        return values[static_cast<std::size_t>(i)];
+    }
+};
+
+/// Least-squares solution of the triangle whose last column is the right-hand side.
+Eigen::VectorXd solveTriangle(const Eigen::MatrixXd& triangle)
+{
+    const Eigen::Index n = triangle.cols() - 1;
+    Eigen::MatrixXd left = triangle.topLeftCorner(n, n);
+    Eigen::VectorXd scales(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const double norm = left.col(i).norm();
+        scales(i) = norm > 0 ? 1 / norm : 0;
+        left.col(i) *= scales(i);
+    }
+    return scales.asDiagonal() *
+           Eigen::VectorXd(left.colPivHouseholderQr().solve(triangle.topRightCorner(n, 1)));
+}
+
+/// ln(M, B, K), an impossible sign of M or B replaced by something small: the search will see to it.
+std::optional<Eigen::Vector3d> repaired(double m, double b, double k)
+{
+    if (!std::isfinite(m) || !std::isfinite(b) || !(k > 0) || !std::isfinite(k))
+        return std::nullopt;
+    if (!(m > 0))
+        m = b > 0 ? 0.1 * b * b / k : k;
+    if (!(b > 0))
+        b = 0.1 * std::sqrt(m * k);
+    const Eigen::Vector3d theta(std::log(m), std::log(b), std::log(k));
+    return theta.allFinite() ? std::optional(theta) : std::nullopt;
+}
+
+std::optional<Eigen::Vector3d> fromStateVariableFilter(const OutputErrorProblem& problem, double bandwidth)
+{
+    const AlignedSamples samples(problem);
+    StateVariableFilter forceFilter(bandwidth, problem.hold);
+    StateVariableFilter positionFilter(bandwidth, ForceHold::First);
+    TallQr qr(problem.freeOffset ? 7 : 6);
+    for (std::ptrdiff_t t = 0; t < samples.count; ++t) {
+        auto row = qr.nextRow();
+        const double decay = std::exp(-bandwidth * static_cast<double>(t));
+        row(0) = positionFilter.curvature(samples.position(t));
+        row(1) = positionFilter.slope();
+        row(2) = positionFilter.value();
+        row(3) = decay;
+        row(4) = decay * bandwidth * static_cast<double>(t);
+        if (problem.freeOffset)
+            row(5) = 1;
+        row(row.size() - 1) = forceFilter.value();
+        const std::ptrdiff_t next = std::min(t + 1, samples.count - 1);
+        forceFilter.advance(samples.force(t), samples.force(next));
+        positionFilter.advance(samples.position(t), samples.position(next));
+    }
+    const Eigen::VectorXd solution = solveTriangle(qr.triangle());
+    return repaired(solution(0), solution(1), solution(2));
+}
+
+std::optional<Eigen::Vector3d> fromArx(const OutputErrorProblem& problem)
+{
+    const AlignedSamples samples(problem);
+    TallQr qr(problem.freeOffset ? 7 : 6);
+    for (std::ptrdiff_t t = 2; t < samples.count; ++t) {
+        auto row = qr.nextRow();
+        row.head<5>() << -samples.position(t - 1), -samples.position(t - 2), samples.force(t),
+            samples.force(t - 1), samples.force(t - 2);
+        if (problem.freeOffset)
+            row(5) = 1;
+        row(row.size() - 1) = samples.position(t);
+    }
+    const Eigen::VectorXd c = solveTriangle(qr.triangle());
+    const std::optional<MassDampingStiffness> mapped = poleMapping(c(0), c(1), c(2) + c(3) + c(4), 1.0);
+    return mapped ? repaired(mapped->m, mapped->b, mapped->k) : std::nullopt;
+}
+
+/// The best candidate so far.
+struct Best {
+    const OutputErrorProblem& problem;
+    std::optional<Eigen::Vector3d> theta;
+    double cost = std::numeric_limits<double>::infinity();
+
+    void offer(const std::optional<Eigen::Vector3d>& candidate)
+    {
+        if (!candidate)
+            return;
+        const ResponseFit fit = fitResponse(problem, *candidate);
+        if (!fit.finite || !(fit.gain > 0) || !(fit.costWithGain < cost))
+            return;
+        // A compliance times g is M, B and K divided by g.
+        const Eigen::Vector3d refitted = candidate->array() - std::log(fit.gain);
+        if (!refitted.allFinite())
+            return;
+        theta = refitted;
+        cost = fit.costWithGain;
+    }
+};
+
+OutputErrorProblem firstPart(const OutputErrorProblem& problem)
+{
+    OutputErrorProblem part = problem;
+    if (static_cast<std::ptrdiff_t>(part.force.size()) > gridSamples) {
+        part.force.resize(gridSamples);
+        part.position.resize(gridSamples);
+    }
+    return part;
+}
+
+/// Natural frequencies from one swing a record to near half the sample rate, and four dampings.
+void offerGrid(const OutputErrorProblem& problem, Best& best)
+{
+    const OutputErrorProblem part = firstPart(problem);
+    Best onPart{part, std::nullopt};
+    const double lowest = 2 * std::numbers::pi / static_cast<double>(part.force.size());
+    for (double frequency = lowest; frequency < 3; frequency *= 1.5) {
+        for (const double damping : {0.05, 0.3, 1.0, 4.0})
+            onPart.offer(Eigen::Vector3d(-2 * std::log(frequency), std::log(2 * damping / frequency), 0));
+    }
+    best.offer(onPart.theta);
+}
+
+double energy(const OutputErrorProblem& problem)
+{
+    double mean = 0;
+    double squares = 0;
+    for (const double y : problem.position) {
+        mean += y;
+        squares += y * y;
+    }
+    mean /= static_cast<double>(problem.position.size());
+    return squares - (problem.freeOffset ? mean * mean * static_cast<double>(problem.position.size()) : 0);
+}
+
+} // namespace
+
+std::optional<Eigen::Vector3d> outputErrorStart(const OutputErrorProblem& problem)
+{
+    Best best{problem, std::nullopt};
+    best.offer(fromArx(problem));
+    for (const double bandwidth : filterBandwidths)
+        best.offer(fromStateVariableFilter(problem, bandwidth));
+    if (!best.theta || best.cost > poorShare * energy(problem))
+        offerGrid(problem, best);
+    return best.theta;
+}
+
+} // namespace gripscope

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/validity_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// Share of the samples asked for that may lie outside the unbroken window before the measurement is worth
+/// nothing.
+constexpr double largestShareOutside = 0.2;
+/// Share of saturated samples above which the measurement is invalid; any saturated sample makes it suspect.
+constexpr double largestSaturatedShare = 0.01;
+/// The relative standard error above which m or k counts as not excited.
+constexpr double largestRelativeError = 0.5;
+/// The two residual tests share a false-alarm rate of 1 %.
+constexpr double smallestResidualP = 0.005;
+/// Below this simulation fit the model explains less than three quarters of the variance.
+constexpr double smallestFitPercent = 50;
+
+ValidityCheck samplesLost(const Identification& data)
+{
+    ValidityCheck check;
+    check.id = u"samples_lost"_s;
+    const WindowChoice& choice = data.choice;
+    check.value = static_cast<double>(choice.lostSamples);
+    check.limit = 0;
+    check.ok = choice.lostSamples == 0 && choice.gaps == 0;
+    const double outside = choice.eligible > 0 ? 1 - static_cast<double>(choice.window.count) /
+                                                         static_cast<double>(choice.eligible)
+                                               : 0;
+    check.decisive = outside > largestShareOutside;
+    if (check.ok)
+        check.message = u"no sample is missing"_s;
+    else
+        check.message =
+            u"%1 samples are missing in %2 places; %3 % of the squeeze lie outside the unbroken part that "
+            "was used. Check the cable and the load of the computer, then squeeze again."_s
+                .arg(choice.lostSamples)
+                .arg(choice.gaps)
+                .arg(100 * outside, 0, 'f', 0);
+    return check;
+}
+
+ValidityCheck saturation(const Identification& data, const Recording& recording)
+{
+    ValidityCheck check;
+    check.id = u"saturation"_s;
+    check.limit = 0;
+    const Window window = data.choice.window;
+    std::size_t saturated = 0;
+    if (recording.status.size() == recording.size()) {
+        for (std::size_t i = window.first; i < window.first + window.count; ++i)
+            saturated +=
+                (recording.status[i] & (StatusForceSaturated | StatusPositionSaturated)) != 0 ? 1 : 0;
+    }
+    const double share =
+        window.count > 0 ? static_cast<double>(saturated) / static_cast<double>(window.count) : 0;
+    check.value = 100 * share;
+    check.ok = saturated == 0;
+    check.decisive = share > largestSaturatedShare;
+    check.message =
+        check.ok
+            ? u"no sample is marked as saturated"_s
+            : u"%1 samples are at the end of a sensor's range. Squeeze with less force."_s.arg(saturated);
+    return check;
+}
+
+ValidityCheck excitation(const Estimate& estimate)
+{
+    ValidityCheck check;
+    check.id = u"excitation"_s;
+    check.limit = 100 * largestRelativeError;
+    if (estimate.status == EstimateStatus::NotIdentifiable ||
+        estimate.status == EstimateStatus::TooFewSamples) {
+        check.ok = false;
+        check.decisive = true;
+        check.message =
+            QString::fromStdString(estimate.message) +
+            u". Squeeze with a force that varies, for instance a pseudo-random binary sequence."_s;
+        return check;
+    }
+    const std::optional<Eigen::Vector3d> errors = estimate.standardErrors();
+    if (!estimate.parameters || !errors) {
+        check.message = u"not judged without an estimate"_s;
+        return check;
+    }
+    const double mass = (*errors)(0) / estimate.parameters->m;
+    const double stiffness = (*errors)(2) / estimate.parameters->k;
+    check.value = 100 * std::max(mass, stiffness);
+    check.ok = *check.value <= *check.limit;
+    check.message = check.ok
+                        ? u"the force moves the object enough to tell m and k"_s
+                        : u"the %1 is known to %2 % only. Squeeze longer or with a force that varies %3."_s
+                              .arg(mass > stiffness ? u"mass"_s : u"stiffness"_s)
+                              .arg(*check.value, 0, 'g', 2)
+                              .arg(mass > stiffness ? u"faster"_s : u"more slowly"_s);
+    return check;
+}
+
+ValidityCheck residualTest(const QString& id, std::optional<double> p, const QString& good,
+                           const QString& bad)
+{
+    ValidityCheck check;
+    check.id = id;
+    check.value = p;
+    check.limit = smallestResidualP;
+    check.ok = !p || *p >= smallestResidualP;
+    check.message = !p ? u"not judged: there is nothing to test"_s : check.ok ? good : bad;
+    return check;
+}
+
+ValidityCheck hold(const Identification& data, const Recording& recording,
+                   const IdentificationOptions& options)
+{
+    ValidityCheck check;
+    check.id = u"hold"_s;
+    const QString name = toString(data.hold);
+    if (options.hold)
+        check.message = u"the force hold %1 was asked for"_s.arg(name);
+    else if (recording.hold)
+        check.message = u"the force hold %1 is the recording's own"_s.arg(name);
+    else
+        check.message = u"the recording names no force hold; %1 was assumed"_s.arg(name);
+    return check;
+}
+
+ValidityCheck convergence(const Estimate& estimate)
+{
+    ValidityCheck check;
+    check.id = u"convergence"_s;
+    check.value = estimate.iterations;
+    check.ok = estimate.status == EstimateStatus::Converged;
+    check.decisive = true;
+    check.message =
+        check.ok ? u"the estimator reached its answer"_s
+                 : u"%1: %2"_s.arg(toString(estimate.status), QString::fromStdString(estimate.message));
+    return check;
+}
+
+ValidityCheck physicalRange(const Estimate& estimate, double sampleTime_s)
+{
+    ValidityCheck check;
+    check.id = u"physical_range"_s;
+    if (!estimate.parameters) {
+        check.ok = false;
+        check.decisive = true;
+        check.message = u"no m, b and k above zero were found. Squeeze again."_s;
+        return check;
+    }
+    // Above half the sample rate a natural frequency is an alias, not a measurement.
+    check.value = std::sqrt(estimate.parameters->k / estimate.parameters->m) / (2 * std::numbers::pi);
+    check.limit = 0.5 / sampleTime_s;
+    check.ok = *check.value < *check.limit;
+    check.message =
+        check.ok ? u"m, b and k are above zero and the natural frequency is below half the sample rate"_s
+                 : u"the natural frequency found, %1 Hz, is above half the sample rate. Sample faster."_s.arg(
+                       *check.value, 0, 'g', 4);
+    return check;
+}
+
+ValidityCheck fitCheck(const Estimate& estimate)
+{
+    ValidityCheck check;
+    check.id = u"fit"_s;
+    check.value = estimate.fit.simulationPercent;
+    check.limit = smallestFitPercent;
+    if (!estimate.parameters) {
+        check.message = u"not judged without an estimate"_s;
+        return check;
+    }
+    check.ok = check.value && *check.value >= smallestFitPercent;
+    check.message =
+        check.ok ? u"the model follows the position"_s
+                 : u"the model does not follow the position. Look at the residuals: noise, a loose grip "
+                   "and an object that is no mass, spring and damper all do this."_s;
+    return check;
+}
+
+ValidityCheck calibration()
+{
+    ValidityCheck check;
+    check.id = u"calibration"_s;
+    check.message = u"not judged: the channels carry the device's own calibration"_s;
+    return check;
+}
+
+} // namespace
+
+std::vector<ValidityCheck> checkValidity(const Identification& identification, const Recording& recording,
+                                         const IdentificationOptions& options)
+{
+    const Estimate none;
+    const Estimate* const found = identification.find(identification.recommended);
+    const Estimate& estimate = found != nullptr ? *found : none;
+    return {samplesLost(identification),
+            saturation(identification, recording),
+            excitation(estimate),
+            residualTest(
+                u"residual_whiteness"_s, estimate.residuals.whitenessP,
+                u"the residuals look like white noise"_s,
+                u"the residuals are not white: something besides sensor noise is in the position, and the "
+                "errors shown are too small"_s),
+            residualTest(
+                u"input_independence"_s, estimate.residuals.inputIndependenceP,
+                u"the residuals do not depend on the force"_s,
+                u"the residuals depend on the force: the object is not just a mass, a spring and a damper at "
+                "this force, or the hold or the lag is wrong"_s),
+            hold(identification, recording, options),
+            convergence(estimate),
+            physicalRange(estimate, identification.sampleTime_s),
+            fitCheck(estimate),
+            calibration()};
+}
+
+} // namespace gripscope
