@@ -1,2 +1,161 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/device_address.h"
+
+#include "devices/virtual/virtual_object.h"
+
+#include <QStringList>
+
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+tl::unexpected<Error> wrong(const QString& found, const QString& expected)
+{
+    return failure(ErrorCode::Usage, {u"Device address: %1 is not understood; %2."_qs.arg(found, expected)});
+}
+
+Expected<double> number(const QString& key, const QString& text, double least, double most)
+{
+    bool isNumber = false;
+    const double value = text.toDouble(&isNumber);
+    if (!isNumber || !std::isfinite(value) || value < least || value > most)
+        return wrong(key + u'=' + text, u"%1 is a number from %2 to %3"_qs.arg(key).arg(least).arg(most));
+    return value;
+}
+
+Expected<void> parseFault(const QString& text, VirtualFaults& faults)
+{
+    const QString name = text.section(u':', 0, 0);
+    const QString value = text.section(u':', 1);
+    const auto set = [&](auto& target, double most) -> Expected<void> {
+        return number(u"fault="_qs + name, value, 0, most).map([&](double parsed) { target = parsed; });
+    };
+    if (name == u"loss")
+        return set(faults.lossProbability, 1);
+    if (name == u"duplicate")
+        return set(faults.duplicateProbability, 1);
+    if (name == u"crc")
+        return set(faults.badCrcProbability, 1);
+    if (name == u"stall")
+        return set(faults.stallAfter_s, 1e6);
+    if (name == u"unplug")
+        return set(faults.unplugAfter_s, 1e6);
+    if (name == u"saturate")
+        return set(faults.saturateForce_N, 1e6);
+    if (text == u"stuck") {
+        faults.sensorStuck = true;
+        return {};
+    }
+    if (text == u"units") {
+        faults.millimetres = true;
+        return {};
+    }
+    return wrong(u"fault="_qs + text,
+                 u"a fault is loss:P, duplicate:P, crc:P, stall:S, unplug:S, saturate:N, stuck or units"_qs);
+}
+
+Expected<void> parseVirtualOption(const QString& key, const QString& value, VirtualAddress& address)
+{
+    if (key == u"object") {
+        address.object = value;
+        return VirtualObject::fromText(value).map([](const VirtualObject&) {});
+    }
+    if (key == u"seed") {
+        bool isNumber = false;
+        address.seed = value.toULongLong(&isNumber);
+        if (!isNumber)
+            return wrong(u"seed="_qs + value, u"seed is a whole number from 0 on"_qs);
+        return {};
+    }
+    if (key == u"noise")
+        return number(key, value, 0, 0.01).map([&](double metres) { address.positionNoise_m = metres; });
+    if (key == u"speed")
+        return number(key, value, 0, 100).map([&](double speed) { address.speed = speed; });
+    if (key == u"fault") {
+        for (const QString& fault : value.split(u','))
+            if (const Expected<void> parsed = parseFault(fault, address.faults); !parsed)
+                return parsed;
+        return {};
+    }
+    if (key == u"capture") {
+        address.capture = value;
+        return {};
+    }
+    return wrong(key, u"virtual: knows object, seed, noise, speed, fault and capture"_qs);
+}
+
+Expected<DeviceAddress> parseVirtual(const QString& rest)
+{
+    VirtualAddress address;
+    if (rest.isEmpty() || rest == u"?")
+        return address;
+    if (!rest.startsWith(u'?'))
+        return wrong(rest, u"behind virtual: comes nothing, or ? and options such as object=A&seed=7"_qs);
+    for (const QString& option : rest.mid(1).split(u'&')) {
+        if (!option.contains(u'='))
+            return wrong(u'"' + option + u'"', u"an option is name=value"_qs);
+        const Expected<void> parsed =
+            parseVirtualOption(option.section(u'=', 0, 0), option.section(u'=', 1), address);
+        if (!parsed)
+            return tl::unexpected<Error>(parsed.error());
+    }
+    return address;
+}
+
+Expected<std::uint16_t> hexId(const QString& text)
+{
+    bool isNumber = false;
+    const uint value = text.toUInt(&isNumber, 16);
+    if (!isNumber || value > 0xFFFF)
+        return wrong(text, u"a vendor or product number has up to four hexadecimal digits, such as 1209"_qs);
+    return static_cast<std::uint16_t>(value);
+}
+
+Expected<DeviceAddress> parseHid(const QString& rest)
+{
+    HidAddress address;
+    const QString name = rest.section(u'?', 0, 0);
+    if (rest.contains(u'?')) {
+        const QString option = rest.section(u'?', 1);
+        if (!option.startsWith(u"capture="))
+            return wrong(option, u"behind hid: the only option is capture=FILE"_qs);
+        address.capture = option.section(u'=', 1);
+    }
+    if (name.isEmpty())
+        return address;
+    if (!name.contains(u':'))
+        return wrong(name, u"hid: stands alone, or as hid:1209:0001 or hid:1209:0001:SERIAL"_qs);
+    const Expected<std::uint16_t> vendor = hexId(name.section(u':', 0, 0));
+    if (!vendor)
+        return tl::unexpected<Error>(vendor.error());
+    const Expected<std::uint16_t> product = hexId(name.section(u':', 1, 1));
+    if (!product)
+        return tl::unexpected<Error>(product.error());
+    address.vendor = *vendor;
+    address.product = *product;
+    address.serial = name.section(u':', 2);
+    return address;
+}
+
+} // namespace
+
+Expected<DeviceAddress> parseDeviceAddress(const QString& text)
+{
+    const QString kind = text.section(u':', 0, 0);
+    const QString rest = text.section(u':', 1);
+    if (kind == u"virtual" && text.contains(u':'))
+        return parseVirtual(rest);
+    if (kind == u"hid" && text.contains(u':'))
+        return parseHid(rest);
+    if (kind == u"replay" && !rest.isEmpty())
+        return ReplayAddress{rest};
+    return wrong(
+        text.isEmpty() ? u"nothing"_qs : text,
+        u"an address is virtual: or virtual:?object=A&seed=7, hid: or hid:1209:0001:SERIAL, or replay:FILE"_qs);
+}
+
+} // namespace gripscope

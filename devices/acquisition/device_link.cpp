@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/acquisition/device_link.h"
+
+#include <algorithm>
+
+namespace gripscope {
+
+using namespace protocol;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+std::int64_t nanoseconds(DeviceLink::Clock::time_point t)
+{
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(t.time_since_epoch()).count();
+}
+
+/// What was asked, to follow "the gripper refused to" or "the gripper did not".
+QString inWords(const CommandBody& body)
+{
+    switch (reportId(body)) {
+    case ReportId::Arm:
+        return u"arm"_qs;
+    case ReportId::Disarm:
+        return u"disarm"_qs;
+    case ReportId::Stop:
+        return u"confirm the stop"_qs;
+    case ReportId::SetLimits:
+        return u"take the limits of the squeeze"_qs;
+    case ReportId::Upload:
+        return u"take the force signal"_qs;
+    case ReportId::Start:
+        return u"start the squeeze"_qs;
+    default:
+        return u"answer"_qs;
+    }
+}
+
+} // namespace
+
+DeviceLink::DeviceLink(std::shared_ptr<Transport> transport, QString address, std::size_t queueCapacity)
+    : m_transport(std::move(transport)), m_address(std::move(address)), m_samples(queueCapacity)
+{
+}
+
+LinkState DeviceLink::state() const
+{
+    const Lock lock(m_mutex);
+    return m_state;
+}
+
+std::optional<Error> DeviceLink::lastError() const
+{
+    const Lock lock(m_mutex);
+    return m_error;
+}
+
+GripperIdentity DeviceLink::identity() const
+{
+    const Lock lock(m_mutex);
+    return m_device.identity;
+}
+
+SqueezeState DeviceLink::squeezeState() const
+{
+    const Lock lock(m_mutex);
+    const bool ended = m_squeeze.state == SqueezeState::Finished || m_squeeze.state == SqueezeState::Stopped;
+    return ended && m_samples.popped() < m_squeeze.samplesBefore ? SqueezeState::Running : m_squeeze.state;
+}
+
+LinkCounters DeviceLink::counters() const
+{
+    LinkCounters counters;
+    counters.reports = m_reports.load();
+    counters.samples = m_samples.pushed();
+    counters.lostSamples = m_lostSamples.load();
+    counters.duplicateReports = m_duplicateReports.load();
+    counters.badReports = m_badReports.load();
+    counters.droppedSamples = m_droppedSamples.load();
+    counters.latency_ms = m_latency_ms;
+    return counters;
+}
+
+std::size_t DeviceLink::drain(std::vector<Sample>& samples, std::size_t most)
+{
+    const std::size_t count = m_samples.pop(samples, most);
+    if (count == 0)
+        return 0;
+    const double age_ms = 1e-6 * static_cast<double>(nanoseconds(Clock::now()) - m_newestArrival_ns.load());
+    constexpr double weight = 0.1; // smooths over some ten calls
+    m_latency_ms += weight * (std::max(0.0, age_ms) - m_latency_ms);
+    return count;
+}
+
+void DeviceLink::confirmAlive() noexcept
+{
+    m_aliveAt_ns.store(nanoseconds(Clock::now()));
+}
+
+void DeviceLink::arm()
+{
+    confirmAlive(); // whoever arms is there
+    {
+        const Lock lock(m_mutex);
+        if (!live())
+            return;
+        m_error.reset();
+        m_commands.push(ArmCommand{});
+    }
+    m_changed.notify_all();
+}
+
+void DeviceLink::disarm()
+{
+    {
+        const Lock lock(m_mutex);
+        if (!live())
+            return;
+        if (m_squeeze.state == SqueezeState::Uploading) { // it would be started, only to be ended
+            m_commands.clear();
+            endSqueeze(SqueezeState::Stopped);
+        }
+        m_commands.push(DisarmCommand{});
+    }
+    m_changed.notify_all();
+}
+
+void DeviceLink::startExcitation(const AdmittedExcitation& excitation)
+{
+    {
+        const Lock lock(m_mutex);
+        if (!live()) {
+            m_squeeze.state = SqueezeState::Refused;
+            return;
+        }
+        m_error.reset();
+        const std::uint16_t number = m_nextExcitation++;
+        m_squeeze = {SqueezeState::Uploading, number, 0};
+        m_commands.push(m_device.limitCounts(excitation.maxForce_N(), excitation.maxTravel_m()));
+        std::vector<std::int32_t> forces;
+        for (const double force_N : excitation.force_N())
+            forces.push_back(m_device.forceCounts(force_N));
+        for (std::size_t first = 0; first < forces.size(); first += maxForcesPerUpload) {
+            UploadCommand chunk{number, static_cast<std::uint32_t>(first), 0, {}};
+            const std::size_t count = std::min(maxForcesPerUpload, forces.size() - first);
+            chunk.count = static_cast<std::uint8_t>(count);
+            std::copy_n(forces.begin() + static_cast<std::ptrdiff_t>(first), count, chunk.forces.begin());
+            m_commands.push(chunk);
+        }
+        m_commands.push(StartCommand{number, static_cast<std::uint32_t>(forces.size()), forcesCrc(forces)});
+    }
+    m_changed.notify_all();
+}
+
+void DeviceLink::stop() noexcept
+{
+    {
+        const Lock lock(m_mutex);
+        if (!live())
+            return;
+        m_commands.stop();
+        if (m_squeeze.state == SqueezeState::Uploading)
+            endSqueeze(SqueezeState::Stopped);
+    }
+    m_changed.notify_all();
+}
+
+void DeviceLink::setState(LinkState state)
+{
+    if (m_state == state || m_state == LinkState::Closed || m_state == LinkState::Closing)
+        return;
+    m_state = state;
+    m_changed.notify_all();
+}
+
+void DeviceLink::lose(Error error)
+{
+    if (m_state == LinkState::Closed || m_state == LinkState::Closing || m_state == LinkState::Lost)
+        return;
+    m_error = std::move(error);
+    m_commands.clear();
+    if (m_squeeze.state == SqueezeState::Uploading || m_squeeze.state == SqueezeState::Running)
+        endSqueeze(SqueezeState::Stopped);
+    setState(LinkState::Lost);
+}
+
+void DeviceLink::endReplay()
+{
+    if (!live())
+        return;
+    m_error =
+        Error{ErrorCode::NotFound, {u"further sample at %1: it was replayed to its end"_qs.arg(m_address)}};
+    setState(LinkState::Closed);
+}
+
+void DeviceLink::endSqueeze(SqueezeState state)
+{
+    m_squeeze.state = state;
+    m_squeeze.samplesBefore = m_samples.pushed();
+}
+
+void DeviceLink::follow(std::uint16_t status, ExcitationState excitation, std::uint16_t number)
+{
+    if (!live())
+        return;
+    const bool armed = status & StatusArmed;
+    if (!armed)
+        m_armAnswered = false;
+    setState(armed && m_armAnswered ? LinkState::Armed : LinkState::Ready);
+    const bool open = m_squeeze.state == SqueezeState::Uploading || m_squeeze.state == SqueezeState::Running;
+    if (!open || number != m_squeeze.number)
+        return;
+    if (excitation == ExcitationState::Running)
+        m_squeeze.state = SqueezeState::Running;
+    else if (excitation == ExcitationState::Finished)
+        endSqueeze(SqueezeState::Finished);
+    else if (excitation == ExcitationState::Stopped)
+        endSqueeze(SqueezeState::Stopped);
+}
+
+void DeviceLink::settle(const CommandQueue::Outcome& outcome)
+{
+    const bool fine = outcome.result == CommandResult::Done || outcome.result == CommandResult::Repeated;
+    if (!fine)
+        return refuse(outcome);
+    if (std::holds_alternative<ArmCommand>(outcome.body)) {
+        m_armAnswered = true;
+        m_nextExcitation = static_cast<std::uint16_t>(outcome.detail + 1);
+    }
+}
+
+void DeviceLink::refuse(const CommandQueue::Outcome& outcome)
+{
+    const QString asked = inWords(outcome.body);
+    if (outcome.result)
+        m_error = Error{ErrorCode::DeviceRefused, {asked, QString::fromUtf8(describe(*outcome.result))}};
+    else
+        m_error = Error{ErrorCode::DeviceTimeout, {asked, u"1"_qs}};
+    // What was to follow makes no sense any more.
+    if (!m_commands.stopping())
+        m_commands.clear();
+    if (m_squeeze.state == SqueezeState::Uploading)
+        endSqueeze(SqueezeState::Refused);
+}
+
+void DeviceLink::beginClosing()
+{
+    {
+        const Lock lock(m_mutex);
+        const bool stopIsDue = m_state == LinkState::Armed || !m_commands.empty();
+        m_commands.clear();
+        if (live() && stopIsDue)
+            m_commands.stop();
+        setState(LinkState::Closing);
+    }
+    m_changed.notify_all();
+}
+
+void DeviceLink::closeTransport()
+{
+    m_transport->close();
+}
+
+void DeviceLink::finishClosing()
+{
+    const Lock lock(m_mutex);
+    m_state = LinkState::Closed;
+}
+
+} // namespace gripscope

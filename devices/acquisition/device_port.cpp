@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/acquisition/device_port.h"
+
+#include "devices/acquisition/bounded_thread.h"
+#include "devices/acquisition/device_link.h"
+
+#include <atomic>
+
+namespace gripscope {
+
+namespace {
+/// close() in all: below the second it promises.
+constexpr std::chrono::milliseconds writerMayTake{250};
+constexpr std::chrono::milliseconds othersMayTake{500};
+} // namespace
+
+struct DevicePort::Private {
+    QString address;
+    TransportMaker makeTransport;
+    std::size_t queueCapacity;
+    /// Guards the pointer only: stop() and confirmAlive() may come from any thread while open() puts a new
+    /// link.
+    mutable std::mutex mutex;
+    std::shared_ptr<DeviceLink> link;
+    BoundedThread opener, reader, writer;
+
+    [[nodiscard]] std::shared_ptr<DeviceLink> current() const
+    {
+        const std::lock_guard lock(mutex);
+        return link;
+    }
+};
+
+DevicePort::DevicePort(QString address, TransportMaker makeTransport, std::size_t queueCapacity)
+    : d(std::make_unique<Private>())
+{
+    d->address = std::move(address);
+    d->makeTransport = std::move(makeTransport);
+    d->queueCapacity = queueCapacity;
+}
+
+DevicePort::~DevicePort()
+{
+    close();
+}
+
+void DevicePort::open()
+{
+    close();
+    auto link = std::make_shared<DeviceLink>(d->makeTransport(), d->address, d->queueCapacity);
+    {
+        const std::lock_guard lock(d->mutex);
+        d->link = link;
+    }
+    d->opener = BoundedThread([link] { link->runOpener(); });
+    d->reader = BoundedThread([link] { link->runReader(); });
+    d->writer = BoundedThread([link] { link->runWriter(); });
+}
+
+void DevicePort::close()
+{
+    const std::shared_ptr<DeviceLink> link = d->current();
+    if (!link)
+        return;
+    const auto now = std::chrono::steady_clock::now();
+    link->beginClosing();
+    d->writer.finishBy(now + writerMayTake);
+    link->closeTransport();
+    d->reader.finishBy(now + writerMayTake + othersMayTake);
+    d->opener.finishBy(now + writerMayTake + othersMayTake);
+    link->finishClosing();
+}
+
+LinkState DevicePort::state() const
+{
+    const auto link = d->current();
+    return link ? link->state() : LinkState::Closed;
+}
+
+std::optional<Error> DevicePort::lastError() const
+{
+    const auto link = d->current();
+    return link ? link->lastError() : std::nullopt;
+}
+
+GripperIdentity DevicePort::identity() const
+{
+    const auto link = d->current();
+    return link ? link->identity() : GripperIdentity{};
+}
+
+LinkCounters DevicePort::counters() const
+{
+    const auto link = d->current();
+    return link ? link->counters() : LinkCounters{};
+}
+
+std::size_t DevicePort::drain(std::vector<Sample>& samples, std::size_t most)
+{
+    const auto link = d->current();
+    return link ? link->drain(samples, most) : 0;
+}
+
+void DevicePort::arm(const ArmingOrder& order)
+{
+    if (order.person().isEmpty())
+        return;
+    if (const auto link = d->current())
+        link->arm();
+}
+
+void DevicePort::disarm()
+{
+    if (const auto link = d->current())
+        link->disarm();
+}
+
+void DevicePort::startExcitation(const AdmittedExcitation& excitation)
+{
+    if (const auto link = d->current())
+        link->startExcitation(excitation);
+}
+
+SqueezeState DevicePort::squeezeState() const
+{
+    const auto link = d->current();
+    return link ? link->squeezeState() : SqueezeState::Idle;
+}
+
+void DevicePort::stop() noexcept
+{
+    if (const auto link = d->current())
+        link->stop();
+}
+
+void DevicePort::confirmAlive() noexcept
+{
+    if (const auto link = d->current())
+        link->confirmAlive();
+}
+
+} // namespace gripscope

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/gripper_port.h"
+#include "devices/acquisition/sample_queue.h"
+#include "devices/transport.h"
+
+#include <memory>
+
+namespace gripscope {
+
+/// A gripper that speaks the Gripscope protocol, behind any transport. See DeviceLink for the threads.
+///
+/// Samples of a squeeze always come first: squeezeState() says Finished or Stopped only when drain() has
+/// handed out everything that arrived up to that end.
+class DevicePort : public GripperPort {
+public:
+    /// `makeTransport` is called at each open(): a connection never uses what an earlier one left behind.
+    DevicePort(QString address, TransportMaker makeTransport,
+               std::size_t queueCapacity = SampleQueue::defaultCapacity);
+    ~DevicePort() override;
+    DevicePort(const DevicePort&) = delete;
+    DevicePort& operator=(const DevicePort&) = delete;
+
+    void open() override;
+    void close() override;
+    [[nodiscard]] LinkState state() const override;
+    [[nodiscard]] std::optional<Error> lastError() const override;
+    [[nodiscard]] GripperIdentity identity() const override;
+    [[nodiscard]] LinkCounters counters() const override;
+    std::size_t drain(std::vector<Sample>& samples, std::size_t most = 65536) override;
+    void arm(const ArmingOrder& order) override;
+    void disarm() override;
+    void startExcitation(const AdmittedExcitation& excitation) override;
+    [[nodiscard]] SqueezeState squeezeState() const override;
+    void stop() noexcept override;
+    void confirmAlive() noexcept override;
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace gripscope

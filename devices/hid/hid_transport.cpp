@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/hid/hid_transport.h"
+
+#include <QStringList>
+#include <hidapi/hidapi.h>
+
+#include <algorithm>
+#include <mutex>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// hid_open_path keeps its error in one text for the whole program.
+std::mutex& openingMutex()
+{
+    static std::mutex mutex;
+    return mutex;
+}
+
+bool matches(const HidAddress& address, const HidNode& node)
+{
+    const bool named = address.vendor || address.product;
+    if (!named && !node.vendorPage)
+        return false;
+    return node.vendor == address.vendor.value_or(protocol::vendorId) &&
+           node.product == address.product.value_or(protocol::productId) &&
+           (address.serial.isEmpty() || address.serial == node.serial);
+}
+
+QString addressText(const HidAddress& address)
+{
+    const auto hex = [](std::uint16_t id) { return u"%1"_qs.arg(id, 4, 16, QLatin1Char('0')); };
+    QString text = u"hid:"_qs;
+    if (address.vendor || address.product)
+        text += hex(address.vendor.value_or(protocol::vendorId)) + u':' +
+                hex(address.product.value_or(protocol::productId));
+    return address.serial.isEmpty() ? text : text + u':' + address.serial;
+}
+
+} // namespace
+
+QString addressOf(const HidNode& node)
+{
+    return addressText({node.vendor, node.product, node.serial, {}});
+}
+
+std::vector<HidNode> grippersAmong(const std::vector<HidNode>& nodes)
+{
+    std::vector<HidNode> grippers;
+    std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(grippers),
+                 [](const HidNode& node) { return matches({}, node); });
+    return grippers;
+}
+
+Expected<HidNode> chooseHidNode(const HidAddress& address, const std::vector<HidNode>& nodes)
+{
+    std::vector<HidNode> found;
+    std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(found),
+                 [&](const HidNode& node) { return matches(address, node); });
+    if (found.empty())
+        return failure(
+            ErrorCode::DeviceNotFound,
+            {addressText(address), u"Plug it in and switch it on, or try virtual: without hardware."_qs});
+    if (found.size() > 1) {
+        QStringList addresses;
+        for (const HidNode& node : found)
+            addresses << addressOf(node);
+        return failure(ErrorCode::DeviceAmbiguous, {addresses.join(u", "_qs)});
+    }
+    if (!found.front().accessible)
+        return failure(ErrorCode::DevicePermission, {found.front().path, permissionAdvice(found.front())});
+    return found.front();
+}
+
+void HidTransport::Closer::operator()(hid_device_* device) const
+{
+    hid_close(device);
+}
+
+HidTransport::HidTransport(HidAddress address) : m_address(std::move(address)) {}
+
+HidTransport::~HidTransport() = default;
+
+Expected<void> HidTransport::open()
+{
+    const Expected<HidNode> node = chooseHidNode(m_address, listHidNodes());
+    if (!node)
+        return tl::unexpected<Error>(node.error());
+    m_path = node->path;
+    const std::lock_guard lock(openingMutex());
+    m_reader.reset(hid_open_path(m_path.toUtf8().constData()));
+    m_writer.reset(hid_open_path(m_path.toUtf8().constData()));
+    if (!m_reader || !m_writer)
+        return failure(ErrorCode::DeviceLost, {m_path, QString::fromWCharArray(hid_error(nullptr))});
+    return {};
+}
+
+Expected<protocol::Report> HidTransport::feature(protocol::ReportId id)
+{
+    protocol::Report report{};
+    report[0] = static_cast<std::uint8_t>(id);
+    const int size = hid_get_feature_report(m_writer.get(), report.data(), report.size());
+    if (size < 0)
+        return failure(ErrorCode::DeviceLost, {m_path, QString::fromWCharArray(hid_error(m_writer.get()))});
+    return report; // a short one fails its CRC
+}
+
+Transport::ReadResult HidTransport::read(Buffer& buffer, std::chrono::milliseconds timeout)
+{
+    if (m_closed)
+        return {Outcome::Lost};
+    if (!m_freshened) {
+        // What queued up while the device was asked what it is would be followed by a gap.
+        m_freshened = true;
+        constexpr int kernelRing = 64;
+        for (int i = 0;
+             i < kernelRing && hid_read_timeout(m_reader.get(), buffer.data(), buffer.size(), 0) > 0; ++i) {
+        }
+    }
+    const int size =
+        hid_read_timeout(m_reader.get(), buffer.data(), buffer.size(), static_cast<int>(timeout.count()));
+    if (size < 0)
+        return {Outcome::Lost};
+    if (size == 0)
+        return {Outcome::Timeout};
+    return {Outcome::Report, static_cast<std::size_t>(size)};
+}
+
+bool HidTransport::write(const protocol::Report& report)
+{
+    return !m_closed &&
+           hid_write(m_writer.get(), report.data(), report.size()) == static_cast<int>(report.size());
+}
+
+} // namespace gripscope

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/protocol/codec.h"
+
+#include "devices/protocol/byte_order.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope::protocol {
+
+namespace {
+
+constexpr std::uint32_t armKey = 0x214D5241; ///< the bytes "ARM!": no slip of a bit arms a gripper
+constexpr std::size_t samplesOffset = 20;
+constexpr std::size_t forcesOffset = 12;
+
+template <typename Enum>
+constexpr bool within(std::uint8_t value, Enum last)
+{
+    return value <= static_cast<std::uint8_t>(last);
+}
+
+Report blank(ReportId id)
+{
+    Report report{};
+    report[0] = static_cast<std::uint8_t>(id);
+    return report;
+}
+
+template <typename... Handlers>
+struct Overloaded : Handlers... {
+    using Handlers::operator()...;
+};
+template <typename... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
+
+void storeBody(Report& report, const CommandBody& body)
+{
+    std::visit(Overloaded{
+                   [&](const ArmCommand&) { store(report, 4, armKey); },
+                   [&](const SetLimitsCommand& limits) {
+                       store(report, 4, limits.maxForce);
+                       store(report, 8, limits.maxTravel);
+                   },
+                   [&](const UploadCommand& upload) {
+                       store(report, 4, upload.excitationNumber);
+                       const std::size_t count = std::min<std::size_t>(upload.count, maxForcesPerUpload);
+                       report[6] = static_cast<std::uint8_t>(count);
+                       store(report, 8, upload.offset);
+                       for (std::size_t i = 0; i < count; ++i)
+                           store(report, forcesOffset + 4 * i, upload.forces[i]);
+                   },
+                   [&](const StartCommand& start) {
+                       store(report, 4, start.excitationNumber);
+                       store(report, 6, start.forcesCrc);
+                       store(report, 8, start.samples);
+                   },
+                   [](const auto&) {},
+               },
+               body);
+}
+
+Decoded<InputMessage> decodeStream(ReportView bytes)
+{
+    StreamReport message;
+    message.status = load<std::uint16_t>(bytes, 2);
+    message.reportSequence = load<std::uint32_t>(bytes, 4);
+    message.firstSample = load<std::uint32_t>(bytes, 8);
+    message.timestamp_us = load<std::uint32_t>(bytes, 12);
+    message.count = bytes[17];
+    message.excitationNumber = load<std::uint16_t>(bytes, 18);
+    if (!within(bytes[16], ExcitationState::Stopped) || message.count > maxSamplesPerReport)
+        return tl::unexpected(DecodeError::BadField);
+    message.excitation = static_cast<ExcitationState>(bytes[16]);
+    for (std::size_t i = 0; i < message.count; ++i) {
+        message.samples[i].force = load<std::int32_t>(bytes, samplesOffset + 8 * i);
+        message.samples[i].position = load<std::int32_t>(bytes, samplesOffset + 8 * i + 4);
+    }
+    return message;
+}
+
+Decoded<InputMessage> decodeAcknowledgement(ReportView bytes)
+{
+    if (!within(bytes[7], CommandResult::UnknownCommand) || !within(bytes[16], ExcitationState::Stopped))
+        return tl::unexpected(DecodeError::BadField);
+    Acknowledgement message;
+    message.status = load<std::uint16_t>(bytes, 2);
+    message.commandNumber = load<std::uint16_t>(bytes, 4);
+    message.command = static_cast<ReportId>(bytes[6]);
+    message.result = static_cast<CommandResult>(bytes[7]);
+    message.detail = load<std::uint32_t>(bytes, 8);
+    message.timestamp_us = load<std::uint32_t>(bytes, 12);
+    message.excitation = static_cast<ExcitationState>(bytes[16]);
+    message.excitationNumber = load<std::uint16_t>(bytes, 18);
+    return message;
+}
+
+Decoded<CommandBody> decodeUpload(ReportView bytes)
+{
+    UploadCommand upload;
+    upload.excitationNumber = load<std::uint16_t>(bytes, 4);
+    upload.count = bytes[6];
+    upload.offset = load<std::uint32_t>(bytes, 8);
+    if (upload.count < 1 || upload.count > maxForcesPerUpload)
+        return tl::unexpected(DecodeError::BadField);
+    for (std::size_t i = 0; i < upload.count; ++i)
+        upload.forces[i] = load<std::int32_t>(bytes, forcesOffset + 4 * i);
+    return upload;
+}
+
+Decoded<CommandBody> decodeBody(ReportView bytes)
+{
+    switch (static_cast<ReportId>(bytes[0])) {
+    case ReportId::Arm:
+        if (load<std::uint32_t>(bytes, 4) != armKey)
+            return tl::unexpected(DecodeError::BadField);
+        return ArmCommand{};
+    case ReportId::Disarm:
+        return DisarmCommand{};
+    case ReportId::Stop:
+        return StopCommand{};
+    case ReportId::Heartbeat:
+        return HeartbeatCommand{};
+    case ReportId::SetLimits:
+        return SetLimitsCommand{load<std::int32_t>(bytes, 4), load<std::int32_t>(bytes, 8)};
+    case ReportId::Upload:
+        return decodeUpload(bytes);
+    case ReportId::Start:
+        return StartCommand{load<std::uint16_t>(bytes, 4), load<std::uint32_t>(bytes, 8),
+                            load<std::uint16_t>(bytes, 6)};
+    default:
+        return tl::unexpected(DecodeError::UnknownReport);
+    }
+}
+
+std::optional<DecodeError> checkFeature(ReportView bytes, ReportId id)
+{
+    if (const auto error = checkReport(bytes))
+        return error;
+    if (bytes[0] != static_cast<std::uint8_t>(id))
+        return DecodeError::UnknownReport;
+    return std::nullopt;
+}
+
+} // namespace
+
+Report encode(const StreamReport& message)
+{
+    Report report = blank(ReportId::Stream);
+    store(report, 2, message.status);
+    store(report, 4, message.reportSequence);
+    store(report, 8, message.firstSample);
+    store(report, 12, message.timestamp_us);
+    report[16] = static_cast<std::uint8_t>(message.excitation);
+    const std::size_t count = std::min<std::size_t>(message.count, maxSamplesPerReport);
+    report[17] = static_cast<std::uint8_t>(count);
+    store(report, 18, message.excitationNumber);
+    for (std::size_t i = 0; i < count; ++i) {
+        store(report, samplesOffset + 8 * i, message.samples[i].force);
+        store(report, samplesOffset + 8 * i + 4, message.samples[i].position);
+    }
+    seal(report);
+    return report;
+}
+
+Report encode(const Acknowledgement& message)
+{
+    Report report = blank(ReportId::Acknowledgement);
+    store(report, 2, message.status);
+    store(report, 4, message.commandNumber);
+    report[6] = static_cast<std::uint8_t>(message.command);
+    report[7] = static_cast<std::uint8_t>(message.result);
+    store(report, 8, message.detail);
+    store(report, 12, message.timestamp_us);
+    report[16] = static_cast<std::uint8_t>(message.excitation);
+    store(report, 18, message.excitationNumber);
+    seal(report);
+    return report;
+}
+
+Report encode(const Command& message)
+{
+    Report report = blank(reportId(message.body));
+    store(report, 2, message.number);
+    storeBody(report, message.body);
+    seal(report);
+    return report;
+}
+
+Report encode(const IdentityFeature& message)
+{
+    Report report = blank(ReportId::Identity);
+    storeText(report, 4, 24, message.serial);
+    storeText(report, 28, 10, message.firmware);
+    storeText(report, 38, 24, message.name);
+    seal(report);
+    return report;
+}
+
+Report encode(const MeasurementFeature& message)
+{
+    Report report = blank(ReportId::Measurement);
+    report[2] = static_cast<std::uint8_t>(message.forceUnit);
+    report[3] = static_cast<std::uint8_t>(message.positionUnit);
+    report[4] = message.hold == ForceHold::First ? 1 : 0;
+    report[5] = message.commandable ? 1 : 0;
+    store(report, 6, message.watchdog_ms);
+    storeDouble(report, 8, message.forcePerCount);
+    storeDouble(report, 16, message.positionPerCount);
+    storeDouble(report, 24, message.sampleTime_s);
+    storeDouble(report, 32, message.forceLag_s);
+    seal(report);
+    return report;
+}
+
+Report encode(const LimitsFeature& message)
+{
+    Report report = blank(ReportId::Limits);
+    store(report, 4, message.maxForce);
+    store(report, 8, message.maxTravel);
+    store(report, 12, message.maxSamples);
+    seal(report);
+    return report;
+}
+
+Decoded<InputMessage> decodeInput(ReportView bytes)
+{
+    if (const auto error = checkReport(bytes))
+        return tl::unexpected(*error);
+    switch (static_cast<ReportId>(bytes[0])) {
+    case ReportId::Stream:
+        return decodeStream(bytes);
+    case ReportId::Acknowledgement:
+        return decodeAcknowledgement(bytes);
+    default:
+        return tl::unexpected(DecodeError::UnknownReport);
+    }
+}
+
+Decoded<Command> decodeCommand(ReportView bytes)
+{
+    if (const auto error = checkReport(bytes))
+        return tl::unexpected(*error);
+    return decodeBody(bytes).map([&](const CommandBody& body) {
+        return Command{load<std::uint16_t>(bytes, 2), body};
+    });
+}
+
+Decoded<IdentityFeature> decodeIdentity(ReportView bytes)
+{
+    if (const auto error = checkFeature(bytes, ReportId::Identity))
+        return tl::unexpected(*error);
+    return IdentityFeature{loadText(bytes, 4, 24), loadText(bytes, 28, 10), loadText(bytes, 38, 24),
+                           static_cast<std::uint8_t>(bytes[1] & 0x0F)};
+}
+
+Decoded<MeasurementFeature> decodeMeasurement(ReportView bytes)
+{
+    if (const auto error = checkFeature(bytes, ReportId::Measurement))
+        return tl::unexpected(*error);
+    MeasurementFeature message;
+    message.watchdog_ms = load<std::uint16_t>(bytes, 6);
+    message.forcePerCount = loadDouble(bytes, 8);
+    message.positionPerCount = loadDouble(bytes, 16);
+    message.sampleTime_s = loadDouble(bytes, 24);
+    message.forceLag_s = loadDouble(bytes, 32);
+    const auto usable = [](double value) { return std::isfinite(value) && value > 0; };
+    if (!within(bytes[2], ForceUnit::Kilonewton) || !within(bytes[3], PositionUnit::Micrometre) ||
+        bytes[4] > 1 || bytes[5] > 1 || !usable(message.forcePerCount) || !usable(message.positionPerCount) ||
+        !usable(message.sampleTime_s) || !std::isfinite(message.forceLag_s))
+        return tl::unexpected(DecodeError::BadField);
+    message.forceUnit = static_cast<ForceUnit>(bytes[2]);
+    message.positionUnit = static_cast<PositionUnit>(bytes[3]);
+    message.hold = bytes[4] == 1 ? ForceHold::First : ForceHold::Zero;
+    message.commandable = bytes[5] == 1;
+    return message;
+}
+
+Decoded<LimitsFeature> decodeLimits(ReportView bytes)
+{
+    if (const auto error = checkFeature(bytes, ReportId::Limits))
+        return tl::unexpected(*error);
+    LimitsFeature message{load<std::int32_t>(bytes, 4), load<std::int32_t>(bytes, 8),
+                          load<std::uint32_t>(bytes, 12)};
+    if (message.maxForce < 0 || message.maxTravel < 0)
+        return tl::unexpected(DecodeError::BadField);
+    return message;
+}
+
+ReportId reportId(const CommandBody& body)
+{
+    constexpr std::array ids{ReportId::Arm,       ReportId::Disarm, ReportId::Stop, ReportId::Heartbeat,
+                             ReportId::SetLimits, ReportId::Upload, ReportId::Start};
+    static_assert(ids.size() == std::variant_size_v<CommandBody>);
+    return ids[body.index()];
+}
+
+std::uint16_t forcesCrc(const std::vector<std::int32_t>& forces)
+{
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(4 * forces.size());
+    for (const std::int32_t force : forces)
+        for (int shift = 0; shift < 32; shift += 8)
+            bytes.push_back(static_cast<std::uint8_t>(static_cast<std::uint32_t>(force) >> shift));
+    return crc16(bytes);
+}
+
+const char* describe(CommandResult result)
+{
+    switch (result) {
+    case CommandResult::Done:
+        return "done";
+    case CommandResult::Repeated:
+        return "it was done before";
+    case CommandResult::NotArmed:
+        return "it is not armed";
+    case CommandResult::Busy:
+        return "a squeeze is running";
+    case CommandResult::LimitExceeded:
+        return "a value is above a limit";
+    case CommandResult::BadValue:
+        return "a value is outside its range";
+    case CommandResult::Incomplete:
+        return "a part of the force signal is missing";
+    case CommandResult::ChecksumDiffers:
+        return "the force signal arrived damaged";
+    case CommandResult::Spent:
+        return "this squeeze was started before";
+    case CommandResult::UnknownCommand:
+        return "it does not know this command";
+    }
+    return "unknown";
+}
+
+const char* describe(DecodeError error)
+{
+    switch (error) {
+    case DecodeError::Length:
+        return "the report is not 64 bytes long";
+    case DecodeError::Crc:
+        return "the checksum differs";
+    case DecodeError::Version:
+        return "the protocol version is not 1";
+    case DecodeError::UnknownReport:
+        return "the report is of an unknown kind";
+    case DecodeError::BadField:
+        return "a field is outside its range";
+    }
+    return "unknown";
+}
+
+} // namespace gripscope::protocol

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/replay/replay_port.h"
+
+#include "core/signal/recording_csv.h"
+
+#include <QFileInfo>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+GripperIdentity identityOf(const Recording& recording, const QString& address, const QString& file)
+{
+    GripperIdentity identity;
+    identity.address = address;
+    identity.serial = recording.provenance.value(u"serial"_qs);
+    identity.name = u"Replay of %1"_qs.arg(QFileInfo(file).fileName());
+    identity.firmware = recording.provenance.value(u"firmware"_qs);
+    identity.forceUnit = recording.forceUnit;
+    identity.positionUnit = recording.positionUnit;
+    identity.sampleTime_s = recording.sampleTime_s;
+    identity.hold = recording.hold.value_or(ForceHold::First); // as wherever a recording does not say
+    identity.forceLag_s = recording.forceLag_s;
+    return identity;
+}
+
+} // namespace
+
+ReplayPort::ReplayPort(QString address, QString file) : m_address(std::move(address)), m_file(std::move(file))
+{
+}
+
+ReplayPort::~ReplayPort() = default;
+
+void ReplayPort::open()
+{
+    close();
+    m_error.reset();
+    m_recording = {};
+    m_next = m_nextGap = 0;
+    m_counters = {};
+    m_state = LinkState::Opening;
+    m_reading = std::async(std::launch::async, [file = m_file] { return readRecordingCsv(file); });
+}
+
+void ReplayPort::close()
+{
+    m_reading = {}; // waits for a file that is still being read
+    m_state = LinkState::Closed;
+}
+
+void ReplayPort::takeOver() const
+{
+    if (m_state != LinkState::Opening ||
+        m_reading.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        return;
+    Expected<Recording> recording = m_reading.get();
+    if (!recording || recording->size() == 0) {
+        m_error = recording
+                      ? Error{ErrorCode::BadInput, {m_file, u"no samples"_qs, u"expected at least one"_qs}}
+                      : recording.error();
+        m_state = LinkState::Lost;
+        return;
+    }
+    m_recording = std::move(*recording);
+    m_gaps = findGaps(m_recording);
+    m_identity = identityOf(m_recording, m_address, m_file);
+    m_started = Clock::now();
+    m_state = LinkState::Ready;
+}
+
+LinkState ReplayPort::state() const
+{
+    takeOver();
+    return m_state;
+}
+
+std::optional<Error> ReplayPort::lastError() const
+{
+    takeOver();
+    return m_error;
+}
+
+GripperIdentity ReplayPort::identity() const
+{
+    takeOver();
+    return m_identity;
+}
+
+LinkCounters ReplayPort::counters() const
+{
+    return m_counters;
+}
+
+std::size_t ReplayPort::drain(std::vector<Sample>& samples, std::size_t most)
+{
+    takeOver();
+    if (m_state != LinkState::Ready)
+        return 0;
+    const double played_s = std::chrono::duration<double>(Clock::now() - m_started).count();
+    std::size_t count = 0;
+    for (; count < most && m_next < m_recording.size(); ++count, ++m_next) {
+        if (m_recording.time_s[m_next] - m_recording.time_s.front() > played_s)
+            break;
+        if (m_nextGap < m_gaps.size() && m_gaps[m_nextGap].before == m_next)
+            m_counters.lostSamples += static_cast<std::uint64_t>(m_gaps[m_nextGap++].lostSamples);
+        // Without numbers of its own a recording gets some that jump where its time does.
+        samples.push_back(
+            {m_recording.sequence.empty() ? m_next + m_counters.lostSamples : m_recording.sequence[m_next],
+             m_recording.time_s[m_next], m_recording.force[m_next], m_recording.position[m_next],
+             m_recording.status.empty() ? std::uint16_t(0) : m_recording.status[m_next]});
+    }
+    m_counters.samples += count;
+    if (m_next == m_recording.size()) {
+        m_state = LinkState::Closed;
+        m_error = Error{ErrorCode::NotFound,
+                        {u"further sample at %1: it was replayed to its end"_qs.arg(m_address)}};
+    }
+    return count;
+}
+
+} // namespace gripscope

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/error.h"
+#include "devices/protocol/report.h"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+
+namespace gripscope {
+
+/// Moves whole reports to and from a gripper; knows nothing of what they mean.
+///
+/// open(), then feature(), come first and from one thread; then read() from one thread and write() from
+/// another at the same time. close() comes from any thread, makes a waiting read() return soon, and is final.
+class Transport {
+public:
+    enum class Outcome {
+        Report,  ///< a report of `size` bytes
+        Timeout, ///< nothing came in time
+        Lost,    ///< the device went away
+        Ended,   ///< a replay is through
+    };
+    struct ReadResult {
+        Outcome outcome = Outcome::Timeout;
+        std::size_t size = 0;
+    };
+    using Buffer =
+        std::array<std::uint8_t, 2 * protocol::reportSize>; ///< longer than a report, to notice long ones
+
+    virtual ~Transport() = default;
+
+    /// DeviceNotFound, DeviceAmbiguous, DevicePermission, FileUnreadable, BadInput. May take seconds.
+    [[nodiscard]] virtual Expected<void> open() = 0;
+    /// A feature report. May take seconds (a device that does not answer blocks for 5 s). DeviceLost,
+    /// DeviceTimeout.
+    [[nodiscard]] virtual Expected<protocol::Report> feature(protocol::ReportId id) = 0;
+    [[nodiscard]] virtual ReadResult read(Buffer& buffer, std::chrono::milliseconds timeout) = 0;
+    /// False: not taken; the device is gone or does not take reports now.
+    [[nodiscard]] virtual bool write(const protocol::Report& report) = 0;
+    virtual void close() noexcept = 0;
+
+    /// Reports come all the time, so that a second of silence means that something is wrong.
+    [[nodiscard]] virtual bool streamsAlways() const { return true; }
+    /// Commands can be written.
+    [[nodiscard]] virtual bool takesCommands() const { return true; }
+};
+
+using TransportMaker = std::function<std::shared_ptr<Transport>()>;
+
+} // namespace gripscope

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/discretization.h"
+#include "devices/protocol/codec.h"
+#include "devices/virtual/random_stream.h"
+#include "devices/virtual/virtual_object.h"
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+namespace gripscope {
+
+struct VirtualFirmwareOptions {
+    VirtualObject object;
+    QString objectName;
+    std::uint64_t seed = 1;
+    /// 5 um beside steps of 20 um (5.8 um as a standard deviation) is what a mid-range encoder on a finger
+    /// gives.
+    double positionNoise_m = 5e-6;
+    /// 0.2 % of the 10 N swing of the usual excitation. The force channel reports what is commanded plus
+    /// this, so it is an error in the input; at 0.02 N it adds under 0.5 um to a position noise of 7.6 um,
+    /// and its bias on m, b and k (noise to signal power, 4e-6) is far below their standard errors.
+    double forceNoise_N = 0.02;
+    std::optional<double> saturateForce_N; ///< the force channel ends there
+    bool sensorStuck = false;              ///< the position channel stays where it was
+    bool millimetres = false;              ///< states positions in mm instead of m
+    bool hasWatchdog = true;               ///< off where time does not run by itself
+};
+
+/// A gripper without hardware: what its firmware would do, sample for sample, in the bytes of
+/// devices/PROTOCOL.md.
+///
+/// The object is m x'' + b x' + k x = F from rest at the contact point, stepped exactly for a force that is
+/// held between samples. Each start takes up another object (VirtualObject::draw) and restarts the noise from
+/// (seed, number of the squeeze), so the n-th squeeze does not depend on what was before it. The grip pushes
+/// only: no force below zero is taken. No thread, no clock: who owns it says when a sample is due.
+class VirtualFirmware {
+public:
+    static constexpr double sampleTime_s = 0.0005;
+    static constexpr double forcePerCount_N = 0.001;
+    static constexpr double positionPerCount_m = 20e-6; ///< the step of its encoder
+    static constexpr double maxForce_N = 100;
+    static constexpr double maxTravel_m = 0.025;
+    static constexpr std::uint32_t maxSamples = 32768;
+    /// At rest before and after an excitation, 50 and 60 ms: enough to keep 20 ms of it though reports get
+    /// lost.
+    static constexpr std::uint32_t restBeforeSamples = 100;
+    static constexpr std::uint32_t restAfterSamples = 120;
+    static constexpr std::uint64_t watchdog_us = 100000;
+
+    explicit VirtualFirmware(VirtualFirmwareOptions options);
+
+    [[nodiscard]] std::optional<protocol::Report> feature(std::uint8_t reportId) const;
+    /// One output report; `now_us` is the time by which the watchdog counts. Damaged ones get no answer.
+    void receive(protocol::ReportView bytes, std::uint64_t now_us);
+    /// Takes one sample; `now_us` as above.
+    void sample(std::uint64_t now_us);
+    /// Reports ready to be sent, oldest first; the caller takes them out.
+    [[nodiscard]] std::deque<protocol::Report>& outbox() { return m_outbox; }
+
+    /// An excitation is under way, the rest before and behind it included.
+    [[nodiscard]] bool busy() const { return m_phase != Phase::Idle; }
+    [[nodiscard]] bool settling() const { return m_phase == Phase::RestAfter; }
+    [[nodiscard]] std::uint64_t samplesTaken() const { return m_sampleCount; }
+    [[nodiscard]] std::uint64_t squeezesStarted() const { return m_squeezes; }
+
+private:
+    enum class Phase { Idle, RestBefore, Moving, RestAfter };
+    struct Reading {
+        protocol::RawSample raw;
+        std::uint16_t status = 0;
+    };
+    struct Answer {
+        protocol::CommandResult result = protocol::CommandResult::Done;
+        std::uint32_t detail = 0;
+    };
+
+    Answer execute(const protocol::CommandBody& body);
+    Answer arm();
+    Answer disarm();
+    Answer setLimits(const protocol::SetLimitsCommand& limits);
+    Answer upload(const protocol::UploadCommand& upload);
+    Answer start(const protocol::StartCommand& start);
+    Answer refuseForces(const std::int32_t* forces, std::size_t count, std::uint32_t firstIndex) const;
+    void acknowledge(std::uint16_t number, protocol::ReportId command, Answer answer);
+    void halt(std::uint16_t cause); ///< force off, disarmed, cause shown until the next Arm
+    void beginSqueeze();
+    double nextForce(); ///< what is applied from this sample to the next, N
+    void advancePhase();
+    [[nodiscard]] Reading read(double force_N);
+    void put(const Reading& reading);
+    void flush();
+    [[nodiscard]] std::uint32_t timestamp_us(std::uint64_t sample) const;
+
+    VirtualFirmwareOptions m_options;
+    std::deque<protocol::Report> m_outbox;
+    protocol::StreamReport m_pending;
+    std::uint32_t m_reportSequence = 0;
+    std::uint64_t m_sampleCount = 0;
+
+    bool m_armed = false;
+    std::uint16_t m_latched = 0; ///< status bits that stay until the next Arm
+    std::uint64_t m_heartbeat_us = 0;
+    std::int32_t m_maxForce, m_maxTravel; ///< counts
+
+    std::vector<std::int32_t> m_forces;
+    std::vector<bool> m_uploaded;
+    std::uint32_t m_uploadedEnd = 0; ///< one past the highest index uploaded
+    protocol::ExcitationState m_excitation = protocol::ExcitationState::None;
+    std::uint16_t m_excitationNumber = 0;
+    std::uint16_t m_lastStarted = 0;
+
+    Phase m_phase = Phase::Idle;
+    std::uint32_t m_phaseIndex = 0;
+    std::uint32_t m_length = 0;
+    std::uint64_t m_squeezes = 0;
+    Discretization m_step;
+    Eigen::Vector2d m_state = Eigen::Vector2d::Zero(); ///< position from the contact point and speed, SI
+    RandomStream m_noise;
+    std::optional<std::int32_t> m_stuckPosition;
+};
+
+} // namespace gripscope

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/error.h"
+#include "core/identification/estimate.h"
+
+#include <Eigen/Core>
+#include <QString>
+
+#include <cstdint>
+
+namespace gripscope {
+
+/// What the virtual gripper holds: a kind of object whose m, b and k differ from squeeze to squeeze.
+///
+/// log(m, b, k) is normal. For the paper's cans "A" to "D" its mean and covariance are those of the
+/// logarithms of the type's ten rows in the appendix, taken to SI (paperSqueezesInSi): about 4 % in each. For
+/// an object given as "m,b,k" the mean is what is given, and the covariance is the mean of the four types'
+/// covariances. The appendix's scatter is made-up (see the manual); here it only serves as a plausible one.
+class VirtualObject {
+public:
+    /// "A" to "D", or three numbers with commas between: m in kg (1e-6 to 1e3), b in N s/m (0 to 1e6), k in
+    /// N/m (1 to 1e9). Usage otherwise.
+    [[nodiscard]] static Expected<VirtualObject> fromText(const QString& text);
+
+    /// The object in the hand at squeeze number `squeeze`, counted from 0: a function of the two numbers
+    /// alone.
+    [[nodiscard]] MassDampingStiffness draw(std::uint64_t seed, std::uint64_t squeeze) const;
+
+    /// exp of the mean of the logarithms (the given numbers themselves for "m,b,k").
+    [[nodiscard]] const MassDampingStiffness& centre() const { return m_centre; }
+
+private:
+    MassDampingStiffness m_centre;
+    Eigen::Matrix3d m_scatter =
+        Eigen::Matrix3d::Zero(); ///< symmetric square root of the covariance of the logs
+};
+
+} // namespace gripscope

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "devices/device_address.h"
+#include "devices/transport.h"
+#include "devices/virtual/fault_injector.h"
+#include "devices/virtual/virtual_firmware.h"
+
+#include <condition_variable>
+#include <mutex>
+
+namespace gripscope {
+
+/// The virtual gripper behind the wire: firmware, time and faults.
+///
+/// At a speed above 0 the device's time is the computer's times the speed, and samples come all the time; the
+/// watchdog counts the computer's time. At speed 0 time passes only while a squeeze runs (with the rest
+/// before and after it), and only as reports are asked for: nothing is ever too late, and the same seed gives
+/// the same samples, numbers and times on every run. There is no watchdog at speed 0, since there is no time
+/// for it.
+class VirtualTransport : public Transport {
+public:
+    [[nodiscard]] static Expected<std::shared_ptr<VirtualTransport>> make(const VirtualAddress& address);
+    VirtualTransport(const VirtualAddress& address, VirtualFirmwareOptions options);
+
+    Expected<void> open() override;
+    Expected<protocol::Report> feature(protocol::ReportId id) override;
+    ReadResult read(Buffer& buffer, std::chrono::milliseconds timeout) override;
+    bool write(const protocol::Report& report) override;
+    void close() noexcept override;
+    [[nodiscard]] bool streamsAlways() const override { return m_address.speed > 0; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    [[nodiscard]] bool realTime() const { return m_address.speed > 0; }
+    [[nodiscard]] std::uint64_t hostTime_us() const;
+    void advance(); ///< to now, or at speed 0 until a report is there or the squeeze is over
+    void takeSample(std::uint64_t now_us);
+    void deliver(); ///< from the firmware onto the wire, through the faults
+    [[nodiscard]] bool past(const std::optional<double>& device_s) const;
+    [[nodiscard]] bool unplugged() const { return past(m_address.faults.unplugAfter_s); }
+
+    const VirtualAddress m_address;
+    std::mutex m_mutex; ///< guards all below
+    std::condition_variable m_wake;
+    VirtualFirmware m_firmware;
+    FaultInjector m_faults;
+    std::uint64_t m_squeezesSeen = 0;
+    std::deque<protocol::Report> m_wire;
+    Clock::time_point m_start;
+    bool m_open = false;
+    bool m_closed = false;
+};
+
+} // namespace gripscope

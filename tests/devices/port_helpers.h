@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/safety_gate.h"
+#include "core/signal/excitation.h"
+#include "devices/gripper_factory.h"
+
+#include <QString>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace gripscope::test {
+
+/// Far longer than anything awaited here takes, so that a busy computer does not fail a test; a program that
+/// hangs still does.
+inline constexpr std::chrono::seconds patience{30};
+
+/// Waits until `condition` holds, looking often; false when it never does.
+inline bool waitFor(const std::function<bool()>& condition, std::chrono::milliseconds atMost = patience)
+{
+    const auto deadline = std::chrono::steady_clock::now() + atMost;
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > deadline)
+            return false;
+        std::this_thread::sleep_for(std::chrono::microseconds(500));
+    }
+    return true;
+}
+
+inline bool waitForState(GripperPort& port, LinkState state)
+{
+    return waitFor([&] { return port.state() == state; });
+}
+
+/// Bias and PRBS as a recipe has them, `samples` long.
+inline std::vector<double> usualForce(std::size_t samples = 2000)
+{
+    ExcitationOptions options;
+    options.samples = samples;
+    return makeExcitation(options).value();
+}
+
+/// A port, opened, with a gate before it.
+struct OpenPort {
+    explicit OpenPort(std::unique_ptr<GripperPort> made) : port(std::move(made)), gate(*port)
+    {
+        port->open();
+    }
+    explicit OpenPort(const QString& address) : OpenPort(DeviceFactory().create(address).value()) {}
+
+    /// Drains, tells the port that it is alive, and looks at `condition`, until it holds.
+    bool pollUntil(const std::function<bool()>& condition)
+    {
+        return waitFor([&] {
+            port->confirmAlive();
+            const bool holds = condition(); // before draining: what it saw has been drained then
+            port->drain(samples);
+            return holds;
+        });
+    }
+    bool ready()
+    {
+        return pollUntil([&] { return port->state() == LinkState::Ready; });
+    }
+    bool arm()
+    {
+        return gate.arm(QStringLiteral("tester")).has_value() &&
+               pollUntil([&] { return port->state() == LinkState::Armed; });
+    }
+    bool squeezeEnded() const
+    {
+        const SqueezeState state = port->squeezeState();
+        return state == SqueezeState::Finished || state == SqueezeState::Stopped ||
+               state == SqueezeState::Refused;
+    }
+    /// Opens, arms, squeezes to the end; the state the squeeze ended in.
+    SqueezeState squeeze(const std::vector<double>& force_N)
+    {
+        if (port->state() != LinkState::Armed && !(ready() && arm()))
+            return SqueezeState::Idle;
+        if (!gate.start(force_N) || !pollUntil([&] { return squeezeEnded(); }))
+            return SqueezeState::Idle;
+        return port->squeezeState();
+    }
+
+    std::unique_ptr<GripperPort> port;
+    SafetyGate gate;
+    std::vector<Sample> samples; ///< all that was drained
+};
+
+/// The samples taken while the excitation ran.
+inline std::vector<Sample> moving(const std::vector<Sample>& samples)
+{
+    std::vector<Sample> out;
+    for (const Sample& sample : samples)
+        if (sample.status & StatusMoving)
+            out.push_back(sample);
+    return out;
+}
+
+} // namespace gripscope::test
