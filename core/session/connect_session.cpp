@@ -23,6 +23,7 @@ struct ConnectSession::Private {
     std::map<int, SampleListener> listeners;
     int nextHandle = 1;
     std::vector<Sample> batch;
+    bool ended = false;
 
     void drain();
     void follow(LinkState link);
@@ -68,6 +69,10 @@ void ConnectSession::Private::follow(LinkState link)
         return;
     case LinkState::Closed:
     case LinkState::Closing:
+        error = lossReason();
+        ended = true;
+        state = State::Disconnected;
+        return;
     case LinkState::Lost:
         error = lossReason();
         state = State::Lost;
@@ -111,18 +116,20 @@ void ConnectSession::disconnect()
     }
     d->gate.reset();
     d->port.reset();
+    d->ended = false;
     d->state = State::Disconnected;
 }
 
 void ConnectSession::poll()
 {
-    if (!d->port || d->state == State::Lost)
+    if (d->state != State::Connecting && d->state != State::Connected)
         return;
     d->port->confirmAlive();
-    // The state first, the samples after it: what arrived before a loss is then handed on before the loss is
-    // told.
+    // The state first, the samples after it: what arrived before a loss is handed on before the loss is told.
     const LinkState link = d->port->state();
-    d->drain();
+    // The first samples wait until the owner has seen that it is connected, and could ask for them.
+    if (d->state == State::Connected)
+        d->drain();
     if (d->port)
         d->follow(link);
 }
@@ -130,6 +137,11 @@ void ConnectSession::poll()
 ConnectSession::State ConnectSession::state() const
 {
     return d->state;
+}
+
+bool ConnectSession::streamEnded() const
+{
+    return d->ended;
 }
 
 std::optional<Error> ConnectSession::lastError() const

@@ -32,6 +32,8 @@ public:
     void poll();
 
     [[nodiscard]] State state() const;
+    /// Disconnected because the stream came to its orderly end (a replay), not by disconnect().
+    [[nodiscard]] bool streamEnded() const;
     [[nodiscard]] std::optional<Error> lastError() const;
     [[nodiscard]] QString address() const;
     [[nodiscard]] GripperIdentity

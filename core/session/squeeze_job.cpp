@@ -255,8 +255,8 @@ void SqueezeJob::poll()
     if (!d->running())
         return;
     if (d->connection.state() != ConnectSession::State::Connected) {
-        // What was heard until the end of a stream is complete when there is enough of it.
-        if (d->listening && d->recorder.complete())
+        // All that a replay had to say is what there was to hear.
+        if (d->listening && d->connection.streamEnded() && d->recorder.size() > 0)
             return d->end(State::Done);
         return d->fail(d->connection.lastError().value_or(
             Error{ErrorCode::DeviceLost, {d->connection.address(), u"it was disconnected"_qs}}));

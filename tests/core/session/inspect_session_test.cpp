@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/enrollment_storage.h"
+#include "core/session/inspect_session.h"
+#include "tests/core/session/session_driver.h"
+#include "tests/core/session/session_recordings.h"
+#include "tests/support/test_registry.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace gripscope;
+using namespace gripscope::test;
+using State = InspectSession::State;
+
+class InspectSessionTest : public QObject {
+    Q_OBJECT
+private:
+    struct Run {
+        explicit Run(const QString& file) : library(file), inspection(connection.session, library) {}
+        ArmedConnection connection;
+        LibraryService library;
+        InspectSession inspection;
+
+        bool until(const std::function<bool()>& done)
+        {
+            return pollUntil(
+                [this] {
+                    connection.session.poll();
+                    inspection.poll();
+                },
+                done);
+        }
+        bool ready()
+        {
+            return until([this] { return inspection.state() == State::Ready && !inspection.storing(); });
+        }
+    };
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_file;
+
+    /// Types A and C with five squeezes each, enrolled without a session.
+    static void enrol(const QString& file)
+    {
+        std::unique_ptr<Library> library = std::move(*Library::open(file));
+        const std::pair<QString, MassDampingStiffness> types[] = {{QStringLiteral("A"), canA},
+                                                                  {QStringLiteral("C"), canC}};
+        for (const auto& type : types) {
+            for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+                const Recording recording = scatteredSqueezeOf(type.second, seed);
+                const NewGrasp grasp =
+                    makeGrasp(recording, identify(recording), QStringLiteral("file.csv"), {});
+                QVERIFY(storeSqueeze(*library, type.first, {}, grasp));
+            }
+        }
+    }
+
+private slots:
+    void initTestCase()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        enrol(m_folder->filePath(QStringLiteral("enrolled.db")));
+    }
+    void init()
+    {
+        static int run = 0;
+        m_file = m_folder->filePath(QStringLiteral("run-%1.db").arg(++run));
+        QVERIFY(QFile::copy(m_folder->filePath(QStringLiteral("enrolled.db")), m_file));
+    }
+    void outcomesNeverShareAWord()
+    {
+        const QString a = QStringLiteral("A"), c = QStringLiteral("C");
+        QVERIFY(inspectionOutcome(VerdictKind::Type, a, a) == InspectionOutcome::AsExpected);
+        QVERIFY(inspectionOutcome(VerdictKind::Type, a, {}) == InspectionOutcome::AsExpected);
+        QVERIFY(inspectionOutcome(VerdictKind::Type, a, c) == InspectionOutcome::OtherType);
+        QVERIFY(inspectionOutcome(VerdictKind::Unknown, {}, a) == InspectionOutcome::Unknown);
+        QVERIFY(inspectionOutcome(VerdictKind::Inconclusive, {}, a) == InspectionOutcome::Inconclusive);
+        QVERIFY(inspectionOutcome(VerdictKind::Invalid, {}, a) == InspectionOutcome::NotValid);
+        const QSet<QString> words{
+            toString(InspectionOutcome::AsExpected), toString(InspectionOutcome::OtherType),
+            toString(InspectionOutcome::Unknown), toString(InspectionOutcome::Inconclusive),
+            toString(InspectionOutcome::NotValid)};
+        QCOMPARE(words.size(), 5);
+    }
+    void aSqueezeOfTheGripperGetsItsVerdictAndANumber()
+    {
+        Run run(m_file);
+        QCOMPARE(run.inspection.state(), State::Loading);
+        QVERIFY(!run.inspection.squeeze()); // not before the library is read
+        QVERIFY(run.connection.open());
+        QVERIFY(run.ready());
+        QCOMPARE(run.inspection.types().size(), std::size_t(2));
+        run.inspection.setOperator(QStringLiteral("Ada"));
+        run.inspection.setExpectedType(QStringLiteral("A"));
+        QVERIFY(run.inspection.squeeze());
+        QCOMPARE(run.inspection.state(), State::Squeezing);
+        QVERIFY(run.ready());
+        QVERIFY(!run.inspection.lastError());
+        const InspectSession::Result& result = *run.inspection.result();
+        QVERIFY(result.verdict.kind == VerdictKind::Type);
+        QCOMPARE(result.verdict.type, QStringLiteral("A"));
+        QVERIFY(result.outcome == InspectionOutcome::AsExpected);
+        QCOMPARE(result.number, qint64(1));
+        QCOMPARE(run.inspection.counts().total, qint64(1));
+        QCOMPARE(run.inspection.counts().asExpected, qint64(1));
+        const auto stored =
+            run.library.run<std::vector<InspectionRecord>>([](Library& l) { return l.inspections({}); })
+                .get();
+        QCOMPARE(stored->at(0).type, QStringLiteral("A"));
+        QCOMPARE(stored->at(0).operatorName, QStringLiteral("Ada"));
+    }
+    void whatAnInspectionSays_data()
+    {
+        QTest::addColumn<int>("which");
+        QTest::addColumn<QString>("expected");
+        QTest::addColumn<QString>("outcome");
+        QTest::newRow("as expected") << 0 << QStringLiteral("A") << QStringLiteral("as_expected");
+        QTest::newRow("another type") << 1 << QStringLiteral("A") << QStringLiteral("other_type");
+        QTest::newRow("nothing expected") << 1 << QString() << QStringLiteral("as_expected");
+        QTest::newRow("a stranger") << 2 << QStringLiteral("A") << QStringLiteral("unknown");
+        QTest::newRow("no measurement") << 3 << QStringLiteral("A") << QStringLiteral("not_valid");
+    }
+    void whatAnInspectionSays()
+    {
+        QFETCH(int, which);
+        QFETCH(QString, expected);
+        QFETCH(QString, outcome);
+        Run run(m_file);
+        QVERIFY(run.ready());
+        run.inspection.setExpectedType(expected);
+        const Recording recording = which == 0   ? squeezeOf(canA, 77)
+                                    : which == 1 ? squeezeOf(canC, 78)
+                                    : which == 2 ? squeezeOf(strangeCan, 79)
+                                                 : constantForce();
+        QVERIFY(run.inspection.judgeRecording(recording, QStringLiteral("file.csv")));
+        QVERIFY(run.ready());
+        QVERIFY(!run.inspection.lastError());
+        QCOMPARE(toString(run.inspection.result()->outcome), outcome);
+        QCOMPARE(run.inspection.result()->number, qint64(1)); // an invalid one is kept, too
+        QCOMPARE(run.inspection.result()->expectedType, expected);
+    }
+    void theOldVerdictIsGoneAsSoonAsANewPartIsMeasured()
+    {
+        Run run(m_file);
+        QVERIFY(run.ready());
+        QVERIFY(run.inspection.judgeRecording(squeezeOf(canA, 1), QStringLiteral("1.csv")));
+        QVERIFY(run.ready());
+        QVERIFY(run.inspection.result());
+        QVERIFY(run.inspection.judgeRecording(squeezeOf(canA, 2), QStringLiteral("2.csv")));
+        QVERIFY(!run.inspection.result());
+        QVERIFY(run.ready());
+        QCOMPARE(run.inspection.result()->number, qint64(2));
+        QCOMPARE(run.inspection.counts().total, qint64(2));
+    }
+    void otherUnitsOfTheSameKindAreConverted()
+    {
+        Run run(m_file);
+        QVERIFY(run.ready());
+        Recording recording = squeezeOf(canA, 3);
+        recording.forceUnit = QStringLiteral("mN");
+        recording.positionUnit = QStringLiteral("mm");
+        for (double& force : recording.force)
+            force *= 1000;
+        for (double& position : recording.position)
+            position *= 1000;
+        QVERIFY(run.inspection.judgeRecording(recording, QStringLiteral("mm.csv")));
+        QVERIFY(run.ready());
+        QCOMPARE(run.inspection.result()->verdict.type, QStringLiteral("A"));
+    }
+    void unitsThatCannotBeComparedGiveNoVerdict()
+    {
+        Run run(m_file);
+        QVERIFY(run.ready());
+        Recording recording = squeezeOf(canA, 3);
+        recording.forceUnit = recording.positionUnit = QStringLiteral("1");
+        QVERIFY(run.inspection.judgeRecording(recording, QStringLiteral("printed.csv")));
+        QVERIFY(run.ready());
+        QCOMPARE(run.inspection.lastError()->code, ErrorCode::UnitsDiffer);
+        QVERIFY(!run.inspection.result());
+        QCOMPARE(run.inspection.counts().total, qint64(0));
+    }
+    void withoutStoringTheLibraryStaysAsItIs()
+    {
+        Run run(m_file);
+        QVERIFY(run.ready());
+        run.inspection.setStoring(false);
+        QVERIFY(run.inspection.judgeRecording(squeezeOf(canA, 1), QStringLiteral("1.csv")));
+        QVERIFY(run.ready());
+        QCOMPARE(run.inspection.result()->number, qint64(0));
+        const auto counts =
+            run.library.run<InspectionCounts>([](Library& l) { return l.inspectionCounts(); }).get();
+        QCOMPARE(counts->total, qint64(0));
+    }
+    void aLostGripperGivesNoVerdict()
+    {
+        Run run(m_file);
+        QVERIFY(run.connection.open());
+        QVERIFY(run.ready());
+        run.connection.gripper().lostAfterSamples = 300;
+        QVERIFY(run.inspection.squeeze());
+        QVERIFY(run.ready());
+        QCOMPARE(run.inspection.lastError()->code, ErrorCode::DeviceLost);
+        QVERIFY(!run.inspection.result());
+    }
+    void cancellingStopsTheGripperAndIsReadyAgain()
+    {
+        Run run(m_file);
+        QVERIFY(run.connection.open());
+        QVERIFY(run.ready());
+        run.connection.gripper().neverStarts = true;
+        QVERIFY(run.inspection.squeeze());
+        run.inspection.poll();
+        run.inspection.cancel();
+        QCOMPARE(run.inspection.state(), State::Ready);
+        QCOMPARE(run.connection.gripper().stops.load(), 1);
+        QCOMPARE(run.inspection.lastError()->code, ErrorCode::Cancelled);
+    }
+    void aLibraryThatCannotBeReadIsAnErrorUntilItCan()
+    {
+        const QString folder = m_folder->filePath(QStringLiteral("later"));
+        Run run(folder + QStringLiteral("/library.db"));
+        QVERIFY(run.until([&] { return run.inspection.lastError().has_value(); }));
+        QCOMPARE(run.inspection.state(), State::Loading);
+        QCOMPARE(run.inspection.lastError()->code, ErrorCode::StorageOpen);
+        QVERIFY(QDir().mkpath(folder));
+        run.inspection.reload();
+        QVERIFY(run.ready());
+        QVERIFY(!run.inspection.lastError());
+    }
+    void reloadingSeesWhatWasEnrolledMeanwhile()
+    {
+        Run run(m_file);
+        QVERIFY(run.ready());
+        const Recording recording = squeezeOf(strangeCan, 1);
+        const NewGrasp grasp = makeGrasp(recording, identify(recording), QStringLiteral("file.csv"), {});
+        QVERIFY(run.library
+                    .run<StoredSqueeze>(
+                        [grasp](Library& l) { return storeSqueeze(l, QStringLiteral("new"), {}, grasp); })
+                    .get());
+        run.inspection.reload();
+        QVERIFY(run.ready());
+        QCOMPARE(run.inspection.types().size(), std::size_t(3));
+        QVERIFY(run.inspection.models().find(QStringLiteral("new")));
+    }
+    void theExpectedTypesRecipeIsUsed()
+    {
+        Recipe recipe;
+        recipe.seconds = 0.4;
+        {
+            std::unique_ptr<Library> library = std::move(*Library::open(m_file));
+            const Recording recording = squeezeOf(strangeCan, 1);
+            QVERIFY(storeSqueeze(*library, QStringLiteral("short"), recipe,
+                                 makeGrasp(recording, identify(recording), QStringLiteral("file.csv"), {})));
+        }
+        Run run(m_file);
+        QVERIFY(run.connection.open());
+        QVERIFY(run.ready());
+        run.inspection.setExpectedType(QStringLiteral("short"));
+        QVERIFY(run.inspection.squeeze());
+        QCOMPARE(run.connection.gripper().commanded_N.size(), std::size_t(800));
+        QVERIFY(run.ready());
+    }
+    void goingAwayWhileWorkRunsDoesNoHarm()
+    {
+        {
+            Run run(m_file);
+        } // loading
+        {
+            Run run(m_file);
+            QVERIFY(run.ready());
+            QVERIFY(run.inspection.judgeRecording(squeezeOf(canA, 1), QStringLiteral("1.csv")));
+        } // judging
+        {
+            Run run(m_file);
+            QVERIFY(run.ready());
+            QVERIFY(run.inspection.judgeRecording(squeezeOf(canA, 1), QStringLiteral("1.csv")));
+            QVERIFY(run.until([&] { return run.inspection.result().has_value(); }));
+        } // storing
+        Run run(m_file);
+        QVERIFY(run.ready());
+        QCOMPARE(run.inspection.counts().total, qint64(1));
+    }
+};
+
+GRIPSCOPE_TEST(InspectSessionTest)
+#include "inspect_session_test.moc"

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/connect_session.h"
+#include "tests/core/session/fake_gripper.h"
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+namespace gripscope::test {
+
+/// Polls until `done`, as the owner of a session does; false when it takes longer than any of this should.
+inline bool pollUntil(const std::function<void()>& poll, const std::function<bool()>& done)
+{
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (!done()) {
+        if (std::chrono::steady_clock::now() > end)
+            return false;
+        poll();
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    return true;
+}
+
+/// A connection to a fake gripper, open and armed.
+struct ArmedConnection {
+    FakeGripperFactory factory;
+    ConnectSession session{factory};
+
+    FakeGripper& gripper() { return *factory.gripper; }
+
+    bool open(bool arm = true)
+    {
+        if (!session.connectTo(QStringLiteral("fake:")))
+            return false;
+        session.poll();
+        if (session.state() != ConnectSession::State::Connected)
+            return false;
+        return !arm || (session.arm(QStringLiteral("Ada")) && session.armed());
+    }
+};
+
+} // namespace gripscope::test

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/squeeze_job.h"
+#include "tests/core/session/session_driver.h"
+#include "tests/support/test_registry.h"
+
+#include <QDateTime>
+#include <QTest>
+
+using namespace gripscope;
+using namespace gripscope::test;
+using State = SqueezeJob::State;
+
+class SqueezeJobTest : public QObject {
+    Q_OBJECT
+private:
+    std::unique_ptr<ArmedConnection> m_connection;
+    std::unique_ptr<SqueezeJob> m_job;
+    std::chrono::steady_clock::time_point m_now;
+    Recipe m_recipe;
+
+    FakeGripper& gripper() { return m_connection->gripper(); }
+    void poll()
+    {
+        m_connection->session.poll();
+        m_job->poll();
+    }
+    bool finish()
+    {
+        return pollUntil([this] { poll(); },
+                         [this] { return m_job->state() == State::Done || m_job->state() == State::Failed; });
+    }
+
+private slots:
+    void init()
+    {
+        m_job.reset();
+        m_connection = std::make_unique<ArmedConnection>();
+        QVERIFY(m_connection->open());
+        m_job = std::make_unique<SqueezeJob>(m_connection->session);
+        m_now = {};
+        m_job->setClock([this] { return m_now; });
+        m_recipe = {};
+        m_recipe.seconds = 0.25; // 500 samples
+    }
+    void aRecipeIsItsExcitationInNewtonsAtTheDevicesRate()
+    {
+        GripperIdentity identity;
+        identity.sampleTime_s = 0.001;
+        const ExcitationOptions options = excitationOptions(m_recipe, identity, 42);
+        QVERIFY(options.kind == ExcitationKind::Prbs);
+        QCOMPARE(options.samples, std::size_t(250));
+        QCOMPARE(options.peak, m_recipe.peak_N);
+        QCOMPARE(options.bias, m_recipe.bias_N);
+        QCOMPARE(options.sampleTime_s, 0.001);
+        QCOMPARE(options.seed, std::uint64_t(42));
+        QVERIFY(options.oneSided);
+    }
+    void aSqueezeBecomesARecordingWithEverythingNeededToReadIt()
+    {
+        gripper().identity.forceLag_s = 0.0001;
+        m_connection->session.poll();
+        m_job->setOperator(QStringLiteral("Ada"));
+        QVERIFY(m_job->start(m_recipe, 3));
+        QCOMPARE(m_job->state(), State::Starting);
+        QVERIFY(finish());
+        QVERIFY(!m_job->error());
+        QCOMPARE(m_job->state(), State::Done);
+        QCOMPARE(m_job->progress(), 1.0);
+
+        const Recording& recording = m_job->recording();
+        // 20 ms at 2 kHz before and after: 40 samples each
+        QCOMPARE(recording.size(), std::size_t(40 + 500 + 40));
+        const auto moving = std::count_if(recording.status.begin(), recording.status.end(),
+                                          [](std::uint16_t status) { return status & StatusMoving; });
+        QCOMPARE(moving, 500);
+        QVERIFY(recording.status[40] & StatusMoving);
+        QCOMPARE(recording.sequence.size(), recording.size());
+        QCOMPARE(recording.time_s.size(), recording.size());
+        QVERIFY(findGaps(recording).empty());
+        QCOMPARE(recording.sampleTime_s, 0.0005);
+        QCOMPARE(recording.forceLag_s, 0.0001);
+        QVERIFY(recording.hold == ForceHold::Zero);
+        QCOMPARE(recording.forceUnit, QStringLiteral("N"));
+        QCOMPARE(recording.positionUnit, QStringLiteral("m"));
+        const Window all = chooseWindow(recording).window;
+        QCOMPARE(all.first, std::size_t(40));
+        QCOMPARE(all.count, std::size_t(500));
+    }
+    void theProvenanceSaysWhereItComesFrom()
+    {
+        m_job->setOperator(QStringLiteral("Ada"));
+        QVERIFY(m_job->start(m_recipe, 3));
+        QVERIFY(finish());
+        const QMap<QString, QString>& facts = m_job->recording().provenance;
+        const QMap<QString, QString> expected{{QStringLiteral("device"), QStringLiteral("Fake gripper")},
+                                              {QStringLiteral("serial"), QStringLiteral("F-1")},
+                                              {QStringLiteral("address"), QStringLiteral("fake:")},
+                                              {QStringLiteral("firmware"), QStringLiteral("1.2")},
+                                              {QStringLiteral("operator"), QStringLiteral("Ada")},
+                                              {QStringLiteral("excitation"), QStringLiteral("prbs")},
+                                              {QStringLiteral("excitation_peak_N"), QStringLiteral("10")},
+                                              {QStringLiteral("excitation_bias_N"), QStringLiteral("20")},
+                                              {QStringLiteral("excitation_bit_s"), QStringLiteral("0.005")},
+                                              {QStringLiteral("excitation_seed"), QStringLiteral("3")}};
+        for (auto it = expected.cbegin(); it != expected.cend(); ++it)
+            QCOMPARE(facts.value(it.key()), it.value());
+        const QDateTime when =
+            QDateTime::fromString(facts.value(QStringLiteral("recorded_utc")), Qt::ISODateWithMs);
+        QVERIFY(when.isValid());
+        QCOMPARE(when.offsetFromUtc(), 0);
+        QVERIFY(std::abs(when.secsTo(QDateTime::currentDateTimeUtc())) < 3600);
+    }
+    void theSameSeedCommandsTheSameForce()
+    {
+        QVERIFY(m_job->start(m_recipe, 5));
+        QVERIFY(finish());
+        const std::vector<double> once = gripper().commanded_N;
+        QVERIFY(m_job->start(m_recipe, 5));
+        QVERIFY(finish());
+        QCOMPARE(gripper().commanded_N, once);
+        QVERIFY(m_job->start(m_recipe, 6));
+        QVERIFY(finish());
+        QVERIFY(gripper().commanded_N != once);
+    }
+    void lostSamplesStayLost()
+    {
+        gripper().dropSample = [](int index) { return index >= 100 && index < 107; };
+        QVERIFY(m_job->start(m_recipe, 1));
+        QVERIFY(finish());
+        QCOMPARE(m_job->state(), State::Done);
+        QCOMPARE(findGaps(m_job->recording()), (std::vector<Gap>{{140, 7}}));
+    }
+    void theEndIsFoundWhenTheLastMovingSamplesAreLost()
+    {
+        gripper().dropSample = [](int index) { return index >= 490; };
+        QVERIFY(m_job->start(m_recipe, 1));
+        QVERIFY(finish());
+        QCOMPARE(m_job->state(), State::Done);
+    }
+    void aLostDeviceFailsTheSqueezeWithItsReason()
+    {
+        gripper().lostAfterSamples = 200;
+        QVERIFY(m_job->start(m_recipe, 1));
+        QVERIFY(finish());
+        QCOMPARE(m_job->state(), State::Failed);
+        QCOMPARE(m_job->error()->code, ErrorCode::DeviceLost);
+    }
+    void aRefusalOfTheDeviceFailsTheSqueeze()
+    {
+        gripper().refusesExcitation = true;
+        QVERIFY(m_job->start(m_recipe, 1));
+        QVERIFY(finish());
+        QCOMPARE(m_job->error()->code, ErrorCode::DeviceRefused);
+    }
+    void whatTheGateRefusesIsNeverStarted()
+    {
+        m_recipe.maxForce_N = 29; // bias 20 + peak 10
+        QCOMPARE(m_job->start(m_recipe, 1).error().code, ErrorCode::LimitExceeded);
+        QCOMPARE(m_job->state(), State::Idle);
+        m_connection->session.disarm();
+        m_recipe.maxForce_N = 40;
+        QCOMPARE(m_job->start(m_recipe, 1).error().code, ErrorCode::NotArmed);
+        QCOMPARE(gripper().started, 0);
+    }
+    void stoppedByAPersonIsToldApartFromAFault()
+    {
+        gripper().neverStarts = true;
+        QVERIFY(m_job->start(m_recipe, 1));
+        poll();
+        m_connection->session.stop();
+        QVERIFY(finish());
+        QCOMPARE(m_job->error()->code, ErrorCode::Cancelled);
+    }
+    void cancellingStopsTheGripper()
+    {
+        gripper().neverStarts = true;
+        QVERIFY(m_job->start(m_recipe, 1));
+        poll();
+        m_job->cancel();
+        QCOMPARE(m_job->state(), State::Failed);
+        QCOMPARE(m_job->error()->code, ErrorCode::Cancelled);
+        QCOMPARE(gripper().stops.load(), 1);
+    }
+    void destroyingARunningJobStopsTheGripper()
+    {
+        gripper().neverStarts = true;
+        QVERIFY(m_job->start(m_recipe, 1));
+        poll();
+        m_job.reset();
+        QCOMPARE(gripper().stops.load(), 1);
+        m_connection->session.poll(); // its listener is gone
+    }
+    void aLimitThatEndsTheSqueezeIsNamed()
+    {
+        gripper().neverStarts = true;
+        QVERIFY(m_job->start(m_recipe, 1));
+        for (int i = 0; i < 10; ++i)
+            gripper().push(20, 0.001, StatusArmed | StatusMoving);
+        gripper().push(20, 0.02, StatusArmed | StatusTravelLimit);
+        gripper().squeezeState = SqueezeState::Stopped;
+        QVERIFY(finish());
+        QCOMPARE(m_job->error()->code, ErrorCode::DeviceRefused);
+        QVERIFY(m_job->error()->describe().contains(QStringLiteral("travel limit")));
+    }
+    void aSqueezeThatEndsFarTooEarlyIsNoSqueeze()
+    {
+        gripper().neverStarts = true;
+        QVERIFY(m_job->start(m_recipe, 1));
+        for (int i = 0; i < 300; ++i)
+            gripper().push(20, 0.001, StatusArmed | StatusMoving);
+        for (int i = 0; i < 50; ++i)
+            gripper().push(20, 0.001, StatusArmed);
+        gripper().squeezeState = SqueezeState::Finished;
+        QVERIFY(finish());
+        QCOMPARE(m_job->state(), State::Failed);
+    }
+    void withoutAnEndTheGripperIsStoppedTwoSecondsAfterItWasDue()
+    {
+        gripper().neverStarts = true;
+        QVERIFY(m_job->start(m_recipe, 1));
+        m_now += std::chrono::milliseconds(2249);
+        poll();
+        QCOMPARE(m_job->state(), State::Squeezing);
+        m_now += std::chrono::milliseconds(2);
+        poll();
+        QCOMPARE(m_job->state(), State::Failed);
+        QCOMPARE(m_job->error()->code, ErrorCode::DeviceTimeout);
+        QCOMPARE(gripper().stops.load(), 1);
+    }
+    void onlyOneSqueezeAtATime()
+    {
+        gripper().neverStarts = true;
+        QVERIFY(m_job->start(m_recipe, 1));
+        QCOMPARE(m_job->start(m_recipe, 2).error().code, ErrorCode::Usage);
+        QCOMPARE(m_job->listen(1).error().code, ErrorCode::Usage);
+    }
+    void listeningTakesWhatComesWithoutMovingAnything()
+    {
+        gripper().identity.commandable = false;
+        QVERIFY(m_job->listen(0.1));
+        for (int i = 0; i < 300; ++i)
+            gripper().push(i, 0, 0);
+        QVERIFY(finish());
+        QCOMPARE(m_job->state(), State::Done);
+        QCOMPARE(m_job->recording().size(), std::size_t(200));
+        QCOMPARE(gripper().started + gripper().stops.load(), 0);
+    }
+    void lostSamplesDoNotMakeListeningLonger()
+    {
+        QVERIFY(m_job->listen(0.1));
+        for (int i = 0; i < 300; ++i)
+            i < 150 && i >= 50 ? gripper().skip() : gripper().push(i, 0, 0);
+        QVERIFY(finish());
+        QCOMPARE(m_job->recording().size(), std::size_t(100));
+        QCOMPARE(m_job->recording().sequence.back(), std::uint64_t(199));
+    }
+    void aStreamThatEndsWhileListenedToIsWhatThereWas()
+    {
+        QVERIFY(m_job->listen(1));
+        for (int i = 0; i < 50; ++i)
+            gripper().push(i, 0, 0);
+        poll();
+        gripper().state = LinkState::Closed;
+        QVERIFY(finish());
+        QCOMPARE(m_job->state(), State::Done);
+        QCOMPARE(m_job->recording().size(), std::size_t(50));
+    }
+    void silenceWhileListeningTimesOut()
+    {
+        QVERIFY(m_job->listen(1));
+        m_now += std::chrono::milliseconds(3001);
+        poll();
+        QCOMPARE(m_job->state(), State::Failed);
+        QCOMPARE(m_job->error()->code, ErrorCode::DeviceTimeout);
+    }
+    void aDisconnectionFailsTheSqueeze()
+    {
+        gripper().neverStarts = true;
+        QVERIFY(m_job->start(m_recipe, 1));
+        m_connection->session.disconnect();
+        m_job->poll();
+        QCOMPARE(m_job->state(), State::Failed);
+        QCOMPARE(m_job->error()->code, ErrorCode::DeviceLost);
+    }
+};
+
+GRIPSCOPE_TEST(SqueezeJobTest)
+#include "squeeze_job_test.moc"
