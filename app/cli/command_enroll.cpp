@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands.h"
+#include "app/cli/drive.h"
+#include "app/cli/exit_code.h"
+#include "app/cli/output.h"
+#include "app/cli/shared_options.h"
+#include "core/session/enroll_session.h"
+#include "devices/gripper_factory.h"
+
+#include <QJsonArray>
+
+namespace gripscope::cli {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// Longer than any identification or commit takes.
+constexpr double patience_s = 600;
+
+/// What became of one file.
+struct FileOutcome {
+    bool added = false;
+    QString reason; ///< when it was rejected
+    Exit exit = Exit::Done;
+};
+
+FileOutcome rejected(const Error& error)
+{
+    return {false, error.describe(), exitFor(error)};
+}
+
+class Enrollment {
+public:
+    Enrollment(const QString& library, const IdentificationOptions& options)
+        : m_library(library), m_connection(m_devices), m_session(m_connection, m_library)
+    {
+        m_session.setIdentificationOptions(options);
+    }
+
+    /// Opens the library and finds the type in it.
+    std::optional<Error> begin(const QString& type)
+    {
+        if (const Expected<void> named = m_session.setName(type); !named)
+            return named.error();
+        if (const Expected<void> asked = m_session.setRecipe({}); !asked)
+            return asked.error();
+        return waitFor(EnrollSession::Activity::Storing);
+    }
+
+    FileOutcome add(const QString& file, const CsvReadOptions& reading)
+    {
+        Expected<Recording> recording = readRecordingCsv(file, reading);
+        if (!recording)
+            return rejected(recording.error());
+        if (const Expected<void> taken = m_session.addRecording(std::move(*recording), file); !taken)
+            return rejected(taken.error());
+        if (const std::optional<Error> error = waitFor(EnrollSession::Activity::Identifying))
+            return rejected(*error);
+        const QString advice = m_session.squeezes().back().reason;
+        if (!advice.isEmpty()) {
+            (void)m_session.reject(advice);
+            return {false, advice, Exit::NotAType};
+        }
+        const Expected<void> accepted = m_session.accept();
+        const std::optional<Error> error =
+            accepted ? waitFor(EnrollSession::Activity::Storing) : std::optional(accepted.error());
+        if (!error)
+            return {true, {}, Exit::Done};
+        (void)m_session.reject(error->describe());
+        return rejected(*error);
+    }
+
+    [[nodiscard]] int squeezes() const { return m_session.acceptedCount(); }
+    [[nodiscard]] QString typeName() const { return m_session.typeName(); }
+
+private:
+    std::optional<Error> waitFor(EnrollSession::Activity activity)
+    {
+        const bool done =
+            drive([this] { m_session.poll(); }, [&] { return m_session.activity() != activity; }, patience_s);
+        if (!done)
+            return Error{ErrorCode::Cancelled, {u"The enrolment"_qs}};
+        return m_session.lastError();
+    }
+
+    DeviceFactory m_devices;
+    LibraryService m_library;
+    ConnectSession m_connection; // stays unconnected: the squeezes come from files
+    EnrollSession m_session;
+};
+
+} // namespace
+
+int runEnroll(const QStringList& arguments)
+{
+    CommandLine line(
+        u"enroll"_qs,
+        u"Adds recordings as squeezes of a type; a type that is new comes into the library with its first "
+        "squeeze. Each file is in the library before it is told as added."_qs,
+        u"FILE..."_qs);
+    addLibraryOption(line);
+    line.option(u"type"_qs, u"NAME"_qs, u"Name of the type."_qs);
+    addReadingOptions(line);
+    if (const std::optional<int> exit = line.parse(arguments))
+        return *exit;
+    const CsvReadOptions reading = csvReadOptions(line);
+    const IdentificationOptions options = identificationOptions(line);
+    if (line.text(u"type"_qs).trimmed().isEmpty())
+        line.reject(u"--type NAME is missing."_qs);
+    if (const std::optional<int> exit = line.finish())
+        return *exit;
+    const bool json = line.isSet(u"json"_qs);
+    const Expected<QString> library = libraryFile(line);
+    if (!library)
+        return fail(library.error(), json);
+
+    Enrollment enrollment(*library, options);
+    if (const std::optional<Error> error = enrollment.begin(line.text(u"type"_qs)))
+        return fail(*error, json);
+    ExitCode exit;
+    QJsonArray added, refused;
+    for (const QString& file : line.files()) {
+        const FileOutcome outcome = enrollment.add(file, reading);
+        exit.add(outcome.exit);
+        if (outcome.added) {
+            message(u"added "_qs + file);
+            added.append(file);
+        } else {
+            message(u"rejected %1: %2"_qs.arg(file, outcome.reason));
+            refused.append(QJsonObject{{u"file"_qs, file}, {u"reason"_qs, outcome.reason}});
+        }
+    }
+    if (json)
+        printJson({{u"type"_qs, enrollment.typeName()},
+                   {u"squeezes"_qs, enrollment.squeezes()},
+                   {u"added"_qs, added},
+                   {u"rejected"_qs, refused}});
+    else
+        print(u"%1 has %2 squeezes; %3 added, %4 rejected."_qs.arg(enrollment.typeName())
+                  .arg(enrollment.squeezes())
+                  .arg(added.size())
+                  .arg(refused.size()));
+    return exit.value();
+}
+
+} // namespace gripscope::cli

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands.h"
+
+#include "app/cli/output.h"
+
+namespace gripscope::cli {
+
+using namespace Qt::StringLiterals;
+
+const std::vector<Command>& commands()
+{
+    static const std::vector<Command> table{
+        {u"demo"_qs, u"enrols and inspects virtual cans through the whole chain"_qs, runDemo},
+        {u"devices"_qs, u"lists the grippers that can be connected"_qs, runDevices},
+        {u"record"_qs, u"squeezes, or only listens, and writes a recording"_qs, runRecord},
+        {u"simulate"_qs, u"writes a synthetic recording of a known object"_qs, runSimulate},
+        {u"identify"_qs, u"finds mass, damping and stiffness in recordings"_qs, runIdentify},
+        {u"cluster"_qs, u"groups a table of features without labels"_qs, runCluster},
+        {u"enroll"_qs, u"adds recordings to a type of a library"_qs, runEnroll},
+        {u"classify"_qs, u"says which enrolled type each recording shows"_qs, runClassify},
+        {u"reproduce-paper"_qs, u"Table 1 of the paper, and what Gripscope adds"_qs, runReproducePaper},
+        {u"calibrate"_qs, u"not yet: fits sensor curves"_qs, runCalibrate},
+        {u"study"_qs, u"not yet: Monte Carlo figures of merit"_qs, runStudy},
+    };
+    return table;
+}
+
+namespace {
+
+int notYet(const QString& command, const QStringList& arguments)
+{
+    const QString text = u"gripscope-cli %1 is not supported yet."_qs.arg(command);
+    if (arguments.contains(u"--help"_qs) || arguments.contains(u"-h"_qs)) {
+        print(text);
+        return 0;
+    }
+    return fail({ErrorCode::NotSupportedYet, {command}});
+}
+
+} // namespace
+
+int runCalibrate(const QStringList& arguments)
+{
+    return notYet(u"calibrate"_qs, arguments);
+}
+
+int runStudy(const QStringList& arguments)
+{
+    return notYet(u"study"_qs, arguments);
+}
+
+} // namespace gripscope::cli

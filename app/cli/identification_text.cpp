@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/identification_text.h"
+
+#include "app/cli/output.h"
+#include "core/signal/units.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <array>
+
+namespace gripscope::cli {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+bool isArx(Estimator estimator)
+{
+    return estimator == Estimator::Arx || estimator == Estimator::ArxMeanForce ||
+           estimator == Estimator::Arx221;
+}
+
+QString title(Estimator estimator)
+{
+    switch (estimator) {
+    case Estimator::Arx:
+        return u"ARX(2,1,1), the paper's"_qs;
+    case Estimator::ArxMeanForce:
+        return u"ARX(2,1,1) on the mean of successive forces"_qs;
+    case Estimator::Arx221:
+        return u"ARX(2,2,1), mapped by its poles"_qs;
+    case Estimator::InstrumentalVariables:
+        return u"instrumental variables"_qs;
+    case Estimator::OutputError:
+        return u"output error"_qs;
+    case Estimator::Duffing:
+        return u"output error with a cubic spring"_qs;
+    case Estimator::Periodic:
+        return u"frequency domain, periodic"_qs;
+    }
+    return {};
+}
+
+QString heading(const Identification& identification, const Recording& recording, const QString& file)
+{
+    const WindowChoice& choice = identification.choice;
+    const QString lost = choice.gaps == 0
+                             ? u"no gaps"_qs
+                             : u"%1 gaps, %2 samples lost"_qs.arg(choice.gaps).arg(choice.lostSamples);
+    return u"%1\n  %2 of %3 samples, %4 s apart, %5; force %6"_qs.arg(
+        file, QString::number(choice.window.count), QString::number(recording.size()),
+        QString::number(identification.sampleTime_s, 'g', 6), lost,
+        identification.hold == ForceHold::Zero ? u"held between samples (zoh)"_qs
+                                               : u"straight between samples (foh)"_qs);
+}
+
+QStringList parameterLines(const Estimate& estimate, const ParameterUnits& units)
+{
+    QStringList values;
+    const Eigen::Vector3d value = estimate.parameters->vector();
+    const std::optional<Eigen::Vector3d> error = estimate.standardErrors();
+    for (int i = 0; i < 3; ++i)
+        values << withError(value[i], error ? std::optional((*error)[i]) : std::nullopt);
+    const auto widest = std::max_element(
+        values.begin(), values.end(), [](const QString& a, const QString& b) { return a.size() < b.size(); });
+    const std::array<QString, 3> names{u"m"_qs, u"b"_qs, u"k"_qs};
+    const std::array<QString, 3> unit{units.m, units.b, units.k};
+    QStringList lines;
+    for (int i = 0; i < 3; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const QString shown = unit[at] == u"1"_qs ? QString() : unit[at];
+        lines << u"    %1  %2  %3"_qs.arg(names[at], values[i].leftJustified(widest->size()), shown)
+                     .trimmed()
+                     .prepend(u"    "_qs);
+    }
+    return lines;
+}
+
+QStringList estimateLines(const Estimate& estimate, const ParameterUnits& units, bool recommended)
+{
+    QString head = u"  %1 (%2): %3"_qs.arg(title(estimate.estimator), toString(estimate.estimator),
+                                           toString(estimate.status).replace(u'_', u' '));
+    if (estimate.iterations > 0)
+        head += u" in %1 iterations"_qs.arg(estimate.iterations);
+    QStringList lines{recommended ? head + u", recommended"_qs : head};
+    if (!estimate.message.empty())
+        lines << u"    "_qs + QString::fromStdString(estimate.message);
+    if (estimate.parameters)
+        lines << parameterLines(estimate, units);
+    if (estimate.fit.simulationPercent || estimate.fit.predictionPercent) {
+        lines << u"    fit  %1 % simulation, %2 % one-step prediction"_qs.arg(
+            fixed(estimate.fit.simulationPercent, 2), fixed(estimate.fit.predictionPercent, 2));
+        if (isArx(estimate.estimator))
+            lines
+                << u"    An ARX fit, however high, says nothing about m, b and k: noise biases them at 80 to 93 %."_qs;
+    }
+    return lines;
+}
+
+QStringList validityLines(const Validity& validity)
+{
+    QStringList lines{u"  measurement: "_qs + toString(validity.verdict)};
+    for (const ValidityCheck& check : validity.checks)
+        if (!check.ok)
+            lines << u"    %1: %2"_qs.arg(QString(check.id).replace(u'_', u' '), check.message);
+    return lines;
+}
+
+} // namespace
+
+QString identificationText(const Identification& identification, const Recording& recording,
+                           const QString& file)
+{
+    QStringList lines{heading(identification, recording, file)};
+    const ParameterUnits units = parameterUnits(recording.forceUnit, recording.positionUnit);
+    for (const Estimate& estimate : identification.estimates)
+        lines << estimateLines(estimate, units, &estimate == identification.best());
+    lines << validityLines(identification.validity);
+    return lines.join(u'\n');
+}
+
+} // namespace gripscope::cli

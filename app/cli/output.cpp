@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/output.h"
+
+#include "app/cli/exit_code.h"
+
+#include <QJsonDocument>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace gripscope::cli {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+void write(std::FILE* stream, const QByteArray& bytes)
+{
+    std::fwrite(bytes.constData(), 1, static_cast<std::size_t>(bytes.size()), stream);
+    std::fputc('\n', stream);
+    std::fflush(stream);
+}
+
+} // namespace
+
+void printJson(const QJsonObject& document)
+{
+    write(stdout, QJsonDocument(document).toJson(QJsonDocument::Compact));
+}
+
+void print(const QString& text)
+{
+    write(stdout, text.toUtf8());
+}
+
+void message(const QString& text)
+{
+    write(stderr, text.toUtf8());
+}
+
+QJsonObject errorDocument(const Error& error)
+{
+    return {{u"error"_qs, QJsonObject{{u"code"_qs, error.name()}, {u"message"_qs, error.describe()}}}};
+}
+
+QJsonObject errorDocument(const QString& file, const Error& error)
+{
+    QJsonObject document = errorDocument(error);
+    document[u"file"_qs] = file;
+    return document;
+}
+
+int fail(const Error& error, bool json)
+{
+    message(u"gripscope-cli: "_qs + error.describe());
+    if (json)
+        printJson(errorDocument(error));
+    return static_cast<int>(exitFor(error));
+}
+
+QString withError(double value, std::optional<double> standardError)
+{
+    if (!standardError || !(*standardError > 0))
+        return QString::number(value, 'g', 6);
+    // Two digits of the error, and the value to the same place; exponents where that would be long.
+    const int place = static_cast<int>(std::floor(std::log10(*standardError))) - 1;
+    const double largest = std::max(std::abs(value), *standardError);
+    const int exponent = static_cast<int>(std::floor(std::log10(largest)));
+    if (exponent < -4 || place > 0) {
+        const double scale = std::pow(10.0, exponent);
+        const int decimals = std::max(0, exponent - place);
+        return u"(%1 ± %2)e%3"_qs.arg(QString::number(value / scale, 'f', decimals),
+                                      QString::number(*standardError / scale, 'f', decimals),
+                                      QString::number(exponent));
+    }
+    return u"%1 ± %2"_qs.arg(QString::number(value, 'f', -place),
+                             QString::number(*standardError, 'f', -place));
+}
+
+QString fixed(std::optional<double> value, int decimals)
+{
+    return value ? QString::number(*value, 'f', decimals) : u"-"_qs;
+}
+
+} // namespace gripscope::cli

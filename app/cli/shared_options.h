@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/command_line.h"
+#include "core/identification/identification.h"
+#include "core/signal/excitation.h"
+#include "core/signal/recording_csv.h"
+
+namespace gripscope::cli {
+
+/// The options that identify, enroll and classify share: how to read a CSV, and what to assume of it.
+void addReadingOptions(CommandLine& line);
+[[nodiscard]] CsvReadOptions csvReadOptions(CommandLine& line);
+/// Hold, initial state and offset; the estimators stay as they are by default.
+[[nodiscard]] IdentificationOptions identificationOptions(CommandLine& line);
+
+/// `--excitation KIND`, shared by record and simulate.
+void addExcitationKind(CommandLine& line);
+[[nodiscard]] ExcitationKind excitationKind(CommandLine& line);
+
+/// `--library DB`, the user's own file without it.
+void addLibraryOption(CommandLine& line);
+[[nodiscard]] Expected<QString> libraryFile(const CommandLine& line);
+
+} // namespace gripscope::cli

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/verdict_output.h"
+
+#include "app/cli/output.h"
+
+#include <QJsonArray>
+
+#include <cmath>
+
+namespace gripscope::cli {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QJsonValue orNull(std::optional<double> value)
+{
+    return value && std::isfinite(*value) ? QJsonValue(*value) : QJsonValue();
+}
+
+QJsonValue orNull(const QString& text)
+{
+    return text.isEmpty() ? QJsonValue() : QJsonValue(text);
+}
+
+} // namespace
+
+QJsonObject verdictJson(const QString& file, const Verdict& verdict)
+{
+    QJsonObject posterior;
+    for (auto it = verdict.posterior.cbegin(); it != verdict.posterior.cend(); ++it)
+        posterior[it.key()] = orNull(it.value());
+    return {{u"file"_qs, file},
+            {u"verdict"_qs, toString(verdict.kind)},
+            {u"type"_qs, orNull(verdict.type)},
+            {u"nearest"_qs, orNull(verdict.nearest)},
+            {u"posterior"_qs, posterior},
+            {u"distance"_qs, orNull(verdict.distance)},
+            {u"gate"_qs, orNull(verdict.gate)},
+            {u"samples_used"_qs, static_cast<qint64>(verdict.samplesUsed)},
+            {u"reasons"_qs, QJsonArray::fromStringList(verdict.reasons)}};
+}
+
+QString verdictText(const QString& file, const Verdict& verdict)
+{
+    QString text = u"%1: %2"_qs.arg(file, toString(verdict.kind));
+    if (verdict.kind == VerdictKind::Type)
+        text += u" %1 (posterior %2)"_qs.arg(verdict.type,
+                                             QString::number(verdict.posterior.value(verdict.type), 'f', 4));
+    else if (!verdict.nearest.isEmpty())
+        text += u", nearest %1"_qs.arg(verdict.nearest);
+    if (verdict.distance && verdict.gate)
+        text += u"; squared distance %1, gate %2"_qs.arg(QString::number(*verdict.distance, 'f', 1),
+                                                         QString::number(*verdict.gate, 'f', 1));
+    for (const QString& reason : verdict.reasons)
+        text += u"\n    "_qs + reason;
+    return text;
+}
+
+} // namespace gripscope::cli
