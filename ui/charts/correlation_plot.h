@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/correlation.h"
+#include "ui/charts/plot_frame.h"
+
+class QLineSeries;
+class QScatterSeries;
+
+namespace gripscope {
+
+/// Correlation against lag as stems, with the 95 % band behind them.
+class CorrelationPlot : public PlotFrame {
+    Q_OBJECT
+public:
+    explicit CorrelationPlot(QWidget* parent = nullptr);
+
+    void setCorrelation(const Correlation& correlation);
+    /// Lags (other than 0 of an autocorrelation) whose value is beyond the band.
+    [[nodiscard]] int lagsOutside() const { return m_outside; }
+
+protected:
+    void themeChanged() override;
+    [[nodiscard]] bool empty() const override { return m_empty; }
+
+private:
+    QLineSeries* m_stems;
+    QScatterSeries* m_heads;
+    bool m_empty = true;
+    int m_outside = 0;
+};
+
+} // namespace gripscope

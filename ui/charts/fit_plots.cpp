@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/fit_plots.h"
+
+#include "core/identification/correlation.h"
+#include "ui/charts/channel_scale.h"
+#include "ui/charts/correlation_plot.h"
+#include "ui/charts/time_plot.h"
+
+#include <QGridLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+namespace {
+
+using Values = std::vector<double>;
+using SharedValues = std::shared_ptr<const Values>;
+
+SharedValues scaled(const Values& values, double factor, double shift = 0)
+{
+    auto result = std::make_shared<Values>();
+    result->reserve(values.size());
+    for (const double value : values)
+        result->push_back((value - shift) * factor);
+    return result;
+}
+
+double standardDeviation(const Values& values)
+{
+    if (values.size() < 2)
+        return 0;
+    double mean = 0;
+    for (const double value : values)
+        mean += value / double(values.size());
+    double sum = 0;
+    for (const double value : values)
+        sum += (value - mean) * (value - mean);
+    return std::sqrt(sum / double(values.size() - 1));
+}
+
+double largest(const Values& values)
+{
+    double result = 0;
+    for (const double value : values)
+        result = std::max(result, std::abs(value));
+    return result;
+}
+
+/// The last `count` of `values`: residuals of an ARX model start where its first prediction does.
+Values tail(const Values& values, std::size_t count)
+{
+    const std::size_t n = std::min(count, values.size());
+    return {values.end() - std::ptrdiff_t(n), values.end()};
+}
+
+} // namespace
+
+FitPlots::FitPlots(QWidget* parent)
+    : QWidget(parent), m_response(new TimePlot), m_force(new TimePlot), m_residuals(new TimePlot),
+      m_auto(new CorrelationPlot), m_cross(new CorrelationPlot)
+{
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(0);
+    grid->addWidget(m_response, 0, 0, 1, 2);
+    grid->addWidget(m_force, 1, 0, 1, 2);
+    grid->addWidget(m_residuals, 2, 0, 1, 2);
+    grid->addWidget(m_auto, 3, 0);
+    grid->addWidget(m_cross, 3, 1);
+    const int stretches[] = {40, 18, 26, 26};
+    for (int row = 0; row < 4; ++row)
+        grid->setRowStretch(row, stretches[row]);
+    m_residuals->setHorizontalTitle(tr("Time (s)"));
+    m_auto->setHorizontalTitle(tr("Lag (samples)"));
+    m_cross->setHorizontalTitle(tr("Lag (samples)"));
+    m_auto->setTitle(tr("Autocorrelation of residuals"));
+    m_cross->setTitle(tr("Residuals against earlier force"));
+    linkTime();
+    clear();
+}
+
+void FitPlots::linkTime()
+{
+    const auto plots = {m_response, m_force, m_residuals};
+    for (TimePlot* from : plots) {
+        for (TimePlot* to : plots) {
+            if (from == to)
+                continue;
+            connect(from, &PlotFrame::horizontalChanged, to,
+                    [to](PlotRange range) { to->setHorizontal(range); });
+            connect(from, &PlotFrame::wholeAsked, to, [to] { to->fitVertical(); });
+        }
+        connect(from, &PlotFrame::wholeAsked, from, [from] { from->fitVertical(); });
+    }
+}
+
+void FitPlots::clear()
+{
+    m_response->setTitle(tr("Position"));
+    m_force->setTitle(tr("Force"));
+    m_residuals->setTitle(tr("Residuals"));
+    for (TimePlot* plot : {m_response, m_force, m_residuals}) {
+        plot->setCurves({});
+        plot->setBand(std::nullopt);
+    }
+    m_auto->setCorrelation({});
+    m_cross->setCorrelation({});
+}
+
+void FitPlots::show(const Identification& identification, Estimator estimator, const QString& forceUnit,
+                    const QString& positionUnit)
+{
+    if (identification.time_s.empty()) {
+        clear();
+        return;
+    }
+    const Estimate* estimate = identification.find(estimator);
+    const bool modelled = estimate && estimate->simulated.size() == identification.position.size();
+    const ChannelScale position = channelScale(positionUnit, largest(identification.position));
+    const ChannelScale force = channelScale(forceUnit, largest(identification.force));
+    const SharedValues time = scaled(identification.time_s, 1, identification.time_s.front());
+
+    std::vector<PlotCurve> curves{{tr("measured"), CurveRole::MeasuredPosition, time,
+                                   scaled(identification.position, position.factor)}};
+    if (modelled)
+        curves.push_back({tr("model (%1, simulated)").arg(estimatorName(estimator)), CurveRole::Model, time,
+                          scaled(estimate->simulated, position.factor)});
+    m_response->setTitle(position.title(tr("Position")));
+    m_response->setCurves(std::move(curves));
+    m_force->setTitle(force.title(tr("Force")));
+    m_force->setCurves({{QString(), CurveRole::Force, time, scaled(identification.force, force.factor)}});
+
+    const Values residual = estimate ? estimate->residual : Values();
+    const ChannelScale small = channelScale(positionUnit, largest(residual));
+    const auto residualTime = std::make_shared<Values>(tail(*time, residual.size()));
+    m_residuals->setTitle(
+        small.title(estimate && estimate->coefficients ? tr("Residuals, one step ahead") : tr("Residuals")));
+    m_residuals->setEmptyText(tr("no model, no residuals"));
+    const double twoSd = 2 * standardDeviation(residual) * small.factor;
+    m_residuals->setCurves({{QString(), CurveRole::Residual, residualTime, scaled(residual, small.factor)}});
+    if (twoSd > 0)
+        m_residuals->setBand(PlotRange{-twoSd, twoSd}, tr("± 2 sd"));
+    else
+        m_residuals->setBand(std::nullopt);
+    for (TimePlot* plot : {m_response, m_force, m_residuals}) {
+        plot->setWhole({0, std::max(time->back(), 1e-9)});
+        plot->showWhole();
+    }
+    m_response->fitVertical();
+    m_force->fitVertical();
+    m_residuals->fitVertical(1.3 * twoSd);
+    showCorrelations(identification, estimate);
+}
+
+void FitPlots::showCorrelations(const Identification& identification, const Estimate* estimate)
+{
+    constexpr int lags = 25; // what the whiteness test looks at, and a little more
+    for (CorrelationPlot* plot : {m_auto, m_cross})
+        plot->setEmptyText(tr("no model, no residuals"));
+    if (!estimate || estimate->residual.empty()) {
+        m_auto->setCorrelation({});
+        m_cross->setCorrelation({});
+        return;
+    }
+    m_auto->setCorrelation(autocorrelation(estimate->residual, lags));
+    m_cross->setCorrelation(
+        crossCorrelation(estimate->residual, tail(identification.force, estimate->residual.size()), lags));
+}
+
+QString estimatorName(Estimator estimator)
+{
+    switch (estimator) {
+    case Estimator::Arx:
+        return FitPlots::tr("ARX(2,1,1)");
+    case Estimator::ArxMeanForce:
+        return FitPlots::tr("ARX, mean force");
+    case Estimator::Arx221:
+        return FitPlots::tr("ARX(2,2,1)");
+    case Estimator::InstrumentalVariables:
+        return FitPlots::tr("instrumental variables");
+    case Estimator::OutputError:
+        return FitPlots::tr("output error");
+    case Estimator::Duffing:
+        return FitPlots::tr("cubic spring");
+    case Estimator::Periodic:
+        return FitPlots::tr("periodic");
+    }
+    return {};
+}
+
+} // namespace gripscope

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QChartView>
+#include <QColor>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+class QAbstractSeries;
+class QValueAxis;
+
+namespace gripscope {
+
+/// A range of numbers along an axis.
+struct PlotRange {
+    double low = 0, high = 1;
+    [[nodiscard]] double span() const { return high - low; }
+    friend bool operator==(const PlotRange&, const PlotRange&) = default;
+};
+
+/// The frame that all plots of a page share, so that they stand exactly below each other: a line with the
+/// title and the names of the curves above, round ticks, the same left edge; a band drawn behind the curves.
+/// Drag a rectangle to zoom, double click (or Home) to see everything again, + and - zoom along time, arrows
+/// move.
+class PlotFrame : public QChartView {
+    Q_OBJECT
+public:
+    explicit PlotFrame(QWidget* parent = nullptr);
+
+    /// "Position (mm)"; also the accessible name.
+    void setTitle(const QString& title);
+    /// Under the horizontal axis; empty hides its numbers too (a plot below shows them).
+    void setHorizontalTitle(const QString& title);
+    /// A tinted stripe between `low` and `high` with its name at the right end.
+    void setBand(std::optional<PlotRange> band, const QString& name = {});
+    /// What is said in the middle when there is nothing to draw.
+    void setEmptyText(const QString& text);
+
+    [[nodiscard]] PlotRange horizontal() const;
+    [[nodiscard]] PlotRange vertical() const;
+    void setHorizontal(PlotRange range);
+    void setVertical(PlotRange range);
+    /// The range that Home and a double click go back to.
+    void setWhole(PlotRange range);
+    [[nodiscard]] PlotRange whole() const { return m_whole; }
+    void showWhole();
+    /// Pixel columns of the plot.
+    [[nodiscard]] int columns() const;
+
+    QSize sizeHint() const override { return {600, 160}; }
+    QSize minimumSizeHint() const override { return {160, 84}; }
+
+signals:
+    void horizontalChanged(gripscope::PlotRange range); ///< by a person
+    void wholeAsked();
+
+protected:
+    struct LegendEntry {
+        QString name;
+        QColor color;
+        int width = 2;
+    };
+    void setLegend(std::vector<LegendEntry> entries);
+    [[nodiscard]] QValueAxis* horizontalAxis() const { return m_horizontal; }
+    [[nodiscard]] QValueAxis* verticalAxis() const { return m_vertical; }
+    /// The horizontal range or the width changed: draw the curves anew.
+    virtual void refresh() {}
+    virtual void themeChanged();
+    [[nodiscard]] virtual bool empty() const = 0;
+    void attach(QAbstractSeries* series);
+
+    void resizeEvent(QResizeEvent* event) override;
+    void drawBackground(QPainter* painter, const QRectF& rect) override;
+    void drawForeground(QPainter* painter, const QRectF& rect) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void layOut();
+    void setTicks(QValueAxis* axis, int most);
+    void paintHeader(QPainter* painter) const;
+    void ask(PlotRange range);
+
+    QValueAxis* m_horizontal = nullptr;
+    QValueAxis* m_vertical = nullptr;
+    QString m_title, m_bandName, m_emptyText;
+    std::optional<PlotRange> m_band;
+    std::vector<LegendEntry> m_legend;
+    PlotRange m_whole;
+};
+
+} // namespace gripscope

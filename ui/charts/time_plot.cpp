@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/time_plot.h"
+
+#include "core/signal/decimation.h"
+#include "ui/theme/theme.h"
+
+#include <QChart>
+#include <QLineSeries>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace gripscope {
+
+namespace {
+
+QPen curvePen(CurveRole role)
+{
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    const auto pen = [](const QColor& color, double width) {
+        return QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+    };
+    switch (role) {
+    case CurveRole::MeasuredPosition:
+        return pen(Theme::mix(tokens.surface, tokens.position, 0.55), 2.25 * tokens.curveWidth);
+    case CurveRole::Model:
+        return pen(tokens.model, 0.75 * tokens.curveWidth);
+    case CurveRole::Force:
+        return pen(tokens.force, 0.75 * tokens.curveWidth);
+    case CurveRole::Residual:
+        return pen(tokens.text, 0.5 * tokens.curveWidth);
+    }
+    return pen(tokens.text, 1);
+}
+
+/// The part of a curve in [low, high], with the neighbours outside so that lines run to the edges.
+std::pair<std::size_t, std::size_t> visiblePart(const std::vector<double>& x, PlotRange range)
+{
+    const auto first = std::lower_bound(x.begin(), x.end(), range.low);
+    const auto last = std::upper_bound(first, x.end(), range.high);
+    const auto from = std::size_t(first - x.begin());
+    const auto to = std::size_t(last - x.begin());
+    return {from > 0 ? from - 1 : 0, std::min(x.size(), to + 1)};
+}
+
+} // namespace
+
+TimePlot::TimePlot(QWidget* parent) : PlotFrame(parent) {}
+
+void TimePlot::setCurves(std::vector<PlotCurve> curves)
+{
+    m_curves = std::move(curves);
+    while (m_series.size() > m_curves.size()) {
+        chart()->removeSeries(m_series.back());
+        delete m_series.back();
+        m_series.pop_back();
+    }
+    while (m_series.size() < m_curves.size()) {
+        m_series.push_back(new QLineSeries(this));
+        attach(m_series.back());
+    }
+    themeChanged();
+    refresh();
+}
+
+bool TimePlot::empty() const
+{
+    return std::all_of(m_curves.begin(), m_curves.end(),
+                       [](const PlotCurve& c) { return !c.y || c.y->empty(); });
+}
+
+int TimePlot::drawnPoints() const
+{
+    int points = 0;
+    for (const QLineSeries* series : m_series)
+        points += int(series->count());
+    return points;
+}
+
+void TimePlot::refresh()
+{
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+        const PlotCurve& curve = m_curves[i];
+        QList<QPointF> points;
+        if (curve.x && curve.y) {
+            const auto [from, to] = visiblePart(*curve.x, horizontal());
+            const std::span<const double> x(curve.x->data() + from, to - from);
+            const std::span<const double> y(curve.y->data() + from, to - from);
+            const std::vector<PlotPoint> few = decimateMinMax(x, y, std::size_t(columns()));
+            points.reserve(qsizetype(few.size()));
+            for (const PlotPoint& point : few)
+                points.append({point.x, point.y});
+        }
+        m_series[i]->replace(points);
+    }
+    viewport()->update();
+}
+
+void TimePlot::fitVertical(double leastHalf)
+{
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const PlotCurve& curve : m_curves) {
+        if (!curve.x || !curve.y)
+            continue;
+        const auto [from, to] = visiblePart(*curve.x, horizontal());
+        for (std::size_t i = from; i < to; ++i) {
+            low = std::min(low, (*curve.y)[i]);
+            high = std::max(high, (*curve.y)[i]);
+        }
+    }
+    if (!(high >= low))
+        return;
+    const double middle = (low + high) / 2;
+    const double half = std::max({(high - low) / 2 * 1.06, leastHalf, std::abs(middle) * 1e-9, 1e-300});
+    setVertical({middle - half, middle + half});
+}
+
+void TimePlot::updateLegend()
+{
+    std::vector<LegendEntry> entries;
+    for (const PlotCurve& curve : m_curves) {
+        const QPen pen = curvePen(curve.role);
+        entries.push_back({curve.name, pen.color(), std::max(2, int(std::lround(pen.widthF())))});
+    }
+    setLegend(std::move(entries));
+}
+
+void TimePlot::themeChanged()
+{
+    PlotFrame::themeChanged();
+    for (std::size_t i = 0; i < m_series.size(); ++i)
+        m_series[i]->setPen(curvePen(m_curves[i].role));
+    updateLegend();
+}
+
+} // namespace gripscope
