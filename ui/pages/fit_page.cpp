@@ -1,13 +1,97 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/fit_page.h"
 
+#include "core/signal/recording_csv.h"
+#include "ui/charts/fit_plots.h"
+#include "ui/pages/fit_page_example.h"
+#include "ui/pages/fit_page_summary.h"
+#include "ui/theme/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/workbench.h"
+
+#include <QClipboard>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMimeData>
+#include <QStackedWidget>
+#include <QUrl>
+
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
 
-struct FitPage::Private {};
+struct FitPage::Private {
+    std::optional<FitSubject> subject;
+    int generation = 0; ///< answers for an older subject are dropped
+    bool identifying = false, tour = false;
 
-FitPage::FitPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d(std::make_unique<Private>()) {}
+    QStackedWidget* stack = nullptr;
+    FitPlots* plots = nullptr;
+    FitSummary* summary = nullptr;
+    QLabel* state = nullptr;
+    QPushButton* all = nullptr;
+    QPushButton* copy = nullptr;
+};
+
+namespace {
+
+std::vector<Estimator> implementedEstimators()
+{
+    std::vector<Estimator> result;
+    for (const Estimator estimator :
+         {Estimator::OutputError, Estimator::Arx, Estimator::ArxMeanForce, Estimator::Arx221,
+          Estimator::InstrumentalVariables, Estimator::Duffing, Estimator::Periodic})
+        if (isImplemented(estimator))
+            result.push_back(estimator);
+    return result;
+}
+
+Identification identifyByAll(const Recording& recording)
+{
+    IdentificationOptions options;
+    options.estimators = implementedEstimators();
+    return identify(recording, options);
+}
+
+} // namespace
+
+FitPage::FitPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d(std::make_unique<Private>())
+{
+    setAcceptDrops(true);
+    d->plots = new FitPlots;
+    d->summary = new FitSummary;
+    auto* plotCard = makeCard();
+    auto* plotLayout = new QHBoxLayout(plotCard);
+    plotLayout->setContentsMargins(1, 1, 1, metrics::step);
+    plotLayout->addWidget(d->plots);
+    auto* summaryCard = makeCard();
+    auto* summaryLayout = new QHBoxLayout(summaryCard);
+    summaryLayout->setContentsMargins(1, 1, 1, 1);
+    summaryLayout->addWidget(d->summary);
+    auto* halves = new QWidget;
+    auto* line = new QHBoxLayout(halves);
+    setSpacing(line, 0, 2 * metrics::step);
+    line->addWidget(plotCard, 64);
+    line->addWidget(summaryCard, 36);
+
+    d->stack = new QStackedWidget;
+    d->stack->addWidget(buildEmpty());
+    d->stack->addWidget(halves);
+    auto* column = new QVBoxLayout(this);
+    setSpacing(column, 2 * metrics::step, metrics::step + 4);
+    column->addWidget(buildBar());
+    column->addWidget(d->stack, 1);
+
+    connect(&bench, &Workbench::fitSubjectChanged, this, [this] { takeSubject(); });
+    connect(d->summary, &FitSummary::estimatorChosen, this,
+            [this](Estimator estimator) { showPlots(estimator); });
+    takeSubject();
+}
+
 FitPage::~FitPage() = default;
 
 QString FitPage::id() const
@@ -21,6 +105,193 @@ QString FitPage::title() const
 QString FitPage::iconName() const
 {
     return u"labplot-xy-fit-curve"_s;
+}
+
+QWidget* FitPage::buildBar()
+{
+    auto* bar = new QWidget;
+    auto* line = new QHBoxLayout(bar);
+    setSpacing(line, 0, metrics::step);
+    auto* open = makeButton(tr("Open recording…"), u"document-open"_s);
+    open->setToolTip(tr("Read a recording (CSV) and identify it"));
+    d->all = makeButton(tr("Identify again"), u"view-refresh"_s);
+    d->all->setToolTip(tr("Run every estimator on this squeeze"));
+    d->copy = makeButton(tr("Copy numbers"), u"edit-copy"_s);
+    d->copy->setToolTip(tr("Copy the table of estimators, tab-separated, with full precision"));
+    d->state = makeLabel({}, "second");
+    line->addWidget(open);
+    line->addWidget(d->all);
+    line->addWidget(d->copy);
+    line->addWidget(d->state, 1, Qt::AlignRight | Qt::AlignVCenter);
+    connect(open, &QPushButton::clicked, this, [this] { chooseFile(); });
+    connect(d->all, &QPushButton::clicked, this, [this] { runAllEstimators(); });
+    connect(d->copy, &QPushButton::clicked, this, [this] { copyNumbers(); });
+    return bar;
+}
+
+QWidget* FitPage::buildEmpty()
+{
+    auto* card = makeCard();
+    auto* column = new QVBoxLayout(card);
+    setSpacing(column, 3 * metrics::step, metrics::step);
+    auto* head = makeLabel(tr("No squeeze to look at yet"), "title");
+    auto* text = makeLabel(
+        tr("Squeeze a part on Inspect, double-click a row in History, or open a recording (CSV): drop "
+           "the file here or press Open recording."),
+        "second");
+    text->setWordWrap(true);
+    text->setAlignment(Qt::AlignCenter);
+    column->addStretch();
+    column->addWidget(head, 0, Qt::AlignHCenter);
+    column->addWidget(text);
+    column->addStretch();
+    return card;
+}
+
+void FitPage::setActive(bool active)
+{
+    if (active)
+        takeSubject();
+}
+
+void FitPage::takeSubject()
+{
+    const auto& subject = workbench().fitSubject();
+    if (!subject) {
+        d->stack->setCurrentIndex(0);
+        d->all->setEnabled(false);
+        d->copy->setEnabled(false);
+        return;
+    }
+    // The same one again: what was found since, by every estimator, stays.
+    if (d->subject && d->subject->title == subject->title && d->subject->recording == subject->recording)
+        return;
+    d->subject = subject;
+    ++d->generation;
+    d->identifying = false;
+    showSubject();
+    if (d->subject->identification.estimates.size() < implementedEstimators().size())
+        runAllEstimators();
+}
+
+void FitPage::runAllEstimators()
+{
+    if (!d->subject || d->identifying)
+        return;
+    d->identifying = true;
+    d->all->setEnabled(false);
+    d->state->setText(tr("identifying…"));
+    const int generation = d->generation;
+    workbench().compute<Identification>(
+        this, [recording = d->subject->recording] { return identifyByAll(recording); },
+        [this, generation](Identification found) {
+            if (generation != d->generation)
+                return;
+            d->identifying = false;
+            d->subject->identification = std::move(found);
+            showSubject();
+        });
+}
+
+void FitPage::showSubject()
+{
+    const FitSubject& subject = *d->subject;
+    d->stack->setCurrentIndex(1);
+    d->all->setEnabled(!d->identifying);
+    d->copy->setEnabled(true);
+    d->state->setText(d->identifying ? tr("identifying…") : QString());
+    d->summary->show(subject.title, subject.identification, subject.recording.forceUnit,
+                     subject.recording.positionUnit);
+    const Estimate* best = subject.identification.best();
+    showPlots(best ? best->estimator : subject.identification.recommended);
+}
+
+void FitPage::showPlots(Estimator estimator)
+{
+    if (!d->subject)
+        return;
+    d->plots->show(d->subject->identification, estimator, d->subject->recording.forceUnit,
+                   d->subject->recording.positionUnit);
+}
+
+void FitPage::chooseFile()
+{
+    auto* dialog =
+        new QFileDialog(this, tr("Open recording"), QString(), tr("Recordings (*.csv);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { openRecording(file); });
+    dialog->open();
+}
+
+void FitPage::openRecording(const QString& file)
+{
+    d->state->setText(tr("reading %1…").arg(QFileInfo(file).fileName()));
+    const auto work = [file]() -> Expected<FitSubject> {
+        Expected<Recording> recording = readRecordingCsv(file);
+        if (!recording)
+            return tl::unexpected<Error>(recording.error());
+        Identification identification = identifyByAll(*recording);
+        return FitSubject{QFileInfo(file).fileName(), std::move(*recording), std::move(identification)};
+    };
+    workbench().compute<Expected<FitSubject>>(this, work, [this](Expected<FitSubject> subject) {
+        d->state->clear();
+        if (subject)
+            workbench().setFitSubject(std::move(*subject));
+        else
+            workbench().report(subject.error().describe());
+    });
+}
+
+void FitPage::copyNumbers()
+{
+    QGuiApplication::clipboard()->setText(d->summary->toTsv());
+    d->state->setText(tr("copied"));
+}
+
+void FitPage::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile())
+        event->acceptProposedAction();
+}
+
+void FitPage::dropEvent(QDropEvent* event)
+{
+    openRecording(event->mimeData()->urls().first().toLocalFile());
+}
+
+void FitPage::prepareTour()
+{
+    d->tour = true;
+    if (d->subject)
+        return;
+    InspectSession& inspection = workbench().inspection();
+    if (workbench().connection().armed() && inspection.state() == InspectSession::State::Ready &&
+        inspection.squeeze()) {
+        connect(&workbench(), &Workbench::inspectionChanged, this, [this] { takeTourSqueeze(); });
+        return;
+    }
+    const auto work = []() -> FitSubject {
+        Recording recording = simulatedSqueeze({0.0396, 43.0, 9990}, 1);
+        Identification identification = identifyByAll(recording);
+        return {tr("Simulated squeeze of can A"), std::move(recording), std::move(identification)};
+    };
+    workbench().compute<FitSubject>(
+        this, work, [this](FitSubject subject) { workbench().setFitSubject(std::move(subject)); });
+}
+
+void FitPage::takeTourSqueeze()
+{
+    const auto& result = workbench().inspection().result();
+    if (d->subject || !result || workbench().inspection().state() != InspectSession::State::Ready)
+        return;
+    workbench().setFitSubject(
+        {tr("Inspection %1").arg(result->number), result->recording, result->identification});
+}
+
+bool FitPage::tourReady() const
+{
+    return d->subject && !d->identifying;
 }
 
 } // namespace gripscope

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStyledItemDelegate>
+
+namespace gripscope {
+
+/// Two lines a row of EstimateTableModel: name over verdict, value over the half width of its 95 % interval.
+class EstimateDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+private:
+    struct Lines {
+        QString first, second;
+    };
+    [[nodiscard]] static Lines linesOf(const QModelIndex& index);
+};
+
+} // namespace gripscope

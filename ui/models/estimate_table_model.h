@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/identification.h"
+
+#include <QAbstractTableModel>
+
+#include <array>
+
+namespace gripscope {
+
+/// The estimators of one identification against each other. Numbers are raw, in the units of the header (SI
+/// with a prefix where the channels allow it); EstimateDelegate words them.
+class EstimateTableModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum class Column { Estimator, Mass, Damping, Stiffness, SimulationFit, PredictionFit, Verdict };
+    static constexpr int columns = 7;
+    enum Role {
+        SortRole = Qt::UserRole, ///< the raw number
+        HalfWidthRole,           ///< half the 95 % interval, same unit; invalid when there is none
+    };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setIdentification(const Identification& identification, const QString& forceUnit,
+                           const QString& positionUnit);
+    void clear();
+    [[nodiscard]] std::optional<Estimator> estimatorAt(int row) const;
+    [[nodiscard]] int rowOf(Estimator estimator) const; ///< -1: not there
+    /// Header, units and full precision, for a spreadsheet: SI where the channels allow it.
+    [[nodiscard]] QString toTsv() const;
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    struct Row {
+        Estimator estimator = Estimator::OutputError;
+        QString verdict;
+        std::optional<Eigen::Vector3d> parameters, halfWidths; ///< SI where the channels allow it
+        Fit fit;
+    };
+    [[nodiscard]] QVariant number(const Row& row, Column column) const;
+
+    std::vector<Row> m_rows;
+    std::array<QString, 3> m_units, m_shownUnits;
+    Eigen::Vector3d m_factors = Eigen::Vector3d::Ones(); ///< from m_units to m_shownUnits
+};
+
+} // namespace gripscope

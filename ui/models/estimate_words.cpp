@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/estimate_words.h"
+
+#include <QCoreApplication>
+#include <QHash>
+#include <QStringList>
+
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString words(const char* text)
+{
+    return QCoreApplication::translate("gripscope::EstimateWords", text);
+}
+
+QString statusWords(EstimateStatus status)
+{
+    switch (status) {
+    case EstimateStatus::Converged:
+        return {};
+    case EstimateStatus::NotConverged:
+        return words(QT_TRANSLATE_NOOP("gripscope::EstimateWords", "did not converge"));
+    case EstimateStatus::NotIdentifiable:
+        return words(QT_TRANSLATE_NOOP("gripscope::EstimateWords", "not identifiable"));
+    case EstimateStatus::NoPhysicalMapping:
+        return words(QT_TRANSLATE_NOOP("gripscope::EstimateWords", "no physical m, b, k"));
+    case EstimateStatus::TooFewSamples:
+        return words(QT_TRANSLATE_NOOP("gripscope::EstimateWords", "too few samples"));
+    case EstimateStatus::NotApplicable:
+        return words(QT_TRANSLATE_NOOP("gripscope::EstimateWords", "not applicable"));
+    }
+    return {};
+}
+
+QString percentText(double share)
+{
+    const QString sign = share < 0 ? QString(QChar(0x2212)) : u"+"_s;
+    const double percent = std::abs(share) * 100;
+    return percent > 999 ? sign + u">999 %"_s : sign + u"%1 %"_s.arg(percent, 0, 'f', percent < 10 ? 1 : 0);
+}
+
+} // namespace
+
+QString estimateVerdict(const Identification& identification, const Estimate& estimate)
+{
+    const QString status = statusWords(estimate.status);
+    if (!status.isEmpty())
+        return status;
+    const Estimate* best = identification.best();
+    if (best == &estimate || (best && best->estimator == estimate.estimator))
+        return words(QT_TRANSLATE_NOOP("gripscope::EstimateWords", "recommended"));
+    if (!best || !best->parameters || !estimate.parameters)
+        return words(QT_TRANSLATE_NOOP("gripscope::EstimateWords", "no comparison"));
+    const Eigen::Vector3d mine = estimate.parameters->vector();
+    const Eigen::Vector3d other = best->parameters->vector();
+    const Eigen::Vector3d error = best->standardErrors().value_or(Eigen::Vector3d::Zero());
+    QStringList off;
+    for (int i = 0; i < 3; ++i) {
+        // What three standard errors of the recommended estimate, or 2 %, cannot tell apart is called the
+        // same.
+        const double difference = mine[i] - other[i];
+        if (std::abs(difference) > std::max(3 * error[i], 0.02 * std::abs(other[i])))
+            off << u"%1 %2"_s.arg(QString(u"mbk"_s[i]), percentText(difference / other[i]));
+    }
+    return off.isEmpty() ? words(QT_TRANSLATE_NOOP("gripscope::EstimateWords", "agrees")) : off.join(u", "_s);
+}
+
+QString checkName(const QString& id)
+{
+    static const QHash<QString, const char*> names{
+        {u"samples_lost"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Lost samples")},
+        {u"saturation"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Saturation")},
+        {u"excitation"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Excitation")},
+        {u"residual_whiteness"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "White residuals")},
+        {u"input_independence"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Residuals and force")},
+        {u"hold"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Force between samples")},
+        {u"convergence"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Convergence")},
+        {u"physical_range"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Physical range")},
+        {u"fit"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Fit")},
+        {u"calibration"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Calibration")},
+    };
+    const char* name = names.value(id, nullptr);
+    return name ? words(name) : id;
+}
+
+} // namespace gripscope

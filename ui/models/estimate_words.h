@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/identification.h"
+
+#include <QString>
+
+namespace gripscope {
+
+/// What is to be thought of an estimate, in a few words: "recommended", "agrees", "m −42 %, b +97 %", "did
+/// not converge"... Others than the recommended one are measured against that.
+[[nodiscard]] QString estimateVerdict(const Identification& identification, const Estimate& estimate);
+
+/// The name of a validity check for people.
+[[nodiscard]] QString checkName(const QString& id);
+
+} // namespace gripscope

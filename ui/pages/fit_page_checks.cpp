@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/fit_page_checks.h"
+
+#include "ui/models/estimate_words.h"
+#include "ui/theme/theme.h"
+#include "ui/widgets/controls.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QVBoxLayout>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+CheckSignLabel::CheckSignLabel(CheckSign sign, QWidget* parent) : QWidget(parent), m_sign(sign)
+{
+    setFixedSize(20, 20);
+    setSign(sign);
+    connect(&Theme::instance(), &Theme::changed, this, [this] { update(); });
+}
+
+void CheckSignLabel::setSign(CheckSign sign)
+{
+    m_sign = sign;
+    setAccessibleName(sign == CheckSign::Pass      ? tr("passed")
+                      : sign == CheckSign::Warning ? tr("suspect")
+                                                   : tr("failed"));
+    update();
+}
+
+void CheckSignLabel::paintEvent(QPaintEvent*)
+{
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor color = m_sign == CheckSign::Pass ? tokens.secondText : tokens.notValid;
+    painter.setPen(QPen(color, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    switch (m_sign) {
+    case CheckSign::Pass:
+        painter.drawPolyline(QPolygonF{QPointF(4, 10.5), QPointF(8.5, 15), QPointF(16, 5.5)});
+        break;
+    case CheckSign::Warning:
+        painter.drawPolygon(QPolygonF{QPointF(10, 3), QPointF(18, 16.5), QPointF(2, 16.5)});
+        painter.drawLine(QPointF(10, 8), QPointF(10, 11));
+        painter.drawPoint(QPointF(10, 13.8));
+        break;
+    case CheckSign::Fail:
+        painter.drawLine(QPointF(5, 5), QPointF(15, 15));
+        painter.drawLine(QPointF(15, 5), QPointF(5, 15));
+        break;
+    }
+}
+
+namespace {
+
+QString sentence(QString text)
+{
+    if (text.isEmpty())
+        return text;
+    text[0] = text[0].toUpper();
+    return text.endsWith(u'.') ? text : text + u'.';
+}
+
+QWidget* checkRow(const ValidityCheck& check)
+{
+    auto* row = new QWidget;
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 4, 0, 4);
+    line->setSpacing(metrics::step);
+    const CheckSign sign = check.ok ? CheckSign::Pass : check.decisive ? CheckSign::Fail : CheckSign::Warning;
+    line->addWidget(new CheckSignLabel(sign), 0, Qt::AlignTop);
+    auto* text = makeLabel(
+        u"<b>%1.</b> %2"_s.arg(checkName(check.id).toHtmlEscaped(), sentence(check.message).toHtmlEscaped()));
+    text->setWordWrap(true);
+    text->setTextFormat(Qt::RichText);
+    line->addWidget(text, 1);
+    return row;
+}
+
+} // namespace
+
+CheckList::CheckList(QWidget* parent)
+    : QWidget(parent), m_sign(new CheckSignLabel(CheckSign::Pass)), m_verdict(makeLabel({}, "heading")),
+      m_rows(new QVBoxLayout)
+{
+    auto* column = new QVBoxLayout(this);
+    setSpacing(column, 0, 4);
+    auto* head = new QHBoxLayout;
+    head->setSpacing(metrics::step);
+    head->addWidget(m_sign);
+    head->addWidget(m_verdict, 1);
+    column->addLayout(head);
+    m_rows->setSpacing(0);
+    column->addLayout(m_rows);
+}
+
+void CheckList::setValidity(const Validity& validity)
+{
+    while (QLayoutItem* item = m_rows->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    switch (validity.verdict) {
+    case ValidityVerdict::Valid:
+        m_sign->setSign(CheckSign::Pass);
+        m_verdict->setText(tr("Measurement valid"));
+        break;
+    case ValidityVerdict::Suspect:
+        m_sign->setSign(CheckSign::Warning);
+        m_verdict->setText(tr("Measurement suspect"));
+        break;
+    case ValidityVerdict::Invalid:
+        m_sign->setSign(CheckSign::Fail);
+        m_verdict->setText(tr("Measurement not valid"));
+        break;
+    }
+    // What failed comes first.
+    for (const bool ok : {false, true})
+        for (const ValidityCheck& check : validity.checks)
+            if (check.ok == ok)
+                m_rows->addWidget(checkRow(check));
+}
+
+} // namespace gripscope

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/validity.h"
+
+#include <QWidget>
+
+class QLabel;
+class QVBoxLayout;
+
+namespace gripscope {
+
+/// A tick, a warning or a cross, drawn; told apart by shape, and named for a screen reader.
+enum class CheckSign { Pass, Warning, Fail };
+
+class CheckSignLabel : public QWidget {
+    Q_OBJECT
+public:
+    explicit CheckSignLabel(CheckSign sign, QWidget* parent = nullptr);
+    void setSign(CheckSign sign);
+    QSize sizeHint() const override { return {20, 20}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    CheckSign m_sign;
+};
+
+/// The verdict on the measurement in one line, then every check with what was found.
+class CheckList : public QWidget {
+    Q_OBJECT
+public:
+    explicit CheckList(QWidget* parent = nullptr);
+    void setValidity(const Validity& validity);
+
+private:
+    CheckSignLabel* m_sign;
+    QLabel* m_verdict;
+    QVBoxLayout* m_rows;
+};
+
+} // namespace gripscope
