@@ -21,6 +21,9 @@ namespace {
 /// Above this condition number of the scaled columns nothing is left of the numbers' 16 digits.
 constexpr double largestCondition = 1e13;
 
+/// Above this one-step fit, percent, the residuals are rounding errors, which are neither white nor noise.
+constexpr double roundingFit = 100 * (1 - 1e-9);
+
 constexpr const char* fitWarning = "noise on the position biases m, b and k of an ARX model heavily while "
                                    "its fit still looks good: compare oe";
 
@@ -82,6 +85,7 @@ Regression makeRegression(const std::vector<double>& force, const std::vector<do
 /// Coefficients, condition and (R'R)^-1 of the scaled regression.
 struct Solution {
     double condition = std::numeric_limits<double>::infinity();
+    std::optional<double> inputIndependenceP;
     Eigen::VectorXd coefficients;
     Eigen::MatrixXd inverse;
 };
@@ -89,20 +93,23 @@ struct Solution {
 Solution solve(const Regression& regression)
 {
     const Eigen::Index n = regression.columns();
-    TallQr qr(n + 1);
+    constexpr auto extra = static_cast<Eigen::Index>(inputLags.size());
+    TallQr qr(n + extra + 1);
     for (std::size_t t = 2; t < regression.position.size(); ++t) {
         auto row = qr.nextRow();
         regression.fillRow(t, row);
-        row(n) = regression.position[t];
+        row.segment<extra>(n) = laggedInputs(regression.force, t);
+        row(n + extra) = regression.position[t];
     }
     const Eigen::MatrixXd triangle = qr.triangle();
     const Eigen::MatrixXd left = triangle.topLeftCorner(n, n);
     Solution solution;
+    solution.inputIndependenceP = extraColumnsP(triangle, extra, static_cast<double>(regression.rows()));
     solution.condition = scaledConditionNumber(left);
     if (!(solution.condition < largestCondition))
         return solution;
     const auto upper = left.triangularView<Eigen::Upper>();
-    solution.coefficients = upper.solve(triangle.topRightCorner(n, 1));
+    solution.coefficients = upper.solve(triangle.col(n + extra).head(n));
     const Eigen::MatrixXd inverse = upper.solve(Eigen::MatrixXd::Identity(n, n));
     solution.inverse = inverse * inverse.transpose();
     return solution;
@@ -144,7 +151,8 @@ void describeModel(const Regression& regression, const Eigen::VectorXd& c, Estim
                                       std::numeric_limits<double>::max());
     estimate.residuals.degreesOfFreedom =
         static_cast<double>(regression.rows()) - static_cast<double>(regression.columns());
-    estimate.residuals.whitenessP = ljungBoxP(estimate.residual, 2);
+    if (estimate.fit.predictionPercent.value_or(0) < roundingFit)
+        estimate.residuals.whitenessP = ljungBoxP(estimate.residual, 2);
     for (double& value : simulated)
         value *= regression.positionScale;
     if (allFinite(simulated))
@@ -207,6 +215,8 @@ Estimate estimateArx(const std::vector<double>& force, const std::vector<double>
     }
     estimate.coefficients = inChannelUnits(regression, solution.coefficients);
     describeModel(regression, solution.coefficients, estimate);
+    if (estimate.residuals.whitenessP)
+        estimate.residuals.inputIndependenceP = solution.inputIndependenceP;
     mapToParameters(regression, solution, options, estimate);
     return estimate;
 }

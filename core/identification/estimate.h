@@ -58,7 +58,10 @@ struct ResidualSummary {
     double sse = 0;
     double degreesOfFreedom = 0;
     std::optional<double> whitenessP;         ///< Ljung-Box
-    std::optional<double> inputIndependenceP; ///< cross-correlation with past and present input
+    std::optional<double> inputIndependenceP; ///< F test of past and present input on the residuals
+    /// How many times larger the worst standard error is when the correlation between residuals is counted;
+    /// output error only. A residual that is not white matters as far as this is above 1.
+    std::optional<double> errorInflation;
 };
 
 /// One estimator's answer to one window. `parameters` is empty for every status but Converged and, where a

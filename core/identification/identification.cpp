@@ -28,6 +28,18 @@ Estimate notApplicable(Estimator estimator, const char* message)
     return estimate;
 }
 
+OutputErrorOptions outputErrorOptions(const Identification& data, double lag_s,
+                                      const IdentificationOptions& options)
+{
+    OutputErrorOptions outputError;
+    outputError.sampleTime_s = data.sampleTime_s;
+    outputError.hold = data.hold;
+    outputError.lag_s = lag_s;
+    outputError.freeInitialState = options.initialState == InitialState::Free;
+    outputError.freeOffset = options.freeOffset;
+    return outputError;
+}
+
 Estimate runEstimator(Estimator estimator, const Identification& data, double lag_s,
                       const IdentificationOptions& options)
 {
@@ -37,21 +49,32 @@ Estimate runEstimator(Estimator estimator, const Identification& data, double la
     case Estimator::Arx221:
         return estimateArx(data.force, data.position,
                            {estimator, data.sampleTime_s, lag_s, options.freeOffset});
-    case Estimator::OutputError: {
-        OutputErrorOptions outputError;
-        outputError.sampleTime_s = data.sampleTime_s;
-        outputError.hold = data.hold;
-        outputError.lag_s = lag_s;
-        outputError.freeInitialState = options.initialState == InitialState::Free;
-        outputError.freeOffset = options.freeOffset;
-        return estimateOutputError(data.force, data.position, outputError);
-    }
+    case Estimator::OutputError:
+        return estimateOutputError(data.force, data.position, outputErrorOptions(data, lag_s, options));
     case Estimator::InstrumentalVariables:
     case Estimator::Duffing:
     case Estimator::Periodic:
         break;
     }
     return notApplicable(estimator, "this estimator is not part of this version");
+}
+
+/// N/2 ln(SSE / SSE of the other hold), N counted as far as the residuals are independent.
+std::optional<double> otherHoldGain(const Identification& data, double lag_s,
+                                    const IdentificationOptions& options)
+{
+    const Estimate* const estimate = data.find(Estimator::OutputError);
+    if (estimate == nullptr || estimate->status != EstimateStatus::Converged ||
+        !estimate->residuals.whitenessP)
+        return std::nullopt;
+    const std::optional<double> other = sseUnderOtherHold(
+        data.force, data.position, outputErrorOptions(data, lag_s, options), *estimate->parameters);
+    if (!other || !(*other > 0))
+        return std::nullopt;
+    const double inflation = std::max(estimate->residuals.errorInflation.value_or(1), 1.0);
+    const double independent = estimate->residuals.degreesOfFreedom / (inflation * inflation);
+    const double gain = independent / 2 * std::log(estimate->residuals.sse / *other);
+    return std::isfinite(gain) ? std::optional(gain) : std::nullopt;
 }
 
 /// What keeps every estimator from starting, or nothing.
@@ -118,6 +141,8 @@ Identification identify(const Recording& recording, const IdentificationOptions&
                                        : runEstimator(estimator, result, recording.forceLag_s, options));
     }
     result.recommended = recommend(result.estimates);
+    if (result.recommended == Estimator::OutputError && obstacle == nullptr)
+        result.otherHoldGain = otherHoldGain(result, recording.forceLag_s, options);
     result.validity.checks = checkValidity(result, recording, options);
     result.validity.verdict = overallVerdict(result.validity.checks);
     return result;

@@ -28,6 +28,9 @@ struct Identification {
     std::vector<Estimate> estimates; ///< in the order asked for
     Estimator recommended = Estimator::OutputError;
     Validity validity;
+    /// By how much the other force hold would raise the log-likelihood of output error, correlation between
+    /// residuals allowed for; absent when it was not tried. Above 10 the two are told apart.
+    std::optional<double> otherHoldGain;
     std::vector<double> time_s, force, position; ///< the window that was used, for plots
 
     /// The recommended estimate, or null when there is none with parameters.

@@ -3,15 +3,16 @@
 
 #include "core/identification/discretization.h"
 #include "core/identification/fit.h"
+#include "core/identification/output_error_residuals.h"
 #include "core/identification/output_error_search.h"
 #include "core/identification/output_error_start.h"
-#include "core/identification/residual_tests.h"
 #include "core/identification/tall_qr.h"
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gripscope {
 
@@ -19,6 +20,10 @@ namespace {
 
 /// Above this condition number of the scaled sensitivities, rounding decides what m, b and k are.
 constexpr double largestCondition = 1e8;
+
+constexpr const char* constantForce =
+    "a constant force does not determine m, b and k together with a free start and offset";
+constexpr const char* noAnswer = "the position does not answer the force";
 
 Estimate failed(EstimateStatus status, const char* message)
 {
@@ -95,12 +100,17 @@ void describeResiduals(const OutputErrorProblem& problem, const SearchResult& se
     estimate.fit.predictionPercent = estimate.fit.simulationPercent;
     for (const double e : std::span<const double>(estimate.residual).subspan(first, rows))
         estimate.residuals.sse += e * e;
+    estimate.residuals.sse = std::min(estimate.residuals.sse, std::numeric_limits<double>::max());
     estimate.residuals.degreesOfFreedom =
         static_cast<double>(problem.rows() - 3 - search.response.nuisanceRank);
+    const OutputErrorResiduals tests = testOutputError(problem, search.theta, search.response.nuisance);
+    estimate.residuals.whitenessP = tests.whitenessP;
+    estimate.residuals.inputIndependenceP = tests.inputIndependenceP;
+    estimate.residuals.errorInflation = tests.errorInflation;
 }
 
 /// s^2 (J'J)^-1 in channel units: d theta_i = d p_i / p_i.
-std::optional<Eigen::Matrix3d> covarianceOf(const OutputErrorProblem& problem, const SearchResult& search,
+std::optional<Eigen::Matrix3d> covarianceOf(const SearchResult& search,
                                             const MassDampingStiffness& parameters, double degreesOfFreedom)
 {
     const Eigen::Matrix3d inverse = search.triangle.inverse();
@@ -108,7 +118,6 @@ std::optional<Eigen::Matrix3d> covarianceOf(const OutputErrorProblem& problem, c
     const Eigen::Vector3d p = parameters.vector();
     const Eigen::Matrix3d covariance =
         variance * (p.asDiagonal() * inverse * inverse.transpose() * p.asDiagonal());
-    (void)problem;
     return covariance.allFinite() ? std::optional(covariance) : std::nullopt;
 }
 
@@ -142,16 +151,14 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
     const std::optional<Eigen::Vector3d> start =
         options.start ? std::optional(problem.toTheta(*options.start)) : outputErrorStart(problem);
     if (!start || !start->allFinite())
-        return failed(EstimateStatus::NotIdentifiable, "the position does not answer the force");
+        return failed(EstimateStatus::NotIdentifiable, isConstant(force) ? constantForce : noAnswer);
     const SearchResult search = searchOutputError(problem, *start, options.maxIterations);
 
     Estimate estimate = failed(EstimateStatus::NotIdentifiable, "");
     estimate.iterations = search.iterations;
-    if (!search.response.finite || scaledConditionNumber(search.triangle) > largestCondition) {
-        estimate.message =
-            isConstant(force)
-                ? "a constant force does not determine m, b and k together with a free start and offset"
-                : "this force does not determine m, b and k";
+    if (!search.response.finite || search.response.ownShare < smallestOwnShare ||
+        scaledConditionNumber(search.triangle) > largestCondition) {
+        estimate.message = isConstant(force) ? constantForce : "this force does not determine m, b and k";
         return estimate;
     }
     if (search.outcome == SearchOutcome::Boundary) {
@@ -170,8 +177,22 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
         search.outcome == SearchOutcome::Converged ? EstimateStatus::Converged : EstimateStatus::NotConverged;
     estimate.message = search.outcome == SearchOutcome::Converged ? "converged" : "the search did not settle";
     describeResiduals(problem, search, force, position, options, estimate);
-    estimate.covariance = covarianceOf(problem, search, parameters, estimate.residuals.degreesOfFreedom);
+    estimate.covariance = covarianceOf(search, parameters, estimate.residuals.degreesOfFreedom);
     return estimate;
+}
+
+std::optional<double> sseUnderOtherHold(const std::vector<double>& force, const std::vector<double>& position,
+                                        const OutputErrorOptions& options, const MassDampingStiffness& found)
+{
+    OutputErrorOptions other = options;
+    other.hold = options.hold == ForceHold::Zero ? ForceHold::First : ForceHold::Zero;
+    const OutputErrorProblem problem = scaledProblem(force, position, other);
+    // A few iterations will do: the two optima are close, and a cost that is a little high is on the safe
+    // side.
+    constexpr int iterations = 10;
+    const SearchResult search = searchOutputError(problem, problem.toTheta(found), iterations);
+    const double sse = search.response.cost * problem.positionScale * problem.positionScale;
+    return search.response.finite && std::isfinite(sse) ? std::optional(sse) : std::nullopt;
 }
 
 } // namespace gripscope

@@ -233,6 +233,8 @@ ResponseFit fitResponse(const OutputErrorProblem& problem, const Eigen::Vector3d
     const Eigen::VectorXd measured = projection.rest.col(1);
     const double power = forced.squaredNorm();
     fit.gain = power > 0 ? forced.dot(measured) / power : 0;
+    const double rawPower = triangle.col(nuisances).squaredNorm();
+    fit.ownShare = rawPower > 0 ? std::sqrt(power / rawPower) : 0;
     fit.cost = (measured - forced).squaredNorm();
     fit.costWithGain = (measured - fit.gain * forced).squaredNorm();
     fit.nuisanceRank = projection.rank;

@@ -48,6 +48,9 @@ struct ResponseFit {
     int nuisanceRank = 0;
     /// The factor on the forced response (the compliance) that would fit best, and the cost with it.
     double gain = 1, costWithGain = 0;
+    /// The share of the forced response that x0, v0 and offset cannot imitate: at rounding level for a
+    /// constant force.
+    double ownShare = 0;
 };
 [[nodiscard]] ResponseFit fitResponse(const OutputErrorProblem& problem, const Eigen::Vector3d& theta);
 

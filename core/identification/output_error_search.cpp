@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/output_error_search.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace gripscope {
 
@@ -19,6 +21,8 @@ constexpr double longestStep = 2.302585;
 /// A parameter that wants to change by more than this factor (e) where the cost no longer changes has run
 /// away.
 constexpr double runaway = 1.0;
+/// Gauss-Newton needs 5 to 15 iterations where it converges well.
+constexpr int gaussNewtonIterations = 15;
 constexpr double smallestDamping = 1e-12, largestDamping = 1e16;
 
 double squaredSize(const OutputErrorProblem& problem)
@@ -59,7 +63,8 @@ public:
             if (!linearizeHere() || hasArrived())
                 break;
             ++m_result.iterations;
-            if (!improve()) {
+            const bool slow = m_result.iterations > gaussNewtonIterations;
+            if (!(slow && improveByNewton()) && !improve()) {
                 stall();
                 break;
             }
@@ -115,6 +120,48 @@ private:
             return !runsAway();
         }
         return false;
+    }
+
+    /// A Newton step with the whole Hessian, by differences of the gradient: quadratic convergence where
+    /// residuals are large and the model is curved, which makes Gauss-Newton crawl. False when it does not
+    /// lower the cost.
+    bool improveByNewton()
+    {
+        Eigen::Matrix3d hessian;
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            constexpr double step = 1e-4;
+            const Eigen::Vector3d shift = step * Eigen::Vector3d::Unit(i);
+            const std::optional<Eigen::Vector3d> above = gradientAt(m_result.theta + shift);
+            const std::optional<Eigen::Vector3d> below = gradientAt(m_result.theta - shift);
+            if (!above || !below)
+                return false;
+            hessian.col(i) = (*above - *below) / (2 * step);
+        }
+        const Eigen::Matrix3d symmetric = (hessian + hessian.transpose()) / 2;
+        const Eigen::LDLT<Eigen::Matrix3d> factors(symmetric);
+        if (factors.info() != Eigen::Success || !factors.isPositive())
+            return false;
+        const Eigen::Vector3d step = factors.solve(m_result.triangle.transpose() * m_right);
+        if (!step.allFinite() || step.cwiseAbs().maxCoeff() > 1)
+            return false;
+        const ResponseFit trial = fitResponse(m_problem, m_result.theta + step);
+        if (!trial.finite || !(trial.cost < m_result.response.cost))
+            return false;
+        m_result.theta += step;
+        m_result.response = trial;
+        return true;
+    }
+
+    /// Half the derivative of the cost.
+    [[nodiscard]] std::optional<Eigen::Vector3d> gradientAt(const Eigen::Vector3d& theta) const
+    {
+        const ResponseFit fit = fitResponse(m_problem, theta);
+        if (!fit.finite)
+            return std::nullopt;
+        const Linearization linear = linearize(m_problem, theta, fit.nuisance);
+        if (!linear.finite)
+            return std::nullopt;
+        return Eigen::Vector3d(-linear.sensitivities.transpose() * linear.residual);
     }
 
     /// The cost stands still while a logarithm keeps going.

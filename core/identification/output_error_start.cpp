@@ -157,7 +157,7 @@ struct Best {
         if (!candidate)
             return;
         const ResponseFit fit = fitResponse(problem, *candidate);
-        if (!fit.finite || !(fit.gain > 0) || !(fit.costWithGain < cost))
+        if (!fit.finite || !(fit.gain > 0) || fit.ownShare < smallestOwnShare || !(fit.costWithGain < cost))
             return;
         // A compliance times g is M, B and K divided by g.
         const Eigen::Vector3d refitted = candidate->array() - std::log(fit.gain);

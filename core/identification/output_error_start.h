@@ -7,6 +7,9 @@
 
 namespace gripscope {
 
+/// A force whose response differs this little from what a free start and offset can imitate says nothing.
+inline constexpr double smallestOwnShare = 1e-9;
+
 /// Where the output-error search begins: the candidate whose simulation fits best, out of
 ///  - least squares on state-variable filters of some bandwidths (Young 1981), m f_y'' + b f_y' + k f_y = f_u
 ///  with

@@ -1,15 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 
 namespace gripscope {
 
 /// Ljung-Box: p-value of the hypothesis that the residuals are white, from Q = N (N + 2) sum r_k^2 / (N - k)
-/// over `lags` autocorrelations, chi-square with lags - fittedLags degrees of freedom (Ljung and Box 1978;
-/// fittedLags: the number of autoregressive coefficients fitted, 0 for output error). Nothing when there are
-/// too few residuals or when they do not vary.
+/// over the first N / 40 autocorrelations (3 to 20), chi-square with lags - fittedLags degrees
+/// of freedom (Ljung and Box 1978; fittedLags: the autoregressive coefficients that were fitted, 0 for output
+/// error). Nothing when there are too few residuals or when they do not vary.
 [[nodiscard]] std::optional<double> ljungBoxP(std::span<const double> residuals, int fittedLags);
+
+/// The lags, in samples, at which past and present input is held against the residuals.
+inline constexpr std::array<std::size_t, 8> inputLags{0, 1, 2, 4, 8, 16, 32, 64};
+
+/// The input at those lags before sample t, the first sample standing for what was before it.
+[[nodiscard]] Eigen::RowVector<double, inputLags.size()> laggedInputs(std::span<const double> input,
+                                                                      std::size_t t);
+
+/// p-value of the hypothesis that the last `extraColumns` columns in front of the right-hand side explain
+/// nothing that the columns before them do not: the F test of nested regressions, on the triangle of [model,
+/// extra, rhs] of `rows` rows. Exact for a linear model with white Gaussian noise; for output error, whose
+/// model columns are the sensitivities, it is the score test, so that fitted parameters are accounted for.
+/// Columns that depend on others do not count. Nothing when no rows or no columns are left.
+[[nodiscard]] std::optional<double> extraColumnsP(const Eigen::MatrixXd& triangle, Eigen::Index extraColumns,
+                                                  double rows);
+
+/// How many times larger the standard error of the worst parameter is when the correlation between the
+/// residuals is counted: the sandwich (J'J)^-1 J' C J (J'J)^-1 with C from the autocovariances of the
+/// residuals, tapered over 50 lags (Newey and West 1987), against s^2 (J'J)^-1. `sensitivities` has one row a
+/// residual, nuisances projected out. Nothing when it is not defined.
+[[nodiscard]] std::optional<double> errorInflation(const Eigen::MatrixXd& sensitivities,
+                                                   std::span<const double> residuals);
 
 } // namespace gripscope

@@ -20,6 +20,13 @@ constexpr double largestSaturatedShare = 0.01;
 constexpr double largestRelativeError = 0.5;
 /// The two residual tests share a false-alarm rate of 1 %.
 constexpr double smallestResidualP = 0.005;
+/// Residuals below this percentage of the position's spread change m, b and k by a few percent at the most,
+/// whatever they are: position steps (quantisation) are never white where sensor noise is small.
+constexpr double negligibleRemainder = 1;
+/// Correlation between residuals matters when it makes a standard error this much larger.
+constexpr double largestInflation = 1.5;
+/// Log-likelihood by which the other hold must be better to be told apart.
+constexpr double clearHoldGain = 10;
 /// Below this simulation fit the model explains less than three quarters of the variance.
 constexpr double smallestFitPercent = 50;
 
@@ -103,16 +110,46 @@ ValidityCheck excitation(const Estimate& estimate)
     return check;
 }
 
-ValidityCheck residualTest(const QString& id, std::optional<double> p, const QString& good,
+/// `matters`: what the test would find is large enough to change m, b and k or their errors.
+ValidityCheck residualTest(const QString& id, std::optional<double> p, bool matters, const QString& good,
                            const QString& bad)
 {
     ValidityCheck check;
     check.id = id;
     check.value = p;
     check.limit = smallestResidualP;
-    check.ok = !p || *p >= smallestResidualP;
-    check.message = !p ? u"not judged: there is nothing to test"_s : check.ok ? good : bad;
+    const bool found = p && *p < smallestResidualP;
+    check.ok = !found || !matters;
+    if (!p)
+        check.message = u"not judged: there is nothing to test"_s;
+    else
+        check.message = !found ? good : matters ? bad : bad + u"; too little to matter"_s;
     return check;
+}
+
+bool remainderMatters(const Estimate& estimate)
+{
+    return 100 - estimate.fit.predictionPercent.value_or(0) >= negligibleRemainder;
+}
+
+ValidityCheck residualWhiteness(const Estimate& estimate)
+{
+    const double inflation = estimate.residuals.errorInflation.value_or(largestInflation);
+    const bool matters = remainderMatters(estimate) && inflation >= largestInflation;
+    return residualTest(
+        u"residual_whiteness"_s, estimate.residuals.whitenessP, matters,
+        u"the residuals look like white noise"_s,
+        u"the residuals are not white: something besides sensor noise is in the position, and the "
+        "errors shown are too small"_s);
+}
+
+ValidityCheck inputIndependence(const Estimate& estimate)
+{
+    return residualTest(
+        u"input_independence"_s, estimate.residuals.inputIndependenceP, remainderMatters(estimate),
+        u"the residuals do not depend on the force"_s,
+        u"the residuals depend on the force: the object is not just a mass, a spring and a damper at "
+        "this force, or the hold or the lag is wrong"_s);
 }
 
 ValidityCheck hold(const Identification& data, const Recording& recording,
@@ -120,8 +157,16 @@ ValidityCheck hold(const Identification& data, const Recording& recording,
 {
     ValidityCheck check;
     check.id = u"hold"_s;
+    check.value = data.otherHoldGain;
+    check.limit = clearHoldGain;
+    check.ok = !check.value || *check.value <= clearHoldGain;
     const QString name = toString(data.hold);
-    if (options.hold)
+    const QString other = toString(data.hold == ForceHold::Zero ? ForceHold::First : ForceHold::Zero);
+    if (!check.ok)
+        check.message =
+            u"the position fits the force hold %1 clearly better than %2, which was used: m and b are off. "
+            "Name the right hold, or check the lag between the channels."_s.arg(other, name);
+    else if (options.hold)
         check.message = u"the force hold %1 was asked for"_s.arg(name);
     else if (recording.hold)
         check.message = u"the force hold %1 is the recording's own"_s.arg(name);
@@ -198,19 +243,13 @@ std::vector<ValidityCheck> checkValidity(const Identification& identification, c
     const Estimate none;
     const Estimate* const found = identification.find(identification.recommended);
     const Estimate& estimate = found != nullptr ? *found : none;
+    // Output error says best whether the force was rich enough, also when another estimator found numbers.
+    const Estimate* const outputError = identification.find(Estimator::OutputError);
     return {samplesLost(identification),
             saturation(identification, recording),
-            excitation(estimate),
-            residualTest(
-                u"residual_whiteness"_s, estimate.residuals.whitenessP,
-                u"the residuals look like white noise"_s,
-                u"the residuals are not white: something besides sensor noise is in the position, and the "
-                "errors shown are too small"_s),
-            residualTest(
-                u"input_independence"_s, estimate.residuals.inputIndependenceP,
-                u"the residuals do not depend on the force"_s,
-                u"the residuals depend on the force: the object is not just a mass, a spring and a damper at "
-                "this force, or the hold or the lag is wrong"_s),
+            excitation(outputError != nullptr ? *outputError : estimate),
+            residualWhiteness(estimate),
+            inputIndependence(estimate),
             hold(identification, recording, options),
             convergence(estimate),
             physicalRange(estimate, identification.sampleTime_s),
