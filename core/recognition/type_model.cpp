@@ -96,7 +96,7 @@ TypeModels fitTypeModels(const std::vector<TypeSqueeze>& squeezes)
     if (models.degreesOfFreedom == 0)
         return models;
     const double v = models.degreesOfFreedom;
-    models.shrinkage = 1 / (1 + v * v);
+    models.shrinkage = 1 / (1 + v * v * v);
     const Eigen::Matrix3d pooled = pooledCovariance(logs, models.types, models.degreesOfFreedom);
     models.covarianceLog = (1 - models.shrinkage) * pooled;
     models.covarianceLog.diagonal() = pooled.diagonal();

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recognition/kmeans.h"
+#include "core/recognition/paper_appendix.h"
+#include "tests/support/test_registry.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+using namespace gripscope;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QJsonObject oracle()
+{
+    QFile file(QStringLiteral(GRIPSCOPE_TEST_DATA) + u"/kmeans_oracle.json"_s);
+    return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object() : QJsonObject();
+}
+
+/// Inertias of the global optimum from the oracle, to the 9 digits that are asked for.
+bool sameTo9Digits(double found, double wanted)
+{
+    return std::abs(found - wanted) <= 1e-9 * std::abs(wanted);
+}
+
+Eigen::MatrixXd column(std::initializer_list<double> values)
+{
+    Eigen::MatrixXd items(Eigen::Index(values.size()), 1);
+    std::copy(values.begin(), values.end(), items.data());
+    return items;
+}
+
+} // namespace
+
+class KmeansTest : public QObject {
+    Q_OBJECT
+private slots:
+    void reachesTheOptimumOnTheAppendix_data()
+    {
+        QTest::addColumn<FeatureScaling>("scaling");
+        QTest::addColumn<QString>("key");
+        QTest::newRow("raw") << FeatureScaling::None << u"raw"_s;
+        QTest::newRow("zscore") << FeatureScaling::ZScore << u"z_pop"_s;
+        QTest::newRow("log") << FeatureScaling::Log << u"log"_s;
+        QTest::newRow("zlog") << FeatureScaling::ZLog << u"zlog"_s;
+    }
+    void reachesTheOptimumOnTheAppendix()
+    {
+        QFETCH(FeatureScaling, scaling);
+        QFETCH(QString, key);
+        const QJsonObject wanted = oracle()[u"scalings"_s][key].toObject();
+        QVERIFY(!wanted.isEmpty());
+        const PaperClustering found = clusterPaperAppendix(scaling);
+        QVERIFY(found.result.status == KMeansStatus::Converged);
+        QVERIFY(sameTo9Digits(found.result.inertia, wanted[u"best_sse_K4"_s].toDouble()));
+        QCOMPARE(found.agreement.adjustedRandIndex, 1.0);
+        const QJsonArray centroids = wanted[u"centroids"_s].toArray();
+        for (int c = 0; c < 4; ++c) // the oracle's order A to D is that of first appearance
+            for (int j = 0; j < 3; ++j)
+                // Means of 10 numbers of size 1: rounding stays far below 1e-12.
+                QVERIFY(std::abs(found.result.centroids(c, j) - centroids[c][j].toDouble()) < 1e-12);
+    }
+    void everySeedReachesIt_data() { reachesTheOptimumOnTheAppendix_data(); }
+    void everySeedReachesIt()
+    {
+        QFETCH(FeatureScaling, scaling);
+        QFETCH(QString, key);
+        const double wanted = oracle()[u"scalings"_s][key][u"best_sse_K4"_s].toDouble();
+        for (std::uint64_t seed = 1; seed <= 50; ++seed)
+            QVERIFY2(sameTo9Digits(clusterPaperAppendix(scaling, seed).result.inertia, wanted),
+                     qPrintable(QString::number(seed)));
+    }
+    void publishedInertiasAreTheOraclesOwn()
+    {
+        QVERIFY(sameTo9Digits(clusterPaperAppendix(FeatureScaling::None).result.inertia, 0.0011127767646));
+        QVERIFY(sameTo9Digits(clusterPaperAppendix(FeatureScaling::ZScore).result.inertia, 3.14528774528));
+        QVERIFY(sameTo9Digits(clusterPaperAppendix(FeatureScaling::Log).result.inertia, 0.161962421918));
+    }
+    void theSameSeedGivesTheSameSteps()
+    {
+        const PaperClustering one = clusterPaperAppendix(FeatureScaling::ZScore, 7);
+        const PaperClustering two = clusterPaperAppendix(FeatureScaling::ZScore, 7);
+        QCOMPARE(one.result.steps.size(), two.result.steps.size());
+        for (std::size_t i = 0; i < one.result.steps.size(); ++i) {
+            QVERIFY(one.result.steps[i].centroids == two.result.steps[i].centroids);
+            QCOMPARE(one.result.steps[i].labels, two.result.steps[i].labels);
+        }
+    }
+    void inertiaNeverRisesFromStepToStepAndEndsAtTheResult()
+    {
+        for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+            const KMeansResult result = clusterPaperAppendix(FeatureScaling::None, seed).result;
+            QVERIFY(result.steps.size() >= 2);
+            QCOMPARE(int(result.steps.size()), result.iterations + 1);
+            for (std::size_t i = 1; i < result.steps.size(); ++i)
+                QVERIFY(result.steps[i].inertia <= result.steps[i - 1].inertia * (1 + 1e-12));
+            QCOMPARE(result.steps.back().inertia, result.inertia);
+            QCOMPARE(result.steps.back().labels, result.labels);
+            QVERIFY(result.steps.back().centroids == result.centroids);
+        }
+    }
+    void theFirstCentresAreItems()
+    {
+        const PaperClustering found = clusterPaperAppendix(FeatureScaling::None);
+        const Eigen::MatrixXd& items = paperAppendix().parameters;
+        for (Eigen::Index c = 0; c < 4; ++c)
+            QCOMPARE(
+                (items.rowwise() - found.result.steps.front().centroids.row(c)).rowwise().norm().minCoeff(),
+                0.0);
+    }
+    void labelsAreNumberedByFirstAppearance()
+    {
+        for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+            KMeansOptions options;
+            options.clusters = 3;
+            options.seed = seed;
+            const auto result = kMeans(column({9, 9.1, 1, 1.1, 5, 5.1}), options);
+            QCOMPARE(result->labels, std::vector<int>({0, 0, 1, 1, 2, 2}));
+            QVERIFY(std::abs(result->centroids(1, 0) - 1.05) < 1e-12);
+        }
+    }
+    void asManyClustersAsItemsLeavesNothingOver()
+    {
+        KMeansOptions options;
+        options.clusters = 3;
+        const auto result = kMeans(column({3, 1, 2}), options);
+        QCOMPARE(result->inertia, 0.0);
+        QCOMPARE(result->labels, std::vector<int>({0, 1, 2}));
+    }
+    void fewerItemsThanClustersIsAStatus()
+    {
+        const auto result = kMeans(column({1, 2, 3}));
+        QVERIFY(result->status == KMeansStatus::TooFewItems);
+        QVERIFY(result->labels.empty());
+        QVERIFY(kMeans(Eigen::MatrixXd(0, 3))->status == KMeansStatus::TooFewItems);
+    }
+    void fewerDifferentItemsThanClustersLeavesClustersEmpty()
+    {
+        KMeansOptions options;
+        options.clusters = 4;
+        const auto result = kMeans(column({1, 1, 1, 2, 2, 2}), options);
+        QVERIFY(result->status == KMeansStatus::Converged);
+        QCOMPARE(result->inertia, 0.0);
+        QCOMPARE(result->labels, std::vector<int>({0, 0, 0, 1, 1, 1}));
+        QVERIFY(result->centroids.allFinite());
+    }
+    void aClusterThatRunsEmptyIsFilledAgain()
+    {
+        // Random plane data: with many clusters and few items some starts lose all items of a centre on the
+        // way.
+        KMeansOptions options;
+        options.clusters = 12;
+        options.candidates = 1;
+        options.restarts = 1;
+        Eigen::MatrixXd items(24, 2);
+        std::uint32_t state = 1;
+        for (double& value : items.reshaped()) {
+            state = state * 1664525u + 1013904223u;
+            value = std::floor(double(state >> 24) / 16);
+        }
+        for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+            options.seed = seed;
+            const auto result = kMeans(items, options);
+            const std::set<int> used(result->labels.begin(), result->labels.end());
+            QCOMPARE(used.size(), std::size_t(12));
+            QVERIFY(result->centroids.allFinite());
+        }
+    }
+    void stopsAtTheIterationLimitAndSaysSo()
+    {
+        KMeansOptions options;
+        options.maxIterations = 1;
+        options.restarts = 1;
+        options.candidates = 1;
+        bool stopped = false;
+        for (options.seed = 1; options.seed <= 20; ++options.seed) {
+            const auto result = kMeans(paperAppendix().parameters, options);
+            QCOMPARE(result->iterations, 1);
+            stopped = stopped || result->status == KMeansStatus::NotConverged;
+        }
+        QVERIFY(stopped);
+    }
+    void badOptionsAndNumbersAreErrors()
+    {
+        for (int KMeansOptions::*option : {&KMeansOptions::clusters, &KMeansOptions::restarts,
+                                           &KMeansOptions::candidates, &KMeansOptions::maxIterations}) {
+            KMeansOptions options;
+            options.*option = 0;
+            QCOMPARE(kMeans(column({1, 2, 3, 4}), options).error().code, ErrorCode::Usage);
+        }
+        QCOMPARE(kMeans(column({1, 2, std::nan(""), 4})).error().code, ErrorCode::BadInput);
+        QCOMPARE(kMeans(column({1, 2, std::numeric_limits<double>::infinity(), 4})).error().code,
+                 ErrorCode::BadInput);
+    }
+};
+
+GRIPSCOPE_TEST(KmeansTest)
+#include "kmeans_test.moc"
