@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/strip_chart.h"
+
+#include "ui/theme/theme.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+namespace {
+constexpr int left = 64, right = 16, top = 10, bottom = 26;
+constexpr int calmFrames = 60; ///< about a second: the range shrinks only after that
+} // namespace
+
+StripChart::StripChart(LiveHistory::Channel channel, QString unit, double leastSpan, QWidget* parent)
+    : QWidget(parent), m_channel(channel), m_unit(std::move(unit)),
+      m_leastSpan(leastSpan), m_range{0, leastSpan}
+{
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connect(&Theme::instance(), &Theme::changed, this, [this] {
+        m_frameValid = false;
+        update();
+    });
+}
+
+void StripChart::setScale(double factor, double zero)
+{
+    m_factor = factor;
+    m_zero = zero;
+    m_calm = calmFrames;
+}
+
+void StripChart::setSeconds(double seconds)
+{
+    m_seconds = seconds;
+    m_frameValid = false;
+    m_calm = calmFrames;
+    update();
+}
+
+void StripChart::setStretches(std::vector<LiveHistory::Stretch> stretches)
+{
+    m_stretches = std::move(stretches);
+    followRange();
+    update();
+}
+
+int StripChart::columns() const
+{
+    return std::max(1, static_cast<int>(plot().width()));
+}
+
+QRectF StripChart::plot() const
+{
+    return QRectF(rect()).adjusted(left, top, -right, -bottom);
+}
+
+void StripChart::followRange()
+{
+    double low = INFINITY;
+    double high = -INFINITY;
+    for (const LiveHistory::Stretch& stretch : m_stretches)
+        for (const PlotPoint& p : stretch) {
+            low = std::min(low, p.y);
+            high = std::max(high, p.y);
+        }
+    if (!(low <= high))
+        return;
+    const double a = low * m_factor - m_zero;
+    const double b = high * m_factor - m_zero;
+    const AxisRange wanted = roundRange(std::min(a, b), std::max(a, b), m_leastSpan);
+    const bool outside = wanted.low < m_range.low || wanted.high > m_range.high;
+    const bool smaller = wanted.span() < m_range.span() * 0.999;
+    m_calm = smaller && !outside ? m_calm + 1 : 0;
+    if (!outside && m_calm < calmFrames)
+        return;
+    m_calm = 0;
+    if (wanted.low != m_range.low || wanted.high != m_range.high) {
+        m_range = wanted;
+        m_frameValid = false;
+    }
+}
+
+void StripChart::resizeEvent(QResizeEvent*)
+{
+    m_frameValid = false;
+}
+
+void StripChart::paintEvent(QPaintEvent*)
+{
+    if (!m_frameValid || m_frame.devicePixelRatio() != devicePixelRatioF())
+        paintFrame();
+    QPainter painter(this);
+    painter.drawPixmap(0, 0, m_frame);
+    paintCurve(painter);
+}
+
+void StripChart::paintFrame()
+{
+    const qreal ratio = devicePixelRatioF();
+    m_frame = QPixmap((QSizeF(size()) * ratio).toSize());
+    m_frame.setDevicePixelRatio(ratio);
+    m_frame.fill(Qt::transparent);
+    QPainter painter(&m_frame);
+    const ThemeTokens& t = Theme::instance().tokens();
+    const QRectF area = plot();
+    const QColor grid = t.kind == ThemeKind::HighContrast ? Theme::mix(t.surface, t.line, 0.3) : t.line;
+    painter.setFont(Theme::font(metrics::fontSmall));
+    const AxisTicks y =
+        roundTicks(m_range.low, m_range.high, std::clamp(static_cast<int>(area.height() / 30), 2, 8));
+    for (const double value : y.values) {
+        const double at =
+            std::round(area.bottom() - (value - m_range.low) / m_range.span() * area.height()) + 0.5;
+        painter.setPen(QPen(grid, 1));
+        painter.drawLine(QPointF(area.left(), at), QPointF(area.right(), at));
+        painter.setPen(t.secondText);
+        painter.drawText(QRectF(0, at - 9, left - 8, 18), Qt::AlignRight | Qt::AlignVCenter, y.label(value));
+    }
+    const double unit = m_seconds > 120 ? 60 : 1;
+    const AxisTicks x =
+        roundTicks(-m_seconds / unit, 0, std::clamp(static_cast<int>(area.width() / 90), 2, 11));
+    for (const double value : x.values) {
+        const double at = std::round(area.right() + value * unit / m_seconds * area.width()) + 0.5;
+        painter.setPen(QPen(grid, 1));
+        painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
+        painter.setPen(t.secondText);
+        const QString text = value == 0 ? tr("now") : x.label(value) + (unit > 1 ? tr(" min") : tr(" s"));
+        const double wide = 72;
+        const double from = std::min(at - wide / 2, width() - wide);
+        painter.drawText(QRectF(from, area.bottom() + 5, wide, 16),
+                         (from < at - wide / 2 ? Qt::AlignRight : Qt::AlignHCenter) | Qt::AlignTop, text);
+    }
+    m_frameValid = true;
+}
+
+void StripChart::paintCurve(QPainter& painter) const
+{
+    const ThemeTokens& t = Theme::instance().tokens();
+    const QRectF area = plot();
+    const bool force = m_channel == LiveHistory::Channel::Force;
+    QPen pen(force ? t.force : t.position, t.curveWidth > 2 ? 2 : 1.5);
+    pen.setJoinStyle(Qt::BevelJoin);
+    painter.setPen(pen);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(area);
+    QPolygonF line;
+    for (const LiveHistory::Stretch& stretch : m_stretches) {
+        line.clear();
+        line.reserve(static_cast<qsizetype>(stretch.size()));
+        for (const PlotPoint& p : stretch)
+            line << QPointF(area.right() + p.x / m_seconds * area.width(),
+                            area.bottom() -
+                                (p.y * m_factor - m_zero - m_range.low) / m_range.span() * area.height());
+        painter.drawPolyline(line);
+    }
+}
+
+} // namespace gripscope

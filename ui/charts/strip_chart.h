@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/live_history.h"
+#include "ui/widgets/axis_ticks.h"
+
+#include <QPixmap>
+#include <QWidget>
+
+namespace gripscope {
+
+/// One channel over the last seconds, newest on the right. It is handed min/max columns, so a frame costs
+/// what its width costs. The vertical range follows the data between round numbers and gives way slowly.
+class StripChart : public QWidget {
+    Q_OBJECT
+public:
+    StripChart(LiveHistory::Channel channel, QString unit, double leastSpan, QWidget* parent = nullptr);
+
+    /// `factor` takes the device's unit to the one shown; `zero` (shown unit) is subtracted first: tare.
+    void setScale(double factor, double zero);
+    void setSeconds(double seconds);
+    void setStretches(std::vector<LiveHistory::Stretch> stretches);
+    [[nodiscard]] int columns() const; ///< pixel columns of the plot
+    [[nodiscard]] double seconds() const { return m_seconds; }
+    [[nodiscard]] AxisRange range() const { return m_range; }
+    [[nodiscard]] const std::vector<LiveHistory::Stretch>& stretches() const { return m_stretches; }
+
+    [[nodiscard]] QSize sizeHint() const override { return {640, 220}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {280, 96}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    [[nodiscard]] QRectF plot() const;
+    void followRange();
+    void paintFrame();
+    void paintCurve(QPainter& painter) const;
+
+    LiveHistory::Channel m_channel;
+    QString m_unit;
+    double m_leastSpan;
+    double m_factor = 1, m_zero = 0, m_seconds = 10;
+    std::vector<LiveHistory::Stretch> m_stretches;
+    AxisRange m_range{0, 1};
+    QPixmap m_frame; ///< grid and labels, drawn anew only when they change
+    bool m_frameValid = false;
+    int m_calm = 0; ///< frames during which a smaller range would have done
+};
+
+} // namespace gripscope

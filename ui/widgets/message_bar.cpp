@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/message_bar.h"
+
+#include "ui/theme/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/outcome_view.h"
+
+#include <QHBoxLayout>
+#include <QPainter>
+
+namespace gripscope {
+
+namespace {
+
+constexpr qsizetype mostMessages = 20;
+
+class WarningSign : public QWidget {
+public:
+    explicit WarningSign(QWidget* parent) : QWidget(parent) { setFixedSize(28, 28); }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        paintOutcomeSign(painter, rect(), InspectionOutcome::NotValid, Theme::instance().tokens().notValid);
+    }
+};
+
+} // namespace
+
+MessageBar::MessageBar(QWidget* parent) : QFrame(parent)
+{
+    setRole(this, "message");
+    setAccessibleName(tr("Message"));
+    m_text = makeLabel({}, "", this);
+    m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_more = makeLabel({}, "caption", this);
+    m_dismiss = makeButton(tr("Dismiss"), {}, "", this);
+    connect(m_dismiss, &QPushButton::clicked, this, &MessageBar::dismiss);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(12, 8, 16, 8);
+    row->setSpacing(12);
+    row->addWidget(new WarningSign(this));
+    row->addWidget(m_text, 1);
+    row->addWidget(m_more);
+    row->addWidget(m_dismiss);
+    hide();
+}
+
+void MessageBar::show(const QString& message)
+{
+    m_messages.removeAll(message);
+    m_messages.prepend(message);
+    while (m_messages.size() > mostMessages)
+        m_messages.removeLast();
+    refresh();
+}
+
+void MessageBar::dismiss()
+{
+    if (!m_messages.isEmpty())
+        m_messages.removeFirst();
+    refresh();
+}
+
+QString MessageBar::message() const
+{
+    return m_messages.value(0);
+}
+
+void MessageBar::refresh()
+{
+    m_text->setText(message());
+    m_more->setVisible(m_messages.size() > 1);
+    m_more->setText(tr("%n more", nullptr, static_cast<int>(m_messages.size()) - 1));
+    setVisible(!m_messages.isEmpty());
+    setAccessibleDescription(message());
+}
+
+} // namespace gripscope

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+#include <QStringList>
+
+class QLabel;
+class QPushButton;
+
+namespace gripscope {
+
+/// What went wrong, under the header, until a person has read it: the newest message first, the others behind
+/// it.
+class MessageBar : public QFrame {
+    Q_OBJECT
+public:
+    explicit MessageBar(QWidget* parent = nullptr);
+
+    void show(const QString& message);
+    void dismiss(); ///< the one shown; the next takes its place
+    [[nodiscard]] QString message() const;
+
+private:
+    void refresh();
+    QLabel* m_text;
+    QLabel* m_more;
+    QPushButton* m_dismiss;
+    QStringList m_messages; ///< newest first
+};
+
+} // namespace gripscope

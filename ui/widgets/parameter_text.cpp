@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/parameter_text.h"
+
+#include "core/signal/units.h"
+
+#include <cmath>
+
+namespace gripscope {
+
+namespace {
+/// Half width of a 95 % interval in standard errors; the windows have hundreds of samples, so the normal law
+/// serves.
+constexpr double halfWidth95 = 1.959964;
+} // namespace
+
+ParameterTexts parameterTexts(const MassDampingStiffness& parameters,
+                              const std::optional<Eigen::Vector3d>& standardErrors, const QString& forceUnit,
+                              const QString& positionUnit)
+{
+    const std::optional<double> si = siFactor(forceUnit, positionUnit);
+    const double factor = si.value_or(1.0);
+    const ParameterUnits units = si ? parameterUnits(QStringLiteral("N"), QStringLiteral("m"))
+                                    : parameterUnits(forceUnit, positionUnit);
+    const auto one = [&](double value, int i, const QString& unit) {
+        std::optional<double> error;
+        if (standardErrors)
+            error = halfWidth95 * factor * (*standardErrors)[i];
+        return formatNumber(value * factor, error, unit);
+    };
+    return {one(parameters.m, 0, units.m), one(parameters.b, 1, units.b), one(parameters.k, 2, units.k)};
+}
+
+ParameterTexts parameterTexts(const Estimate& estimate, const QString& forceUnit, const QString& positionUnit)
+{
+    if (!estimate.parameters)
+        return {formatNumber(NAN, std::nullopt, {}), formatNumber(NAN, std::nullopt, {}),
+                formatNumber(NAN, std::nullopt, {})};
+    return parameterTexts(*estimate.parameters, estimate.standardErrors(), forceUnit, positionUnit);
+}
+
+} // namespace gripscope

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/type_map.h"
+
+#include "ui/theme/theme.h"
+
+#include <Eigen/Eigenvalues>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+namespace {
+/// Chi-square with two degrees of freedom is exponential: its 95 % quantile is -2 ln 0.05.
+const double quantile95 = -2 * std::log(0.05);
+constexpr double kilo = 1e-3;
+constexpr double normal95 = 1.959964;
+} // namespace
+
+TypeMap::TypeMap(QWidget* parent) : QWidget(parent)
+{
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    setAccessibleName(tr("Stiffness and damping of the types and of this part"));
+    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+std::vector<QPointF> TypeMap::ellipse(const TypeModels& models, const TypeModel& type)
+{
+    // Rows 1 and 2 of log(m, b, k) are b and k.
+    const Eigen::Matrix2d covariance = models.covarianceLog.block<2, 2>(1, 1);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(covariance);
+    if (eigen.info() != Eigen::Success || !(eigen.eigenvalues().maxCoeff() > 0))
+        return {};
+    const Eigen::Vector2d radii = (eigen.eigenvalues().cwiseMax(0.0) * quantile95).cwiseSqrt();
+    std::vector<QPointF> edge;
+    constexpr int corners = 64;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2 * M_PI * i / corners;
+        const Eigen::Vector2d unit(std::cos(angle), std::sin(angle));
+        const Eigen::Vector2d log = type.meanLog.tail<2>() + eigen.eigenvectors() * radii.cwiseProduct(unit);
+        edge.emplace_back(std::exp(log[1]), std::exp(log[0]));
+    }
+    return edge;
+}
+
+void TypeMap::setTypes(const TypeModels& models)
+{
+    m_shapes.clear();
+    for (const TypeModel& type : models.types) {
+        Shape shape;
+        shape.name = type.name;
+        shape.centre = {std::exp(type.meanLog[2]) * kilo, std::exp(type.meanLog[1])};
+        for (const QPointF& p : ellipse(models, type))
+            shape.edge.emplace_back(p.x() * kilo, p.y());
+        m_shapes.push_back(std::move(shape));
+    }
+    update();
+}
+
+void TypeMap::setPart(const std::optional<MassDampingStiffness>& parameters,
+                      const std::optional<Eigen::Vector3d>& errors)
+{
+    m_part.reset();
+    if (parameters && std::isfinite(parameters->k) && std::isfinite(parameters->b))
+        m_part = QPointF(parameters->k * kilo, parameters->b);
+    m_error = errors ? QPointF((*errors)[2] * normal95 * kilo, (*errors)[1] * normal95) : QPointF();
+    update();
+}
+
+QPointF TypeMap::View::map(QPointF value) const
+{
+    return {plot.left() + (value.x() - k.low) / k.span() * plot.width(),
+            plot.bottom() - (value.y() - b.low) / b.span() * plot.height()};
+}
+
+TypeMap::View TypeMap::view() const
+{
+    View view;
+    view.plot = QRectF(rect()).adjusted(56, 10, -14, -38);
+    double k0 = 1e300, k1 = -1e300, b0 = 1e300, b1 = -1e300;
+    const auto include = [&](const QPointF& p) {
+        k0 = std::min(k0, p.x());
+        k1 = std::max(k1, p.x());
+        b0 = std::min(b0, p.y());
+        b1 = std::max(b1, p.y());
+    };
+    for (const Shape& shape : m_shapes) {
+        include(shape.centre);
+        for (const QPointF& p : shape.edge)
+            include(p);
+    }
+    if (m_part)
+        include(*m_part);
+    if (k0 > k1)
+        k0 = b0 = 0, k1 = b1 = 1;
+    const auto padded = [](double low, double high) {
+        const double air = std::max((high - low) * 0.06, std::abs(high) * 0.02);
+        return AxisRange{std::max(0.0, low - air), high + air};
+    };
+    view.k = padded(k0, k1);
+    view.b = padded(b0, b1);
+    return view;
+}
+
+void TypeMap::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (m_shapes.empty() && !m_part) {
+        painter.setPen(Theme::instance().tokens().secondText);
+        painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("No types yet. Enroll one to see where it lies."));
+        return;
+    }
+    const View v = view();
+    paintAxes(painter, v);
+    paintTypes(painter, v);
+    paintPart(painter, v);
+}
+
+void TypeMap::paintAxes(QPainter& painter, const View& v) const
+{
+    const ThemeTokens& t = Theme::instance().tokens();
+    const QFont small = Theme::font(metrics::fontSmall);
+    painter.setFont(small);
+    const AxisTicks k =
+        roundTicks(v.k.low, v.k.high, std::clamp(static_cast<int>(v.plot.width() / 64), 2, 8));
+    const AxisTicks b =
+        roundTicks(v.b.low, v.b.high, std::clamp(static_cast<int>(v.plot.height() / 26), 2, 6));
+    const QColor grid = t.kind == ThemeKind::HighContrast ? Theme::mix(t.surface, t.line, 0.3) : t.line;
+    for (const double value : k.values) {
+        const double x = v.map({value, 0}).x();
+        painter.setPen(grid);
+        painter.drawLine(QPointF(x, v.plot.top()), QPointF(x, v.plot.bottom()));
+        painter.setPen(t.secondText);
+        painter.drawText(QRectF(x - 40, v.plot.bottom() + 3, 80, 16), Qt::AlignHCenter | Qt::AlignTop,
+                         k.label(value));
+    }
+    for (const double value : b.values) {
+        const double y = v.map({0, value}).y();
+        painter.setPen(grid);
+        painter.drawLine(QPointF(v.plot.left(), y), QPointF(v.plot.right(), y));
+        painter.setPen(t.secondText);
+        painter.drawText(QRectF(18, y - 9, v.plot.left() - 24, 18), Qt::AlignRight | Qt::AlignVCenter,
+                         b.label(value));
+    }
+    painter.drawText(QRectF(v.plot.left(), height() - 18, v.plot.width(), 16), Qt::AlignCenter,
+                     tr("stiffness (kN/m)"));
+    painter.save();
+    painter.translate(9, v.plot.center().y());
+    painter.rotate(-90);
+    painter.drawText(QRectF(-90, -9, 180, 18), Qt::AlignCenter, tr("damping (N s/m)"));
+    painter.restore();
+}
+
+void TypeMap::paintTypes(QPainter& painter, const View& v) const
+{
+    const ThemeTokens& t = Theme::instance().tokens();
+    painter.setClipRect(v.plot.adjusted(-1, -1, 1, 1));
+    for (std::size_t i = 0; i < m_shapes.size(); ++i) {
+        const Shape& shape = m_shapes[i];
+        const QColor color =
+            t.kind == ThemeKind::HighContrast ? t.text : Theme::typeColor(static_cast<int>(i));
+        QPolygonF edge;
+        for (const QPointF& p : shape.edge)
+            edge << v.map(p);
+        QColor tint = color;
+        tint.setAlphaF(0.22F);
+        const bool light = t.kind == ThemeKind::Light;
+        painter.setPen(QPen(light ? color : Theme::mix(color, Qt::white, 0.45),
+                            t.kind == ThemeKind::HighContrast ? 2 : 1.5));
+        painter.setBrush(t.kind == ThemeKind::HighContrast ? QBrush(Qt::NoBrush) : QBrush(tint));
+        const QRectF bounds = edge.boundingRect();
+        // An ellipse too small to see still shows where the type lies.
+        if (bounds.width() < 9 && bounds.height() < 9)
+            painter.drawEllipse(v.map(shape.centre), 4.5, 4.5);
+        else
+            painter.drawPolygon(edge);
+        const QPointF c = v.map(shape.centre);
+        painter.setPen(t.text);
+        painter.setFont(Theme::font(metrics::fontSmall, true));
+        const QFontMetricsF metricsOfName(painter.font());
+        const QString name = metricsOfName.elidedText(shape.name, Qt::ElideRight, 110);
+        const double wide = metricsOfName.horizontalAdvance(name);
+        // Beside the ellipse, on the side that has room, so that the part's ring does not cover it.
+        const double right = std::max(bounds.right(), c.x() + 5) + 5;
+        const double left = std::min(bounds.left(), c.x() - 5) - 5 - wide;
+        painter.drawText(QPointF(right + wide <= v.plot.right() ? right : left, c.y() - 4), name);
+    }
+    painter.setClipping(false);
+}
+
+void TypeMap::paintPart(QPainter& painter, const View& v) const
+{
+    if (!m_part)
+        return;
+    const ThemeTokens& t = Theme::instance().tokens();
+    const QPointF c = v.map(*m_part);
+    painter.setPen(QPen(t.text, 1.5));
+    const double wide = m_error.x() / v.k.span() * v.plot.width();
+    const double tall = m_error.y() / v.b.span() * v.plot.height();
+    painter.drawLine(QPointF(c.x() - wide, c.y()), QPointF(c.x() + wide, c.y()));
+    painter.drawLine(QPointF(c.x(), c.y() - tall), QPointF(c.x(), c.y() + tall));
+    painter.setBrush(t.text);
+    painter.setPen(Qt::NoPen);
+    painter.drawEllipse(c, 3, 3);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(t.text, 2));
+    painter.drawEllipse(c, 8, 8);
+}
+
+} // namespace gripscope

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/estimate.h"
+#include "core/recognition/type_model.h"
+#include "ui/widgets/axis_ticks.h"
+
+#include <QPointF>
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+namespace gripscope {
+
+/// A small picture of stiffness against damping: an ellipse for each type (where 95 % of its squeezes lie)
+/// and this part as a ringed point with its own 95 % error bars. SI.
+class TypeMap : public QWidget {
+    Q_OBJECT
+public:
+    explicit TypeMap(QWidget* parent = nullptr);
+    void setTypes(const TypeModels& models);
+    void setPart(const std::optional<MassDampingStiffness>& parameters,
+                 const std::optional<Eigen::Vector3d>& errors);
+    [[nodiscard]] QSize sizeHint() const override { return {360, 200}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {220, 112}; }
+
+    /// The edge of the region of k and b that holds 95 % of a type's squeezes, from its log-normal model.
+    [[nodiscard]] static std::vector<QPointF> ellipse(const TypeModels& models, const TypeModel& type);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    struct View {
+        QRectF plot;
+        AxisRange k, b;
+        [[nodiscard]] QPointF map(QPointF value) const;
+    };
+    [[nodiscard]] View view() const;
+    void paintAxes(QPainter& painter, const View& view) const;
+    void paintTypes(QPainter& painter, const View& view) const;
+    void paintPart(QPainter& painter, const View& view) const;
+
+    struct Shape {
+        QString name;
+        QPointF centre; ///< k in kN/m, b in N s/m
+        std::vector<QPointF> edge;
+    };
+    std::vector<Shape> m_shapes;
+    std::optional<QPointF> m_part;
+    QPointF m_error;
+};
+
+} // namespace gripscope
