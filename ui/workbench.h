@@ -78,6 +78,8 @@ public:
     /// Puts a squeeze on the Fit page without leaving this one.
     void setFitSubject(FitSubject subject);
     [[nodiscard]] const std::optional<FitSubject>& fitSubject() const;
+    /// Brings another page into view, by its id.
+    void showPage(const QString& id) { emit pageRequested(id); }
     /// Types or squeezes in the library were changed by a page.
     void tellLibraryChanged();
     /// Shows a message (errors, mostly) in the window's message bar.
@@ -93,6 +95,7 @@ signals:
     void fitRequested();      ///< showInFit() was called: bring the Fit page into view
     void reported(const QString& message);
     void operatorChanged();
+    void pageRequested(const QString& id);
     void stopped(); ///< by a person, through stop()
 
 private:

@@ -1,8 +1,80 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/desktop/options.h"
+#include "core/store/library.h"
+#include "ui/main_window.h"
+#include "ui/tour.h"
+#include "ui/workbench.h"
+
 #include <QApplication>
+#include <QLocale>
+#include <QSettings>
+#include <QTextStream>
+
+#include <cstdlib>
+
+using namespace Qt::StringLiterals;
+using namespace gripscope;
+
+namespace {
+
+/// Before the application exists: what the platform plugin and the scaling are chosen by.
+void prepareEnvironment(int argc, char** argv)
+{
+    if (const QByteArray scale = earlyOption(argc, argv, "--scale"); !scale.isEmpty())
+        qputenv("QT_SCALE_FACTOR", scale);
+#ifdef Q_OS_LINUX
+    const bool display = qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
+    if (!display && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+#endif
+}
+
+int runWindow(const DesktopOptions& options)
+{
+    Theme::instance().apply(options.theme);
+    Workbench bench(options.library.isEmpty() ? Library::defaultFile() : options.library);
+    QSettings settings;
+    bench.setOperatorName(settings.value(u"operator"_s).toString());
+    QObject::connect(&bench, &Workbench::operatorChanged, &bench,
+                     [&bench, &settings] { settings.setValue(u"operator"_s, bench.operatorName()); });
+    MainWindow window(bench);
+    if (options.size.isValid())
+        window.resize(options.size);
+    window.show();
+    if (options.examples)
+        bench.ask<void>(
+            &bench, [](Library& library) { return library.loadExampleTypes(); },
+            [&bench](const Expected<void>& done) {
+                if (done)
+                    bench.tellLibraryChanged();
+                else
+                    bench.report(done.error().describe());
+            });
+    bench.connectTo(options.device);
+    return QApplication::exec();
+}
+
+} // namespace
 
 int main(int argc, char** argv)
 {
+    prepareEnvironment(argc, argv);
     QApplication application(argc, argv);
-    return 2;
+    QCoreApplication::setOrganizationName(u"Gripscope"_s);
+    QCoreApplication::setApplicationName(u"Gripscope"_s);
+    QCoreApplication::setApplicationVersion(QStringLiteral(GRIPSCOPE_VERSION));
+    const Expected<DesktopOptions> options = parseDesktopOptions(QCoreApplication::arguments());
+    if (!options) {
+        QTextStream(stderr) << "gripscope: " << options.error().describe() << Qt::endl;
+        return 2;
+    }
+    if (!options->answer.isEmpty()) {
+        QTextStream(stdout) << options->answer << Qt::endl;
+        return 0;
+    }
+    QLocale::setDefault(QLocale(options->language));
+    if (!options->tourFolder.isEmpty())
+        return runTour({options->tourFolder, options->theme,
+                        options->size.isValid() ? options->size : QSize(1440, 900)});
+    return runWindow(*options);
 }

@@ -15,9 +15,8 @@ constexpr int left = 64, right = 16, top = 10, bottom = 26;
 constexpr int calmFrames = 60; ///< about a second: the range shrinks only after that
 } // namespace
 
-StripChart::StripChart(LiveHistory::Channel channel, QString unit, double leastSpan, QWidget* parent)
-    : QWidget(parent), m_channel(channel), m_unit(std::move(unit)),
-      m_leastSpan(leastSpan), m_range{0, leastSpan}
+StripChart::StripChart(LiveHistory::Channel channel, double leastSpan, QWidget* parent)
+    : QWidget(parent), m_channel(channel), m_leastSpan(leastSpan), m_range{0, leastSpan}
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(&Theme::instance(), &Theme::changed, this, [this] {

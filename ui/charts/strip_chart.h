@@ -14,7 +14,7 @@ namespace gripscope {
 class StripChart : public QWidget {
     Q_OBJECT
 public:
-    StripChart(LiveHistory::Channel channel, QString unit, double leastSpan, QWidget* parent = nullptr);
+    StripChart(LiveHistory::Channel channel, double leastSpan, QWidget* parent = nullptr);
 
     /// `factor` takes the device's unit to the one shown; `zero` (shown unit) is subtracted first: tare.
     void setScale(double factor, double zero);
@@ -39,7 +39,6 @@ private:
     void paintCurve(QPainter& painter) const;
 
     LiveHistory::Channel m_channel;
-    QString m_unit;
     double m_leastSpan;
     double m_factor = 1, m_zero = 0, m_seconds = 10;
     std::vector<LiveHistory::Stretch> m_stretches;

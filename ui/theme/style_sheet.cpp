@@ -78,6 +78,7 @@ QString StyleSheet::frames(const ThemeTokens&) const
 QWidget { color: @text; }
 QMainWindow, QDialog, Page, QStackedWidget { background: @page; }
 QFrame[role="card"] { background: @surface; border: @lineWidth solid @line; border-radius: @radius; }
+QFrame[role="rail"] { background: @surface; border: none; border-right: @lineWidth solid @line; }
 QFrame[role="bar"] { background: @surface; border: none; }
 QFrame[role="message"] { background: @surface; border: none; border-left: 4px solid @notValid; border-bottom: @lineWidth solid @line; }
 QFrame[role="rule"] { background: @line; border: none; max-height: @lineWidth; min-height: @lineWidth; }

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/desktop/options.h"
+
+#include <QCommandLineParser>
+#include <QRegularExpression>
+
+#include <cstring>
+
+using namespace Qt::StringLiterals;
+
+namespace gripscope {
+
+namespace {
+
+tl::unexpected<Error> usage(const QString& reason)
+{
+    return failure(ErrorCode::Usage, {reason});
+}
+
+Expected<QSize> parseSize(const QString& text)
+{
+    static const QRegularExpression form(u"^(\\d{3,5})x(\\d{3,5})$"_s);
+    const QRegularExpressionMatch match = form.match(text);
+    if (!match.hasMatch())
+        return usage(u"--size is %1; it must read like 1440x900."_s.arg(text));
+    return QSize(match.captured(1).toInt(), match.captured(2).toInt());
+}
+
+void addOptions(QCommandLineParser& parser)
+{
+    parser.addOptions({
+        {u"tour"_s, u"Save one picture of every page in DIR, then end."_s, u"DIR"_s},
+        {u"theme"_s, u"light (default), dark or contrast."_s, u"THEME"_s, u"light"_s},
+        {u"size"_s, u"Size of the window in logical pixels."_s, u"WIDTHxHEIGHT"_s},
+        {u"scale"_s, u"Enlarges everything, 1 to 4."_s, u"FACTOR"_s},
+        {u"language"_s, u"Language of the program; en."_s, u"CODE"_s, u"en"_s},
+        {u"device"_s, u"Gripper to connect to."_s, u"ADDRESS"_s, u"virtual:"_s},
+        {u"library"_s, u"Library file; your own without it."_s, u"FILE"_s},
+        {u"examples"_s, u"Adds the four example types to the library."_s},
+        {{u"h"_s, u"help"_s}, u"Shows this."_s},
+        {{u"v"_s, u"version"_s}, u"Shows the version."_s},
+    });
+}
+
+} // namespace
+
+Expected<DesktopOptions> parseDesktopOptions(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        u"Gripscope: squeeze a part, learn its mass, damping and stiffness, and which type it is."_s);
+    addOptions(parser);
+    if (!parser.parse(arguments))
+        return usage(parser.errorText());
+    if (!parser.positionalArguments().isEmpty())
+        return usage(u"%1 is not an option. Try --help."_s.arg(parser.positionalArguments().first()));
+    DesktopOptions options;
+    if (parser.isSet(u"help"_s))
+        options.answer = parser.helpText().trimmed();
+    else if (parser.isSet(u"version"_s))
+        options.answer = u"gripscope " GRIPSCOPE_VERSION ""_s;
+    const std::optional<ThemeKind> theme = themeKindFromString(parser.value(u"theme"_s));
+    if (!theme)
+        return usage(u"--theme is %1; it may be light, dark or contrast."_s.arg(parser.value(u"theme"_s)));
+    options.theme = *theme;
+    if (parser.isSet(u"size"_s)) {
+        const Expected<QSize> size = parseSize(parser.value(u"size"_s));
+        if (!size)
+            return tl::unexpected<Error>(size.error());
+        options.size = *size;
+    }
+    if (parser.isSet(u"scale"_s)) {
+        bool number = false;
+        const double scale = parser.value(u"scale"_s).toDouble(&number);
+        if (!number || scale < 1 || scale > 4)
+            return usage(u"--scale is %1; it must be a number from 1 to 4."_s.arg(parser.value(u"scale"_s)));
+    }
+    options.language = parser.value(u"language"_s);
+    if (options.language != "en"_L1)
+        return usage(u"--language is %1; this version speaks en."_s.arg(options.language));
+    options.tourFolder = parser.value(u"tour"_s);
+    options.device = parser.value(u"device"_s);
+    options.library = parser.value(u"library"_s);
+    options.examples = parser.isSet(u"examples"_s);
+    if (parser.isSet(u"tour"_s) && options.tourFolder.isEmpty())
+        return usage(u"--tour needs a folder."_s);
+    return options;
+}
+
+QByteArray earlyOption(int argc, char** argv, const char* name)
+{
+    const std::size_t length = std::strlen(name);
+    for (int i = 1; i < argc; ++i) {
+        if (std::strncmp(argv[i], name, length) != 0)
+            continue;
+        if (argv[i][length] == '=')
+            return argv[i] + length + 1;
+        if (argv[i][length] == '\0' && i + 1 < argc)
+            return argv[i + 1];
+    }
+    return {};
+}
+
+} // namespace gripscope

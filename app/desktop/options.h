@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/error.h"
+#include "ui/theme/theme.h"
+
+#include <QByteArray>
+#include <QSize>
+#include <QString>
+#include <QStringList>
+
+namespace gripscope {
+
+/// What the desktop program was asked for on its command line.
+struct DesktopOptions {
+    QString tourFolder;                 ///< --tour DIR: pictures of every page instead of a window
+    ThemeKind theme = ThemeKind::Light; ///< --theme light|dark|contrast
+    QSize size;                         ///< --size 1440x900
+    QString language = QStringLiteral("en");
+    QString device = QStringLiteral("virtual:"); ///< --device ADDRESS
+    QString library;                             ///< --library FILE; empty: the user's own
+    bool examples = false;                       ///< --examples: adds the example types to the library
+    QString answer;                              ///< --help or --version: print this and end
+};
+
+/// Usage errors name the option and what it may be.
+[[nodiscard]] Expected<DesktopOptions> parseDesktopOptions(const QStringList& arguments);
+
+/// The value of an option that is needed before the application exists: `--name value` or `--name=value`.
+[[nodiscard]] QByteArray earlyOption(int argc, char** argv, const char* name);
+
+} // namespace gripscope

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/header_bar.h"
+
+#include "ui/connect_menu.h"
+#include "ui/theme/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/device_chip.h"
+#include "ui/widgets/number_format.h"
+#include "ui/workbench.h"
+
+#include <QHBoxLayout>
+#include <QLineEdit>
+
+using namespace Qt::StringLiterals;
+
+namespace gripscope {
+
+QString gripperWords(Workbench& workbench)
+{
+    ConnectSession& connection = workbench.connection();
+    switch (connection.state()) {
+    case ConnectSession::State::Connected: {
+        const GripperIdentity identity = connection.identity();
+        return identity.serial.isEmpty() ? identity.name : u"%1 %2"_s.arg(identity.name, identity.serial);
+    }
+    case ConnectSession::State::Connecting:
+        return QObject::tr("Connecting…");
+    case ConnectSession::State::Lost:
+        return QObject::tr("Gripper lost");
+    case ConnectSession::State::Disconnected:
+        return QObject::tr("No gripper");
+    }
+    return {};
+}
+
+HeaderBar::HeaderBar(Workbench& workbench, QWidget* parent) : QFrame(parent), m_workbench(&workbench)
+{
+    setRole(this, "bar");
+    setFixedHeight(64);
+    m_title = makeLabel({}, "title", this);
+    m_chip = new DeviceChip(this);
+    m_chip->setObjectName("deviceChip");
+    m_menu = new ConnectMenu(workbench, this);
+    connect(m_chip, &DeviceChip::clicked, this,
+            [this] { m_menu->popup(m_chip->mapToGlobal(QPoint(0, m_chip->height() + 4))); });
+
+    m_operator = new QLineEdit(this);
+    m_operator->setObjectName("operatorField");
+    m_operator->setPlaceholderText(tr("Operator"));
+    m_operator->setAccessibleName(tr("Operator"));
+    m_operator->setToolTip(tr("Who works here: kept with every squeeze"));
+    m_operator->setMaxLength(80);
+    m_operator->setFixedWidth(152);
+    m_operator->setText(workbench.operatorName());
+    m_operator->addAction(Theme::instance().icon(u"user"_s), QLineEdit::LeadingPosition);
+    connect(m_operator, &QLineEdit::textEdited, this,
+            [this](const QString& text) { m_workbench->setOperatorName(text.trimmed()); });
+    connect(&workbench, &Workbench::operatorChanged, this, [this] {
+        if (m_operator->text().trimmed() != m_workbench->operatorName())
+            m_operator->setText(m_workbench->operatorName());
+    });
+
+    m_arm = makeButton(tr("Arm"), u"object-unlocked"_s, "", this);
+    m_arm->setObjectName("armButton");
+    m_arm->setCheckable(true);
+    m_arm->setMinimumWidth(112);
+    connect(m_arm, &QPushButton::clicked, this, [this] {
+        if (m_workbench->connection().armed())
+            m_workbench->connection().disarm();
+        else
+            m_workbench->arm();
+        refreshArmed();
+    });
+
+    m_stop = makeButton(tr("STOP"), {}, "stop", this);
+    m_stop->setObjectName("stopButton");
+    m_stop->setAccessibleName(tr("Stop the gripper and disarm it"));
+    m_stop->setToolTip(tr("Stop the gripper and disarm it (Esc)"));
+    m_stop->setFixedHeight(48);
+    // On the press, not on the release: that is when a person wants it.
+    connect(m_stop, &QPushButton::pressed, &workbench, &Workbench::stop);
+
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(16, 8, 16, 8);
+    row->setSpacing(12);
+    row->addWidget(m_title);
+    row->addStretch(1);
+    row->addWidget(m_chip, 0);
+    row->addWidget(m_operator);
+    row->addWidget(m_arm);
+    row->addWidget(m_stop);
+
+    connect(&workbench, &Workbench::connectionChanged, this, [this] {
+        refreshLink();
+        refreshArmed();
+    });
+    auto* timer = new QTimer(this);
+    connect(timer, &QTimer::timeout, this, &HeaderBar::refreshLink);
+    timer->start(250);
+    refreshLink();
+    refreshArmed();
+}
+
+void HeaderBar::setTitle(const QString& title)
+{
+    m_title->setText(title);
+}
+
+void HeaderBar::refreshLink()
+{
+    ConnectSession& connection = m_workbench->connection();
+    QString detail;
+    if (connection.state() == ConnectSession::State::Connected) {
+        const double sampleTime_s = connection.identity().sampleTime_s;
+        const QString rate = sampleTime_s > 0 ? tr("%1 kHz").arg(1e-3 / sampleTime_s, 0, 'g', 3) : QString();
+        detail =
+            tr("%1 · %2 lost").arg(rate, formatCount(static_cast<qint64>(connection.counters().lostSamples)));
+    } else if (connection.state() == ConnectSession::State::Connecting) {
+        detail = connection.address();
+    } else {
+        detail = tr("choose one");
+    }
+    m_chip->setLink(connection.state(), gripperWords(*m_workbench), detail);
+}
+
+void HeaderBar::refreshArmed()
+{
+    ConnectSession& connection = m_workbench->connection();
+    const bool armed = connection.armed();
+    const bool possible =
+        connection.state() == ConnectSession::State::Connected && connection.identity().commandable;
+    m_arm->setChecked(armed);
+    m_arm->setEnabled(possible);
+    m_arm->setText(armed ? tr("Armed") : tr("Arm"));
+    m_arm->setAccessibleName(armed ? tr("Armed; press to disarm") : tr("Arm the gripper"));
+    m_arm->setToolTip(armed      ? tr("The gripper may move. Press to disarm it.")
+                      : possible ? tr("Let the gripper move when a squeeze is asked for")
+                                 : tr("No gripper that can be commanded is connected"));
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    m_arm->setIcon(armed ? Theme::instance().icon(u"object-locked"_s, tokens.accent)
+                         : Theme::instance().icon(u"object-unlocked"_s));
+}
+
+} // namespace gripscope

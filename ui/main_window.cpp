@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window.h"
+
+#include "ui/about_dialog.h"
+#include "ui/header_bar.h"
+#include "ui/pages/enroll_page.h"
+#include "ui/pages/fit_page.h"
+#include "ui/pages/history_page.h"
+#include "ui/pages/inspect_page.h"
+#include "ui/pages/live_page.h"
+#include "ui/pages/types_page.h"
+#include "ui/status_line.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/widgets/rail_button.h"
+#include "ui/workbench.h"
+
+#include <QApplication>
+#include <QButtonGroup>
+#include <QCloseEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+using namespace Qt::StringLiterals;
+
+namespace gripscope {
+
+MainWindow::MainWindow(Workbench& workbench, QWidget* parent) : QWidget(parent), m_workbench(&workbench)
+{
+    setWindowTitle(tr("Gripscope"));
+    m_stack = new QStackedWidget(this);
+    m_header = new HeaderBar(workbench, this);
+    m_messages = new MessageBar(this);
+    m_rail = new QButtonGroup(this);
+    addPages();
+
+    auto* column = new QVBoxLayout;
+    setSpacing(column, 0, 0);
+    column->addWidget(m_header);
+    column->addWidget(makeRule(this));
+    column->addWidget(m_messages);
+    column->addWidget(m_stack, 1);
+    column->addWidget(makeRule(this));
+    column->addWidget(new StatusLine(workbench, this));
+    auto* row = new QHBoxLayout(this);
+    setSpacing(row, 0, 0);
+    row->addWidget(makeRail());
+    row->addLayout(column, 1);
+
+    connect(&workbench, &Workbench::reported, m_messages, &MessageBar::show);
+    connect(&workbench, &Workbench::fitRequested, this, [this] { showPage(u"fit"_s); });
+    connect(&workbench, &Workbench::pageRequested, this, qOverload<const QString&>(&MainWindow::showPage));
+    makeShortcuts();
+    qApp->installEventFilter(this);
+    setMinimumSize(1024, 640);
+    resize(1280, 800);
+    showPage(0);
+}
+
+MainWindow::~MainWindow()
+{
+    qApp->removeEventFilter(this);
+}
+
+void MainWindow::addPages()
+{
+    m_pages = {new LivePage(*m_workbench),  new InspectPage(*m_workbench), new EnrollPage(*m_workbench),
+               new TypesPage(*m_workbench), new FitPage(*m_workbench),     new HistoryPage(*m_workbench)};
+    for (Page* page : m_pages)
+        m_stack->addWidget(page);
+}
+
+QWidget* MainWindow::makeRail()
+{
+    auto* rail = new QFrame(this);
+    rail->setObjectName("rail");
+    setRole(rail, "rail");
+    rail->setFixedWidth(88);
+    auto* column = new QVBoxLayout(rail);
+    column->setContentsMargins(0, 8, 0, 8);
+    column->setSpacing(4);
+    m_rail->setExclusive(true);
+    for (std::size_t i = 0; i < m_pages.size(); ++i) {
+        auto* button = new RailButton(m_pages[i]->title(), m_pages[i]->iconName(), rail);
+        button->setObjectName("rail-"_L1 + m_pages[i]->id());
+        button->setCheckable(true);
+        button->setToolTip(tr("%1 (Ctrl+%2)").arg(m_pages[i]->title()).arg(i + 1));
+        m_rail->addButton(button, static_cast<int>(i));
+        column->addWidget(button);
+    }
+    connect(m_rail, &QButtonGroup::idClicked, this, qOverload<int>(&MainWindow::showPage));
+    column->addStretch(1);
+    auto* help = new RailButton(tr("Help"), u"help-about"_s, rail);
+    help->setObjectName("rail-help");
+    help->setToolTip(tr("About Gripscope and its keys (F1)"));
+    connect(help, &RailButton::clicked, this, &MainWindow::showHelp);
+    column->addWidget(help);
+    return rail;
+}
+
+void MainWindow::makeShortcuts()
+{
+    for (std::size_t i = 0; i < m_pages.size(); ++i) {
+        auto* shortcut = new QShortcut(QKeySequence(tr("Ctrl+%1").arg(i + 1)), this);
+        connect(shortcut, &QShortcut::activated, this, [this, i] { showPage(static_cast<int>(i)); });
+    }
+    connect(new QShortcut(QKeySequence(Qt::Key_F1), this), &QShortcut::activated, this,
+            &MainWindow::showHelp);
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event)
+{
+    // Before anything else sees the key, so that no dialog, menu or field can keep Stop from the gripper; the
+    // key then goes on and closes what it closes.
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
+        !static_cast<QKeyEvent*>(event)->isAutoRepeat() && watched->isWidgetType())
+        m_workbench->stop();
+    return QWidget::eventFilter(watched, event);
+}
+
+Page* MainWindow::currentPage() const
+{
+    return static_cast<Page*>(m_stack->currentWidget());
+}
+
+void MainWindow::showPage(int index)
+{
+    if (index < 0 || index >= static_cast<int>(m_pages.size()))
+        return;
+    Page* next = m_pages[static_cast<std::size_t>(index)];
+    Page* before = currentPage();
+    if (before != next || m_rail->checkedId() != index) {
+        if (before != next)
+            before->setActive(false);
+        m_stack->setCurrentWidget(next);
+        m_rail->button(index) ? m_rail->button(index)->setChecked(true) : void();
+        m_header->setTitle(next->title());
+        next->setActive(true);
+    }
+}
+
+void MainWindow::showPage(const QString& id)
+{
+    for (std::size_t i = 0; i < m_pages.size(); ++i)
+        if (m_pages[i]->id() == id)
+            showPage(static_cast<int>(i));
+}
+
+void MainWindow::showHelp()
+{
+    QStringList titles;
+    for (const Page* page : m_pages)
+        titles << page->title();
+    auto* dialog = new AboutDialog(titles, this);
+    dialog->open();
+}
+
+QString MainWindow::message() const
+{
+    return m_messages->message();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    // The port's own close is bounded; what must not wait is that the gripper stops.
+    m_workbench->stop();
+    QWidget::closeEvent(event);
+}
+
+} // namespace gripscope

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include <vector>
+
+class QButtonGroup;
+class QStackedWidget;
+
+namespace gripscope {
+
+class HeaderBar;
+class MessageBar;
+class Page;
+class Workbench;
+
+/// The one window: navigation rail, header with Stop, message bar, the page, status line. Esc is Stop
+/// wherever the focus is, in dialogs and menus too; Ctrl+1... choose a page.
+class MainWindow : public QWidget {
+    Q_OBJECT
+public:
+    explicit MainWindow(Workbench& workbench, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    [[nodiscard]] const std::vector<Page*>& pages() const { return m_pages; }
+    [[nodiscard]] Page* currentPage() const;
+    void showPage(int index);
+    void showPage(const QString& id);
+    void showHelp();
+    [[nodiscard]] QString message() const; ///< the one in the message bar
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void addPages();
+    QWidget* makeRail();
+    void makeShortcuts();
+    Workbench* m_workbench;
+    std::vector<Page*> m_pages;
+    QStackedWidget* m_stack;
+    HeaderBar* m_header;
+    MessageBar* m_messages;
+    QButtonGroup* m_rail;
+};
+
+} // namespace gripscope

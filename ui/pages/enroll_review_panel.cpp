@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/enroll_review_panel.h"
+
+#include "core/session/comparable_units.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/number_format.h"
+#include "ui/widgets/parameter_text.h"
+#include "ui/widgets/type_map.h"
+#include "ui/workbench.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace gripscope {
+
+TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels& models, const QString& name)
+{
+    TypeReview review;
+    review.models = models;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Vector3d squares = Eigen::Vector3d::Zero();
+    for (const TypeSqueeze& squeeze : squeezes)
+        if (squeeze.type == name) {
+            ++review.squeezes;
+            sum += squeeze.parameters.vector();
+        }
+    if (review.squeezes == 0)
+        return review;
+    const Eigen::Vector3d mean = sum / review.squeezes;
+    review.mean = {mean[0], mean[1], mean[2]};
+    for (const TypeSqueeze& squeeze : squeezes)
+        if (squeeze.type == name)
+            squares += (squeeze.parameters.vector() - mean).cwiseAbs2();
+    if (review.squeezes > 1)
+        review.spreadPercent = 100 * (squares / (review.squeezes - 1)).cwiseSqrt().cwiseQuotient(mean);
+    const TypeModel* own = models.find(name);
+    if (!own || models.degreesOfFreedom < 1)
+        return review;
+    const Eigen::Vector3d centre = own->meanLog.array().exp();
+    for (const TypeModel& other : models.types) {
+        if (other.name == name)
+            continue;
+        const double distance = std::sqrt(squaredDistance(models, other, {centre[0], centre[1], centre[2]}));
+        if (!review.nearestSd || distance < *review.nearestSd) {
+            review.nearestSd = distance;
+            review.nearest = other.name;
+        }
+    }
+    if (const std::optional<double> gate =
+            falseRejectGate(own->squeezes, models.degreesOfFreedom, VerdictOptions{}.falseReject))
+        review.gateSd = std::sqrt(*gate);
+    return review;
+}
+
+namespace {
+
+Expected<TypeReview> loadReview(Library& library, const QString& name)
+{
+    const Expected<std::vector<TypeRecord>> types = library.types();
+    if (!types)
+        return tl::unexpected<Error>(types.error());
+    const Expected<std::vector<TypeSqueeze>> squeezes = library.enrolledSqueezes();
+    if (!squeezes)
+        return tl::unexpected<Error>(squeezes.error());
+    for (const TypeRecord& type : *types) {
+        if (type.name != name)
+            continue;
+        const Expected<ComparableTypes::Choice> choice =
+            ComparableTypes(*types, *squeezes).modelsFor(type.forceUnit, type.positionUnit);
+        if (!choice)
+            return tl::unexpected<Error>(choice.error());
+        TypeReview review = reviewType(*squeezes, *choice->models, name);
+        review.forceUnit = type.forceUnit;
+        review.positionUnit = type.positionUnit;
+        return review;
+    }
+    return failure(ErrorCode::NotFound, {name});
+}
+
+} // namespace
+
+EnrollReviewPanel::EnrollReviewPanel(Workbench& workbench, QWidget* parent)
+    : QWidget(parent), m_workbench(&workbench)
+{
+    QFrame* card = makeCard(this);
+    auto* column = new QVBoxLayout(card);
+    setSpacing(column, 24, 12);
+    m_title = makeLabel({}, "heading", card);
+    column->addWidget(m_title);
+    auto* body = new QHBoxLayout;
+    body->setSpacing(24);
+    auto* facts = new QVBoxLayout;
+    facts->setSpacing(8);
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(24);
+    grid->setVerticalSpacing(8);
+    grid->addWidget(makeLabel(tr("Mean"), "caption", card), 0, 1, Qt::AlignRight);
+    grid->addWidget(makeLabel(tr("Spread"), "caption", card), 0, 2, Qt::AlignRight);
+    const QString names[] = {tr("moving mass m"), tr("damping b"), tr("stiffness k")};
+    for (int i = 0; i < 3; ++i) {
+        const int row = 3 - i;
+        m_mean[i] = makeLabel({}, "number", card);
+        m_spread[i] = makeLabel({}, "number", card);
+        grid->addWidget(makeLabel(names[i], "", card), row, 0);
+        grid->addWidget(m_mean[i], row, 1, Qt::AlignRight);
+        grid->addWidget(m_spread[i], row, 2, Qt::AlignRight);
+    }
+    facts->addLayout(grid);
+    facts->addSpacing(8);
+    m_distance = makeLabel({}, "", card);
+    m_distance->setObjectName("distanceLabel");
+    m_gate = makeLabel({}, "second", card);
+    for (QLabel* label : {m_distance, m_gate}) {
+        label->setWordWrap(true);
+        label->setMinimumWidth(320);
+        facts->addWidget(label);
+    }
+    facts->addStretch(1);
+    m_map = new TypeMap(card);
+    body->addLayout(facts);
+    body->addWidget(m_map, 1);
+    column->addLayout(body, 1);
+    auto* row = new QHBoxLayout;
+    QPushButton* back = makeButton(tr("Back to the squeezes"), {}, "", card);
+    back->setObjectName("reviewBack");
+    m_approve = makeButton(tr("Approve"), u"dialog-ok-apply"_s, "primary", card);
+    m_approve->setObjectName("approveButton");
+    row->addWidget(back);
+    row->addStretch(1);
+    row->addWidget(m_approve);
+    column->addLayout(row);
+    auto* outer = new QVBoxLayout(this);
+    setSpacing(outer, 0, 0);
+    outer->addWidget(card);
+    setFocusProxy(m_approve);
+    const auto tell = [this](const Expected<void>& done) {
+        if (!done)
+            m_workbench->report(done.error().describe());
+        emit changed();
+    };
+    connect(back, &QPushButton::clicked, this, [this, tell] { tell(m_workbench->enrollment().back()); });
+    connect(m_approve, &QPushButton::clicked, this,
+            [this, tell] { tell(m_workbench->enrollment().approve()); });
+}
+
+void EnrollReviewPanel::load()
+{
+    const QString name = m_workbench->enrollment().typeName();
+    m_title->setText(tr("Review of %1").arg(name));
+    m_workbench->ask<TypeReview>(
+        this, [name](Library& library) { return loadReview(library, name); },
+        [this](const Expected<TypeReview>& review) {
+            if (review)
+                show(*review);
+            else
+                m_workbench->report(review.error().describe());
+        });
+}
+
+void EnrollReviewPanel::show(const TypeReview& review)
+{
+    m_title->setText(
+        tr("Review of %1: %2 squeezes").arg(m_workbench->enrollment().typeName()).arg(review.squeezes));
+    // The mean's own interval says how well it is known: spread over the root of the count.
+    std::optional<Eigen::Vector3d> errors;
+    if (review.spreadPercent)
+        errors =
+            review.spreadPercent->cwiseProduct(review.mean.vector()) / (100 * std::sqrt(review.squeezes));
+    const ParameterTexts texts = parameterTexts(review.mean, errors, review.forceUnit, review.positionUnit);
+    const QString means[] = {texts.m.text(), texts.b.text(), texts.k.text()};
+    for (int i = 0; i < 3; ++i) {
+        m_mean[i]->setText(means[i]);
+        m_spread[i]->setText(review.spreadPercent ? formatPercent((*review.spreadPercent)[i]) : u"–"_s);
+    }
+    if (!review.nearestSd)
+        m_distance->setText(
+            tr("It is the only type that it can be compared with; enroll others to see how far they are."));
+    else if (review.gateSd && *review.nearestSd < *review.gateSd)
+        m_distance->setText(tr("The nearest other type, %1, is only %2 sd away: within the gate. Squeezes of "
+                               "the two will be mixed "
+                               "up. Choose a recipe that tells them apart, or treat them as one type.")
+                                .arg(review.nearest)
+                                .arg(*review.nearestSd, 0, 'f', 1));
+    else
+        m_distance->setText(tr("The nearest other type is %1, %2 sd away.")
+                                .arg(review.nearest)
+                                .arg(*review.nearestSd, 0, 'f', 1));
+    m_gate->setText(review.gateSd ? tr("A squeeze further than %1 sd from the type is called unknown (1 % of "
+                                       "its own squeezes are).")
+                                        .arg(*review.gateSd, 0, 'f', 1)
+                                  : tr("Too few squeezes for a gate yet: every verdict on this type stays "
+                                       "inconclusive. Add some."));
+    m_map->setTypes(review.models);
+}
+
+} // namespace gripscope

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/recognition/type_model.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <optional>
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace gripscope {
+
+class Library;
+class TypeMap;
+class Workbench;
+
+/// What a type looks like after its squeezes: made on the library's thread, shown before it is approved.
+struct TypeReview {
+    int squeezes = 0;
+    MassDampingStiffness mean;                    ///< of the accepted squeezes, in the type's units
+    std::optional<Eigen::Vector3d> spreadPercent; ///< standard deviation over mean, m, b, k
+    QString forceUnit, positionUnit;
+    TypeModels models;               ///< of all types it can be compared with
+    QString nearest;                 ///< other type
+    std::optional<double> nearestSd; ///< how far, in standard deviations
+    std::optional<double> gateSd;    ///< where a squeeze is called unknown at 1 %
+};
+[[nodiscard]] TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels& models,
+                                    const QString& name);
+
+/// The review step: mean and spread, how far the nearest other type is, and approval.
+class EnrollReviewPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit EnrollReviewPanel(Workbench& workbench, QWidget* parent = nullptr);
+    void load();
+
+signals:
+    void changed();
+
+private:
+    void show(const TypeReview& review);
+    Workbench* m_workbench;
+    QLabel *m_title, *m_mean[3], *m_spread[3], *m_distance, *m_gate;
+    TypeMap* m_map;
+    QPushButton* m_approve;
+};
+
+} // namespace gripscope

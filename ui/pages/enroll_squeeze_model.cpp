@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/enroll_squeeze_model.h"
+
+#include "ui/theme/theme.h"
+#include "ui/widgets/parameter_text.h"
+
+#include <QCoreApplication>
+
+namespace gripscope {
+
+QString validityWord(const EnrollSqueeze& squeeze)
+{
+    if (squeeze.identification.validity.checks.empty())
+        return QCoreApplication::translate("EnrollSqueezeModel", "stored");
+    switch (squeeze.identification.validity.verdict) {
+    case ValidityVerdict::Valid:
+        return QCoreApplication::translate("EnrollSqueezeModel", "valid");
+    case ValidityVerdict::Suspect:
+        return QCoreApplication::translate("EnrollSqueezeModel", "suspect");
+    case ValidityVerdict::Invalid:
+        return QCoreApplication::translate("EnrollSqueezeModel", "not valid");
+    }
+    return {};
+}
+
+EnrollSqueezeModel::Row EnrollSqueezeModel::makeRow(const EnrollSqueeze& squeeze)
+{
+    Row row;
+    row.decision = squeeze.decision;
+    row.reason = squeeze.reason;
+    row.verdict = validityWord(squeeze);
+    const QString none(QChar(0x2013));
+    row.stiffness = row.damping = row.mass = row.fit = none;
+    const Estimate* best = squeeze.identification.best();
+    if (!best)
+        return row;
+    const ParameterTexts texts =
+        parameterTexts(*best, squeeze.recording.forceUnit, squeeze.recording.positionUnit);
+    row.stiffness = texts.k.text();
+    row.damping = texts.b.text();
+    row.mass = texts.m.text();
+    if (best->fit.simulationPercent)
+        row.fit = formatPercent(*best->fit.simulationPercent);
+    return row;
+}
+
+void EnrollSqueezeModel::refresh(const std::vector<EnrollSqueeze>& squeezes)
+{
+    std::vector<Row> rows;
+    rows.reserve(squeezes.size());
+    for (const EnrollSqueeze& squeeze : squeezes)
+        rows.push_back(makeRow(squeeze));
+    if (rows == m_rows)
+        return;
+    if (rows.size() > m_rows.size() && std::equal(m_rows.begin(), m_rows.end(), rows.begin())) {
+        beginInsertRows({}, static_cast<int>(m_rows.size()), static_cast<int>(rows.size()) - 1);
+        m_rows = std::move(rows);
+        endInsertRows();
+    } else if (rows.size() == m_rows.size()) {
+        m_rows = std::move(rows);
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    } else {
+        beginResetModel();
+        m_rows = std::move(rows);
+        endResetModel();
+    }
+}
+
+bool EnrollSqueezeModel::isAccepted(int row) const
+{
+    return row >= 0 && row < rowCount() &&
+           m_rows[static_cast<std::size_t>(row)].decision == EnrollSqueeze::Decision::Accepted;
+}
+
+int EnrollSqueezeModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int EnrollSqueezeModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(Column::Count);
+}
+
+QString EnrollSqueezeModel::text(const Row& row, int number, Column column) const
+{
+    switch (column) {
+    case Column::Number:
+        return QString::number(number);
+    case Column::Stiffness:
+        return row.stiffness;
+    case Column::Damping:
+        return row.damping;
+    case Column::Mass:
+        return row.mass;
+    case Column::Fit:
+        return row.fit;
+    case Column::Verdict:
+        return row.verdict;
+    case Column::Decision:
+        switch (row.decision) {
+        case EnrollSqueeze::Decision::Accepted:
+            return tr("accepted");
+        case EnrollSqueeze::Decision::Pending:
+            return row.reason.isEmpty() ? tr("accept or reject") : row.reason;
+        case EnrollSqueeze::Decision::Rejected:
+            return row.reason.isEmpty() ? tr("rejected") : tr("rejected: %1").arg(row.reason);
+        }
+        break;
+    case Column::Count:
+        break;
+    }
+    return {};
+}
+
+QVariant EnrollSqueezeModel::data(const QModelIndex& index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid))
+        return {};
+    const Row& row = m_rows[static_cast<std::size_t>(index.row())];
+    const auto column = static_cast<Column>(index.column());
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(row, index.row() + 1, column);
+    case Qt::ToolTipRole:
+        return column == Column::Decision ? text(row, index.row() + 1, column) : QVariant();
+    case Qt::TextAlignmentRole:
+        return QVariant::fromValue(Qt::AlignVCenter |
+                                   (column <= Column::Fit ? Qt::AlignRight : Qt::AlignLeft));
+    case Qt::ForegroundRole:
+        return row.decision == EnrollSqueeze::Decision::Rejected ? tokens.secondText : tokens.text;
+    case Qt::FontRole: {
+        QFont font = Theme::font(metrics::fontBase, row.decision == EnrollSqueeze::Decision::Pending);
+        font.setStrikeOut(row.decision == EnrollSqueeze::Decision::Rejected && column < Column::Verdict);
+        return font;
+    }
+    default:
+        return {};
+    }
+}
+
+QVariant EnrollSqueezeModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal)
+        return {};
+    if (role == Qt::TextAlignmentRole)
+        return QVariant::fromValue(
+            Qt::AlignVCenter | (section <= static_cast<int>(Column::Fit) ? Qt::AlignRight : Qt::AlignLeft));
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (static_cast<Column>(section)) {
+    case Column::Number:
+        return tr("No.");
+    case Column::Stiffness:
+        return tr("k (95 %)");
+    case Column::Damping:
+        return tr("b (95 %)");
+    case Column::Mass:
+        return tr("m (95 %)");
+    case Column::Fit:
+        return tr("Simulation fit");
+    case Column::Verdict:
+        return tr("Measurement");
+    case Column::Decision:
+        return tr("Decision");
+    case Column::Count:
+        break;
+    }
+    return {};
+}
+
+} // namespace gripscope

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/enroll_session.h"
+
+#include <QAbstractTableModel>
+
+namespace gripscope {
+
+/// The squeezes of an enrolment as rows, ready to read.
+class EnrollSqueezeModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum class Column { Number, Stiffness, Damping, Mass, Fit, Verdict, Decision, Count };
+    using QAbstractTableModel::QAbstractTableModel;
+
+    /// Takes over what the session holds; cheap when nothing changed.
+    void refresh(const std::vector<EnrollSqueeze>& squeezes);
+    [[nodiscard]] bool isAccepted(int row) const;
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    struct Row {
+        EnrollSqueeze::Decision decision = EnrollSqueeze::Decision::Pending;
+        QString reason, stiffness, damping, mass, fit, verdict;
+        friend bool operator==(const Row&, const Row&) = default;
+    };
+    [[nodiscard]] static Row makeRow(const EnrollSqueeze& squeeze);
+    [[nodiscard]] QString text(const Row& row, int number, Column column) const;
+    std::vector<Row> m_rows;
+};
+
+/// "valid", "suspect", "not valid"; a squeeze taken over from the library was judged when it was enrolled.
+[[nodiscard]] QString validityWord(const EnrollSqueeze& squeeze);
+
+} // namespace gripscope

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/enroll_squeeze_panel.h"
+
+#include "ui/widgets/controls.h"
+#include "ui/widgets/parameter_text.h"
+#include "ui/widgets/progress_ring.h"
+#include "ui/workbench.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QInputDialog>
+#include <QLabel>
+#include <QTableView>
+#include <QVBoxLayout>
+
+using namespace Qt::StringLiterals;
+
+namespace gripscope {
+
+EnrollSqueezePanel::EnrollSqueezePanel(Workbench& workbench, QWidget* parent)
+    : QWidget(parent), m_workbench(&workbench)
+{
+    auto* row = new QHBoxLayout(this);
+    setSpacing(row, 0, 16);
+    row->addWidget(makeSide());
+    row->addWidget(makeTable(), 1);
+}
+
+QWidget* EnrollSqueezePanel::makeSide()
+{
+    QFrame* card = makeCard(this);
+    card->setFixedWidth(280);
+    auto* column = new QVBoxLayout(card);
+    setSpacing(column, 16, 8);
+    m_ring = new ProgressRing(card);
+    m_ring->setObjectName("ring");
+    m_arm = makeButton(tr("Arm the gripper"), u"object-unlocked"_s, "primary", card);
+    m_arm->setObjectName("enrollArmButton");
+    m_squeeze = makeButton(tr("Squeeze (Space)"), u"media-playback-start"_s, "primary", card);
+    m_squeeze->setObjectName("enrollSqueezeButton");
+    m_hint = makeLabel({}, "caption", card);
+    m_hint->setWordWrap(true);
+    m_hint->setAlignment(Qt::AlignCenter);
+    column->addWidget(m_ring, 1);
+    column->addWidget(m_hint);
+    column->addWidget(m_arm);
+    column->addWidget(m_squeeze);
+    column->addWidget(makeRule(card));
+    column->addWidget(makeLast(card));
+    connect(m_squeeze, &QPushButton::clicked, this, &EnrollSqueezePanel::squeeze);
+    connect(m_arm, &QPushButton::clicked, this, [this] { m_workbench->arm(); });
+    return card;
+}
+
+QWidget* EnrollSqueezePanel::makeLast(QWidget* parent)
+{
+    auto* box = new QWidget(parent);
+    auto* column = new QVBoxLayout(box);
+    setSpacing(column, 0, 4);
+    m_lastTitle = makeLabel({}, "strong", box);
+    m_lastNumbers = makeLabel({}, "", box);
+    m_lastWords = makeLabel({}, "caption", box);
+    m_lastWords->setWordWrap(true);
+    column->addWidget(m_lastTitle);
+    column->addWidget(m_lastNumbers);
+    column->addWidget(m_lastWords);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    m_accept = makeButton(tr("Accept"), u"dialog-ok-apply"_s, "primary", box);
+    m_accept->setObjectName("acceptButton");
+    m_reject = makeButton(tr("Reject"), u"dialog-cancel"_s, "", box);
+    m_reject->setObjectName("rejectButton");
+    row->addWidget(m_accept, 1);
+    row->addWidget(m_reject, 1);
+    column->addLayout(row);
+    connect(m_accept, &QPushButton::clicked, this, &EnrollSqueezePanel::accept);
+    connect(m_reject, &QPushButton::clicked, this, &EnrollSqueezePanel::reject);
+    return box;
+}
+
+QWidget* EnrollSqueezePanel::makeTable()
+{
+    QFrame* card = makeCard(this);
+    auto* column = new QVBoxLayout(card);
+    setSpacing(column, 2, 0);
+    m_title = makeLabel({}, "heading", card);
+    m_title->setContentsMargins(16, 12, 16, 8);
+    m_table = new QTableView(card);
+    m_table->setObjectName("squeezeTable");
+    m_table->setAccessibleName(tr("Squeezes of this type"));
+    m_table->setModel(&m_model);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setShowGrid(false);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(38);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &EnrollSqueezePanel::refresh);
+    auto* foot = new QHBoxLayout;
+    foot->setContentsMargins(16, 8, 16, 12);
+    foot->setSpacing(8);
+    m_drop = makeButton(tr("Drop selected…"), u"edit-delete"_s, "", card);
+    m_drop->setObjectName("dropButton");
+    m_drop->setToolTip(
+        tr("Takes an accepted squeeze out of the type, with a reason; the library keeps both"));
+    m_review = makeButton(tr("Review"), {}, "", card);
+    m_review->setObjectName("reviewButton");
+    foot->addWidget(m_drop);
+    foot->addStretch(1);
+    foot->addWidget(m_review);
+    column->addWidget(m_title);
+    column->addWidget(m_table, 1);
+    column->addWidget(makeRule(card));
+    column->addLayout(foot);
+    connect(m_drop, &QPushButton::clicked, this, &EnrollSqueezePanel::askDrop);
+    connect(m_review, &QPushButton::clicked, this, &EnrollSqueezePanel::review);
+    return card;
+}
+
+void EnrollSqueezePanel::refresh()
+{
+    EnrollSession& session = m_workbench->enrollment();
+    ConnectSession& connection = m_workbench->connection();
+    using Activity = EnrollSession::Activity;
+    const Activity activity = session.activity();
+    const int rows = m_model.rowCount();
+    m_model.refresh(session.squeezes());
+    if (m_model.rowCount() > rows)
+        m_table->scrollToBottom();
+    const int accepted = session.acceptedCount();
+    m_title->setText(tr("Squeezes of %1").arg(session.typeName()));
+    m_ring->setCount(accepted, std::max(accepted, static_cast<int>(EnrollSession::suggestedSqueezes)));
+    m_ring->setRunning(activity == Activity::Squeezing ? session.progress() : -1);
+    const bool connected = connection.state() == ConnectSession::State::Connected;
+    const bool ready = connected && (connection.armed() || !connection.identity().commandable);
+    m_arm->setVisible(!ready && activity != Activity::Squeezing);
+    m_arm->setEnabled(connected);
+    m_squeeze->setVisible(ready || activity == Activity::Squeezing);
+    m_squeeze->setEnabled(ready && activity == Activity::Waiting);
+    m_squeeze->setText(activity == Activity::Squeezing ? tr("Squeezing…") : tr("Squeeze (Space)"));
+    if (!connected)
+        m_hint->setText(tr("No gripper. Choose one above."));
+    else if (!ready)
+        m_hint->setText(tr("Place a part of this type, hands clear, then arm."));
+    else if (accepted >= EnrollSession::suggestedSqueezes)
+        m_hint->setText(tr("Enough squeezes: review them now."));
+    else
+        m_hint->setText(tr("Turn or change the part between squeezes, so that the type's spread is seen."));
+    const bool waiting = activity == Activity::Waiting;
+    const QModelIndexList selected = m_table->selectionModel()->selectedRows();
+    m_drop->setEnabled(waiting && !selected.isEmpty() && m_model.isAccepted(selected.first().row()));
+    m_review->setEnabled(waiting && accepted >= EnrollSession::leastSqueezes);
+    m_review->setToolTip(
+        accepted >= EnrollSession::leastSqueezes
+            ? QString()
+            : tr("A type needs at least %1 accepted squeezes").arg(EnrollSession::leastSqueezes));
+    const char* look = accepted >= EnrollSession::suggestedSqueezes ? "primary" : "";
+    if (m_review->property("role").toString() != QLatin1String(look))
+        setRole(m_review, look);
+    refreshLast();
+    if (activity != m_shown) {
+        m_shown = activity;
+        if (isVisible())
+            focusNext();
+    }
+}
+
+void EnrollSqueezePanel::refreshLast()
+{
+    const EnrollSession& session = m_workbench->enrollment();
+    const std::vector<EnrollSqueeze>& squeezes = session.squeezes();
+    const bool deciding = session.activity() == EnrollSession::Activity::Deciding;
+    m_accept->setVisible(deciding);
+    m_reject->setVisible(deciding);
+    if (session.activity() == EnrollSession::Activity::Identifying) {
+        m_lastTitle->setText(tr("Finding m, b and k…"));
+        return;
+    }
+    if (squeezes.empty()) {
+        m_lastTitle->setText(tr("No squeeze yet"));
+        m_lastNumbers->hide();
+        m_lastWords->setText(tr("At least %1 are needed, %2 are better.")
+                                 .arg(EnrollSession::leastSqueezes)
+                                 .arg(EnrollSession::suggestedSqueezes));
+        return;
+    }
+    const EnrollSqueeze& last = squeezes.back();
+    m_accept->setEnabled(last.reason.isEmpty());
+    const Estimate* best = last.identification.best();
+    const QString fit =
+        best && best->fit.simulationPercent ? formatPercent(*best->fit.simulationPercent) : u"–"_s;
+    m_lastTitle->setText(tr("Squeeze %1: fit %2, %3").arg(squeezes.size()).arg(fit, validityWord(last)));
+    m_lastNumbers->setVisible(best != nullptr);
+    if (best) {
+        const ParameterTexts texts =
+            parameterTexts(*best, last.recording.forceUnit, last.recording.positionUnit);
+        m_lastNumbers->setText(tr("k  %1\nb  %2\nm  %3").arg(texts.k.text(), texts.b.text(), texts.m.text()));
+    }
+    m_lastWords->setText(last.decision == EnrollSqueeze::Decision::Rejected
+                             ? tr("Rejected: %1").arg(last.reason)
+                         : !last.reason.isEmpty() ? last.reason
+                         : deciding               ? tr("Accept it (Space) or reject it.")
+                                                  : tr("Accepted and stored."));
+}
+
+void EnrollSqueezePanel::focusNext()
+{
+    switch (m_workbench->enrollment().activity()) {
+    case EnrollSession::Activity::Deciding:
+        (m_accept->isEnabled() ? m_accept : m_reject)->setFocus();
+        break;
+    case EnrollSession::Activity::Waiting:
+        (m_squeeze->isEnabled() ? m_squeeze : m_arm)->setFocus();
+        break;
+    default:
+        if (parentWidget())
+            parentWidget()->setFocus();
+        break;
+    }
+}
+
+void EnrollSqueezePanel::squeezeOrAccept()
+{
+    const EnrollSession& session = m_workbench->enrollment();
+    if (session.activity() == EnrollSession::Activity::Deciding) {
+        if (m_accept->isEnabled())
+            accept();
+    } else if (session.activity() == EnrollSession::Activity::Waiting) {
+        squeeze();
+    }
+}
+
+void EnrollSqueezePanel::tell(const Expected<void>& done)
+{
+    if (!done)
+        m_workbench->report(done.error().describe());
+    emit changed();
+}
+
+void EnrollSqueezePanel::squeeze()
+{
+    if (m_workbench->squeezing()) {
+        m_workbench->report(tr("Another squeeze is under way. Wait for its end, then try again."));
+        return;
+    }
+    tell(m_workbench->enrollment().squeeze());
+}
+
+void EnrollSqueezePanel::accept()
+{
+    tell(m_workbench->enrollment().accept());
+}
+
+void EnrollSqueezePanel::reject()
+{
+    const std::vector<EnrollSqueeze>& squeezes = m_workbench->enrollment().squeezes();
+    const bool advised = !squeezes.empty() && !squeezes.back().reason.isEmpty();
+    tell(m_workbench->enrollment().reject(advised ? QString() : tr("by the operator")));
+}
+
+void EnrollSqueezePanel::askDrop()
+{
+    const QModelIndexList selected = m_table->selectionModel()->selectedRows();
+    if (selected.isEmpty())
+        return;
+    const int row = selected.first().row();
+    auto* dialog = new QInputDialog(this);
+    dialog->setObjectName("dropDialog");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Drop squeeze %1").arg(row + 1));
+    dialog->setLabelText(tr("Why is squeeze %1 dropped? The reason is kept.").arg(row + 1));
+    dialog->setOkButtonText(tr("Drop"));
+    dialog->resize(440, 160);
+    connect(dialog, &QInputDialog::textValueSelected, this, [this, row](const QString& reason) {
+        tell(m_workbench->enrollment().drop(row, reason.trimmed().isEmpty() ? tr("by the operator")
+                                                                            : reason.trimmed()));
+    });
+    dialog->open();
+}
+
+void EnrollSqueezePanel::review()
+{
+    tell(m_workbench->enrollment().review());
+}
+
+} // namespace gripscope

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/pages/enroll_squeeze_model.h"
+
+#include <QWidget>
+
+class QBoxLayout;
+class QLabel;
+class QPushButton;
+class QTableView;
+
+namespace gripscope {
+
+class ProgressRing;
+class Workbench;
+
+/// The squeeze step of an enrolment: a ring that fills, the last squeeze with accept and reject, and all of
+/// them.
+class EnrollSqueezePanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit EnrollSqueezePanel(Workbench& workbench, QWidget* parent = nullptr);
+    void refresh();
+    void focusNext(); ///< on what is to be done next
+    /// What Space does here: squeeze when one is due, accept when one waits for it.
+    void squeezeOrAccept();
+
+signals:
+    void changed();
+
+private:
+    QWidget* makeSide();
+    QWidget* makeLast(QWidget* parent);
+    QWidget* makeTable();
+    void squeeze();
+    void accept();
+    void reject();
+    void askDrop();
+    void review();
+    void tell(const Expected<void>& done);
+    void refreshLast();
+    Workbench* m_workbench;
+    EnrollSqueezeModel m_model;
+    QLabel *m_title, *m_hint, *m_lastTitle, *m_lastNumbers, *m_lastWords;
+    ProgressRing* m_ring;
+    QPushButton *m_squeeze, *m_arm, *m_accept, *m_reject, *m_drop, *m_review;
+    QTableView* m_table;
+    EnrollSession::Activity m_shown = EnrollSession::Activity::Waiting;
+};
+
+} // namespace gripscope

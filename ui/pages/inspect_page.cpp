@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/inspect_page.h"
+
+#include "core/signal/units.h"
+#include "ui/pages/inspect_summary.h"
+#include "ui/theme/theme.h"
+#include "ui/tour_script.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/elided_label.h"
+#include "ui/widgets/outcome_view.h"
+#include "ui/widgets/parameter_text.h"
+#include "ui/widgets/type_map.h"
+#include "ui/widgets/verdict_panel.h"
+#include "ui/workbench.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace gripscope {
+
+struct InspectPage::Private {
+    QComboBox* expected = nullptr;
+    ElidedLabel* recipe = nullptr;
+    VerdictPanel* verdict = nullptr;
+    QLabel *facts = nullptr, *reason = nullptr;
+    QLabel *m = nullptr, *b = nullptr, *k = nullptr;
+    TypeMap* map = nullptr;
+    QPushButton *squeeze = nullptr, *arm = nullptr;
+    InspectSummary* summary = nullptr;
+    bool active = false;
+    qint64 shownNumber = 0;
+    InspectSession::State shownState = InspectSession::State::Loading;
+    TourScript tour;
+};
+
+InspectPage::InspectPage(Workbench& bench, QWidget* parent)
+    : Page(bench, parent), d(std::make_unique<Private>())
+{
+    auto* left = new QVBoxLayout;
+    left->setSpacing(12);
+    buildTop(left);
+    buildVerdict(left);
+    buildNumbers(left);
+    buildActions(left);
+    d->summary = new InspectSummary(bench, this);
+    auto* row = new QHBoxLayout(this);
+    setSpacing(row, 16, 16);
+    row->addLayout(left, 1);
+    row->addWidget(d->summary);
+    setFocusPolicy(Qt::StrongFocus);
+
+    connect(&bench, &Workbench::inspectionChanged, this, &InspectPage::refresh);
+    connect(&bench, &Workbench::connectionChanged, this, &InspectPage::refresh);
+    connect(&bench, &Workbench::ticked, this, [this] {
+        if (d->active && d->shownState != workbench().inspection().state())
+            refresh();
+    });
+    refresh();
+}
+
+InspectPage::~InspectPage() = default;
+
+QString InspectPage::id() const
+{
+    return u"inspect"_s;
+}
+
+QString InspectPage::title() const
+{
+    return tr("Inspect");
+}
+
+QString InspectPage::iconName() const
+{
+    return u"answer-correct"_s;
+}
+
+void InspectPage::buildTop(QBoxLayout* column)
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(12);
+    auto* label = makeLabel(tr("Expected"), "strong", this);
+    d->expected = new QComboBox(this);
+    d->expected->setObjectName("expectedCombo");
+    d->expected->setAccessibleName(tr("Expected type"));
+    d->expected->setMinimumWidth(200);
+    d->expected->addItem(tr("nothing expected"), QString());
+    label->setBuddy(d->expected);
+    connect(d->expected, &QComboBox::activated, this, [this] {
+        workbench().inspection().setExpectedType(d->expected->currentData().toString());
+        refreshExpected();
+        d->squeeze->setFocus();
+    });
+    d->recipe = new ElidedLabel({}, this);
+    setRole(d->recipe, "second");
+    row->addWidget(label);
+    row->addWidget(d->expected);
+    row->addWidget(d->recipe, 1);
+    column->addLayout(row);
+}
+
+void InspectPage::buildVerdict(QBoxLayout* column)
+{
+    d->verdict = new VerdictPanel(this);
+    d->verdict->setObjectName("verdictPanel");
+    d->verdict->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    column->addWidget(d->verdict, 3);
+    d->facts = makeLabel({}, "strong", this);
+    d->reason = makeLabel({}, "", this);
+    d->reason->setObjectName("reasonLabel");
+    d->reason->setWordWrap(true);
+    d->reason->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(2);
+    words->addWidget(d->facts);
+    words->addWidget(d->reason);
+    column->addLayout(words);
+}
+
+void InspectPage::buildNumbers(QBoxLayout* column)
+{
+    QFrame* card = makeCard(this);
+    auto* row = new QHBoxLayout(card);
+    row->setContentsMargins(16, 8, 8, 4);
+    row->setSpacing(16);
+    auto* numbers = new QVBoxLayout;
+    numbers->setSpacing(0);
+    numbers->addStretch(1);
+    const auto add = [&](const QString& name) {
+        numbers->addWidget(makeLabel(name, "caption", card));
+        QLabel* value = makeLabel(u"–"_s, "number", card);
+        value->setAccessibleName(name);
+        value->setMinimumWidth(216);
+        numbers->addWidget(value);
+        numbers->addStretch(1);
+        return value;
+    };
+    d->k = add(tr("stiffness k (95 %)"));
+    d->b = add(tr("damping b (95 %)"));
+    d->m = add(tr("moving mass m (95 %)"));
+    d->map = new TypeMap(card);
+    row->addLayout(numbers);
+    row->addWidget(d->map, 1);
+    column->addWidget(card, 4);
+}
+
+void InspectPage::buildActions(QBoxLayout* column)
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(12);
+    d->squeeze = makeButton(tr("Squeeze (Space)"), u"media-playback-start"_s, "primary", this);
+    d->squeeze->setObjectName("squeezeButton");
+    d->squeeze->setFixedHeight(56);
+    connect(d->squeeze, &QPushButton::clicked, this, &InspectPage::squeeze);
+    d->arm = makeButton(tr("Arm the gripper"), u"object-unlocked"_s, "primary", this);
+    d->arm->setObjectName("inspectArmButton");
+    d->arm->setFixedHeight(56);
+    connect(d->arm, &QPushButton::clicked, this, [this] { workbench().arm(); });
+    row->addWidget(d->arm, 2);
+    row->addWidget(d->squeeze, 3);
+    column->addLayout(row);
+}
+
+void InspectPage::setActive(bool active)
+{
+    d->active = active;
+    if (!active)
+        return;
+    refresh();
+    (d->squeeze->isEnabled() ? d->squeeze : d->arm)->setFocus();
+}
+
+void InspectPage::keyPressEvent(QKeyEvent* event)
+{
+    // A focused button, list or field takes Space for itself; here arrives what nothing else wanted.
+    if (event->key() == Qt::Key_Space && !event->isAutoRepeat() && d->squeeze->isEnabled()) {
+        squeeze();
+        return;
+    }
+    Page::keyPressEvent(event);
+}
+
+void InspectPage::squeeze()
+{
+    if (workbench().squeezing()) {
+        workbench().report(tr("Another squeeze is under way. Wait for its end, then try again."));
+        return;
+    }
+    if (const Expected<void> started = workbench().inspection().squeeze(); !started)
+        workbench().report(started.error().describe());
+    refresh();
+}
+
+void InspectPage::refresh()
+{
+    d->shownState = workbench().inspection().state();
+    refreshExpected();
+    refreshActions();
+    refreshVerdict();
+}
+
+void InspectPage::refreshExpected()
+{
+    QStringList wanted{QString()};
+    const std::vector<TypeRecord>& types = workbench().inspection().types();
+    for (const TypeRecord& type : types)
+        wanted << type.name;
+    QStringList shown;
+    for (int i = 0; i < d->expected->count(); ++i)
+        shown << d->expected->itemData(i).toString();
+    if (wanted != shown) {
+        const QString kept = d->expected->currentData().toString();
+        d->expected->clear();
+        for (const QString& name : wanted)
+            d->expected->addItem(name.isEmpty() ? tr("nothing expected") : name, name);
+        d->expected->setCurrentIndex(std::max(0, d->expected->findData(kept)));
+        d->map->setTypes(workbench().inspection().models());
+    }
+    const QString expected = d->expected->currentData().toString();
+    Recipe recipe;
+    for (const TypeRecord& type : types)
+        if (type.name == expected)
+            recipe = type.recipe;
+    d->recipe->setFullText(tr("Recipe %1: %2 ± %3 N, %4 s")
+                               .arg(recipe.name)
+                               .arg(recipe.bias_N)
+                               .arg(recipe.peak_N)
+                               .arg(recipe.seconds));
+}
+
+void InspectPage::refreshActions()
+{
+    ConnectSession& connection = workbench().connection();
+    const bool connected = connection.state() == ConnectSession::State::Connected;
+    const bool commandable = connection.identity().commandable;
+    const bool ready = workbench().inspection().state() == InspectSession::State::Ready;
+    d->arm->setVisible(!(connected && (connection.armed() || !commandable)));
+    d->arm->setEnabled(connected);
+    d->squeeze->setEnabled(connected && ready && (connection.armed() || !commandable));
+    switch (workbench().inspection().state()) {
+    case InspectSession::State::Squeezing:
+        d->squeeze->setText(tr("Squeezing…"));
+        break;
+    case InspectSession::State::Judging:
+        d->squeeze->setText(tr("Judging…"));
+        break;
+    case InspectSession::State::Loading:
+    case InspectSession::State::Ready:
+        d->squeeze->setText(commandable || !connected ? tr("Squeeze (Space)") : tr("Record (Space)"));
+        break;
+    }
+    // Disabling the focused button hands the focus on: keep it here, so that Space works for the next part.
+    if (d->active && !d->squeeze->isEnabled() && !d->arm->isVisible())
+        setFocus();
+}
+
+void InspectPage::refreshVerdict()
+{
+    InspectSession& session = workbench().inspection();
+    const bool running = session.state() == InspectSession::State::Squeezing;
+    d->verdict->setProgress(running ? session.progress() : -1);
+    const auto& result = session.result();
+    if (!result) {
+        showHint();
+    } else {
+        const VerdictWords words = verdictWords(*result);
+        d->verdict->showOutcome(result->outcome, words.headline, words.outcome);
+        if (result->number != 0 && result->number != d->shownNumber)
+            workbench().setFitSubject(
+                {tr("Inspection %1").arg(result->number), result->recording, result->identification});
+        d->shownNumber = result->number;
+    }
+    showNumbers();
+}
+
+void InspectPage::showHint()
+{
+    ConnectSession& connection = workbench().connection();
+    InspectSession& session = workbench().inspection();
+    const bool connected = connection.state() == ConnectSession::State::Connected;
+    if (session.state() == InspectSession::State::Squeezing)
+        d->verdict->showHint(tr("Squeezing…"), tr("Esc or STOP ends it at once"));
+    else if (session.state() == InspectSession::State::Judging)
+        d->verdict->showHint(tr("Judging…"), {});
+    else if (session.state() == InspectSession::State::Loading)
+        d->verdict->showHint(tr("Reading the library…"), {});
+    else if (!connected)
+        d->verdict->showHint(tr("No gripper"), tr("Choose one above, next to the page's title"));
+    else if (session.types().empty())
+        d->verdict->showHint(tr("No types yet"), tr("Enroll at least one type (Ctrl+3), then inspect parts"));
+    else if (!connection.armed() && connection.identity().commandable)
+        d->verdict->showHint(tr("Not armed"), tr("Place the part, hands clear, then arm the gripper"));
+    else
+        d->verdict->showHint(tr("Ready"), tr("Place the part, then squeeze"));
+}
+
+void InspectPage::showNumbers()
+{
+    const auto& result = workbench().inspection().result();
+    const Estimate* best = result ? result->identification.best() : nullptr;
+    if (!best || !best->parameters) {
+        for (QLabel* label : {d->m, d->b, d->k})
+            label->setText(u"–"_s);
+        d->map->setPart(std::nullopt, std::nullopt);
+    } else {
+        const Recording& recording = result->recording;
+        const ParameterTexts texts = parameterTexts(*best, recording.forceUnit, recording.positionUnit);
+        d->m->setText(texts.m.text());
+        d->b->setText(texts.b.text());
+        d->k->setText(texts.k.text());
+        const std::optional<double> si = siFactor(recording.forceUnit, recording.positionUnit);
+        std::optional<MassDampingStiffness> part;
+        std::optional<Eigen::Vector3d> errors = best->standardErrors();
+        if (si)
+            part = MassDampingStiffness{best->parameters->m * *si, best->parameters->b * *si,
+                                        best->parameters->k * *si};
+        if (errors && si)
+            *errors *= *si;
+        d->map->setPart(part, errors);
+    }
+    if (!result) {
+        d->facts->clear();
+        d->reason->clear();
+        return;
+    }
+    const Verdict& verdict = result->verdict;
+    QStringList facts;
+    const QString of = verdict.type.isEmpty() ? verdict.nearest : verdict.type;
+    if (!of.isEmpty() && result->outcome != InspectionOutcome::NotValid) {
+        if (verdict.posterior.contains(of) && result->outcome != InspectionOutcome::Unknown)
+            facts << tr("posterior of %1: %2").arg(of, formatProbability(verdict.posterior.value(of)));
+        if (verdict.distance && verdict.gate)
+            facts << tr("%1 sd from %2 (gate %3 sd)")
+                         .arg(QString::number(std::sqrt(*verdict.distance), 'f', 1), of,
+                              QString::number(std::sqrt(*verdict.gate), 'f', 1));
+        facts << tr("wrong-type rate %1").arg(formatPercent(100 * VerdictOptions{}.wrongType));
+    }
+    d->facts->setText(facts.join(u"  ·  "_s));
+    d->facts->setVisible(!facts.isEmpty());
+    d->reason->setText(verdict.reasons.join(QLatin1Char(' ')));
+}
+
+void InspectPage::prepareTour()
+{
+    TourScript& tour = d->tour;
+    const auto inspect = [this, &tour](int times) {
+        for (int i = 0; i < times; ++i) {
+            tour.add([this] { squeeze(); },
+                     [this] { return workbench().inspection().state() == InspectSession::State::Squeezing; });
+            tour.add([] {},
+                     [this] {
+                         InspectSession& s = workbench().inspection();
+                         return s.state() == InspectSession::State::Ready && s.result() &&
+                                s.result()->number != 0;
+                     });
+        }
+    };
+    tour.add(
+        [this] {
+            workbench().inspection().setExpectedType(u"A"_s);
+            d->expected->setCurrentIndex(std::max(0, d->expected->findData(u"A"_s)));
+        },
+        [this] { return workbench().inspection().state() == InspectSession::State::Ready; });
+    tour.connectTo(workbench(), u"virtual:?object=A&seed=21"_s);
+    inspect(3);
+    tour.connectTo(workbench(), u"virtual:?object=B&seed=22"_s);
+    inspect(1);
+    // A can that nobody enrolled: between the others in stiffness, with a damping of its own.
+    tour.connectTo(workbench(), u"virtual:?object=0.05,80,7000&seed=23"_s);
+    inspect(1);
+    tour.connectTo(workbench(), u"virtual:?object=A&seed=24"_s);
+    inspect(1);
+    tour.wait(300);
+    tour.start(workbench());
+}
+
+bool InspectPage::tourReady() const
+{
+    return d->tour.done();
+}
+
+} // namespace gripscope

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/inspect_summary.h"
+
+#include "ui/widgets/controls.h"
+#include "ui/widgets/inspection_list.h"
+#include "ui/widgets/number_format.h"
+#include "ui/widgets/outcome_view.h"
+#include "ui/widgets/yield_strip.h"
+#include "ui/workbench.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+using namespace Qt::StringLiterals;
+
+namespace gripscope {
+
+namespace {
+constexpr int linesShown = 100;
+}
+
+InspectSummary::InspectSummary(Workbench& workbench, QWidget* parent)
+    : QWidget(parent), m_workbench(&workbench)
+{
+    setFixedWidth(304);
+    QFrame* card = makeCard(this);
+    m_total = makeLabel({}, "big-number", card);
+    m_share = makeLabel({}, "strong", card);
+    m_split = makeLabel({}, "caption", card);
+    m_split->setWordWrap(true);
+    m_list = new InspectionList(card);
+    m_list->setObjectName("inspectionList");
+    m_empty = makeLabel(tr("No part was inspected yet. Each squeeze is listed here with its verdict."),
+                        "second", card);
+    m_empty->setWordWrap(true);
+    m_empty->setAlignment(Qt::AlignTop);
+    m_empty->setContentsMargins(16, 8, 16, 8);
+    m_strip = new YieldStrip(card);
+    auto* head = new QVBoxLayout;
+    head->setContentsMargins(16, 12, 16, 8);
+    head->setSpacing(2);
+    auto* counts = new QHBoxLayout;
+    counts->addWidget(m_total);
+    counts->addStretch(1);
+    counts->addWidget(m_share, 0, Qt::AlignBottom);
+    m_share->setContentsMargins(0, 0, 0, 6);
+    head->addLayout(counts);
+    head->addWidget(m_split);
+    auto* foot = new QVBoxLayout;
+    foot->setContentsMargins(16, 8, 16, 12);
+    foot->setSpacing(4);
+    foot->addWidget(makeLabel(tr("The last 50, newest on the right"), "caption", card));
+    foot->addWidget(m_strip);
+    auto* column = new QVBoxLayout(card);
+    setSpacing(column, 2, 0);
+    column->addLayout(head);
+    column->addWidget(makeRule(card));
+    column->addWidget(m_list, 1);
+    column->addWidget(m_empty, 1);
+    column->addWidget(makeRule(card));
+    column->addLayout(foot);
+    auto* outer = new QVBoxLayout(this);
+    setSpacing(outer, 0, 0);
+    outer->addWidget(card);
+
+    connect(m_list, &InspectionList::opened, this, &InspectSummary::open);
+    connect(&workbench, &Workbench::inspectionChanged, this, &InspectSummary::refreshCounts);
+    connect(&workbench, &Workbench::libraryChanged, this, &InspectSummary::reload);
+    refreshCounts();
+    reload();
+}
+
+void InspectSummary::refreshCounts()
+{
+    const InspectionCounts counts = m_workbench->inspection().counts();
+    m_total->setText(tr("%1 inspected").arg(formatCount(counts.total)));
+    m_share->setVisible(counts.total > 0);
+    if (counts.total > 0)
+        m_share->setText(formatPercent(100.0 * static_cast<double>(counts.asExpected) /
+                                       static_cast<double>(counts.total)));
+    QStringList parts;
+    const auto add = [&parts](qint64 count, InspectionOutcome outcome) {
+        if (count > 0)
+            parts << u"%1 %2"_s.arg(formatCount(count), outcomeWord(outcome));
+    };
+    add(counts.asExpected, InspectionOutcome::AsExpected);
+    add(counts.otherType, InspectionOutcome::OtherType);
+    add(counts.unknown, InspectionOutcome::Unknown);
+    add(counts.inconclusive, InspectionOutcome::Inconclusive);
+    add(counts.invalid, InspectionOutcome::NotValid);
+    m_split->setText(parts.join(u" · "_s));
+    m_split->setVisible(!parts.isEmpty());
+}
+
+void InspectSummary::reload()
+{
+    m_workbench->ask<std::vector<InspectionRecord>>(
+        this,
+        [](Library& library) {
+            HistoryFilter filter;
+            filter.limit = linesShown;
+            return library.inspections(filter);
+        },
+        [this](const Expected<std::vector<InspectionRecord>>& found) {
+            if (!found)
+                return; // the sessions report a library that cannot be read
+            std::vector<InspectionLine> lines;
+            std::deque<InspectionOutcome> outcomes;
+            for (const InspectionRecord& record : *found) {
+                lines.push_back(inspectionLine(record));
+                outcomes.push_front(lines.back().outcome);
+            }
+            m_list->setVisible(!lines.empty());
+            m_empty->setVisible(lines.empty());
+            m_list->setLines(std::move(lines));
+            m_strip->setOutcomes(std::move(outcomes));
+            refreshCounts();
+        });
+}
+
+void InspectSummary::open(const QString& graspId, qint64 number)
+{
+    const QString title = tr("Inspection %1").arg(number);
+    m_workbench->ask<Recording>(
+        this, [graspId](Library& library) { return library.recording(graspId); },
+        [this, title](const Expected<Recording>& recording) {
+            if (!recording) {
+                m_workbench->report(recording.error().describe());
+                return;
+            }
+            m_workbench->compute<Identification>(
+                this, [r = *recording] { return identify(r); },
+                [this, title, r = *recording](const Identification& found) {
+                    m_workbench->showInFit({title, r, found});
+                });
+        });
+}
+
+} // namespace gripscope

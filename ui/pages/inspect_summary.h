@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+
+namespace gripscope {
+
+class InspectionList;
+class Workbench;
+class YieldStrip;
+
+/// The side of the Inspect page: how many parts, how many as expected, the last of them one by one, and their
+/// strip.
+class InspectSummary : public QWidget {
+    Q_OBJECT
+public:
+    explicit InspectSummary(Workbench& workbench, QWidget* parent = nullptr);
+
+private:
+    void refreshCounts();
+    void reload();
+    void open(const QString& graspId, qint64 number);
+    Workbench* m_workbench;
+    QLabel *m_total, *m_share, *m_split, *m_empty;
+    InspectionList* m_list;
+    YieldStrip* m_strip;
+};
+
+} // namespace gripscope

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/charts/strip_chart.h"
+
+#include <QFrame>
+
+class QLabel;
+
+namespace gripscope {
+
+class Workbench;
+
+/// One channel of the Live page: its strip chart, and beside it the value now, in the unit shown.
+class LiveChannelCard : public QFrame {
+    Q_OBJECT
+public:
+    LiveChannelCard(LiveHistory::Channel channel, const QString& name, QWidget* parent = nullptr);
+
+    /// The device's unit decides what takes its numbers to N or mm; unknown units are shown as they are.
+    void setDeviceUnit(const QString& unit);
+    void setZero(double shown) { m_zero = shown; }
+    [[nodiscard]] double zero() const { return m_zero; }
+    [[nodiscard]] StripChart& chart() { return *m_chart; }
+
+    void refreshChart(const LiveHistory& history, double until_s);
+    /// The mean of the last tenth of a second: what a person can read, with the channel's noise averaged.
+    void refreshValue(const LiveHistory& history, double until_s);
+    /// That mean in the unit shown, before tare; nothing without samples.
+    [[nodiscard]] std::optional<double> meanNow(const LiveHistory& history, double until_s) const;
+    void showNoValue();
+
+private:
+    LiveHistory::Channel m_channel;
+    StripChart* m_chart;
+    QLabel* m_value;
+    QLabel* m_unitLabel;
+    QLabel* m_tared;
+    double m_factor = 1, m_zero = 0;
+    int m_decimals = 2;
+};
+
+} // namespace gripscope

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tour.h"
+
+#include "ui/main_window.h"
+#include "ui/pages/page.h"
+#include "ui/workbench.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QPixmap>
+#include <QTemporaryDir>
+#include <QTextStream>
+#include <QTimer>
+
+#include <functional>
+
+using namespace Qt::StringLiterals;
+
+namespace gripscope {
+
+namespace {
+
+constexpr int patience_ms = 30000;
+constexpr int settle_ms = 250; ///< for what is still being drawn when a page says it is ready
+
+bool waitFor(const std::function<bool()>& reached, int most_ms)
+{
+    QElapsedTimer clock;
+    clock.start();
+    while (!reached()) {
+        if (clock.elapsed() > most_ms)
+            return false;
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents, 20);
+    }
+    return true;
+}
+
+void complain(const QString& what)
+{
+    QTextStream(stderr) << "tour: " << what << Qt::endl;
+}
+
+bool loadExamples(Workbench& bench)
+{
+    bool answered = false;
+    bool loaded = false;
+    bench.ask<void>(
+        nullptr, [](Library& library) { return library.loadExampleTypes(); },
+        [&](const Expected<void>& done) {
+            answered = true;
+            loaded = done.has_value();
+            if (!done)
+                complain(done.error().describe());
+        });
+    const bool inTime = waitFor([&answered] { return answered; }, patience_ms);
+    bench.tellLibraryChanged();
+    return inTime && loaded;
+}
+
+bool visit(MainWindow& window, int index, const QDir& folder)
+{
+    Page* page = window.pages()[static_cast<std::size_t>(index)];
+    window.showPage(index);
+    page->prepareTour();
+    bool good = waitFor([page] { return page->tourReady(); }, patience_ms);
+    if (!good)
+        complain(u"the page %1 was not ready after %2 s (%3)"_s.arg(page->id())
+                     .arg(patience_ms / 1000)
+                     .arg(window.message()));
+    QElapsedTimer settling;
+    settling.start();
+    (void)waitFor([&settling] { return settling.elapsed() > settle_ms; }, settle_ms * 4);
+    window.showPage(index); // a squeeze may have opened another page
+    const QString file = folder.filePath(page->id() + u".png"_s);
+    if (!window.grab().save(file)) {
+        complain(u"%1 could not be written"_s.arg(file));
+        good = false;
+    }
+    return good;
+}
+
+} // namespace
+
+int runTour(const TourOptions& options)
+{
+    const QDir folder(options.folder);
+    if (!folder.mkpath(u"."_s)) {
+        complain(u"the folder %1 cannot be made"_s.arg(options.folder));
+        return 1;
+    }
+    QTemporaryDir temporary;
+    if (!temporary.isValid()) {
+        complain(temporary.errorString());
+        return 1;
+    }
+    Theme::instance().apply(options.theme);
+    bool good = true;
+    {
+        Workbench bench(temporary.filePath(u"tour.gripscope"_s));
+        bench.setOperatorName(u"Mai"_s);
+        good = loadExamples(bench);
+        bench.connectTo(u"virtual:"_s);
+        MainWindow window(bench);
+        window.resize(options.size);
+        window.show();
+        for (int i = 0; i < static_cast<int>(window.pages().size()); ++i)
+            good = visit(window, i, folder) && good;
+        window.close();
+    }
+    return good ? 0 : 1;
+}
+
+} // namespace gripscope

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/theme/theme.h"
+
+#include <QSize>
+#include <QString>
+
+namespace gripscope {
+
+struct TourOptions {
+    QString folder;
+    ThemeKind theme = ThemeKind::Light;
+    QSize size{1440, 900};
+};
+
+/// Opens the program on the virtual gripper and a temporary library with the example types, brings every page
+/// to a telling state and saves one picture a page, named after its id. 0, or 1 with words on standard error:
+/// a page that was not ready in time, or a picture that could not be written.
+[[nodiscard]] int runTour(const TourOptions& options);
+
+} // namespace gripscope

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/inspection_list.h"
+
+#include "ui/theme/theme.h"
+#include "ui/widgets/outcome_view.h"
+
+#include <QPainter>
+#include <QStyledItemDelegate>
+
+using namespace Qt::StringLiterals;
+
+namespace gripscope {
+
+InspectionLine inspectionLine(const InspectionRecord& record)
+{
+    return {record.number, record.graspId,
+            inspectionOutcome(record.verdict, record.type, record.expectedType), record.type, record.seconds};
+}
+
+void InspectionListModel::setLines(std::vector<InspectionLine> lines)
+{
+    beginResetModel();
+    m_lines = std::move(lines);
+    endResetModel();
+}
+
+int InspectionListModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_lines.size());
+}
+
+QVariant InspectionListModel::data(const QModelIndex& index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid))
+        return {};
+    const InspectionLine& line = m_lines[static_cast<std::size_t>(index.row())];
+    switch (role) {
+    case Qt::DisplayRole:
+    case Qt::AccessibleTextRole:
+        return tr("Inspection %1: %2 %3")
+            .arg(line.number)
+            .arg(line.type, outcomeWord(line.outcome))
+            .simplified();
+    case NumberRole:
+        return line.number;
+    case OutcomeRole:
+        return static_cast<int>(line.outcome);
+    case TypeRole:
+        return line.type;
+    case SecondsRole:
+        return line.seconds;
+    case GraspRole:
+        return line.graspId;
+    default:
+        return {};
+    }
+}
+
+namespace {
+
+class LineDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override
+    {
+        return {200, 36};
+    }
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
+    {
+        const ThemeTokens& t = Theme::instance().tokens();
+        const auto outcome =
+            static_cast<InspectionOutcome>(index.data(InspectionListModel::OutcomeRole).toInt());
+        const QColor color = Theme::instance().outcomeColor(outcome);
+        const QRectF box(option.rect);
+        painter->save();
+        if (option.state & (QStyle::State_Selected | QStyle::State_MouseOver))
+            painter->fillRect(
+                box, Theme::mix(t.surface, t.accent, option.state & QStyle::State_Selected ? 0.14 : 0.06));
+        painter->setPen(Theme::mix(t.surface, t.line, 0.6));
+        painter->drawLine(box.bottomLeft(), box.bottomRight());
+        const QFontMetricsF small(Theme::font(metrics::fontSmall));
+        painter->setPen(t.secondText);
+        painter->setFont(Theme::font(metrics::fontSmall));
+        const QString number = u"#%1"_s.arg(index.data(InspectionListModel::NumberRole).toLongLong());
+        const double numberWide = std::max(36.0, small.horizontalAdvance(number));
+        painter->drawText(box.adjusted(12, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, number);
+        const QString seconds =
+            tr("%1 s").arg(index.data(InspectionListModel::SecondsRole).toDouble(), 0, 'f', 2);
+        painter->drawText(box.adjusted(0, 0, -12, 0), Qt::AlignVCenter | Qt::AlignRight, seconds);
+        const double left = box.left() + 12 + numberWide + 8;
+        paintOutcomeSign(*painter, QRectF(left, box.center().y() - 9, 18, 18), outcome, color);
+        const double from = left + 26;
+        const double room = box.right() - 20 - small.horizontalAdvance(seconds) - from;
+        const bool plain = outcome == InspectionOutcome::AsExpected;
+        const QFont font = Theme::font(metrics::fontBase, !plain);
+        painter->setFont(font);
+        painter->setPen(plain ? t.text : color);
+        const QString type = index.data(InspectionListModel::TypeRole).toString();
+        const QString words =
+            type.isEmpty() ? outcomeWord(outcome) : u"%1 · %2"_s.arg(type, outcomeWord(outcome));
+        painter->drawText(QRectF(from, box.top(), room, box.height()), Qt::AlignVCenter | Qt::AlignLeft,
+                          QFontMetricsF(font).elidedText(words, Qt::ElideRight, room));
+        painter->restore();
+    }
+};
+
+} // namespace
+
+InspectionList::InspectionList(QWidget* parent) : QListView(parent)
+{
+    setModel(&m_model);
+    setItemDelegate(new LineDelegate(this));
+    setUniformItemSizes(true);
+    setMouseTracking(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setAccessibleName(tr("Last inspections"));
+    setToolTip(tr("Press Enter or double-click to see a squeeze on the Fit page"));
+    connect(this, &QListView::activated, this, [this](const QModelIndex& index) {
+        emit opened(index.data(InspectionListModel::GraspRole).toString(),
+                    index.data(InspectionListModel::NumberRole).toLongLong());
+    });
+}
+
+} // namespace gripscope
