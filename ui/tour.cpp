@@ -25,16 +25,20 @@ namespace {
 constexpr int patience_ms = 30000;
 constexpr int settle_ms = 250; ///< for what is still being drawn when a page says it is ready
 
+/// Lets the program live until `reached`, or for `most_ms`.
 bool waitFor(const std::function<bool()>& reached, int most_ms)
 {
     QElapsedTimer clock;
     clock.start();
-    while (!reached()) {
-        if (clock.elapsed() > most_ms)
-            return false;
-        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents, 20);
-    }
-    return true;
+    QEventLoop loop;
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, &loop, [&] {
+        if (reached() || clock.elapsed() > most_ms)
+            loop.quit();
+    });
+    timer.start(10);
+    loop.exec();
+    return reached();
 }
 
 void complain(const QString& what)

@@ -47,6 +47,7 @@ struct Workbench::Private {
     QThreadPool pool;
     QTimer timer;
     QString operatorName;
+    bool trial = false;
     std::optional<FitSubject> fitSubject;
     std::vector<Waiting> waiting;
     ConnectionView seen;
@@ -139,11 +140,13 @@ void Workbench::stop()
 
 bool Workbench::squeezing() const
 {
-    const GripperPort* port = d->connection.port();
-    return d->inspection.state() == InspectSession::State::Squeezing ||
-           d->enrollment.activity() == EnrollSession::Activity::Squeezing ||
-           (port && (port->squeezeState() == SqueezeState::Running ||
-                     port->squeezeState() == SqueezeState::Uploading));
+    return d->trial || d->inspection.state() == InspectSession::State::Squeezing ||
+           d->enrollment.activity() == EnrollSession::Activity::Squeezing;
+}
+
+void Workbench::setTrialRunning(bool running)
+{
+    d->trial = running;
 }
 
 void Workbench::showInFit(FitSubject subject)

@@ -47,6 +47,7 @@ public:
     /// Stop and disarm, from any page, whatever else is going on.
     void stop();
     [[nodiscard]] bool squeezing() const; ///< the gripper is busy with a squeeze, whoever asked for it
+    void setTrialRunning(bool running);   ///< a squeeze that belongs to no session
 
     /// Asks the library on its own thread, and calls `done` on the screen's thread with the answer, unless
     /// `context` is gone by then.

@@ -284,6 +284,7 @@ void LivePage::startTrial()
     }
     ++d->trials;
     d->trialRunning = true;
+    workbench().setTrialRunning(true);
     refreshControls();
 }
 
@@ -296,6 +297,7 @@ void LivePage::followTrial()
     if (d->trial.state() != SqueezeJob::State::Done && d->trial.state() != SqueezeJob::State::Failed)
         return;
     d->trialRunning = false;
+    workbench().setTrialRunning(false);
     refreshControls();
     if (d->trial.state() == SqueezeJob::State::Failed) {
         workbench().report(d->trial.error()->describe());
