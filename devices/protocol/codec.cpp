@@ -81,7 +81,7 @@ Decoded<InputMessage> decodeStream(ReportView bytes)
 
 Decoded<InputMessage> decodeAcknowledgement(ReportView bytes)
 {
-    if (!within(bytes[7], CommandResult::UnknownCommand) || !within(bytes[16], ExcitationState::Stopped))
+    if (!within(bytes[7], CommandResult::Fault) || !within(bytes[16], ExcitationState::Stopped))
         return tl::unexpected(DecodeError::BadField);
     Acknowledgement message;
     message.status = load<std::uint16_t>(bytes, 2);
@@ -328,6 +328,8 @@ const char* describe(CommandResult result)
         return "this squeeze was started before";
     case CommandResult::UnknownCommand:
         return "it does not know this command";
+    case CommandResult::Fault:
+        return "it reports a fault";
     }
     return "unknown";
 }

@@ -49,6 +49,7 @@ enum class CommandResult : std::uint8_t {
     ChecksumDiffers = 7,
     Spent = 8, ///< Upload: this excitation was started before
     UnknownCommand = 9,
+    Fault = 10, ///< Arm: the device found something wrong with itself
 };
 
 enum class ExcitationState : std::uint8_t { None = 0, Loading = 1, Running = 2, Finished = 3, Stopped = 4 };
