@@ -22,6 +22,11 @@ CommandQueue::Clock::duration CommandQueue::patienceFor(const Entry& entry)
     return isStop(entry) ? stopPatience : patience;
 }
 
+int CommandQueue::attemptsFor(const Entry& entry)
+{
+    return isStop(entry) ? stopAttempts : attempts;
+}
+
 void CommandQueue::push(CommandBody body)
 {
     m_entries.push_back({Command{++m_lastNumber, body}, {}, 0});
@@ -47,7 +52,8 @@ std::optional<Report> CommandQueue::next(Clock::time_point now)
         const bool mayRunAhead = isUpload(entry) && isUpload(m_entries.front());
         if (i > 0 && !mayRunAhead)
             break;
-        if (entry.timesSent > 0 && now < entry.sent + patienceFor(entry))
+        const bool waiting = entry.timesSent > 0 && now < entry.sent + patienceFor(entry);
+        if (waiting || entry.timesSent >= attemptsFor(entry))
             continue;
         entry.sent = now;
         ++entry.timesSent;
@@ -81,8 +87,7 @@ std::optional<CommandQueue::Outcome> CommandQueue::acknowledge(const Acknowledge
 std::optional<CommandQueue::Outcome> CommandQueue::expired(Clock::time_point now)
 {
     const auto found = std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& entry) {
-        return entry.timesSent >= (isStop(entry) ? stopAttempts : attempts) &&
-               now >= entry.sent + patienceFor(entry);
+        return entry.timesSent >= attemptsFor(entry) && now >= entry.sent + patienceFor(entry);
     });
     if (found == m_entries.end())
         return std::nullopt;

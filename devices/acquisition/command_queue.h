@@ -59,6 +59,7 @@ private:
     [[nodiscard]] static bool isStop(const Entry& entry);
     [[nodiscard]] static bool isUpload(const Entry& entry);
     [[nodiscard]] static Clock::duration patienceFor(const Entry& entry);
+    [[nodiscard]] static int attemptsFor(const Entry& entry);
 
     std::deque<Entry> m_entries; ///< unanswered ones, in order
     std::uint16_t m_lastNumber = 0;

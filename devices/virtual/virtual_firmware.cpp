@@ -116,6 +116,7 @@ VirtualFirmware::Answer VirtualFirmware::disarm()
 
 void VirtualFirmware::halt(std::uint16_t cause)
 {
+    flush(); // what was sampled before belongs to the state before
     m_armed = false;
     m_latched |= cause;
     if (m_phase == Phase::RestBefore || m_phase == Phase::Moving) {

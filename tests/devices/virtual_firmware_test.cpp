@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/virtual/virtual_firmware.h"
+#include "tests/support/test_registry.h"
+
+#include <QTest>
+
+using namespace gripscope;
+using namespace gripscope::protocol;
+using namespace Qt::StringLiterals;
+
+// The device itself, by its bytes alone: what protects a hand must hold whatever a program sends.
+
+namespace {
+
+struct Device {
+    explicit Device(const QString& object = u"A"_qs) : firmware(options(object)) {}
+
+    static VirtualFirmwareOptions options(const QString& object)
+    {
+        VirtualFirmwareOptions out;
+        out.object = VirtualObject::fromText(object).value();
+        out.objectName = object;
+        return out;
+    }
+
+    Acknowledgement send(const CommandBody& body) { return send(Command{++number, body}); }
+    Acknowledgement send(const Command& command)
+    {
+        firmware.receive(encode(command), now_us);
+        for (const Report& report : firmware.outbox()) {
+            const Decoded<InputMessage> message = decodeInput(report);
+            if (const auto* samples = std::get_if<StreamReport>(&*message))
+                stream.push_back(*samples);
+        }
+        const Acknowledgement answer = std::get<Acknowledgement>(*decodeInput(firmware.outbox().back()));
+        firmware.outbox().clear();
+        return answer;
+    }
+
+    /// Lets `samples` pass, with a heartbeat each 50 ms unless told otherwise.
+    void run(std::size_t samples, bool heartbeats = true)
+    {
+        for (std::size_t i = 0; i < samples; ++i) {
+            now_us += 500;
+            firmware.sample(now_us);
+            if (heartbeats && i % 100 == 0)
+                send(HeartbeatCommand{});
+        }
+        for (const Report& report : firmware.outbox())
+            stream.push_back(std::get<StreamReport>(*decodeInput(report)));
+        firmware.outbox().clear();
+    }
+
+    CommandResult upload(const std::vector<std::int32_t>& forces, std::uint16_t excitation)
+    {
+        for (std::size_t first = 0; first < forces.size(); first += maxForcesPerUpload) {
+            UploadCommand chunk;
+            chunk.excitationNumber = excitation;
+            chunk.offset = static_cast<std::uint32_t>(first);
+            chunk.count = static_cast<std::uint8_t>(std::min(maxForcesPerUpload, forces.size() - first));
+            std::copy_n(forces.begin() + static_cast<std::ptrdiff_t>(first), chunk.count,
+                        chunk.forces.begin());
+            if (const CommandResult result = send(chunk).result; result != CommandResult::Done)
+                return result;
+        }
+        return CommandResult::Done;
+    }
+    CommandResult start(const std::vector<std::int32_t>& forces, std::uint16_t excitation)
+    {
+        return send(StartCommand{excitation, static_cast<std::uint32_t>(forces.size()), forcesCrc(forces)})
+            .result;
+    }
+
+    /// Samples in which the force was on, by the sensor, which has 20 counts of noise.
+    std::size_t pushedSamples() const
+    {
+        std::size_t count = 0;
+        for (const StreamReport& report : stream)
+            for (std::size_t i = 0; i < report.count; ++i)
+                count += report.samples[i].force > 500 ? 1 : 0;
+        return count;
+    }
+    std::uint16_t lastStatus() const { return stream.back().status; }
+
+    VirtualFirmware firmware;
+    std::vector<StreamReport> stream;
+    std::uint64_t now_us = 0;
+    std::uint16_t number = 0;
+};
+
+const std::vector<std::int32_t> push(200, 10000); // 10 N for 100 ms
+
+} // namespace
+
+class VirtualFirmwareTest : public QObject {
+    Q_OBJECT
+private slots:
+    void nothingMovesItBeforeItIsArmed()
+    {
+        Device device;
+        QCOMPARE(device.upload(push, 1), CommandResult::Done);
+        QCOMPARE(device.start(push, 1), CommandResult::NotArmed);
+        device.run(1000);
+        QCOMPARE(device.pushedSamples(), std::size_t(0));
+    }
+
+    void runsWhatWasUploadedAndStaysArmed()
+    {
+        Device device;
+        device.send(ArmCommand{});
+        QCOMPARE(device.upload(push, 1), CommandResult::Done);
+        QCOMPARE(device.start(push, 1), CommandResult::Done);
+        device.run(1000);
+        QCOMPARE(device.pushedSamples(), push.size());
+        QVERIFY(device.stream.back().excitation == ExcitationState::Finished);
+        QCOMPARE(device.lastStatus(), std::uint16_t(StatusArmed));
+    }
+
+    void stopsWhenNoHeartbeatComesFor100ms()
+    {
+        Device device;
+        device.send(ArmCommand{});
+        const std::vector<std::int32_t> longPush(400, 10000);
+        device.upload(longPush, 1);
+        device.start(longPush, 1);
+        device.run(150); // 75 ms: 50 of rest, 25 of force
+        QVERIFY(device.lastStatus() & StatusMoving);
+        device.stream.clear();
+        device.run(1000, false);
+        // The last heartbeat came 49 samples before; 100 ms are 200 samples.
+        QCOMPARE(device.pushedSamples(), std::size_t(151));
+        QCOMPARE(device.lastStatus(), std::uint16_t(StatusWatchdog));
+        QVERIFY(device.stream.back().excitation == ExcitationState::Stopped);
+        device.send(ArmCommand{});
+        device.run(10);
+        QCOMPARE(device.lastStatus(), std::uint16_t(StatusArmed)); // the bit stays until then
+    }
+
+    void armedButIdleItDisarmsWithoutHeartbeats()
+    {
+        Device device;
+        device.send(ArmCommand{});
+        device.run(190, false);
+        QCOMPARE(device.lastStatus(), std::uint16_t(StatusArmed));
+        device.run(20, false);
+        QCOMPARE(device.lastStatus(), std::uint16_t(StatusWatchdog));
+    }
+
+    void stopTakesTheForceOffWithTheNextSample()
+    {
+        Device device;
+        device.send(ArmCommand{});
+        device.upload(push, 1);
+        device.start(push, 1);
+        device.run(150);
+        device.stream.clear();
+        QCOMPARE(device.send(StopCommand{}).status & (StatusArmed | StatusMoving), 0);
+        device.stream.clear();
+        device.run(500);
+        QCOMPARE(device.pushedSamples(), std::size_t(0));
+        QVERIFY(device.stream.back().excitation == ExcitationState::Stopped);
+        QCOMPARE(device.start(push, 1), CommandResult::Repeated); // and nothing starts
+        device.run(500);
+        QCOMPARE(device.pushedSamples(), std::size_t(0));
+    }
+
+    void repeatedCommandsDoNoHarm()
+    {
+        Device device;
+        const Command arm{1, ArmCommand{}};
+        QVERIFY(device.send(arm).result == CommandResult::Done);
+        QVERIFY(device.send(arm).result == CommandResult::Repeated);
+        for (int time = 0; time < 2; ++time)
+            QCOMPARE(device.upload(push, 1), CommandResult::Done);
+        QCOMPARE(device.start(push, 1), CommandResult::Done);
+        for (int time = 0; time < 5; ++time) {
+            device.run(200);
+            QCOMPARE(device.start(push, 1), CommandResult::Repeated); // while it runs and after
+        }
+        device.run(2000);
+        QCOMPARE(device.pushedSamples(), push.size());
+        QCOMPARE(device.firmware.squeezesStarted(), std::uint64_t(1));
+        // A late upload of the same excitation can not be started either.
+        QCOMPARE(device.upload(push, 1), CommandResult::Spent);
+        for (int time = 0; time < 3; ++time)
+            device.send(StopCommand{});
+        QCOMPARE(device.send(ArmCommand{}).detail, 1U);
+    }
+
+    void refusesForcesAboveItsLimit()
+    {
+        Device device;
+        device.send(ArmCommand{});
+        QCOMPARE(device.upload({100000, 100001}, 1), CommandResult::LimitExceeded); // 100 N is its own
+        QVERIFY(device.send(SetLimitsCommand{20000, 500}).result == CommandResult::Done);
+        QCOMPARE(device.upload({20001}, 1), CommandResult::LimitExceeded);
+        QCOMPARE(device.upload({20000}, 1), CommandResult::Done);
+    }
+
+    void refusesLimitsAboveItsOwn()
+    {
+        Device device;
+        QVERIFY(device.send(SetLimitsCommand{100001, 100}).result == CommandResult::LimitExceeded);
+        QVERIFY(device.send(SetLimitsCommand{1000, 1251}).result == CommandResult::LimitExceeded);
+        QVERIFY(device.send(SetLimitsCommand{0, 100}).result == CommandResult::BadValue);
+        QVERIFY(device.send(SetLimitsCommand{1000, -1}).result == CommandResult::BadValue);
+    }
+
+    void refusesAtStartWhatBecameTooMuchSinceTheUpload()
+    {
+        Device device;
+        device.send(ArmCommand{});
+        device.upload(push, 1);
+        device.send(SetLimitsCommand{9999, 500});
+        QCOMPARE(device.start(push, 1), CommandResult::LimitExceeded);
+        device.run(1000);
+        QCOMPARE(device.pushedSamples(), std::size_t(0));
+    }
+
+    void refusesToPull()
+    {
+        Device device;
+        device.send(ArmCommand{});
+        QCOMPARE(device.upload({-1}, 1), CommandResult::BadValue);
+    }
+
+    void stopsAtTheTravelLimit()
+    {
+        Device device(u"0.04,5,400"_qs); // 10 N move it by 25 mm and, hardly damped, on beyond
+        device.send(ArmCommand{});
+        device.send(SetLimitsCommand{10000, 100}); // 2 mm
+        device.upload(push, 1);
+        device.start(push, 1);
+        device.run(1000);
+        QVERIFY(device.pushedSamples() > 0);
+        QVERIFY(device.pushedSamples() < push.size());
+        QVERIFY(device.lastStatus() & StatusTravelLimit);
+        QVERIFY(!(device.lastStatus() & StatusArmed));
+        QVERIFY(device.stream.back().excitation == ExcitationState::Stopped);
+    }
+
+    void startsOnlyWhatIsWhole()
+    {
+        Device device;
+        device.send(ArmCommand{});
+        QCOMPARE(device.start(push, 1), CommandResult::Incomplete);
+        device.upload(push, 1);
+        std::vector<std::int32_t> longer = push;
+        longer.push_back(0);
+        QCOMPARE(device.start(longer, 1), CommandResult::Incomplete);
+        std::vector<std::int32_t> other = push;
+        other[7] = 1;
+        QCOMPARE(device.start(other, 1), CommandResult::ChecksumDiffers);
+        const std::vector<std::int32_t> shorter(push.begin(), push.end() - 1);
+        QCOMPARE(device.start(shorter, 1), CommandResult::BadValue);
+        QCOMPARE(device.start(push, 2), CommandResult::Incomplete);
+        device.run(500);
+        QCOMPARE(device.pushedSamples(), std::size_t(0));
+    }
+
+    void refusesUploadsWhileItRuns()
+    {
+        Device device;
+        device.send(ArmCommand{});
+        device.upload(push, 1);
+        device.start(push, 1);
+        device.run(150);
+        QCOMPARE(device.upload(push, 2), CommandResult::Busy);
+        QVERIFY(device.send(SetLimitsCommand{100, 100}).result == CommandResult::Busy);
+    }
+
+    void refusesUploadsBeyondItsMemory()
+    {
+        Device device;
+        UploadCommand chunk{1, VirtualFirmware::maxSamples - 1, 2, {}};
+        QVERIFY(device.send(chunk).result == CommandResult::BadValue);
+        chunk.offset = 0xFFFFFFFF;
+        QVERIFY(device.send(chunk).result == CommandResult::BadValue);
+        chunk.offset = VirtualFirmware::maxSamples - 2;
+        QVERIFY(device.send(chunk).result == CommandResult::Done);
+    }
+
+    void answersWhatItDoesNotKnowAndIgnoresWhatIsDamaged()
+    {
+        Device device;
+        Report unknown = encode(Command{77, HeartbeatCommand{}});
+        unknown[0] = 0x2F;
+        seal(unknown);
+        device.firmware.receive(unknown, 0);
+        QCOMPARE(device.firmware.outbox().size(), std::size_t(1));
+        const auto answer = std::get<Acknowledgement>(*decodeInput(device.firmware.outbox().front()));
+        QVERIFY(answer.result == CommandResult::UnknownCommand);
+        QCOMPARE(answer.commandNumber, std::uint16_t(77));
+
+        device.firmware.outbox().clear();
+        Report damaged = encode(Command{78, ArmCommand{}});
+        damaged[5] ^= 4;
+        device.firmware.receive(damaged, 0);
+        const Report whole = encode(Command{79, ArmCommand{}});
+        device.firmware.receive(ReportView(whole).first(63), 0);
+        QVERIFY(device.firmware.outbox().empty());
+    }
+};
+
+GRIPSCOPE_TEST(VirtualFirmwareTest)
+#include "virtual_firmware_test.moc"
