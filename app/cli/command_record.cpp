@@ -75,6 +75,8 @@ public:
         const Expected<void> started = request.arm ? squeeze(request) : m_job.listen(request.seconds);
         if (!started)
             return tl::unexpected<Error>(started.error());
+        message(u"%1 for %2 s; Ctrl-C stops."_qs.arg(request.arm ? u"Squeezing"_qs : u"Listening"_qs,
+                                                     QString::number(request.seconds, 'g', 6)));
         if (!drive([this] { poll(); }, [this] { return ended(); }, request.seconds + 60)) {
             m_connection.stop();
             return failure(ErrorCode::Cancelled, {u"The recording"_qs});
@@ -135,7 +137,8 @@ private:
         if (!armed)
             return failure(ErrorCode::DeviceTimeout, {u"arm"_qs, QString::number(armingPatience_s)});
         // What was asked for is the job's own limit: nothing above it may move the gripper.
-        return m_job.start(excitation, {excitation.bias + excitation.peak, device.limits.maxTravel_m});
+        const double largest_N = (excitation.bias + excitation.peak) * (1 + 1e-9); // rounding is no excess
+        return m_job.start(excitation, {largest_N, device.limits.maxTravel_m});
     }
 
     DeviceFactory m_devices;

@@ -77,6 +77,14 @@ QStringList parameterLines(const Estimate& estimate, const ParameterUnits& units
     return lines;
 }
 
+QString fitLine(const Estimate& estimate)
+{
+    const QString simulation = u"    fit  %1 % simulation"_qs.arg(fixed(estimate.fit.simulationPercent, 2));
+    if (!isArx(estimate.estimator))
+        return simulation; // its prediction is its simulation
+    return simulation + u", %1 % one-step prediction"_qs.arg(fixed(estimate.fit.predictionPercent, 2));
+}
+
 QStringList estimateLines(const Estimate& estimate, const ParameterUnits& units, bool recommended)
 {
     QString head = u"  %1 (%2): %3"_qs.arg(title(estimate.estimator), toString(estimate.estimator),
@@ -84,17 +92,16 @@ QStringList estimateLines(const Estimate& estimate, const ParameterUnits& units,
     if (estimate.iterations > 0)
         head += u" in %1 iterations"_qs.arg(estimate.iterations);
     QStringList lines{recommended ? head + u", recommended"_qs : head};
-    if (!estimate.message.empty())
+    if (estimate.status != EstimateStatus::Converged && !estimate.message.empty())
         lines << u"    "_qs + QString::fromStdString(estimate.message);
     if (estimate.parameters)
         lines << parameterLines(estimate, units);
-    if (estimate.fit.simulationPercent || estimate.fit.predictionPercent) {
-        lines << u"    fit  %1 % simulation, %2 % one-step prediction"_qs.arg(
-            fixed(estimate.fit.simulationPercent, 2), fixed(estimate.fit.predictionPercent, 2));
-        if (isArx(estimate.estimator))
-            lines
-                << u"    An ARX fit, however high, says nothing about m, b and k: noise biases them at 80 to 93 %."_qs;
-    }
+    if (estimate.fit.simulationPercent || estimate.fit.predictionPercent)
+        lines << fitLine(estimate);
+    if (isArx(estimate.estimator) && estimate.parameters)
+        lines << u"    An ARX fit says nothing about m, b and k: with noise on the position they can be "
+                 u"wrong by half "
+                 "and more at a fit of 80 to 93 %."_qs;
     return lines;
 }
 

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every subcommand does alike: help, usage errors, exit codes.
+#include "tests/end_to_end/program_run.h"
+#include "tests/support/test_registry.h"
+
+using namespace gripscope::test;
+using namespace Qt::StringLiterals;
+
+class CommandLineTest : public QObject {
+    Q_OBJECT
+private:
+    Workplace m_work;
+
+private slots:
+    void nothingToDoIsAUsageErrorThatHelps()
+    {
+        const ProgramRun run = m_work.cli({});
+        QCOMPARE(run.exit, 2);
+        QVERIFY(run.out.isEmpty());
+        QVERIFY(run.err.contains("identify"));
+    }
+    void helpIsThereForEveryCommand_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::newRow("demo") << QStringList{u"seed"_s};
+        QTest::newRow("devices") << QStringList{};
+        QTest::newRow("record") << QStringList{u"device"_s, u"seconds"_s, u"excitation"_s, u"peak"_s,
+                                               u"bias"_s,   u"bit"_s,     u"arm"_s,        u"output"_s};
+        QTest::newRow("simulate") << QStringList{
+            u"object"_s,  u"excitation"_s,  u"peak"_s,     u"bias"_s, u"bit"_s,
+            u"samples"_s, u"sample-time"_s, u"noise-sd"_s, u"seed"_s, u"hold"_s};
+        QTest::newRow("identify") << QStringList{u"estimator"_s, u"hold"_s,         u"initial-state"_s,
+                                                 u"offset"_s,    u"force-column"_s, u"position-unit"_s};
+        QTest::newRow("cluster") << QStringList{u"features"_s, u"clusters"_s, u"method"_s, u"scaling"_s,
+                                                u"seed"_s,     u"restarts"_s, u"truth"_s};
+        QTest::newRow("enroll") << QStringList{u"library"_s, u"type"_s, u"sample-time"_s};
+        QTest::newRow("classify") << QStringList{u"library"_s, u"false-reject"_s, u"wrong-type"_s};
+        QTest::newRow("reproduce-paper") << QStringList{};
+    }
+    void helpIsThereForEveryCommand()
+    {
+        QFETCH(QStringList, options);
+        const QString command = QLatin1String(QTest::currentDataTag());
+        const ProgramRun run = m_work.cli({command, u"--help"_s});
+        QCOMPARE(run.exit, 0);
+        QVERIFY(run.err.isEmpty());
+        QVERIFY(run.out.startsWith("Usage: gripscope-cli " + command.toUtf8() + " [options]"));
+        QVERIFY(run.out.contains("--json"));
+        for (const QString& option : options)
+            QVERIFY2(run.out.contains("--" + option.toUtf8()), qPrintable(option));
+        QVERIFY(m_work.cli({u"--help"_s}).out.contains(command.toUtf8()));
+    }
+    void whatCannotBeUnderstoodIsExit2_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("hint");
+        const auto row = [](const char* name, const QStringList& arguments, const QByteArray& hint) {
+            QTest::newRow(name) << arguments << hint;
+        };
+        row("mistyped command", {u"identfy"_s}, "identify");
+        row("unknown command", {u"frobnicate"_s}, "--help");
+        row("unknown option", {u"identify"_s, u"--no-such-option"_s}, "no-such-option");
+        row("mistyped option", {u"demo"_s, u"--sed"_s, u"1"_s}, "--seed");
+        row("no file", {u"identify"_s}, "FILE");
+        row("file where none belongs", {u"devices"_s, u"x"_s}, "x");
+        row("value missing", {u"demo"_s, u"--seed"_s}, "seed");
+        row("not a number", {u"demo"_s, u"--seed"_s, u"one"_s}, "one");
+        row("not a choice", {u"identify"_s, u"--hold"_s, u"soh"_s, u"x.csv"_s}, "zoh, foh");
+        row("no such estimator", {u"identify"_s, u"--estimator"_s, u"oee"_s, u"x.csv"_s}, "arx-mean-force");
+        row("sample time of zero", {u"identify"_s, u"--sample-time"_s, u"0"_s, u"x.csv"_s}, "sample-time");
+        row("no type", {u"enroll"_s, u"x.csv"_s}, "--type");
+        row("a rate that is none", {u"classify"_s, u"--false-reject"_s, u"2"_s, u"x.csv"_s}, "");
+        row("no device", {u"record"_s, u"-o"_s, u"x.csv"_s}, "--device");
+        row("an address that is none", {u"record"_s, u"--device"_s, u"usb:1"_s, u"-o"_s, u"x.csv"_s},
+            "virtual:");
+        row("no output", {u"simulate"_s, u"--object"_s, u"1,1,1"_s}, "-o");
+        row("an object that is none", {u"simulate"_s, u"--object"_s, u"1,1"_s, u"-o"_s, u"x.csv"_s}, "m,b,k");
+        row("no cluster", {u"cluster"_s, u"t.csv"_s, u"--clusters"_s, u"0"_s}, "clusters");
+    }
+    void whatCannotBeUnderstoodIsExit2()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QByteArray, hint);
+        const ProgramRun run = m_work.cli(arguments);
+        QCOMPARE(run.exit, 2);
+        QVERIFY(run.out.isEmpty());
+        QVERIFY2(run.err.contains(hint), run.err.constData());
+    }
+    void whatComesLaterSaysSoInsteadOfAnEmptyResult_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        m_work.write(u"table.csv"_s, "m,b,k\n1,2,3\n4,5,6\n");
+        m_work.write(u"r.csv"_s, "u,y\n1,2\n2,3\n");
+        QTest::newRow("calibrate") << QStringList{u"calibrate"_s, u"points.csv"_s, u"--degree"_s, u"2"_s};
+        QTest::newRow("study") << QStringList{u"study"_s, u"efficiency"_s};
+        for (const QString& estimator : {u"iv"_s, u"duffing"_s, u"periodic"_s})
+            QTest::newRow(qPrintable(estimator))
+                << QStringList{u"identify"_s, u"--estimator"_s, estimator, u"r.csv"_s};
+        for (const QString& method : {u"som"_s, u"gmm"_s})
+            QTest::newRow(qPrintable(method))
+                << QStringList{u"cluster"_s, u"table.csv"_s, u"--method"_s, method};
+        QTest::newRow("postgresql") << QStringList{u"classify"_s, u"--library"_s,
+                                                   u"postgresql://me@host/name"_s, u"r.csv"_s};
+    }
+    void whatComesLaterSaysSoInsteadOfAnEmptyResult()
+    {
+        QFETCH(QStringList, arguments);
+        const ProgramRun run = m_work.cli(arguments);
+        QCOMPARE(run.exit, 2);
+        QVERIFY2(run.err.contains("not supported yet"), run.err.constData());
+    }
+    void theVirtualGripperIsAlwaysAmongTheDevices()
+    {
+        const QJsonObject document = m_work.cli({u"devices"_s, u"--json"_s}).json();
+        const QJsonArray devices = document[u"devices"].toArray();
+        QVERIFY(!devices.isEmpty());
+        const QJsonObject first = devices[0].toObject();
+        QCOMPARE(first[u"address"].toString(), u"virtual:"_s);
+        for (const auto key : {"serial", "name", "state"})
+            QVERIFY(first.contains(QLatin1String(key)));
+    }
+    void severalThingsAmissTellTheLowestNumber()
+    {
+        // an invalid measurement (6), a file that is not there (3)
+        QByteArray constant = "u,y\n";
+        for (int i = 0; i < 100; ++i)
+            constant += "1,1\n";
+        m_work.write(u"constant.csv"_s, constant);
+        const QStringList reading{u"--force-column"_s, u"u"_s,   u"--position-column"_s, u"y"_s,
+                                  u"--sample-time"_s,  u"0.05"_s};
+        QCOMPARE(m_work.cli(QStringList{u"identify"_s, u"constant.csv"_s} + reading).exit, 6);
+        QCOMPARE(m_work.cli(QStringList{u"identify"_s, u"constant.csv"_s, u"missing.csv"_s} + reading).exit,
+                 3);
+        QCOMPARE(m_work.cli(QStringList{u"identify"_s, u"missing.csv"_s, u"constant.csv"_s} + reading).exit,
+                 3);
+    }
+    void aLibraryThatCannotBeOpenedIsExit5()
+    {
+        m_work.write(u"noise.db"_s, QByteArray(8192, 'x'));
+        m_work.write(u"r.csv"_s, "u,y\n1,2\n2,3\n");
+        QCOMPARE(m_work.cli({u"classify"_s, u"--library"_s, u"missing.db"_s, u"r.csv"_s}).exit, 5);
+        QVERIFY(!QFile::exists(m_work.path(u"missing.db"_s))); // asking must not make one
+        QCOMPARE(m_work.cli({u"classify"_s, u"--library"_s, u"noise.db"_s, u"r.csv"_s}).exit, 5);
+        const ProgramRun run = m_work.cli(
+            {u"enroll"_s, u"--json"_s, u"--library"_s, u"no/folder/x.db"_s, u"--type"_s, u"A"_s, u"r.csv"_s});
+        QCOMPARE(run.exit, 5);
+        QCOMPARE(run.json()[u"error"][u"code"].toString(), u"storage_open"_s);
+    }
+};
+
+GRIPSCOPE_TEST(CommandLineTest)
+#include "command_line_test.moc"
