@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/signal/excitation.h"
+#include "tests/support/test_registry.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <set>
+
+using namespace gripscope;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+ExcitationOptions optionsOf(ExcitationKind kind)
+{
+    ExcitationOptions options;
+    options.kind = kind;
+    options.peak = 10;
+    options.bias = 20;
+    options.bit_s = 0.005;
+    options.sampleTime_s = 0.0005;
+    options.samples = 2000;
+    return options;
+}
+
+/// Amplitude of the harmonic `h` of a record.
+double amplitude(const std::vector<double>& values, std::size_t h)
+{
+    std::complex<double> sum = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        sum += values[i] *
+               std::polar(1.0, -2 * std::numbers::pi * double(h * i % values.size()) / double(values.size()));
+    return 2 * std::abs(sum) / double(values.size());
+}
+
+} // namespace
+
+class ExcitationTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aStepIsThereFromTheFirstSample()
+    {
+        const std::vector<double> force = *makeExcitation(optionsOf(ExcitationKind::Step));
+        QVERIFY(std::all_of(force.begin(), force.end(), [](double f) { return f == 30; }));
+    }
+    void aBinarySequenceHasWholeBitsOfTwoLevels()
+    {
+        const std::vector<double> force = *makeExcitation(optionsOf(ExcitationKind::Prbs));
+        QCOMPARE(std::set<double>(force.begin(), force.end()), (std::set<double>{10, 30}));
+        for (std::size_t i = 0; i < force.size(); ++i)
+            QCOMPARE(force[i], force[i - i % 10]);
+    }
+    void everyRegisterRunsThroughItsWholeSequence_data()
+    {
+        QTest::addColumn<int>("bits");
+        for (int bits = 5; bits <= 16; ++bits)
+            QTest::addRow("%d", bits) << bits;
+    }
+    void everyRegisterRunsThroughItsWholeSequence()
+    {
+        // A maximum-length sequence has one more +1 than -1 a period, and an autocorrelation of -1 off its
+        // peak.
+        QFETCH(int, bits);
+        const std::size_t period = (std::size_t(1) << bits) - 1;
+        ExcitationOptions options = optionsOf(ExcitationKind::Prbs);
+        options.bias = 0;
+        options.peak = 1;
+        options.oneSided = false;
+        options.bit_s = options.sampleTime_s;
+        options.samples = period;
+        const std::vector<double> force = *makeExcitation(options);
+        double sum = 0;
+        for (const double f : force)
+            sum += f;
+        QCOMPARE(std::abs(sum), 1.0);
+        for (const std::size_t lag : {std::size_t(1), std::size_t(2), period / 3}) {
+            double correlation = 0;
+            for (std::size_t i = 0; i < period; ++i)
+                correlation += force[i] * force[(i + lag) % period];
+            QCOMPARE(correlation, -1.0);
+        }
+    }
+    void theSeedPicksTheStart()
+    {
+        ExcitationOptions options = optionsOf(ExcitationKind::Prbs);
+        const std::vector<double> one = *makeExcitation(options);
+        QVERIFY(one == *makeExcitation(options));
+        options.seed = 2;
+        QVERIFY(one != *makeExcitation(options));
+    }
+    void aMultisineHasEqualAmplitudesUpToItsBandAndNothingAbove()
+    {
+        ExcitationOptions options = optionsOf(ExcitationKind::Multisine);
+        options.oneSided = false;
+        const std::vector<double> force = *makeExcitation(options);
+        // 1 s, bits of 5 ms: harmonics 1 to 100.
+        const double first = amplitude(force, 1);
+        QVERIFY(first > 0.5);
+        for (const std::size_t h : {2, 37, 100})
+            QVERIFY(std::abs(amplitude(force, h) - first) < 1e-9);
+        for (const std::size_t h : {101, 500, 999})
+            QVERIFY(amplitude(force, h) < 1e-9);
+        double largest = 0;
+        for (const double f : force)
+            largest = std::max(largest, std::abs(f - 20));
+        QVERIFY(std::abs(largest - 10) < 1e-9);
+    }
+    void aChirpSweepsUpwards()
+    {
+        const std::vector<double> force = *makeExcitation(optionsOf(ExcitationKind::Chirp));
+        const auto crossings = [&](std::size_t begin, std::size_t end) {
+            int count = 0;
+            for (std::size_t i = begin + 1; i < end; ++i)
+                count += (force[i] > 20) != (force[i - 1] > 20) ? 1 : 0;
+            return count;
+        };
+        // From 1 to 100 Hz in 1 s: 13 swings in the first half, 38 in the second, two crossings each.
+        QVERIFY(std::abs(crossings(0, 1000) - 26) <= 2);
+        QVERIFY(std::abs(crossings(1000, 2000) - 76) <= 2);
+    }
+    void aOneSidedGripNeverPulls()
+    {
+        ExcitationOptions options = optionsOf(ExcitationKind::Prbs);
+        options.bias = 5;
+        const std::vector<double> force = *makeExcitation(options);
+        QCOMPARE(*std::min_element(force.begin(), force.end()), 0.0);
+        QCOMPARE(*std::max_element(force.begin(), force.end()), 15.0);
+    }
+    void badOptionsAreNamed_data()
+    {
+        QTest::addColumn<QString>("word");
+        QTest::addColumn<double>("peak");
+        QTest::addColumn<double>("bit");
+        QTest::addColumn<double>("sampleTime");
+        QTest::addColumn<qulonglong>("samples");
+        QTest::newRow("negative peak") << u"peak"_s << -1.0 << 0.005 << 0.0005 << qulonglong(100);
+        QTest::newRow("nan peak") << u"peak"_s << std::nan("") << 0.005 << 0.0005 << qulonglong(100);
+        QTest::newRow("no bit") << u"bit"_s << 1.0 << 0.0 << 0.0005 << qulonglong(100);
+        QTest::newRow("no sample time") << u"sample time"_s << 1.0 << 0.005 << 0.0 << qulonglong(100);
+        QTest::newRow("no samples") << u"samples"_s << 1.0 << 0.005 << 0.0005 << qulonglong(0);
+    }
+    void badOptionsAreNamed()
+    {
+        QFETCH(QString, word);
+        QFETCH(double, peak);
+        QFETCH(double, bit);
+        QFETCH(double, sampleTime);
+        QFETCH(qulonglong, samples);
+        ExcitationOptions options = optionsOf(ExcitationKind::Prbs);
+        options.peak = peak;
+        options.bit_s = bit;
+        options.sampleTime_s = sampleTime;
+        options.samples = samples;
+        const Expected<std::vector<double>> force = makeExcitation(options);
+        QVERIFY(!force);
+        QVERIFY2(force.error().describe().contains(word), qPrintable(force.error().describe()));
+    }
+    void aBitShorterThanASampleIsOneSample()
+    {
+        ExcitationOptions options = optionsOf(ExcitationKind::Prbs);
+        options.bit_s = 1e-9;
+        const std::vector<double> force = *makeExcitation(options);
+        QVERIFY(force[0] != force[1] || force[1] != force[2] || force[2] != force[3] || force[3] != force[4]);
+    }
+    void kindsReadBackFromTheirNames()
+    {
+        for (const ExcitationKind kind :
+             {ExcitationKind::Step, ExcitationKind::Prbs, ExcitationKind::Multisine, ExcitationKind::Chirp})
+            QVERIFY(excitationKindFromString(toString(kind)) == kind);
+        QVERIFY(!excitationKindFromString(u"noise"_s));
+    }
+};
+
+GRIPSCOPE_TEST(ExcitationTest)
+#include "excitation_test.moc"
