@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/device_address.h"
+#include "devices/gripper_factory.h"
+#include "tests/support/test_registry.h"
+
+#include <QTest>
+
+using namespace gripscope;
+using namespace Qt::StringLiterals;
+
+class DeviceAddressTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aBareVirtualAddressHasTheDocumentedDefaults()
+    {
+        const auto address = std::get<VirtualAddress>(*parseDeviceAddress(u"virtual:"_qs));
+        QCOMPARE(address.object, u"A"_qs);
+        QCOMPARE(address.seed, std::uint64_t(1));
+        QCOMPARE(address.speed, 1.0);
+        QVERIFY(!address.positionNoise_m);
+    }
+
+    void everyOptionIsRead()
+    {
+        const auto address = std::get<VirtualAddress>(*parseDeviceAddress(
+            u"virtual:?object=0.04,43,9990&seed=7&noise=20e-6&speed=0&capture=/tmp/x.gscap"
+            "&fault=loss:0.01,duplicate:0.02,crc:0.03,stall:1.5,unplug:2,saturate:25,stuck,units"_qs));
+        QCOMPARE(address.object, u"0.04,43,9990"_qs);
+        QCOMPARE(address.seed, std::uint64_t(7));
+        QCOMPARE(address.positionNoise_m, std::optional<double>(20e-6));
+        QCOMPARE(address.speed, 0.0);
+        QCOMPARE(address.capture, u"/tmp/x.gscap"_qs);
+        QCOMPARE(address.faults.lossProbability, 0.01);
+        QCOMPARE(address.faults.duplicateProbability, 0.02);
+        QCOMPARE(address.faults.badCrcProbability, 0.03);
+        QCOMPARE(address.faults.stallAfter_s, std::optional<double>(1.5));
+        QCOMPARE(address.faults.unplugAfter_s, std::optional<double>(2));
+        QCOMPARE(address.faults.saturateForce_N, std::optional<double>(25));
+        QVERIFY(address.faults.sensorStuck);
+        QVERIFY(address.faults.millimetres);
+    }
+
+    void hidAddressesNameAGripper()
+    {
+        const auto any = std::get<HidAddress>(*parseDeviceAddress(u"hid:"_qs));
+        QVERIFY(!any.vendor && !any.product && any.serial.isEmpty());
+        const auto named =
+            std::get<HidAddress>(*parseDeviceAddress(u"hid:1209:0001:GS-42:b?capture=c.gscap"_qs));
+        QCOMPARE(named.vendor, std::optional<std::uint16_t>(0x1209));
+        QCOMPARE(named.product, std::optional<std::uint16_t>(1));
+        QCOMPARE(named.serial, u"GS-42:b"_qs);
+        QCOMPARE(named.capture, u"c.gscap"_qs);
+    }
+
+    void aReplayKeepsItsFileNameAsItIs()
+    {
+        const auto address = std::get<ReplayAddress>(*parseDeviceAddress(u"replay:C:/a b/x?y&z.csv"_qs));
+        QCOMPARE(address.file, u"C:/a b/x?y&z.csv"_qs);
+    }
+
+    void whatMakesNoSenseIsNamed_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("named"); // part of the message
+        QTest::newRow("nothing") << u""_qs << u"virtual:"_qs;
+        QTest::newRow("unknown kind") << u"serial:/dev/ttyS0"_qs << u"serial:"_qs;
+        QTest::newRow("no colon") << u"virtual"_qs << u"virtual:"_qs;
+        QTest::newRow("no question mark") << u"virtual:object=A"_qs << u"object=A"_qs;
+        QTest::newRow("unknown option") << u"virtual:?colour=red"_qs << u"colour"_qs;
+        QTest::newRow("no value") << u"virtual:?seed"_qs << u"seed"_qs;
+        QTest::newRow("unknown object") << u"virtual:?object=Q"_qs << u"object=Q"_qs;
+        QTest::newRow("negative mass") << u"virtual:?object=-1,2,3"_qs << u"-1,2,3"_qs;
+        QTest::newRow("bad seed") << u"virtual:?seed=-1"_qs << u"seed=-1"_qs;
+        QTest::newRow("bad noise") << u"virtual:?noise=nan"_qs << u"noise=nan"_qs;
+        QTest::newRow("bad speed") << u"virtual:?speed=-1"_qs << u"speed=-1"_qs;
+        QTest::newRow("unknown fault") << u"virtual:?fault=fire"_qs << u"fire"_qs;
+        QTest::newRow("probability above one") << u"virtual:?fault=loss:2"_qs << u"loss"_qs;
+        QTest::newRow("fault without number") << u"virtual:?fault=loss"_qs << u"loss"_qs;
+        QTest::newRow("half an id") << u"hid:1209"_qs << u"1209"_qs;
+        QTest::newRow("no hexadecimal") << u"hid:12g9:1"_qs << u"12g9"_qs;
+        QTest::newRow("long id") << u"hid:11209:1"_qs << u"11209"_qs;
+        QTest::newRow("no file") << u"replay:"_qs << u"replay:"_qs;
+    }
+    void whatMakesNoSenseIsNamed()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, named);
+        const auto address = parseDeviceAddress(text);
+        QVERIFY(!address);
+        QVERIFY(address.error().code == ErrorCode::Usage);
+        QVERIFY2(address.error().describe().contains(named), qPrintable(address.error().describe()));
+        QVERIFY(!DeviceFactory().create(text));
+    }
+
+    void theVirtualGripperIsAlwaysFound()
+    {
+        const std::vector<FoundDevice> found = findDevices();
+        QVERIFY(!found.empty());
+        QCOMPARE(found.front().address, u"virtual:"_qs);
+        QCOMPARE(found.front().state, u"available"_qs);
+        for (const FoundDevice& device : found)
+            QVERIFY(parseDeviceAddress(device.address).has_value());
+    }
+};
+
+GRIPSCOPE_TEST(DeviceAddressTest)
+#include "device_address_test.moc"
