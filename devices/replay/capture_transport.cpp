@@ -12,8 +12,19 @@ Expected<void> CapturingTransport::open()
     Expected<std::unique_ptr<CaptureWriter>> writer = CaptureWriter::create(m_file);
     if (!writer)
         return tl::unexpected<Error>(writer.error());
-    m_writer = std::move(*writer);
+    {
+        const std::lock_guard lock(m_mutex);
+        m_writer = std::move(*writer);
+    }
     return m_inner->open();
+}
+
+void CapturingTransport::close() noexcept
+{
+    m_inner->close();
+    const std::lock_guard lock(m_mutex);
+    if (m_writer)
+        m_writer->finish();
 }
 
 Expected<protocol::Report> CapturingTransport::feature(protocol::ReportId id)

@@ -21,13 +21,14 @@ public:
     Expected<protocol::Report> feature(protocol::ReportId id) override;
     ReadResult read(Buffer& buffer, std::chrono::milliseconds timeout) override;
     bool write(const protocol::Report& report) override;
-    void close() noexcept override { m_inner->close(); }
+    void close() noexcept override;
     [[nodiscard]] bool streamsAlways() const override { return m_inner->streamsAlways(); }
     [[nodiscard]] bool takesCommands() const override { return m_inner->takesCommands(); }
 
 private:
     const std::shared_ptr<Transport> m_inner;
     const QString m_file;
+    std::mutex m_mutex;                      ///< guards opening and finishing of the writer, not its use
     std::unique_ptr<CaptureWriter> m_writer; ///< set by open(), before anything is read or written
 };
 

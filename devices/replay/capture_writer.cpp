@@ -23,6 +23,13 @@ CaptureWriter::CaptureWriter(const QString& file) : m_file(file), m_thread([this
 
 CaptureWriter::~CaptureWriter()
 {
+    finish();
+}
+
+void CaptureWriter::finish()
+{
+    if (!m_thread.joinable())
+        return;
     {
         const std::lock_guard lock(m_mutex);
         m_ending = true;
@@ -34,6 +41,8 @@ CaptureWriter::~CaptureWriter()
 void CaptureWriter::add(CaptureKind kind, std::span<const std::uint8_t> bytes)
 {
     const std::lock_guard lock(m_mutex);
+    if (m_ending)
+        return;
     // Under the lock, so that times are in order though two threads add.
     const auto age = std::chrono::steady_clock::now() - m_start;
     const auto time_us = std::chrono::duration_cast<std::chrono::microseconds>(age).count();

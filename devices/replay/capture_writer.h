@@ -11,7 +11,7 @@
 namespace gripscope {
 
 /// Writes a capture behind the back of the threads that read and write reports: they only append to a buffer,
-/// a thread of its own brings it to the disk. What is left is written when it is destroyed.
+/// a thread of its own brings it to the disk.
 class CaptureWriter {
 public:
     /// FileUnwritable.
@@ -21,6 +21,8 @@ public:
     CaptureWriter& operator=(const CaptureWriter&) = delete;
 
     void add(CaptureKind kind, std::span<const std::uint8_t> bytes);
+    /// Everything added so far is in the file then; what is added later is not. By one thread at a time.
+    void finish();
 
 private:
     explicit CaptureWriter(const QString& file);
