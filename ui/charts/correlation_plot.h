@@ -9,15 +9,15 @@ class QScatterSeries;
 
 namespace gripscope {
 
-/// Correlation against lag as stems, with the 95 % band behind them.
+/// Correlation against lag (in milliseconds) as stems, with the 95 % band behind them.
 class CorrelationPlot : public PlotFrame {
     Q_OBJECT
 public:
     explicit CorrelationPlot(QWidget* parent = nullptr);
 
-    void setCorrelation(const Correlation& correlation);
+    void setCorrelation(const Correlation& correlation, double sampleTime_s = 0);
     /// Lags (other than 0 of an autocorrelation) whose value is beyond the band.
-    [[nodiscard]] int lagsOutside() const { return m_outside; }
+    [[nodiscard]] int lagsOutside() const { return m_lagsOutside; }
 
 protected:
     void themeChanged() override;
@@ -26,8 +26,9 @@ protected:
 private:
     QLineSeries* m_stems;
     QScatterSeries* m_heads;
+    QScatterSeries* m_outsideHeads; ///< beyond the band: larger, and in the colour of a doubtful measurement
     bool m_empty = true;
-    int m_outside = 0;
+    int m_lagsOutside = 0;
 };
 
 } // namespace gripscope

@@ -69,14 +69,18 @@ FitPlots::FitPlots(QWidget* parent)
     grid->addWidget(m_residuals, 2, 0, 1, 2);
     grid->addWidget(m_auto, 3, 0);
     grid->addWidget(m_cross, 3, 1);
+    m_response->setMinimumHeight(116);
+    m_force->setMinimumHeight(92);
+    m_residuals->setMinimumHeight(104);
+    m_auto->setMinimumHeight(104);
     const int stretches[] = {40, 18, 26, 26};
     for (int row = 0; row < 4; ++row)
         grid->setRowStretch(row, stretches[row]);
     m_residuals->setHorizontalTitle(tr("Time (s)"));
-    m_auto->setHorizontalTitle(tr("Lag (samples)"));
-    m_cross->setHorizontalTitle(tr("Lag (samples)"));
-    m_auto->setTitle(tr("Autocorrelation of residuals"));
-    m_cross->setTitle(tr("Residuals against earlier force"));
+    m_auto->setHorizontalTitle(tr("Lag (ms)"));
+    m_cross->setHorizontalTitle(tr("Lag (ms)"));
+    m_auto->setTitle(tr("Residual autocorrelation"));
+    m_cross->setTitle(tr("Residuals against force"));
     linkTime();
     clear();
 }
@@ -125,7 +129,7 @@ void FitPlots::show(const Identification& identification, Estimator estimator, c
     std::vector<PlotCurve> curves{{tr("measured"), CurveRole::MeasuredPosition, time,
                                    scaled(identification.position, position.factor)}};
     if (modelled)
-        curves.push_back({tr("model (%1, simulated)").arg(estimatorName(estimator)), CurveRole::Model, time,
+        curves.push_back({tr("model, %1").arg(estimatorName(estimator)), CurveRole::Model, time,
                           scaled(estimate->simulated, position.factor)});
     m_response->setTitle(position.title(tr("Position")));
     m_response->setCurves(std::move(curves));
@@ -164,9 +168,10 @@ void FitPlots::showCorrelations(const Identification& identification, const Esti
         m_cross->setCorrelation({});
         return;
     }
-    m_auto->setCorrelation(autocorrelation(estimate->residual, lags));
+    m_auto->setCorrelation(autocorrelation(estimate->residual, lags), identification.sampleTime_s);
     m_cross->setCorrelation(
-        crossCorrelation(estimate->residual, tail(identification.force, estimate->residual.size()), lags));
+        crossCorrelation(estimate->residual, tail(identification.force, estimate->residual.size()), lags),
+        identification.sampleTime_s);
 }
 
 QString estimatorName(Estimator estimator)

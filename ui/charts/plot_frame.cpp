@@ -20,7 +20,7 @@ using namespace Qt::StringLiterals;
 namespace {
 // Around the plot, logical pixels: room for the numbers of every plot of a page, so that all have the same
 // edges.
-constexpr int left = 60, right = 14, top = 26, bottomBare = 8, bottomTitled = 42;
+constexpr int left = 66, right = 14, top = 26, bottomBare = 8, bottomTitled = 26;
 } // namespace
 
 PlotFrame::PlotFrame(QWidget* parent)
@@ -65,7 +65,7 @@ void PlotFrame::setTitle(const QString& title)
 
 void PlotFrame::setHorizontalTitle(const QString& title)
 {
-    m_horizontal->setTitleText(title);
+    m_horizontalTitle = title;
     m_horizontal->setLabelsVisible(!title.isEmpty());
     layOut();
 }
@@ -103,7 +103,12 @@ void PlotFrame::setTicks(QValueAxis* axis, int most)
     const double span = axis->max() - axis->min();
     if (!(span > 0) || !std::isfinite(span))
         return;
-    const double step = roundStep(span, std::max(1, most));
+    const auto numbers = [axis](double step) {
+        return std::floor(axis->max() / step) - std::ceil(axis->min() / step) + 1;
+    };
+    double step = roundStep(span, std::max(1, most));
+    while (numbers(step) < 2) // one number says nothing about the scale
+        step = roundStep(span, ++most);
     axis->setTickInterval(step);
     const int decimals = std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
     // 2.5 needs one digit more than 2.
@@ -117,7 +122,7 @@ void PlotFrame::setHorizontal(PlotRange range)
     if (!(range.span() > 0) || range == horizontal())
         return;
     m_horizontal->setRange(range.low, range.high);
-    setTicks(m_horizontal, columns() / 90);
+    setTicks(m_horizontal, columns() / 70);
     refresh();
 }
 
@@ -126,7 +131,7 @@ void PlotFrame::setVertical(PlotRange range)
     if (!(range.span() > 0))
         return;
     m_vertical->setRange(range.low, range.high);
-    setTicks(m_vertical, int(chart()->plotArea().height() / 26));
+    setTicks(m_vertical, verticalSteps());
 }
 
 void PlotFrame::setWhole(PlotRange range)
@@ -145,16 +150,21 @@ int PlotFrame::columns() const
     return std::max(16, int(chart()->plotArea().width()));
 }
 
+int PlotFrame::verticalSteps() const
+{
+    return std::max(2, int(chart()->plotArea().height() / 30));
+}
+
 void PlotFrame::layOut()
 {
-    const bool titled = !m_horizontal->titleText().isEmpty();
+    const bool titled = !m_horizontalTitle.isEmpty();
     const QSize all = viewport()->size();
     const QRectF area(left, top, std::max(10, all.width() - left - right),
                       std::max(10, all.height() - top - (titled ? bottomTitled : bottomBare)));
     chart()->resize(all);
     chart()->setPlotArea(area);
-    setTicks(m_horizontal, columns() / 90);
-    setTicks(m_vertical, int(area.height() / 26));
+    setTicks(m_horizontal, columns() / 70);
+    setTicks(m_vertical, verticalSteps());
 }
 
 void PlotFrame::resizeEvent(QResizeEvent* event)
@@ -171,8 +181,6 @@ void PlotFrame::themeChanged()
     for (QValueAxis* axis : {m_horizontal, m_vertical}) {
         axis->setLabelsColor(tokens.secondText);
         axis->setLabelsFont(Theme::font(metrics::fontSmall));
-        axis->setTitleFont(Theme::font(metrics::fontSmall));
-        axis->setTitleBrush(tokens.secondText);
         axis->setLinePen(QPen(tokens.line, tokens.lineWidth));
         axis->setGridLinePen(QPen(Theme::mix(tokens.surface, tokens.line, 0.7), 1));
     }
@@ -205,8 +213,10 @@ void PlotFrame::paintHeader(QPainter* painter) const
     const QRectF line(area.left(), 2, area.width(), top - 6);
     painter->setFont(Theme::font(metrics::fontSmall, true));
     painter->setPen(tokens.text);
-    painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter, m_title);
-    const double titleEnd = line.left() + QFontMetricsF(painter->font()).horizontalAdvance(m_title) + 16;
+    const QFontMetricsF strong(painter->font());
+    painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                      strong.elidedText(m_title, Qt::ElideRight, line.width()));
+    const double titleEnd = line.left() + strong.horizontalAdvance(m_title) + 16;
     painter->setFont(Theme::font(metrics::fontSmall));
     const QFontMetricsF small(painter->font());
     double end = line.right();
@@ -220,6 +230,11 @@ void PlotFrame::paintHeader(QPainter* painter) const
         paintSign(QPointF(end - width - 24, line.center().y()));
         end -= width + 40;
     };
+    if (!m_horizontalTitle.isEmpty()) {
+        painter->setPen(tokens.secondText);
+        painter->drawText(QRectF(0, area.bottom() + 4, area.left() - 14, 18),
+                          Qt::AlignRight | Qt::AlignVCenter, m_horizontalTitle);
+    }
     if (m_band)
         entry(m_bandName, [&](QPointF at) {
             painter->fillRect(QRectF(at.x(), at.y() - 4, 18, 8),

@@ -31,7 +31,8 @@ public:
 
     /// "Position (mm)"; also the accessible name.
     void setTitle(const QString& title);
-    /// Under the horizontal axis; empty hides its numbers too (a plot below shows them).
+    /// In front of the numbers of the horizontal axis, short; empty hides those too (a plot below shows
+    /// them).
     void setHorizontalTitle(const QString& title);
     /// A tinted stripe between `low` and `high` with its name at the right end.
     void setBand(std::optional<PlotRange> band, const QString& name = {});
@@ -80,13 +81,14 @@ protected:
 
 private:
     void layOut();
+    [[nodiscard]] int verticalSteps() const;
     void setTicks(QValueAxis* axis, int most);
     void paintHeader(QPainter* painter) const;
     void ask(PlotRange range);
 
     QValueAxis* m_horizontal = nullptr;
     QValueAxis* m_vertical = nullptr;
-    QString m_title, m_bandName, m_emptyText;
+    QString m_title, m_horizontalTitle, m_bandName, m_emptyText;
     std::optional<PlotRange> m_band;
     std::vector<LegendEntry> m_legend;
     PlotRange m_whole;

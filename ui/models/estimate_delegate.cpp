@@ -12,7 +12,7 @@ namespace gripscope {
 using Column = EstimateTableModel::Column;
 
 namespace {
-constexpr int side = 6;
+constexpr int side = 5; // the table stands in a third of the window
 }
 
 EstimateDelegate::Lines EstimateDelegate::linesOf(const QModelIndex& index)
@@ -66,7 +66,7 @@ void EstimateDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
         const QString shown = QFontMetrics(font).elidedText(line, Qt::ElideRight, box.width());
         painter->drawText(box, int(align | vertical), shown);
     };
-    draw(lines.first, Theme::font(metrics::fontBase, selected), tokens.text, Qt::AlignTop);
+    draw(lines.first, Theme::font(metrics::fontBase), tokens.text, Qt::AlignTop);
     draw(lines.second, Theme::font(metrics::fontSmall), tokens.secondText, Qt::AlignBottom);
     painter->restore();
 }

@@ -166,9 +166,9 @@ QVariant EstimateTableModel::headerData(int section, Qt::Orientation orientation
     case Column::Stiffness:
         return withUnit(tr("k"));
     case Column::SimulationFit:
-        return tr("sim. fit\n%");
+        return tr("sim.\n%");
     case Column::PredictionFit:
-        return tr("pred. fit\n%");
+        return tr("pred.\n%");
     case Column::Verdict:
         return tr("Verdict");
     }

@@ -27,7 +27,7 @@ using namespace Qt::StringLiterals;
 struct FitPage::Private {
     std::optional<FitSubject> subject;
     int generation = 0; ///< answers for an older subject are dropped
-    bool identifying = false, tour = false;
+    bool identifying = false;
 
     QStackedWidget* stack = nullptr;
     FitPlots* plots = nullptr;
@@ -76,6 +76,7 @@ FitPage::FitPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d(std
     auto* line = new QHBoxLayout(halves);
     setSpacing(line, 0, 2 * metrics::step);
     line->addWidget(plotCard, 64);
+    summaryCard->setMinimumWidth(404); // what the table of estimators needs
     line->addWidget(summaryCard, 36);
 
     d->stack = new QStackedWidget;
@@ -262,7 +263,6 @@ void FitPage::dropEvent(QDropEvent* event)
 
 void FitPage::prepareTour()
 {
-    d->tour = true;
     if (d->subject)
         return;
     InspectSession& inspection = workbench().inspection();

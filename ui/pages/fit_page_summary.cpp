@@ -14,6 +14,7 @@
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QResizeEvent>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -24,6 +25,8 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr double quantile975 = 1.959963984540054; // half a 95 % interval in standard errors
+
+constexpr int narrowWidth = 420; // below, the numbers are set smaller
 
 std::optional<double> halfWidth(const std::optional<double>& standardError, double factor = 1)
 {
@@ -99,6 +102,8 @@ void FitSummary::buildTable()
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_table->horizontalHeader()->setMinimumSectionSize(40);
+    m_table->horizontalHeader()->setStyleSheet(
+        u"QHeaderView::section { padding: 4px 5px; }"_s); // as the delegate's
     m_table->setAccessibleName(tr("Estimators against each other"));
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& now) {
@@ -150,10 +155,11 @@ void FitSummary::showBest()
         return;
     }
     m_bestName->setText(tr("Recommended: %1").arg(estimatorName(best->estimator)));
-    const auto row = [this](const QString& name, const FormattedNumber& number, bool large) {
+    const bool narrow = viewport()->width() < narrowWidth;
+    const auto row = [this, narrow](const QString& name, const FormattedNumber& number, bool large) {
         const int at = m_best->rowCount();
-        auto* label = makeLabel(name, "second");
-        auto* value = makeLabel(withInterval(number), large ? "number" : "strong");
+        auto* label = makeLabel(name, narrow ? "caption" : "second");
+        auto* value = makeLabel(withInterval(number), !large ? "strong" : narrow ? "heading" : "number");
         value->setTextFormat(Qt::RichText);
         value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         value->setAccessibleName(u"%1: %2"_s.arg(name, number.text()));
@@ -177,6 +183,13 @@ void FitSummary::showBest()
         row(tr("Damping ratio"),
             formatNumber(derived->dampingRatio, halfWidth(derived->dampingRatioError), {}), false);
     }
+}
+
+void FitSummary::resizeEvent(QResizeEvent* event)
+{
+    QScrollArea::resizeEvent(event);
+    if ((event->oldSize().width() < narrowWidth) != (event->size().width() < narrowWidth))
+        showBest();
 }
 
 QString FitSummary::toTsv() const

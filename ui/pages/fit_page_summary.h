@@ -31,6 +31,9 @@ public:
 signals:
     void estimatorChosen(gripscope::Estimator estimator); ///< a row of the table
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void buildTable();
     void showBest();

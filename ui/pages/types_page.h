@@ -7,6 +7,9 @@
 
 namespace gripscope {
 
+class SceneView;
+enum class SceneKind;
+
 /// The enrolled types in the space of m, b and k, and how K-means finds them without labels.
 class TypesPage : public Page {
     Q_OBJECT
@@ -17,8 +20,33 @@ public:
     [[nodiscard]] QString id() const override;
     [[nodiscard]] QString title() const override;
     [[nodiscard]] QString iconName() const override;
+    void setActive(bool active) override;
+    void prepareTour() override;
+    [[nodiscard]] bool tourReady() const override;
+
+    [[nodiscard]] SceneView* view() const;
+    /// The paper's tables instead of the library, or back.
+    void showPaper(bool paper);
+    /// The K-means iteration shown; from then on points are coloured by cluster.
+    void showStep(int step);
+    [[nodiscard]] int stepCount() const;
 
 private:
+    [[nodiscard]] QWidget* buildSceneCard();
+    [[nodiscard]] QLayout* buildToolBar();
+    [[nodiscard]] QLayout* buildStepBar();
+    [[nodiscard]] QWidget* buildEmpty();
+    void load();
+    void cluster();
+    void takeInspection();
+    void refresh();
+    void refreshStepBar();
+    void loadExamples();
+    void openPicked();
+    void copyPicture();
+    void savePicture();
+    void play(bool on);
+
     struct Private;
     std::unique_ptr<Private> d;
 };
