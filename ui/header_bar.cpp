@@ -46,13 +46,12 @@ HeaderBar::HeaderBar(Workbench& workbench, QWidget* parent) : QFrame(parent), m_
 
     m_operator = new QLineEdit(this);
     m_operator->setObjectName("operatorField");
-    m_operator->setPlaceholderText(tr("Operator"));
+    m_operator->setPlaceholderText(tr("name"));
     m_operator->setAccessibleName(tr("Operator"));
     m_operator->setToolTip(tr("Who works here: kept with every squeeze"));
     m_operator->setMaxLength(80);
-    m_operator->setFixedWidth(152);
+    m_operator->setFixedWidth(128);
     m_operator->setText(workbench.operatorName());
-    m_operator->addAction(Theme::instance().icon(u"user"_s), QLineEdit::LeadingPosition);
     connect(m_operator, &QLineEdit::textEdited, this,
             [this](const QString& text) { m_workbench->setOperatorName(text.trimmed()); });
     connect(&workbench, &Workbench::operatorChanged, this, [this] {
@@ -86,6 +85,9 @@ HeaderBar::HeaderBar(Workbench& workbench, QWidget* parent) : QFrame(parent), m_
     row->addWidget(m_title);
     row->addStretch(1);
     row->addWidget(m_chip, 0);
+    auto* who = makeLabel(tr("Operator"), "caption", this);
+    who->setBuddy(m_operator);
+    row->addWidget(who);
     row->addWidget(m_operator);
     row->addWidget(m_arm);
     row->addWidget(m_stop);

@@ -163,6 +163,12 @@ QString MainWindow::message() const
     return m_messages->message();
 }
 
+void MainWindow::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    currentPage()->setActive(true); // only now can it take the focus
+}
+
 void MainWindow::closeEvent(QCloseEvent* event)
 {
     // The port's own close is bounded; what must not wait is that the gripper stops.

@@ -32,6 +32,15 @@ void StripChart::setScale(double factor, double zero)
     m_calm = calmFrames;
 }
 
+void StripChart::setUnit(const QString& unit)
+{
+    if (unit == m_unit)
+        return;
+    m_unit = unit;
+    m_frameValid = false;
+    update();
+}
+
 void StripChart::setSeconds(double seconds)
 {
     m_seconds = seconds;
@@ -66,11 +75,13 @@ void StripChart::followRange()
             low = std::min(low, p.y);
             high = std::max(high, p.y);
         }
+    m_seen.reset();
     if (!(low <= high))
         return;
     const double a = low * m_factor - m_zero;
     const double b = high * m_factor - m_zero;
-    const AxisRange wanted = roundRange(std::min(a, b), std::max(a, b), m_leastSpan);
+    m_seen = {std::min(a, b), std::max(a, b)};
+    const AxisRange wanted = roundRange(m_seen->low, m_seen->high, m_leastSpan);
     const bool outside = wanted.low < m_range.low || wanted.high > m_range.high;
     const bool smaller = wanted.span() < m_range.span() * 0.999;
     m_calm = smaller && !outside ? m_calm + 1 : 0;
@@ -116,7 +127,9 @@ void StripChart::paintFrame()
         painter.setPen(QPen(grid, 1));
         painter.drawLine(QPointF(area.left(), at), QPointF(area.right(), at));
         painter.setPen(t.secondText);
-        painter.drawText(QRectF(0, at - 9, left - 8, 18), Qt::AlignRight | Qt::AlignVCenter, y.label(value));
+        const bool highest = value == y.values.back();
+        painter.drawText(QRectF(0, at - 9, left - 8, 18), Qt::AlignRight | Qt::AlignVCenter,
+                         highest ? y.label(value) + QChar(0x00A0) + m_unit : y.label(value));
     }
     const double unit = m_seconds > 120 ? 60 : 1;
     const AxisTicks x =
@@ -127,10 +140,10 @@ void StripChart::paintFrame()
         painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
         painter.setPen(t.secondText);
         const QString text = value == 0 ? tr("now") : x.label(value) + (unit > 1 ? tr(" min") : tr(" s"));
-        const double wide = 72;
-        const double from = std::min(at - wide / 2, width() - wide);
-        painter.drawText(QRectF(from, area.bottom() + 5, wide, 16),
-                         (from < at - wide / 2 ? Qt::AlignRight : Qt::AlignHCenter) | Qt::AlignTop, text);
+        const double wide = painter.fontMetrics().horizontalAdvance(text) + 2;
+        // At the left edge beside the line, so that it keeps clear of the other axis.
+        const double from = at - area.left() < wide / 2 ? at : std::min(at - wide / 2, width() - wide);
+        painter.drawText(QRectF(from, area.bottom() + 5, wide, 16), Qt::AlignHCenter | Qt::AlignTop, text);
     }
     m_frameValid = true;
 }
@@ -144,7 +157,7 @@ void StripChart::paintCurve(QPainter& painter) const
     pen.setJoinStyle(Qt::BevelJoin);
     painter.setPen(pen);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setClipRect(area);
+    painter.setClipRect(area.adjusted(0, -6, 1, 6)); // roundRange() lets noise stand a little outside
     QPolygonF line;
     for (const LiveHistory::Stretch& stretch : m_stretches) {
         line.clear();

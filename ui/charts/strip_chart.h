@@ -7,6 +7,8 @@
 #include <QPixmap>
 #include <QWidget>
 
+#include <optional>
+
 namespace gripscope {
 
 /// One channel over the last seconds, newest on the right. It is handed min/max columns, so a frame costs
@@ -18,11 +20,14 @@ public:
 
     /// `factor` takes the device's unit to the one shown; `zero` (shown unit) is subtracted first: tare.
     void setScale(double factor, double zero);
+    void setUnit(const QString& unit); ///< stands at the topmost tick
     void setSeconds(double seconds);
     void setStretches(std::vector<LiveHistory::Stretch> stretches);
     [[nodiscard]] int columns() const; ///< pixel columns of the plot
     [[nodiscard]] double seconds() const { return m_seconds; }
     [[nodiscard]] AxisRange range() const { return m_range; }
+    /// Lowest and highest value in view, in the unit shown; nothing while nothing is in view.
+    [[nodiscard]] std::optional<AxisRange> seen() const { return m_seen; }
     [[nodiscard]] const std::vector<LiveHistory::Stretch>& stretches() const { return m_stretches; }
 
     [[nodiscard]] QSize sizeHint() const override { return {640, 220}; }
@@ -43,6 +48,8 @@ private:
     double m_factor = 1, m_zero = 0, m_seconds = 10;
     std::vector<LiveHistory::Stretch> m_stretches;
     AxisRange m_range{0, 1};
+    std::optional<AxisRange> m_seen;
+    QString m_unit;
     QPixmap m_frame; ///< grid and labels, drawn anew only when they change
     bool m_frameValid = false;
     int m_calm = 0; ///< frames during which a smaller range would have done

@@ -98,7 +98,7 @@ QString EnrollPage::title() const
 
 QString EnrollPage::iconName() const
 {
-    return u"tag-new"_s;
+    return u"list-add"_s;
 }
 
 QWidget* EnrollPage::makeNameStep()
@@ -175,7 +175,7 @@ QWidget* EnrollPage::makeDoneStep()
     what->setWordWrap(true);
     column->addWidget(what);
     auto* row = new QHBoxLayout;
-    d->again = makeButton(tr("Enroll another type"), u"tag-new"_s, "", step);
+    d->again = makeButton(tr("Enroll another type"), u"list-add"_s, "", step);
     d->again->setObjectName("enrollAnother");
     QPushButton* inspect = makeButton(tr("Inspect parts"), u"answer-correct"_s, "primary", step);
     row->addWidget(d->again);

@@ -46,7 +46,8 @@ TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels
     for (const TypeModel& other : models.types) {
         if (other.name == name)
             continue;
-        const std::optional<double> squared = squaredDistance(models, other, {centre[0], centre[1], centre[2]});
+        const std::optional<double> squared =
+            squaredDistance(models, other, {centre[0], centre[1], centre[2]});
         if (!squared)
             continue;
         const double distance = std::sqrt(*squared);

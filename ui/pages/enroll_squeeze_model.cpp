@@ -29,16 +29,16 @@ EnrollSqueezeModel::Row EnrollSqueezeModel::makeRow(const EnrollSqueeze& squeeze
     row.decision = squeeze.decision;
     row.reason = squeeze.reason;
     row.verdict = validityWord(squeeze);
-    const QString none(QChar(0x2013));
-    row.stiffness = row.damping = row.mass = row.fit = none;
+    row.fit = QChar(0x2013);
+    row.stiffness.value = row.damping.value = row.mass.value = row.fit;
     const Estimate* best = squeeze.identification.best();
     if (!best)
         return row;
     const ParameterTexts texts =
         parameterTexts(*best, squeeze.recording.forceUnit, squeeze.recording.positionUnit);
-    row.stiffness = texts.k.text();
-    row.damping = texts.b.text();
-    row.mass = texts.m.text();
+    row.stiffness = texts.k;
+    row.damping = texts.b;
+    row.mass = texts.m;
     if (best->fit.simulationPercent)
         row.fit = formatPercent(*best->fit.simulationPercent);
     return row;
@@ -56,6 +56,7 @@ void EnrollSqueezeModel::refresh(const std::vector<EnrollSqueeze>& squeezes)
         beginInsertRows({}, static_cast<int>(m_rows.size()), static_cast<int>(rows.size()) - 1);
         m_rows = std::move(rows);
         endInsertRows();
+        emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1); // a unit may be common no more
     } else if (rows.size() == m_rows.size()) {
         m_rows = std::move(rows);
         emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
@@ -82,27 +83,42 @@ int EnrollSqueezeModel::columnCount(const QModelIndex& parent) const
     return parent.isValid() ? 0 : static_cast<int>(Column::Count);
 }
 
+QString EnrollSqueezeModel::commonUnit(FormattedNumber Row::*column) const
+{
+    QString unit;
+    for (const Row& row : m_rows) {
+        const QString& own = (row.*column).unit;
+        if (own.isEmpty() || own == unit)
+            continue;
+        if (!unit.isEmpty())
+            return {};
+        unit = own;
+    }
+    return unit;
+}
+
 QString EnrollSqueezeModel::text(const Row& row, int number, Column column) const
 {
+    const auto shown = [this, &row](FormattedNumber Row::*which) {
+        return commonUnit(which).isEmpty() ? (row.*which).text() : (row.*which).number();
+    };
     switch (column) {
     case Column::Number:
         return QString::number(number);
     case Column::Stiffness:
-        return row.stiffness;
+        return shown(&Row::stiffness);
     case Column::Damping:
-        return row.damping;
+        return shown(&Row::damping);
     case Column::Mass:
-        return row.mass;
+        return shown(&Row::mass);
     case Column::Fit:
         return row.fit;
     case Column::Verdict:
-        return row.verdict;
-    case Column::Decision:
         switch (row.decision) {
         case EnrollSqueeze::Decision::Accepted:
-            return tr("accepted");
+            return tr("%1, accepted").arg(row.verdict);
         case EnrollSqueeze::Decision::Pending:
-            return row.reason.isEmpty() ? tr("accept or reject") : row.reason;
+            return row.reason.isEmpty() ? tr("%1, to decide").arg(row.verdict) : row.reason;
         case EnrollSqueeze::Decision::Rejected:
             return row.reason.isEmpty() ? tr("rejected") : tr("rejected: %1").arg(row.reason);
         }
@@ -124,14 +140,16 @@ QVariant EnrollSqueezeModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
         return text(row, index.row() + 1, column);
     case Qt::ToolTipRole:
-        return column == Column::Decision ? text(row, index.row() + 1, column) : QVariant();
+        return column == Column::Verdict ? text(row, index.row() + 1, column) : QVariant();
     case Qt::TextAlignmentRole:
         return QVariant::fromValue(Qt::AlignVCenter |
                                    (column <= Column::Fit ? Qt::AlignRight : Qt::AlignLeft));
     case Qt::ForegroundRole:
-        return row.decision == EnrollSqueeze::Decision::Rejected ? tokens.secondText : tokens.text;
+        return row.decision == EnrollSqueeze::Decision::Rejected  ? tokens.secondText
+               : row.decision == EnrollSqueeze::Decision::Pending ? tokens.accent
+                                                                  : tokens.text;
     case Qt::FontRole: {
-        QFont font = Theme::font(metrics::fontBase, row.decision == EnrollSqueeze::Decision::Pending);
+        QFont font = Theme::font(metrics::fontBase);
         font.setStrikeOut(row.decision == EnrollSqueeze::Decision::Rejected && column < Column::Verdict);
         return font;
     }
@@ -149,21 +167,23 @@ QVariant EnrollSqueezeModel::headerData(int section, Qt::Orientation orientation
             Qt::AlignVCenter | (section <= static_cast<int>(Column::Fit) ? Qt::AlignRight : Qt::AlignLeft));
     if (role != Qt::DisplayRole)
         return {};
+    const auto name = [this](const QString& symbol, FormattedNumber Row::*which) {
+        const QString unit = commonUnit(which);
+        return unit.isEmpty() ? tr("%1\n± 95 %").arg(symbol) : tr("%1 (%2)\n± 95 %").arg(symbol, unit);
+    };
     switch (static_cast<Column>(section)) {
     case Column::Number:
         return tr("No.");
     case Column::Stiffness:
-        return tr("k (95 %)");
+        return name(tr("k"), &Row::stiffness);
     case Column::Damping:
-        return tr("b (95 %)");
+        return name(tr("b"), &Row::damping);
     case Column::Mass:
-        return tr("m (95 %)");
+        return name(tr("m"), &Row::mass);
     case Column::Fit:
-        return tr("Simulation fit");
+        return tr("Simulation\nfit");
     case Column::Verdict:
         return tr("Measurement");
-    case Column::Decision:
-        return tr("Decision");
     case Column::Count:
         break;
     }

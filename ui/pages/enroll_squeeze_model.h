@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/session/enroll_session.h"
+#include "ui/widgets/number_format.h"
 
 #include <QAbstractTableModel>
 
@@ -11,7 +12,7 @@ namespace gripscope {
 class EnrollSqueezeModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum class Column { Number, Stiffness, Damping, Mass, Fit, Verdict, Decision, Count };
+    enum class Column { Number, Stiffness, Damping, Mass, Fit, Verdict, Count };
     using QAbstractTableModel::QAbstractTableModel;
 
     /// Takes over what the session holds; cheap when nothing changed.
@@ -26,9 +27,13 @@ public:
 private:
     struct Row {
         EnrollSqueeze::Decision decision = EnrollSqueeze::Decision::Pending;
-        QString reason, stiffness, damping, mass, fit, verdict;
+        QString reason, fit, verdict;
+        FormattedNumber stiffness, damping, mass;
         friend bool operator==(const Row&, const Row&) = default;
     };
+    /// The unit that all numbers of a column share: it then stands in the header once. Empty: each has its
+    /// own.
+    [[nodiscard]] QString commonUnit(FormattedNumber Row::*column) const;
     [[nodiscard]] static Row makeRow(const EnrollSqueeze& squeeze);
     [[nodiscard]] QString text(const Row& row, int number, Column column) const;
     std::vector<Row> m_rows;

@@ -157,11 +157,11 @@ void InspectPage::buildActions(QBoxLayout* column)
     row->setSpacing(12);
     d->squeeze = makeButton(tr("Squeeze (Space)"), u"media-playback-start"_s, "primary", this);
     d->squeeze->setObjectName("squeezeButton");
-    d->squeeze->setFixedHeight(56);
+    d->squeeze->setProperty("large", true);
     connect(d->squeeze, &QPushButton::clicked, this, &InspectPage::squeeze);
     d->arm = makeButton(tr("Arm the gripper"), u"object-unlocked"_s, "primary", this);
     d->arm->setObjectName("inspectArmButton");
-    d->arm->setFixedHeight(56);
+    d->arm->setProperty("large", true);
     connect(d->arm, &QPushButton::clicked, this, [this] { workbench().arm(); });
     row->addWidget(d->arm, 2);
     row->addWidget(d->squeeze, 3);

@@ -39,12 +39,8 @@ InspectSummary::InspectSummary(Workbench& workbench, QWidget* parent)
     auto* head = new QVBoxLayout;
     head->setContentsMargins(16, 12, 16, 8);
     head->setSpacing(2);
-    auto* counts = new QHBoxLayout;
-    counts->addWidget(m_total);
-    counts->addStretch(1);
-    counts->addWidget(m_share, 0, Qt::AlignBottom);
-    m_share->setContentsMargins(0, 0, 0, 6);
-    head->addLayout(counts);
+    head->addWidget(m_total);
+    head->addWidget(m_share);
     head->addWidget(m_split);
     auto* foot = new QVBoxLayout;
     foot->setContentsMargins(16, 8, 16, 12);
@@ -76,14 +72,14 @@ void InspectSummary::refreshCounts()
     m_total->setText(tr("%1 inspected").arg(formatCount(counts.total)));
     m_share->setVisible(counts.total > 0);
     if (counts.total > 0)
-        m_share->setText(formatPercent(100.0 * static_cast<double>(counts.asExpected) /
-                                       static_cast<double>(counts.total)));
+        m_share->setText(tr("%1 as expected")
+                             .arg(formatPercent(100.0 * static_cast<double>(counts.asExpected) /
+                                                static_cast<double>(counts.total))));
     QStringList parts;
     const auto add = [&parts](qint64 count, InspectionOutcome outcome) {
         if (count > 0)
             parts << u"%1 %2"_s.arg(formatCount(count), outcomeWord(outcome));
     };
-    add(counts.asExpected, InspectionOutcome::AsExpected);
     add(counts.otherType, InspectionOutcome::OtherType);
     add(counts.unknown, InspectionOutcome::Unknown);
     add(counts.inconclusive, InspectionOutcome::Inconclusive);

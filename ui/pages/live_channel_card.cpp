@@ -9,6 +9,8 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
+#include <cmath>
+
 using namespace Qt::StringLiterals;
 
 namespace gripscope {
@@ -44,6 +46,8 @@ LiveChannelCard::LiveChannelCard(LiveHistory::Channel channel, const QString& na
     m_tared = makeLabel(tr("tared"), "caption", this);
     m_tared->setAlignment(Qt::AlignRight);
     m_tared->hide();
+    m_seen = makeLabel({}, "caption", this);
+    m_seen->setAlignment(Qt::AlignRight);
 
     auto* head = new QHBoxLayout;
     head->setSpacing(8);
@@ -61,6 +65,7 @@ LiveChannelCard::LiveChannelCard(LiveHistory::Channel channel, const QString& na
     side->addLayout(number);
     side->addWidget(m_tared);
     side->addStretch(1);
+    side->addWidget(m_seen);
     auto* sideBox = new QWidget(this);
     sideBox->setFixedWidth(184);
     side->setContentsMargins(0, 0, 0, 0);
@@ -79,6 +84,7 @@ void LiveChannelCard::setDeviceUnit(const QString& unit)
     const std::optional<double> si = force ? newtonsPer(unit) : metresPer(unit);
     m_factor = si ? (force ? *si : *si * 1000) : 1;
     m_unitLabel->setText(si ? (force ? u"N"_s : u"mm"_s) : unit);
+    m_chart->setUnit(m_unitLabel->text());
 }
 
 void LiveChannelCard::refreshChart(const LiveHistory& history, double until_s)
@@ -110,15 +116,24 @@ void LiveChannelCard::refreshValue(const LiveHistory& history, double until_s)
     if (!mean)
         return showNoValue();
     const double shown = *mean - m_zero;
+    m_value->setText(number(shown));
+    m_tared->setVisible(m_zero != 0);
+    if (const std::optional<AxisRange> seen = m_chart->seen())
+        m_seen->setText(tr("in view\nhighest %1 %3\nlowest %2 %3")
+                            .arg(number(seen->high), number(seen->low), m_unitLabel->text()));
+}
+
+QString LiveChannelCard::number(double shown) const
+{
     const double least = std::pow(10.0, -m_decimals) / 2;
     QString text = QLocale::c().toString(std::abs(shown) < least ? 0.0 : shown, 'f', m_decimals);
-    m_value->setText(text.replace(QLatin1Char('-'), QChar(0x2212)));
-    m_tared->setVisible(m_zero != 0);
+    return text.replace(QLatin1Char('-'), QChar(0x2212));
 }
 
 void LiveChannelCard::showNoValue()
 {
     m_value->setText(u"–"_s);
+    m_seen->clear();
 }
 
 } // namespace gripscope

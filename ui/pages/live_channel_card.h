@@ -36,8 +36,10 @@ private:
     QLabel* m_value;
     QLabel* m_unitLabel;
     QLabel* m_tared;
+    QLabel* m_seen;
     double m_factor = 1, m_zero = 0;
     int m_decimals = 2;
+    [[nodiscard]] QString number(double shown) const;
 };
 
 } // namespace gripscope

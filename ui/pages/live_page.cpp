@@ -54,6 +54,7 @@ LivePage::LivePage(Workbench& bench, QWidget* parent)
     buildToolbar(column);
     buildCharts(column);
     buildCounters(column);
+    setFocusPolicy(Qt::StrongFocus);
     d->sinceNumbers.start();
     connect(&bench, &Workbench::ticked, this, &LivePage::refresh);
     connect(&bench, &Workbench::connectionChanged, this, &LivePage::refreshControls);
@@ -177,7 +178,7 @@ void LivePage::setActive(bool active)
     d->active = active;
     if (active) {
         refresh();
-        d->squeeze->setFocus();
+        d->squeeze->isEnabled() ? d->squeeze->setFocus() : setFocus();
     }
 }
 

@@ -124,6 +124,7 @@ QPushButton[role="primary"] { background: @accent; color: @onAccent; border: @li
 QPushButton[role="primary"]:hover { background: @accentHover; }
 QPushButton[role="primary"]:focus { border: 2px solid @text; }
 QPushButton[role="primary"]:disabled { background: @page; color: @secondText; border-color: @line; }
+QPushButton[large="true"] { min-height: 54px; font-size: @fontLarge; }
 QPushButton[role="quiet"], QToolButton[role="quiet"] { background: transparent; border-color: transparent; }
 QPushButton[role="quiet"]:hover, QToolButton[role="quiet"]:hover { background: @hover; }
 QPushButton[role="quiet"]:focus, QToolButton[role="quiet"]:focus { border: 2px solid @accent; }

@@ -47,7 +47,7 @@ public:
         const ThemeTokens& tokens = Theme::instance().tokens();
         QColor color = m_color.value_or(tokens.text);
         if (mode == QIcon::Disabled)
-            color = Theme::mix(color, tokens.surface, 0.55);
+            color = Theme::mix(tokens.secondText, tokens.surface, 0.3);
         const QString key =
             u"tint:%1:%2x%3:%4"_s.arg(m_file).arg(size.width()).arg(size.height()).arg(color.rgba());
         QPixmap picture;

@@ -52,7 +52,9 @@ AxisRange roundRange(double low, double high, double leastSpan)
     low -= missing / 2;
     high += missing / 2;
     const double step = roundStep(std::max(high - low, 1e-12) * 1.05, 6);
-    return {std::floor(low / step + 1e-6) * step, std::ceil(high / step - 1e-6) * step};
+    // Noise around a round number does not ask for a whole step more.
+    constexpr double slack = 0.04;
+    return {std::floor(low / step + slack) * step, std::ceil(high / step - slack) * step};
 }
 
 } // namespace gripscope

@@ -6,6 +6,8 @@
 
 #include <QPainter>
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 namespace gripscope {
@@ -39,7 +41,7 @@ QSize DeviceChip::sizeHint() const
 {
     const int words = QFontMetrics(Theme::font(metrics::fontBase, true)).horizontalAdvance(m_words);
     const int detail = QFontMetrics(Theme::font(metrics::fontBase)).horizontalAdvance(m_detail);
-    return {36 + words + (detail ? 8 + detail : 0) + 30, metrics::touchTarget};
+    return {36 + words + (detail ? 8 + detail : 0) + 34, metrics::touchTarget};
 }
 
 void DeviceChip::paintState(QPainter& painter, const QPointF& c) const
@@ -82,20 +84,22 @@ void DeviceChip::paintEvent(QPaintEvent*)
                             height() / 2.0);
     paintState(painter, {20, height() / 2.0});
     const double end = width() - 30;
+    // Rate and lost reports stay whole; the name gives way.
     const QFont strong = Theme::font(metrics::fontBase, true);
+    const QFont plain = Theme::font(metrics::fontBase);
     const QFontMetricsF strongMetrics(strong);
     const double room = end - 36;
-    const QString words = strongMetrics.elidedText(m_words, Qt::ElideRight, room);
+    const double detailWide = std::min(QFontMetricsF(plain).horizontalAdvance(m_detail) + 2, room * 0.6);
+    const QString words =
+        strongMetrics.elidedText(m_words, Qt::ElideRight, m_detail.isEmpty() ? room : room - detailWide - 8);
     painter.setFont(strong);
     painter.setPen(t.text);
     painter.drawText(QRectF(36, 0, room, height()), Qt::AlignLeft | Qt::AlignVCenter, words);
     const double from = 36 + strongMetrics.horizontalAdvance(words) + 8;
-    const QFont plain = Theme::font(metrics::fontBase);
     painter.setFont(plain);
     painter.setPen(t.secondText);
-    if (end - from > 30)
-        painter.drawText(QRectF(from, 0, end - from, height()), Qt::AlignLeft | Qt::AlignVCenter,
-                         QFontMetricsF(plain).elidedText(m_detail, Qt::ElideRight, end - from));
+    painter.drawText(QRectF(from, 0, end - from, height()), Qt::AlignLeft | Qt::AlignVCenter,
+                     QFontMetricsF(plain).elidedText(m_detail, Qt::ElideRight, end - from));
     painter.setPen(QPen(t.secondText, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     const QPointF tip(width() - 18, height() / 2.0 + 2);
     painter.drawPolyline(QPolygonF{{tip.x() - 4, tip.y() - 4}, tip, {tip.x() + 4, tip.y() - 4}});

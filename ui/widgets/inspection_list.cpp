@@ -85,14 +85,14 @@ public:
         painter->setFont(Theme::font(metrics::fontSmall));
         const QString number = u"#%1"_s.arg(index.data(InspectionListModel::NumberRole).toLongLong());
         const double numberWide = std::max(36.0, small.horizontalAdvance(number));
-        painter->drawText(box.adjusted(12, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, number);
+        painter->drawText(box.adjusted(16, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, number);
         const QString seconds =
             tr("%1 s").arg(index.data(InspectionListModel::SecondsRole).toDouble(), 0, 'f', 2);
-        painter->drawText(box.adjusted(0, 0, -12, 0), Qt::AlignVCenter | Qt::AlignRight, seconds);
-        const double left = box.left() + 12 + numberWide + 8;
+        painter->drawText(box.adjusted(0, 0, -16, 0), Qt::AlignVCenter | Qt::AlignRight, seconds);
+        const double left = box.left() + 16 + numberWide + 4;
         paintOutcomeSign(*painter, QRectF(left, box.center().y() - 9, 18, 18), outcome, color);
         const double from = left + 26;
-        const double room = box.right() - 20 - small.horizontalAdvance(seconds) - from;
+        const double room = box.right() - 24 - small.horizontalAdvance(seconds) - from;
         const bool plain = outcome == InspectionOutcome::AsExpected;
         const QFont font = Theme::font(metrics::fontBase, !plain);
         painter->setFont(font);

@@ -80,10 +80,14 @@ QString FormattedNumber::valueWithUnit() const
     return unit.isEmpty() ? value : value + QChar(0x00A0) + unit;
 }
 
+QString FormattedNumber::number() const
+{
+    return error.isEmpty() ? value : u"%1 ± %2"_s.arg(value, error);
+}
+
 QString FormattedNumber::text() const
 {
-    const QString number = error.isEmpty() ? value : u"%1 ± %2"_s.arg(value, error);
-    return unit.isEmpty() ? number : number + QChar(0x00A0) + unit;
+    return unit.isEmpty() ? number() : number() + QChar(0x00A0) + unit;
 }
 
 FormattedNumber formatNumber(double value, std::optional<double> error, const QString& unit, int digits)

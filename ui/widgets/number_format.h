@@ -15,6 +15,8 @@ struct FormattedNumber {
     QString unit;                                ///< "kN/m"; empty for a bare number
     [[nodiscard]] QString text() const;          ///< "9.98 ± 0.05 kN/m"
     [[nodiscard]] QString valueWithUnit() const; ///< "9.98 kN/m"
+    [[nodiscard]] QString number() const;        ///< "9.98 ± 0.05"
+    friend bool operator==(const FormattedNumber&, const FormattedNumber&) = default;
 };
 
 /// `value` in `unit`, with the half width `error` of its interval. The error is rounded to two significant

@@ -56,12 +56,21 @@ void ProgressRing::paintEvent(QPaintEvent*)
         painter.setPen(QPen(t.force, 4, Qt::SolidLine, Qt::RoundCap));
         painter.drawArc(inner, 90 * 16, static_cast<int>(-360 * 16 * std::clamp(m_running, 0.0, 1.0)));
     }
+    const bool large = size >= 160;
+    const QFont number = Theme::font(large ? metrics::fontVerdict : metrics::fontNumber, true);
+    const QFont words = Theme::font(large ? metrics::fontLarge : metrics::fontBase);
+    const double tall = QFontMetricsF(number).capHeight();
+    const double line = QFontMetricsF(words).height();
+    const double base = circle.center().y() + (tall - line) / 2;
     painter.setPen(t.text);
-    painter.setFont(Theme::font(metrics::fontNumber + 8, true));
-    painter.drawText(circle.translated(0, -10), Qt::AlignCenter, QString::number(m_done));
+    painter.setFont(number);
+    painter.drawText(
+        QRectF(circle.left(), base - 2 * tall, circle.width(), 2 * tall + QFontMetricsF(number).descent()),
+        Qt::AlignHCenter | Qt::AlignBottom, QString::number(m_done));
     painter.setPen(t.secondText);
-    painter.setFont(Theme::font(metrics::fontBase));
-    painter.drawText(circle.translated(0, 20), Qt::AlignCenter, tr("of %1").arg(m_wanted));
+    painter.setFont(words);
+    painter.drawText(QRectF(circle.left(), base + 4, circle.width(), line + 4),
+                     Qt::AlignHCenter | Qt::AlignTop, tr("of %1").arg(m_wanted));
 }
 
 } // namespace gripscope

@@ -128,7 +128,7 @@ void TypeMap::paintAxes(QPainter& painter, const View& v) const
     const AxisTicks k =
         roundTicks(v.k.low, v.k.high, std::clamp(static_cast<int>(v.plot.width() / 64), 2, 8));
     const AxisTicks b =
-        roundTicks(v.b.low, v.b.high, std::clamp(static_cast<int>(v.plot.height() / 26), 2, 6));
+        roundTicks(v.b.low, v.b.high, std::clamp(static_cast<int>(v.plot.height() / 24), 2, 9));
     const QColor grid = t.kind == ThemeKind::HighContrast ? Theme::mix(t.surface, t.line, 0.3) : t.line;
     for (const double value : k.values) {
         const double x = v.map({value, 0}).x();
@@ -148,6 +148,16 @@ void TypeMap::paintAxes(QPainter& painter, const View& v) const
     }
     painter.drawText(QRectF(v.plot.left(), height() - 18, v.plot.width(), 16), Qt::AlignCenter,
                      tr("stiffness (kN/m)"));
+    if (m_part) {
+        painter.drawText(QRectF(v.plot.left(), height() - 18, v.plot.width(), 16),
+                         Qt::AlignRight | Qt::AlignVCenter, tr("this part"));
+        const QPointF ring(v.plot.right() - painter.fontMetrics().horizontalAdvance(tr("this part")) - 10,
+                           height() - 9.0);
+        painter.setPen(QPen(t.text, 1.5));
+        painter.drawEllipse(ring, 5, 5);
+        painter.drawEllipse(ring, 1, 1);
+        painter.setPen(t.secondText);
+    }
     painter.save();
     painter.translate(9, v.plot.center().y());
     painter.rotate(-90);
@@ -158,38 +168,68 @@ void TypeMap::paintAxes(QPainter& painter, const View& v) const
 void TypeMap::paintTypes(QPainter& painter, const View& v) const
 {
     const ThemeTokens& t = Theme::instance().tokens();
+    const bool contrast = t.kind == ThemeKind::HighContrast;
+    static constexpr Qt::PenStyle styles[] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
     painter.setClipRect(v.plot.adjusted(-1, -1, 1, 1));
+    std::vector<QRectF> bounds;
     for (std::size_t i = 0; i < m_shapes.size(); ++i) {
         const Shape& shape = m_shapes[i];
-        const QColor color =
-            t.kind == ThemeKind::HighContrast ? t.text : Theme::typeColor(static_cast<int>(i));
+        const QColor color = contrast ? t.text : Theme::typeColor(static_cast<int>(i));
         QPolygonF edge;
         for (const QPointF& p : shape.edge)
             edge << v.map(p);
         QColor tint = color;
         tint.setAlphaF(0.22F);
         const bool light = t.kind == ThemeKind::Light;
-        painter.setPen(QPen(light ? color : Theme::mix(color, Qt::white, 0.45),
-                            t.kind == ThemeKind::HighContrast ? 2 : 1.5));
-        painter.setBrush(t.kind == ThemeKind::HighContrast ? QBrush(Qt::NoBrush) : QBrush(tint));
-        const QRectF bounds = edge.boundingRect();
+        // Without colours the line tells the types apart.
+        painter.setPen(QPen(light || contrast ? color : Theme::mix(color, Qt::white, 0.45),
+                            contrast ? 2 : 1.5, contrast ? styles[i % 4] : Qt::SolidLine));
+        painter.setBrush(contrast ? QBrush(Qt::NoBrush) : QBrush(tint));
+        const QPointF c = v.map(shape.centre);
+        const QRectF box = edge.boundingRect();
         // An ellipse too small to see still shows where the type lies.
-        if (bounds.width() < 9 && bounds.height() < 9)
-            painter.drawEllipse(v.map(shape.centre), 4.5, 4.5);
+        if (box.width() < 9 && box.height() < 9)
+            painter.drawEllipse(c, 4.5, 4.5);
         else
             painter.drawPolygon(edge);
-        const QPointF c = v.map(shape.centre);
-        painter.setPen(t.text);
-        painter.setFont(Theme::font(metrics::fontSmall, true));
-        const QFontMetricsF metricsOfName(painter.font());
-        const QString name = metricsOfName.elidedText(shape.name, Qt::ElideRight, 110);
-        const double wide = metricsOfName.horizontalAdvance(name);
-        // Beside the ellipse, on the side that has room, so that the part's ring does not cover it.
-        const double right = std::max(bounds.right(), c.x() + 5) + 5;
-        const double left = std::min(bounds.left(), c.x() - 5) - 5 - wide;
-        painter.drawText(QPointF(right + wide <= v.plot.right() ? right : left, c.y() - 4), name);
+        bounds.push_back(box.united(QRectF(c.x() - 5, c.y() - 5, 10, 10)));
     }
+    paintNames(painter, v, bounds);
     painter.setClipping(false);
+}
+
+void TypeMap::paintNames(QPainter& painter, const View& v, const std::vector<QRectF>& bounds) const
+{
+    painter.setPen(Theme::instance().tokens().text);
+    painter.setFont(Theme::font(metrics::fontSmall, true));
+    const QFontMetricsF letters(painter.font());
+    std::vector<QRectF> taken;
+    for (std::size_t i = 0; i < m_shapes.size(); ++i) {
+        const QString name = letters.elidedText(m_shapes[i].name, Qt::ElideRight, 110);
+        const QSizeF size(letters.horizontalAdvance(name) + 2, letters.height());
+        const QRectF& box = bounds[i];
+        const double middle = box.center().y() - size.height() / 2;
+        const QPointF places[] = {{box.right() + 4, middle},
+                                  {box.left() - 4 - size.width(), middle},
+                                  {box.center().x() - size.width() / 2, box.top() - size.height() - 1},
+                                  {box.center().x() - size.width() / 2, box.bottom() + 1}};
+        const auto free = [&](const QRectF& there, bool ofEllipses) {
+            const auto hit = [&there](const QRectF& other) { return other.intersects(there); };
+            return v.plot.contains(there) && std::none_of(taken.begin(), taken.end(), hit) &&
+                   (!ofEllipses || std::none_of(bounds.begin(), bounds.end(), hit));
+        };
+        // The first place that is clear of ellipses and names, else of names; else the first.
+        QRectF chosen(places[0], size);
+        bool found = false;
+        for (const bool ofEllipses : {true, false})
+            for (const QPointF& place : places)
+                if (!found && free(QRectF(place, size), ofEllipses)) {
+                    chosen = QRectF(place, size);
+                    found = true;
+                }
+        taken.push_back(chosen);
+        painter.drawText(chosen, Qt::AlignCenter, name);
+    }
 }
 
 void TypeMap::paintPart(QPainter& painter, const View& v) const

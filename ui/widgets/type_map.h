@@ -40,6 +40,7 @@ private:
     [[nodiscard]] View view() const;
     void paintAxes(QPainter& painter, const View& view) const;
     void paintTypes(QPainter& painter, const View& view) const;
+    void paintNames(QPainter& painter, const View& view, const std::vector<QRectF>& bounds) const;
     void paintPart(QPainter& painter, const View& view) const;
 
     struct Shape {
