@@ -16,6 +16,9 @@ namespace {
 
 /// Longer than the device's start and the way of the last samples take, short enough for a person to wait.
 constexpr double graceSeconds = 2.0;
+/// A device that sends nothing for so long after its squeeze has nothing more to send: a hundred reports at
+/// least.
+constexpr double silenceSeconds = 0.25;
 
 QString number(double value)
 {
@@ -186,7 +189,8 @@ void SqueezeJob::Private::followSqueeze(double waited_s)
     }
     if (recorder.moved())
         state = State::Squeezing;
-    if (recorder.complete())
+    const bool silent = recorder.moved() && secondsSince(lastNews) > silenceSeconds;
+    if (recorder.complete() || (silent && port.squeezeState() == SqueezeState::Finished))
         return finishSqueeze();
     if (waited_s > seconds + graceSeconds) {
         connection.stop();

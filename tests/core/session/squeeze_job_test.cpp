@@ -137,6 +137,21 @@ private slots:
         QVERIFY(finish());
         QCOMPARE(m_job->state(), State::Done);
     }
+    void aDeviceThatOnlySendsWhileItMovesIsNotWaitedFor()
+    {
+        gripper().neverStarts = true;
+        QVERIFY(m_job->start(m_recipe, 1));
+        for (int i = 0; i < 500; ++i)
+            gripper().push(20, 0.001, StatusArmed | StatusMoving);
+        gripper().squeezeState = SqueezeState::Finished;
+        for (int i = 0; i < 10; ++i)
+            poll();
+        QCOMPARE(m_job->state(), State::Squeezing); // the rest may still come
+        m_now += std::chrono::milliseconds(251);
+        poll();
+        QCOMPARE(m_job->state(), State::Done);
+        QCOMPARE(m_job->recording().size(), std::size_t(500));
+    }
     void aLostDeviceFailsTheSqueezeWithItsReason()
     {
         gripper().lostAfterSamples = 200;
