@@ -10,6 +10,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -129,6 +130,12 @@ ArxCoefficients inChannelUnits(const Regression& regression, const Eigen::Vector
     return out;
 }
 
+bool isFinite(const ArxCoefficients& c)
+{
+    const std::array<double, 5> all{c.a1, c.a2, c.b1, c.b2.value_or(0), c.constant.value_or(0)};
+    return allFinite(all);
+}
+
 /// One-step prediction and its residuals, free run from the measured y[0], y[1], and both fits.
 void describeModel(const Regression& regression, const Eigen::VectorXd& c, Estimate& estimate)
 {
@@ -214,6 +221,12 @@ Estimate estimateArx(const std::vector<double>& force, const std::vector<double>
         return estimate;
     }
     estimate.coefficients = inChannelUnits(regression, solution.coefficients);
+    if (!isFinite(*estimate.coefficients)) {
+        estimate.coefficients.reset();
+        estimate.status = EstimateStatus::NotIdentifiable;
+        estimate.message = "the coefficients are outside the range of numbers";
+        return estimate;
+    }
     describeModel(regression, solution.coefficients, estimate);
     if (estimate.residuals.whitenessP)
         estimate.residuals.inputIndependenceP = solution.inputIndependenceP;
