@@ -47,6 +47,14 @@ const QStringList& paperTypes()
     return types;
 }
 
+Eigen::Matrix3d pooledCovariance()
+{
+    Eigen::Matrix3d pooled = Eigen::Matrix3d::Zero();
+    for (const QString& type : paperTypes())
+        pooled += logMoments(type).covariance / static_cast<double>(paperTypes().size());
+    return pooled;
+}
+
 std::optional<MassDampingStiffness> parseParameters(const QString& text)
 {
     const QStringList parts = text.split(QLatin1Char(','));
@@ -75,7 +83,7 @@ Expected<VirtualObject> VirtualObject::fromText(const QString& text)
         const LogMoments moments = logMoments(text);
         const Eigen::Vector3d centre = moments.mean.array().exp().matrix();
         object.m_centre = {centre[0], centre[1], centre[2]};
-        object.m_scatter = squareRoot(moments.covariance);
+        object.m_scatter = squareRoot(pooledCovariance());
         return object;
     }
     const std::optional<MassDampingStiffness> parameters = parseParameters(text);
@@ -86,10 +94,7 @@ Expected<VirtualObject> VirtualObject::fromText(const QString& text)
                             "in N s/m (0 to 1e6) and k in N/m (1 to 1e9), such as 0.04,43,9990")
                  .arg(text)});
     object.m_centre = *parameters;
-    Eigen::Matrix3d pooled = Eigen::Matrix3d::Zero();
-    for (const QString& type : paperTypes())
-        pooled += logMoments(type).covariance / static_cast<double>(paperTypes().size());
-    object.m_scatter = squareRoot(pooled);
+    object.m_scatter = squareRoot(pooledCovariance());
     return object;
 }
 
