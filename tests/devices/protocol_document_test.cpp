@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/protocol/codec.h"
+#include "devices/protocol/report_descriptor.h"
 #include "tests/support/test_registry.h"
 
 #include <QFile>
@@ -19,11 +20,17 @@ struct Example {
     Fields fields;
 };
 
+QString document()
+{
+    QFile file(QStringLiteral(GRIPSCOPE_SOURCE_DIR "/devices/PROTOCOL.md"));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
 /// The ```example blocks: lines of hexadecimal bytes, then lines "name = value".
-std::vector<Example> examplesIn(const QString& document)
+std::vector<Example> examplesIn(const QString& text)
 {
     std::vector<Example> examples;
-    const QStringList blocks = document.split(u"```example\n"_qs).mid(1);
+    const QStringList blocks = text.split(u"```example\n"_qs).mid(1);
     for (const QString& block : blocks) {
         Example example;
         for (const QString& line : block.section(u"```"_qs, 0, 0).split(u'\n', Qt::SkipEmptyParts)) {
@@ -168,9 +175,7 @@ class ProtocolDocumentTest : public QObject {
 private slots:
     void everyExampleSaysWhatItsBytesSay()
     {
-        QFile file(QStringLiteral(GRIPSCOPE_SOURCE_DIR "/devices/PROTOCOL.md"));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const std::vector<Example> examples = examplesIn(QString::fromUtf8(file.readAll()));
+        const std::vector<Example> examples = examplesIn(document());
         QStringList seen;
         for (const Example& example : examples) {
             QCOMPARE(example.bytes.size(), qsizetype(reportSize));
@@ -184,6 +189,14 @@ private slots:
         }
         seen.removeDuplicates();
         QCOMPARE(seen.size(), 12); // one of each report ID at least
+    }
+
+    void theReportDescriptorIsTheOneThatIsPrinted()
+    {
+        const QString hex = document().section(u"```descriptor\n"_qs, 1).section(u"```"_qs, 0, 0);
+        const std::vector<std::uint8_t> bytes = reportDescriptor();
+        QCOMPARE(QByteArray::fromHex(hex.toLatin1()), QByteArray(reinterpret_cast<const char*>(bytes.data()),
+                                                                 static_cast<qsizetype>(bytes.size())));
     }
 
     void theCrcIsTheOneThatIsNamed()
