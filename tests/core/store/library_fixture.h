@@ -92,7 +92,7 @@ inline NewInspection anInspection(VerdictKind kind = VerdictKind::Type, const QS
 struct LibraryFolder {
     QTemporaryDir folder;
     [[nodiscard]] QString file() const { return folder.filePath(u"library.db"_s); }
-    [[nodiscard]] std::unique_ptr<Library> open() const { return valueOf(Library::open(file())); }
+    std::unique_ptr<Library> open() const { return valueOf(Library::open(file())); }
 };
 
 inline QByteArray bytesOf(const QString& name)

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/migration.h"
+#include "tests/core/store/library_fixture.h"
+#include "tests/core/store/raw_database.h"
+#include "tests/support/test_registry.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QTest>
+
+#include <unistd.h>
+
+using namespace gripscope;
+using namespace gripscope::test;
+
+namespace {
+
+void write(const QString& name, const QByteArray& bytes)
+{
+    QFile file(name);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+        qFatal("%s", qPrintable(file.errorString()));
+}
+
+/// A library as version 1 of the schema makes it, with one type, squeeze and inspection, from SQL alone.
+void makeVersionOne(const QString& file)
+{
+    RawDatabase raw(file);
+    const QString script =
+        QString::fromUtf8(bytesOf(QStringLiteral(GRIPSCOPE_TEST_DATA) + u"/library_version_1.sql"_s));
+    if (script.isEmpty())
+        qFatal("tests/data/library_version_1.sql is missing");
+    for (const QString& statement : statementsOf(script))
+        raw.run(statement);
+}
+
+/// As an ordinary user, since root may write everywhere. Back to what it was at the end.
+class OrdinaryUser {
+public:
+    OrdinaryUser() : m_user(geteuid())
+    {
+        if (m_user == 0 && seteuid(65534) != 0)
+            qFatal("cannot become an ordinary user");
+    }
+    ~OrdinaryUser()
+    {
+        if (seteuid(m_user) != 0)
+            qFatal("cannot become the old user again");
+    }
+    OrdinaryUser(const OrdinaryUser&) = delete;
+    OrdinaryUser& operator=(const OrdinaryUser&) = delete;
+
+private:
+    uid_t m_user;
+};
+
+void setMode(const QString& name, bool writable)
+{
+    using P = QFileDevice;
+    const QFileDevice::Permissions read =
+        P::ReadOwner | P::ExeOwner | P::ReadGroup | P::ExeGroup | P::ReadOther | P::ExeOther;
+    QFile::setPermissions(name, writable ? read | P::WriteOwner : read);
+}
+
+} // namespace
+
+class LibraryOpenTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aNewFileGetsTheNewestSchema()
+    {
+        const LibraryFolder folder;
+        QCOMPARE(folder.open()->schemaVersion(), migrations().back().version);
+        RawDatabase raw(folder.file());
+        QCOMPARE(raw.count(u"schema_migrations"_s), qint64(migrations().size()));
+        QCOMPARE(raw.run(u"SELECT checksum FROM schema_migrations WHERE version = 1"_s).toString(),
+                 migrations()[0].checksum());
+        QCOMPARE(raw.run(u"PRAGMA journal_mode"_s).toString(), u"wal"_s);
+    }
+    void anEmptyFileBecomesALibrary()
+    {
+        const LibraryFolder folder;
+        write(folder.file(), {});
+        QVERIFY(Library::open(folder.file()));
+    }
+    void aFileOfVersionOneOpensWithAllThatIsInIt()
+    {
+        const LibraryFolder folder;
+        makeVersionOne(folder.file());
+        const auto library = folder.open();
+        QCOMPARE(library->schemaVersion(), migrations().back().version);
+        const auto type = valueOf(library->findType(u"Can"_s));
+        QVERIFY(type && type->approved);
+        QCOMPARE(type->squeezes, 1);
+        QCOMPARE(type->recipe.peak_N, 11.0);
+        const auto squeezes = valueOf(library->enrolledSqueezes());
+        QCOMPARE(squeezes.size(), std::size_t(1));
+        QVERIFY((squeezes[0].parameters == MassDampingStiffness{0.04, 43, 9990}));
+        const auto inspections = valueOf(library->inspections({}));
+        QCOMPARE(inspections.size(), std::size_t(1));
+        QCOMPARE(inspections[0].reason, u"It was so."_s);
+        QCOMPARE(valueOf(library->addInspection(anInspection())).number, 8);
+    }
+    void migrationOneIsNeverEdited()
+    {
+        // What was released is in users' files: a change needs a further step, not another text.
+        QCOMPARE(migrations()[0].checksum(), u"3fe0d89f2b05a7707d258048112e93e811eaeedda21d2fd53aa4554bb97e77c9"_s);
+    }
+    void furtherStepsAreAppliedInOrderAndOnce()
+    {
+        const LibraryFolder folder;
+        std::vector<Migration> steps = {{1, u"one"_s, {u"CREATE TABLE a (x {blob})"_s}}};
+        {
+            const auto database = valueOf(Database::open(folder.file()));
+            valueOf(migrate(*database, steps));
+        }
+        steps.push_back(
+            {2, u"two"_s, {u"ALTER TABLE a ADD COLUMN y TEXT"_s, u"INSERT INTO a (y) VALUES ('kept')"_s}});
+        for (int i = 0; i < 2; ++i) {
+            const auto database = valueOf(Database::open(folder.file()));
+            valueOf(migrate(*database, steps));
+            QCOMPARE(valueOf(schemaVersion(*database)), 2);
+        }
+        QCOMPARE(RawDatabase(folder.file()).count(u"a"_s), 1);
+    }
+    void aStepThatFailsLeavesTheVersionBefore()
+    {
+        const LibraryFolder folder;
+        const std::vector<Migration> steps = {{1, u"one"_s, {u"CREATE TABLE a (x TEXT)"_s}},
+                                              {2, u"two"_s, {u"CREATE TABLE b (x TEXT)"_s, u"no SQL"_s}}};
+        const auto database = valueOf(Database::open(folder.file()));
+        QCOMPARE(migrate(*database, steps).error().code, ErrorCode::StorageFailed);
+        QCOMPARE(valueOf(schemaVersion(*database)), 1);
+        QVERIFY(!valueOf(database->tables()).contains(u"b"_s));
+    }
+    void aStepAppliedWithAnotherTextIsNoticed()
+    {
+        const LibraryFolder folder;
+        folder.open();
+        RawDatabase(folder.file()).run(u"UPDATE schema_migrations SET checksum = 'another'"_s);
+        QCOMPARE(Library::open(folder.file()).error().code, ErrorCode::StorageOpen);
+    }
+    void aNewerFileIsLeftUntouched()
+    {
+        const LibraryFolder folder;
+        folder.open();
+        RawDatabase(folder.file())
+            .run(u"INSERT INTO schema_migrations VALUES (99, 'later', '', '', '', '')"_s);
+        const QByteArray before = bytesOf(folder.file());
+        const auto library = Library::open(folder.file());
+        QCOMPARE(library.error().code, ErrorCode::StorageNewer);
+        QCOMPARE(library.error().arguments,
+                 QStringList({folder.file(), u"99"_s, QString::number(migrations().back().version)}));
+        QVERIFY(bytesOf(folder.file()) == before);
+        QCOMPARE(QDir(folder.folder.path()).entryList(QDir::Files), QStringList({u"library.db"_s}));
+    }
+    void aNewerFileOfAnotherJournalIsLeftUntouched()
+    {
+        const LibraryFolder folder;
+        {
+            RawDatabase raw(folder.file());
+            raw.run(u"CREATE TABLE schema_migrations (version INTEGER)"_s);
+            raw.run(u"INSERT INTO schema_migrations VALUES (99)"_s);
+        }
+        const QByteArray before = bytesOf(folder.file());
+        QCOMPARE(Library::open(folder.file()).error().code, ErrorCode::StorageNewer);
+        QVERIFY(bytesOf(folder.file()) == before);
+    }
+    void filesThatAreNoLibraryAreRefusedUntouched_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::newRow("text") << QByteArray("time_s,force,position\n0,1,2\n");
+        QTest::newRow("short") << QByteArray("SQL");
+        QTest::newRow("binary") << QByteArray(5000, '\xa5');
+    }
+    void filesThatAreNoLibraryAreRefusedUntouched()
+    {
+        QFETCH(QByteArray, bytes);
+        const LibraryFolder folder;
+        write(folder.file(), bytes);
+        const auto library = Library::open(folder.file());
+        QCOMPARE(library.error().code, ErrorCode::StorageOpen);
+        QVERIFY(library.error().describe().contains(u"another kind"_s));
+        QVERIFY(bytesOf(folder.file()) == bytes);
+    }
+    void anotherProgramsDatabaseIsRefusedUntouched()
+    {
+        const LibraryFolder folder;
+        RawDatabase(folder.file()).run(u"CREATE TABLE recipes (soup TEXT)"_s);
+        const QByteArray before = bytesOf(folder.file());
+        const auto library = Library::open(folder.file());
+        QCOMPARE(library.error().code, ErrorCode::StorageOpen);
+        QVERIFY(library.error().describe().contains(u"another program"_s));
+        QVERIFY(bytesOf(folder.file()) == before);
+    }
+    void aDamagedDatabaseIsCorrupt()
+    {
+        const LibraryFolder folder;
+        valueOf(folder.open()->loadExampleTypes());
+        QByteArray bytes = bytesOf(folder.file());
+        bytes.replace(100, 3000, QByteArray(3000, '\x5a')); // the root of the schema, behind the header
+        write(folder.file(), bytes);
+        QCOMPARE(Library::open(folder.file()).error().code, ErrorCode::StorageCorrupt);
+    }
+    void placesThatCannotHoldAFileAreErrors_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::newRow("no name") << u""_s;
+        QTest::newRow("no such folder") << u"/nowhere/at/all/library.db"_s;
+        QTest::newRow("a folder") << QDir::tempPath();
+        QTest::newRow("not a real disk") << u"/proc/library.db"_s;
+    }
+    void placesThatCannotHoldAFileAreErrors()
+    {
+        QFETCH(QString, file);
+        const auto library = Library::open(file);
+        QCOMPARE(library.error().code, ErrorCode::StorageOpen);
+        QCOMPARE(library.error().arguments[0], file);
+        QVERIFY(!library.error().arguments[1].isEmpty());
+        QVERIFY(!QFileInfo::exists(u"/nowhere"_s));
+    }
+    void aFolderWithoutWritePermissionIsAnError()
+    {
+        const LibraryFolder folder;
+        setMode(folder.folder.path(), false);
+        {
+            const OrdinaryUser user;
+            QCOMPARE(Library::open(folder.file()).error().code, ErrorCode::StorageOpen);
+        }
+        setMode(folder.folder.path(), true);
+        folder.open();
+        setMode(folder.folder.path(), false);
+        setMode(folder.file(), false);
+        {
+            const OrdinaryUser user;
+            const auto library = Library::open(folder.file()); // there, but nothing can be written beside it
+            QVERIFY(!library);
+            QVERIFY2(library.error().code == ErrorCode::StorageOpen ||
+                         library.error().describe().contains(u"write-protected"_s),
+                     qPrintable(library.error().describe()));
+        }
+        setMode(folder.folder.path(), true);
+    }
+    void theUsersOwnLibraryGetsItsFolder()
+    {
+        // Test mode: below a folder for tests, not the user's own.
+        QDir(QFileInfo(Library::defaultFile()).path()).removeRecursively();
+        QVERIFY(Library::open(Library::defaultFile()));
+        QVERIFY(QFileInfo::exists(Library::defaultFile()));
+    }
+};
+
+GRIPSCOPE_TEST(LibraryOpenTest)
+#include "library_open_test.moc"

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/recording_codec.h"
+#include "tests/core/store/library_fixture.h"
+#include "tests/support/test_registry.h"
+
+#include <QTest>
+
+#include <bit>
+#include <limits>
+
+using namespace gripscope;
+using namespace gripscope::test;
+
+class RecordingCodecTest : public QObject {
+    Q_OBJECT
+private slots:
+    void everyBitComesBack()
+    {
+        const Recording recording = awkwardRecording();
+        const Recording back = valueOf(decodeRecording(valueOf(encodeRecording(recording))));
+        QVERIFY(back == recording);
+        for (std::size_t i = 0; i < recording.size(); ++i) // == takes -0 for 0
+            QCOMPARE(std::bit_cast<quint64>(back.position[i]), std::bit_cast<quint64>(recording.position[i]));
+    }
+    void evenNumbersThatAreNoneComeBack()
+    {
+        Recording recording = awkwardRecording(2);
+        recording.force = {std::numeric_limits<double>::infinity(),
+                           std::bit_cast<double>(0x7ff8000000000123u)};
+        const Recording back = valueOf(decodeRecording(valueOf(encodeRecording(recording))));
+        QCOMPARE(std::bit_cast<quint64>(back.force[0]), std::bit_cast<quint64>(recording.force[0]));
+        QCOMPARE(std::bit_cast<quint64>(back.force[1]), std::bit_cast<quint64>(recording.force[1]));
+    }
+    void whatIsAbsentStaysAbsent_data()
+    {
+        QTest::addColumn<int>("absent");
+        for (int absent = 0; absent < 8; ++absent)
+            QTest::addRow("%d", absent) << absent;
+    }
+    void whatIsAbsentStaysAbsent()
+    {
+        QFETCH(int, absent);
+        Recording recording = awkwardRecording(3);
+        if (absent & 1)
+            recording.sequence.clear();
+        if (absent & 2)
+            recording.status.clear();
+        if (absent & 4)
+            recording.hold.reset();
+        else
+            recording.hold = ForceHold::First;
+        QVERIFY(valueOf(decodeRecording(valueOf(encodeRecording(recording)))) == recording);
+    }
+    void anEmptyRecordingComesBack()
+    {
+        QVERIFY(valueOf(decodeRecording(valueOf(encodeRecording(Recording{})))) == Recording{});
+    }
+    void theLayoutIsTheOneThatIsDocumented()
+    {
+        Recording recording;
+        recording.sampleTime_s = 1;
+        recording.hold = ForceHold::Zero;
+        recording.forceUnit = u"N"_s;
+        recording.positionUnit = u"m"_s;
+        recording.time_s = {0};
+        recording.force = {2};
+        recording.position = {-1};
+        recording.status = {0x0102};
+        recording.provenance = {{u"k"_s, u"v"_s}};
+        const QByteArray wanted =
+            QByteArray::fromHex("47535242 0100 000000000000f03f 0000000000000000 01"
+                                "01000000 4e 01000000 6d"
+                                "01000000 01000000 6b 01000000 76"
+                                "0100000000000000 02"
+                                "0000000000000000 0000000000000040 000000000000f0bf 0201");
+        QCOMPARE(valueOf(encodeRecording(recording)).toHex(), wanted.toHex());
+    }
+    void channelsOfDifferentLengthAreRefused()
+    {
+        Recording recording = awkwardRecording(3);
+        recording.status.pop_back();
+        QCOMPARE(encodeRecording(recording).error().code, ErrorCode::Usage);
+    }
+    void everyTruncationAndExtensionIsNoticed()
+    {
+        const QByteArray bytes = valueOf(encodeRecording(awkwardRecording(3)));
+        for (qsizetype size = 0; size < bytes.size(); ++size)
+            QCOMPARE(decodeRecording(bytes.left(size)).error().code, ErrorCode::StorageCorrupt);
+        QCOMPARE(decodeRecording(bytes + '\0').error().code, ErrorCode::StorageCorrupt);
+    }
+    void aDamagedCountTakesNoMemory()
+    {
+        QByteArray bytes = valueOf(encodeRecording(Recording{}));
+        bytes.replace(bytes.size() - 9, 8, QByteArray(8, '\xff')); // samples
+        QCOMPARE(decodeRecording(bytes).error().code, ErrorCode::StorageCorrupt);
+    }
+    void aNewerLayoutIsNamed()
+    {
+        QByteArray bytes = valueOf(encodeRecording(Recording{}));
+        bytes[4] = 9;
+        QVERIFY(decodeRecording(bytes).error().describe().contains(u"version 9"_s));
+    }
+};
+
+GRIPSCOPE_TEST(RecordingCodecTest)
+#include "recording_codec_test.moc"
