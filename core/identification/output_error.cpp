@@ -121,6 +121,66 @@ std::optional<Eigen::Matrix3d> covarianceOf(const SearchResult& search,
     return covariance.allFinite() ? std::optional(covariance) : std::nullopt;
 }
 
+/// What the search found is more than rounding.
+bool isDetermined(const SearchResult& search)
+{
+    return search.response.finite && search.response.ownShare >= smallestOwnShare &&
+           scaledConditionNumber(search.triangle) <= largestCondition;
+}
+
+/// The search ended at an optimum and the data determines it.
+bool isSettled(const SearchResult& search)
+{
+    return search.outcome == SearchOutcome::Converged && isDetermined(search);
+}
+
+/// Runs from one start after the other; keeps the best optimum, or else the first answer.
+class Tries {
+public:
+    Tries(const OutputErrorProblem& problem, int maxIterations)
+        : m_problem(problem), m_maxIterations(maxIterations)
+    {
+    }
+
+    void run(const std::vector<Eigen::Vector3d>& starts)
+    {
+        for (const Eigen::Vector3d& start : starts) {
+            if (!start.allFinite())
+                continue;
+            const SearchResult search = searchOutputError(m_problem, start, m_maxIterations);
+            const bool better =
+                isSettled(search) && (!settled() || search.response.cost < m_best->response.cost);
+            if (!m_best || better)
+                m_best = search;
+            if (settled())
+                return;
+        }
+    }
+    [[nodiscard]] bool settled() const { return m_best && isSettled(*m_best); }
+    [[nodiscard]] std::optional<SearchResult> best() const { return m_best; }
+
+private:
+    const OutputErrorProblem& m_problem;
+    int m_maxIterations;
+    std::optional<SearchResult> m_best;
+};
+
+/// From the start given, or from those found in the data; where these are poor or lead nowhere, from a grid
+/// as well.
+std::optional<SearchResult> findSolution(const OutputErrorProblem& problem, const OutputErrorOptions& options)
+{
+    Tries tries(problem, options.maxIterations);
+    if (options.start) {
+        tries.run({problem.toTheta(*options.start)});
+        return tries.best();
+    }
+    const OutputErrorStarts starts = outputErrorStarts(problem);
+    tries.run(starts.bestFirst);
+    if (!starts.trusted || !tries.settled())
+        tries.run(outputErrorGrid(problem));
+    return tries.best();
+}
+
 const char* boundaryMessage(const SearchResult& search)
 {
     static constexpr std::array<const char*, 3> toZero{
@@ -148,16 +208,13 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
     if (isConstant(position))
         return failed(EstimateStatus::NotIdentifiable, "the position does not change");
 
-    const std::optional<Eigen::Vector3d> start =
-        options.start ? std::optional(problem.toTheta(*options.start)) : outputErrorStart(problem);
-    if (!start || !start->allFinite())
+    const std::optional<SearchResult> found = findSolution(problem, options);
+    if (!found)
         return failed(EstimateStatus::NotIdentifiable, isConstant(force) ? constantForce : noAnswer);
-    const SearchResult search = searchOutputError(problem, *start, options.maxIterations);
-
+    const SearchResult& search = *found;
     Estimate estimate = failed(EstimateStatus::NotIdentifiable, "");
     estimate.iterations = search.iterations;
-    if (!search.response.finite || search.response.ownShare < smallestOwnShare ||
-        scaledConditionNumber(search.triangle) > largestCondition) {
+    if (!isDetermined(search)) {
         estimate.message = isConstant(force) ? constantForce : "this force does not determine m, b and k";
         return estimate;
     }

@@ -2,6 +2,7 @@
 #include "core/identification/output_error_search.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -21,6 +22,8 @@ constexpr double longestStep = 2.302585;
 /// A parameter that wants to change by more than this factor (e) where the cost no longer changes has run
 /// away.
 constexpr double runaway = 1.0;
+/// Standard error of a logarithm (a factor of 20) above which a parameter cannot be told from zero.
+constexpr double undetermined = 3.0;
 /// Gauss-Newton needs 5 to 15 iterations where it converges well.
 constexpr int gaussNewtonIterations = 15;
 constexpr double smallestDamping = 1e-12, largestDamping = 1e16;
@@ -69,6 +72,8 @@ public:
                 break;
             }
         }
+        if (m_result.outcome == SearchOutcome::NotConverged && m_result.response.finite)
+            markUndetermined();
         return m_result;
     }
 
@@ -187,6 +192,21 @@ private:
                    longest < 1e-10) {
             m_result.outcome = SearchOutcome::Converged;
         }
+    }
+
+    /// A search that goes on and on along a valley ends for want of data, not of iterations: there the
+    /// standard error of a logarithm is above `undetermined`.
+    void markUndetermined()
+    {
+        const Eigen::Matrix3d inverse = m_result.triangle.inverse();
+        const double residual = std::sqrt(m_result.response.cost / degreesOfFreedom());
+        Eigen::Index index = 0;
+        const double largest = residual * inverse.rowwise().norm().maxCoeff(&index);
+        if (largest <= undetermined)
+            return;
+        m_result.outcome = SearchOutcome::Boundary;
+        m_result.boundaryIndex = static_cast<int>(index);
+        m_result.boundaryAtZero = true;
     }
 
     const OutputErrorProblem& m_problem;

@@ -7,9 +7,9 @@
 
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace gripscope {
 
@@ -146,25 +146,35 @@ std::optional<Eigen::Vector3d> fromArx(const OutputErrorProblem& problem)
     return mapped ? repaired(mapped->m, mapped->b, mapped->k) : std::nullopt;
 }
 
-/// The best candidate so far.
-struct Best {
+/// Candidates with their compliance refitted and the cost they then have.
+struct Candidates {
+    struct Candidate {
+        Eigen::Vector3d theta;
+        double cost;
+    };
     const OutputErrorProblem& problem;
-    std::optional<Eigen::Vector3d> theta;
-    double cost = std::numeric_limits<double>::infinity();
+    std::vector<Candidate> all;
 
     void offer(const std::optional<Eigen::Vector3d>& candidate)
     {
         if (!candidate)
             return;
         const ResponseFit fit = fitResponse(problem, *candidate);
-        if (!fit.finite || !(fit.gain > 0) || fit.ownShare < smallestOwnShare || !(fit.costWithGain < cost))
+        if (!fit.finite || !(fit.gain > 0) || fit.ownShare < smallestOwnShare)
             return;
         // A compliance times g is M, B and K divided by g.
         const Eigen::Vector3d refitted = candidate->array() - std::log(fit.gain);
-        if (!refitted.allFinite())
-            return;
-        theta = refitted;
-        cost = fit.costWithGain;
+        if (refitted.allFinite())
+            all.push_back({refitted, fit.costWithGain});
+    }
+    [[nodiscard]] std::vector<Eigen::Vector3d> bestFirst(std::size_t most)
+    {
+        std::sort(all.begin(), all.end(),
+                  [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+        std::vector<Eigen::Vector3d> best;
+        for (std::size_t i = 0; i < std::min(most, all.size()); ++i)
+            best.push_back(all[i].theta);
+        return best;
     }
 };
 
@@ -176,19 +186,6 @@ OutputErrorProblem firstPart(const OutputErrorProblem& problem)
         part.position.resize(gridSamples);
     }
     return part;
-}
-
-/// Natural frequencies from one swing a record to near half the sample rate, and four dampings.
-void offerGrid(const OutputErrorProblem& problem, Best& best)
-{
-    const OutputErrorProblem part = firstPart(problem);
-    Best onPart{part, std::nullopt};
-    const double lowest = 2 * std::numbers::pi / static_cast<double>(part.force.size());
-    for (double frequency = lowest; frequency < 3; frequency *= 1.5) {
-        for (const double damping : {0.05, 0.3, 1.0, 4.0})
-            onPart.offer(Eigen::Vector3d(-2 * std::log(frequency), std::log(2 * damping / frequency), 0));
-    }
-    best.offer(onPart.theta);
 }
 
 double energy(const OutputErrorProblem& problem)
@@ -205,15 +202,28 @@ double energy(const OutputErrorProblem& problem)
 
 } // namespace
 
-std::optional<Eigen::Vector3d> outputErrorStart(const OutputErrorProblem& problem)
+OutputErrorStarts outputErrorStarts(const OutputErrorProblem& problem)
 {
-    Best best{problem, std::nullopt};
-    best.offer(fromArx(problem));
+    Candidates candidates{problem, {}};
+    candidates.offer(fromArx(problem));
     for (const double bandwidth : filterBandwidths)
-        best.offer(fromStateVariableFilter(problem, bandwidth));
-    if (!best.theta || best.cost > poorShare * energy(problem))
-        offerGrid(problem, best);
-    return best.theta;
+        candidates.offer(fromStateVariableFilter(problem, bandwidth));
+    OutputErrorStarts starts;
+    starts.bestFirst = candidates.bestFirst(2);
+    starts.trusted = !candidates.all.empty() && candidates.all.front().cost <= poorShare * energy(problem);
+    return starts;
+}
+
+std::vector<Eigen::Vector3d> outputErrorGrid(const OutputErrorProblem& problem)
+{
+    const OutputErrorProblem part = firstPart(problem);
+    Candidates candidates{part, {}};
+    const double lowest = 0.5 / static_cast<double>(part.force.size());
+    for (double frequency = lowest; frequency < 3; frequency *= 1.6) {
+        for (const double damping : {0.05, 0.3, 1.0, 4.0})
+            candidates.offer(Eigen::Vector3d(-2 * std::log(frequency), std::log(2 * damping / frequency), 0));
+    }
+    return candidates.bestFirst(4);
 }
 
 } // namespace gripscope

@@ -3,20 +3,31 @@
 
 #include "core/identification/output_error_model.h"
 
-#include <optional>
+#include <vector>
 
 namespace gripscope {
 
 /// A force whose response differs this little from what a free start and offset can imitate says nothing.
 inline constexpr double smallestOwnShare = 1e-9;
 
-/// Where the output-error search begins: the candidate whose simulation fits best, out of
+/// Where the output-error search can begin, the candidate whose simulation fits best first.
+struct OutputErrorStarts {
+    std::vector<Eigen::Vector3d> bestFirst;
+    bool trusted = false; ///< the first explains three quarters of the position's energy (a fit of 50 %)
+};
+
+/// Candidates from the data:
 ///  - least squares on state-variable filters of some bandwidths (Young 1981), m f_y'' + b f_y' + k f_y = f_u
 ///  with
-///    f = signal / (1 + s/lambda)^2 and the filters' own free responses as extra columns,
-///  - the pole mapping of ARX(2,3,0), which is exact for a first-order hold, and
-///  - when none of them explains the record, a coarse grid over natural frequency and damping.
-/// The compliance of each candidate is refitted, which is linear. Nothing: no candidate moves the position.
-[[nodiscard]] std::optional<Eigen::Vector3d> outputErrorStart(const OutputErrorProblem& problem);
+///    f = signal / (1 + s/lambda)^2 and the filters' own free responses as extra columns, and
+///  - the pole mapping of ARX(2,3,0), which is exact for a first-order hold.
+/// The compliance of each is refitted, which is linear; those that then pull where the force pushes are
+/// dropped.
+[[nodiscard]] OutputErrorStarts outputErrorStarts(const OutputErrorProblem& problem);
+
+/// Candidates for records that defeat those: the best points of a coarse grid over natural frequency (from a
+/// twelfth of a swing a record to near half the sample rate) and damping, ranked on the first 2,000 samples.
+/// Best first.
+[[nodiscard]] std::vector<Eigen::Vector3d> outputErrorGrid(const OutputErrorProblem& problem);
 
 } // namespace gripscope
