@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/plot_frame.h"
 
-#include "ui/scene/axis_scale.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/axis_ticks.h"
 
 #include <QChart>
 #include <QKeyEvent>
@@ -100,21 +100,14 @@ PlotRange PlotFrame::vertical() const
 
 void PlotFrame::setTicks(QValueAxis* axis, int most)
 {
-    const double span = axis->max() - axis->min();
-    if (!(span > 0) || !std::isfinite(span))
+    AxisTicks ticks = roundTicks(axis->min(), axis->max(), most);
+    for (int more = most + 1; ticks.values.size() < 2 && more < most + 8; ++more)
+        ticks = roundTicks(axis->min(), axis->max(), more); // one number says nothing about the scale
+    if (!(ticks.step > 0))
         return;
-    const auto numbers = [axis](double step) {
-        return std::floor(axis->max() / step) - std::ceil(axis->min() / step) + 1;
-    };
-    double step = roundStep(span, std::max(1, most));
-    while (numbers(step) < 2) // one number says nothing about the scale
-        step = roundStep(span, ++most);
-    axis->setTickInterval(step);
-    const int decimals = std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
-    // 2.5 needs one digit more than 2.
-    const double shifted = step * std::pow(10.0, decimals);
-    const bool extra = std::abs(shifted - std::round(shifted)) > 1e-6;
-    axis->setLabelFormat(u"%.%1f"_s.arg(decimals + (extra ? 1 : 0)));
+    axis->setTickInterval(ticks.step);
+    const int decimals = std::clamp(-int(std::floor(std::log10(ticks.step) + 1e-9)), 0, 9);
+    axis->setLabelFormat(u"%.%1f"_s.arg(decimals));
 }
 
 void PlotFrame::setHorizontal(PlotRange range)
@@ -152,7 +145,7 @@ int PlotFrame::columns() const
 
 int PlotFrame::verticalSteps() const
 {
-    return std::max(2, int(chart()->plotArea().height() / 30));
+    return std::max(2, int(chart()->plotArea().height() / 26));
 }
 
 void PlotFrame::layOut()

@@ -2,43 +2,17 @@
 #include "ui/scene/axis_scale.h"
 
 #include "ui/models/shown_unit.h"
+#include "ui/widgets/axis_ticks.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
-
-namespace {
-
-int decimalsOf(double step)
-{
-    int decimals = 0;
-    // 2.5 and 0.25 need one digit more than their power of ten; 1e-9 of the step absorbs binary rounding.
-    while (decimals < 9 && std::abs(step - std::round(step)) > 1e-9 * std::abs(step)) {
-        step *= 10;
-        ++decimals;
-    }
-    return decimals;
-}
-
-} // namespace
-
-double roundStep(double span, int most)
-{
-    const double raw = span / std::max(1, most);
-    const double power = std::pow(10.0, std::floor(std::log10(raw)));
-    constexpr std::array<double, 5> factors{1, 2, 2.5, 5, 10};
-    for (const double factor : factors)
-        if (factor * power >= raw * (1 - 1e-9))
-            return factor * power;
-    return 10 * power;
-}
 
 AxisScale axisScale(const QString& name, const QString& unit, double low, double high, int most)
 {
@@ -54,7 +28,7 @@ AxisScale axisScale(const QString& name, const QString& unit, double low, double
     scale.unit = shown.unit;
     scale.factor = shown.factor;
     // Steps are round in the unit shown, not in the one stored.
-    const double step = roundStep((high - low) * shown.factor, most);
+    const double step = roundTicks(low * shown.factor, high * shown.factor, most + 1).step;
     const double first = std::floor(low * shown.factor / step + 1e-9);
     const double last = std::ceil(high * shown.factor / step - 1e-9);
     scale.step = step / shown.factor;
@@ -74,9 +48,7 @@ QString AxisScale::title() const
 
 QString AxisScale::tickText(double value) const
 {
-    const double shown = value * factor;
-    return QLocale().toString(std::abs(shown) < 1e-9 * step * factor ? 0.0 : shown, 'f',
-                              decimalsOf(step * factor));
+    return AxisTicks{{}, step * factor}.label(value * factor);
 }
 
 QString AxisScale::valueText(double value) const

@@ -26,9 +26,6 @@ struct AxisScale {
     [[nodiscard]] QString valueText(double value) const; ///< four significant digits with unit
 };
 
-/// The next of 1, 2, 2.5, 5 times a power of ten that cuts `span` (> 0) into at most `most` steps.
-[[nodiscard]] double roundStep(double span, int most);
-
 /// A scale that holds [low, high] between round bounds, with at most `most` steps. An empty or reversed range
 /// is widened around its middle. `unit` is a unit of core/signal/units.h; "1" shows none.
 [[nodiscard]] AxisScale axisScale(const QString& name, const QString& unit, double low, double high,
