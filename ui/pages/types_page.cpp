@@ -396,7 +396,9 @@ void TypesPage::refresh()
         d->view->setContent(
             byCluster ? clusterScene(d->space, d->side->visibility(), *d->clustering, step)
                       : typeScene(d->space, d->side->visibility(), ringed ? d->highlight : std::nullopt));
-    d->side->setHighlight(ringed ? d->highlightText : QString());
+    d->side->setHighlight(byCluster ? tr("Colour: cluster. Shape: type. The plus signs are the centroids.")
+                          : ringed  ? d->highlightText
+                                    : QString());
     QString picked;
     bool canOpen = false;
     for (const ScenePoint& point : d->view->content().points)
