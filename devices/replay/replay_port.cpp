@@ -42,21 +42,29 @@ void ReplayPort::open()
     m_next = m_nextGap = 0;
     m_counters = {};
     m_state = LinkState::Opening;
-    m_reading = std::async(std::launch::async, [file = m_file] { return readRecordingCsv(file); });
+    m_reading = std::make_shared<Reading>();
+    m_reader = BoundedThread([reading = m_reading, file = m_file] {
+        Expected<Recording> recording = readRecordingCsv(file);
+        const std::lock_guard lock(reading->mutex);
+        reading->result = std::move(recording);
+    });
 }
 
 void ReplayPort::close()
 {
-    m_reading = {}; // waits for a file that is still being read
+    constexpr std::chrono::milliseconds longest{500}; // for a file that is still being read
+    m_reader.finishBy(Clock::now() + longest);
     m_state = LinkState::Closed;
 }
 
 void ReplayPort::takeOver() const
 {
-    if (m_state != LinkState::Opening ||
-        m_reading.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    if (m_state != LinkState::Opening)
         return;
-    Expected<Recording> recording = m_reading.get();
+    const std::lock_guard lock(m_reading->mutex);
+    if (!m_reading->result)
+        return;
+    Expected<Recording>& recording = *m_reading->result;
     if (!recording || recording->size() == 0) {
         m_error = recording
                       ? Error{ErrorCode::BadInput, {m_file, u"no samples"_qs, u"expected at least one"_qs}}

@@ -3,9 +3,11 @@
 
 #include "core/session/gripper_port.h"
 #include "core/signal/recording.h"
+#include "devices/acquisition/bounded_thread.h"
 
-#include <future>
+#include <chrono>
 #include <memory>
+#include <mutex>
 
 namespace gripscope {
 
@@ -39,9 +41,16 @@ private:
     using Clock = std::chrono::steady_clock;
     void takeOver() const; ///< the file, once it is read
 
+    /// The file on its way in; shared with the thread that reads it, which may be left behind.
+    struct Reading {
+        std::mutex mutex;
+        std::optional<Expected<Recording>> result;
+    };
+
     const QString m_address, m_file;
+    std::shared_ptr<Reading> m_reading;
+    BoundedThread m_reader;
     // Reading ends between two calls of the owner, some of which are const: hence mutable.
-    mutable std::future<Expected<Recording>> m_reading;
     mutable LinkState m_state = LinkState::Closed;
     mutable std::optional<Error> m_error;
     mutable Recording m_recording;

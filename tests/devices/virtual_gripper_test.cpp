@@ -66,6 +66,25 @@ private slots:
         QCOMPARE(counters.droppedSamples, std::uint64_t(0));
     }
 
+    void takesTheNextSqueezeWhileItSettles()
+    {
+        OpenPort gripper(u"virtual:?object=B&speed=1"_qs);
+        QVERIFY(gripper.ready() && gripper.arm());
+        const auto settled = [&] { // 10 ms of rest after the force, of the 60 that the device gives
+            std::size_t rest = 0;
+            for (auto sample = gripper.samples.rbegin(); sample != gripper.samples.rend(); ++sample, ++rest)
+                if (sample->status & StatusMoving)
+                    return rest >= 20;
+            return false;
+        };
+        QVERIFY(gripper.gate.start(usualForce(200)).has_value());
+        QVERIFY(gripper.pollUntil(settled));
+        QVERIFY(gripper.gate.start(usualForce(200)).has_value());
+        QVERIFY(gripper.pollUntil([&] { return gripper.squeezeEnded(); }));
+        QCOMPARE(gripper.port->squeezeState(), SqueezeState::Finished);
+        QCOMPARE(moving(gripper.samples).size(), std::size_t(400));
+    }
+
     void asFastAsItCanIsTheSameOnEveryRun()
     {
         const QString address =
