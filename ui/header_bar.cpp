@@ -92,15 +92,20 @@ HeaderBar::HeaderBar(Workbench& workbench, QWidget* parent) : QFrame(parent), m_
     row->addWidget(m_arm);
     row->addWidget(m_stop);
 
-    connect(&workbench, &Workbench::connectionChanged, this, [this] {
+    const auto refresh = [this] {
         refreshLink();
         refreshArmed();
+    };
+    connect(&workbench, &Workbench::connectionChanged, this, refresh);
+    connect(&Theme::instance(), &Theme::changed, this, [this] {
+        m_arm->setToolTip({}); // its icon has the colours of the theme
+        refreshArmed();
     });
+    // Counts change without a signal; and a state that came and went between two polls is told by none.
     auto* timer = new QTimer(this);
-    connect(timer, &QTimer::timeout, this, &HeaderBar::refreshLink);
+    connect(timer, &QTimer::timeout, this, refresh);
     timer->start(250);
-    refreshLink();
-    refreshArmed();
+    refresh();
 }
 
 void HeaderBar::setTitle(const QString& title)
@@ -131,9 +136,13 @@ void HeaderBar::refreshArmed()
     const bool armed = connection.armed();
     const bool possible =
         connection.state() == ConnectSession::State::Connected && connection.identity().commandable;
+    const QString text = armed ? tr("Armed") : tr("Arm");
+    if (armed == m_arm->isChecked() && possible == m_arm->isEnabled() && text == m_arm->text() &&
+        !m_arm->toolTip().isEmpty())
+        return;
     m_arm->setChecked(armed);
     m_arm->setEnabled(possible);
-    m_arm->setText(armed ? tr("Armed") : tr("Arm"));
+    m_arm->setText(text);
     m_arm->setAccessibleName(armed ? tr("Armed; press to disarm") : tr("Arm the gripper"));
     m_arm->setToolTip(armed      ? tr("The gripper may move. Press to disarm it.")
                       : possible ? tr("Let the gripper move when a squeeze is asked for")

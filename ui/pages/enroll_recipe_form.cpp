@@ -27,18 +27,18 @@ EnrollRecipeForm::EnrollRecipeForm(Workbench& workbench, QWidget* parent)
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(24);
     grid->setVerticalSpacing(4);
-    QDoubleSpinBox* fields[] = {m_bias, m_peak, m_bit, m_seconds, m_maxForce, m_maxTravel};
+    QDoubleSpinBox* fields[] = {m_bias, m_peak, m_maxForce, m_bit, m_seconds, m_maxTravel};
     for (int i = 0; i < 6; ++i) {
         auto* label = makeLabel(fields[i]->accessibleName(), "strong", this);
         label->setBuddy(fields[i]);
-        grid->addWidget(label, i / 2 * 2, i % 2);
-        grid->addWidget(fields[i], i / 2 * 2 + 1, i % 2);
+        grid->addWidget(label, i / 3 * 2, i % 3);
+        grid->addWidget(fields[i], i / 3 * 2 + 1, i % 3);
     }
     m_summary = makeLabel({}, "second", this);
     m_summary->setObjectName("recipeSummary");
     m_summary->setWordWrap(true);
     m_summary->setMinimumHeight(40);
-    grid->addWidget(m_summary, 6, 0, 1, 2);
+    grid->addWidget(m_summary, 4, 0, 1, 3);
     setFocusProxy(m_bias);
     connect(&workbench, &Workbench::connectionChanged, this, &EnrollRecipeForm::validate);
     setRecipe({}, false);

@@ -23,7 +23,7 @@ public:
     void setPart(const std::optional<MassDampingStiffness>& parameters,
                  const std::optional<Eigen::Vector3d>& errors);
     [[nodiscard]] QSize sizeHint() const override { return {360, 200}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {220, 112}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {220, 100}; }
 
     /// The edge of the region of k and b that holds 95 % of a type's squeezes, from its log-normal model.
     [[nodiscard]] static std::vector<QPointF> ellipse(const TypeModels& models, const TypeModel& type);

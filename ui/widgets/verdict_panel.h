@@ -23,7 +23,7 @@ public:
     [[nodiscard]] std::optional<InspectionOutcome> outcome() const { return m_outcome; }
     [[nodiscard]] QString headline() const { return m_headline; }
     [[nodiscard]] QSize sizeHint() const override { return {560, 152}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {320, 128}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {320, 116}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

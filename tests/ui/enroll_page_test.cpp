@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_registry.h"
+#include "tests/ui/workbench_fixture.h"
+#include "ui/pages/enroll_recipe_form.h"
+#include "ui/pages/enroll_review_panel.h"
+#include "ui/pages/enroll_squeeze_model.h"
+#include "ui/widgets/step_line.h"
+
+#include <QAbstractItemModelTester>
+#include <QDoubleSpinBox>
+#include <QInputDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableView>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+using namespace gripscope;
+using gripscope::test::WindowFixture;
+
+namespace {
+
+constexpr int patience_ms = 15000;
+
+void goToSqueezes(WindowFixture& f, const QString& name)
+{
+    f.window->showPage(u"enroll"_s);
+    auto* field = f.find<QLineEdit>("typeName");
+    QTest::keyClicks(field, name);
+    QTest::keyClick(field, Qt::Key_Return);
+    QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Recipe);
+    f.click(f.find<QPushButton>("recipeNext"));
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Squeeze, patience_ms);
+}
+
+void squeezeAndAccept(WindowFixture& f)
+{
+    auto* squeeze = f.find<QPushButton>("enrollSqueezeButton");
+    QTRY_VERIFY_WITH_TIMEOUT(squeeze->isEnabled(), patience_ms);
+    const int before = f.bench->enrollment().acceptedCount();
+    f.click(squeeze);
+    auto* accept = f.find<QPushButton>("acceptButton");
+    QTRY_VERIFY_WITH_TIMEOUT(accept->isVisible(), patience_ms);
+    QVERIFY2(accept->isEnabled(), qPrintable(f.bench->enrollment().squeezes().back().reason));
+    f.click(accept);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), before + 1, patience_ms);
+}
+
+} // namespace
+
+/// The Enroll page by click and key, with the virtual gripper.
+class EnrollPageTest : public QObject {
+    Q_OBJECT
+private slots:
+    void enrollsATypeFromNameToApproval();
+    void aSqueezeCanBeRejectedOrDroppedWithAReason();
+    void spaceSqueezesAndAccepts();
+    void aRecipeAboveItsLimitIsRefusedBeforeItIsSent();
+    void aKnownNameKeepsItsRecipe();
+    void reviewFindsMeanSpreadAndTheNearestType();
+};
+
+void EnrollPageTest::enrollsATypeFromNameToApproval()
+{
+    WindowFixture f(true, u"virtual:?object=0.031,52,13500&seed=3"_s);
+    goToSqueezes(f, u"Cola 330 ml"_s);
+    QVERIFY(!f.find<QPushButton>("enrollSqueezeButton")->isVisible());
+    f.click(f.find<QPushButton>("enrollArmButton"));
+    for (int i = 0; i < EnrollSession::leastSqueezes; ++i) {
+        QVERIFY(!f.find<QPushButton>("reviewButton")->isEnabled());
+        squeezeAndAccept(f);
+    }
+    QTRY_VERIFY(f.find<QPushButton>("reviewButton")->isEnabled());
+    f.click(f.find<QPushButton>("reviewButton"));
+    QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Review);
+    QTRY_VERIFY_WITH_TIMEOUT(f.find<QLabel>("distanceLabel")->text().contains(u" sd away"_s), patience_ms);
+    f.click(f.find<QPushButton>("approveButton"));
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Approved, patience_ms);
+    QTRY_VERIFY(f.find<QLabel>("doneLabel")->text().contains(u"Cola 330 ml"_s));
+    // It is a type that inspections know from now on.
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().types().size(), std::size_t{5}, patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->inspection().models().find(u"Cola 330 ml"_s), patience_ms);
+    const TypeModel* model = f.bench->inspection().models().find(u"Cola 330 ml"_s);
+    QCOMPARE(model->squeezes, EnrollSession::leastSqueezes);
+    // The virtual gripper scatters stiffness by about 5 % a squeeze; three squeezes' mean is within 15 %.
+    QVERIFY(std::abs(std::exp(model->meanLog[2]) / 13500 - 1) < 0.15);
+    f.click(f.find<QPushButton>("enrollAnother"));
+    QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Name);
+    QVERIFY(f.find<QLineEdit>("typeName")->text().isEmpty());
+}
+
+void EnrollPageTest::aSqueezeCanBeRejectedOrDroppedWithAReason()
+{
+    WindowFixture f(false);
+    goToSqueezes(f, u"Can"_s);
+    auto* table = f.find<QTableView>("squeezeTable");
+    const QAbstractItemModelTester tester(table->model(),
+                                          QAbstractItemModelTester::FailureReportingMode::Fatal);
+    f.click(f.find<QPushButton>("enrollArmButton"));
+    squeezeAndAccept(f);
+    f.click(f.find<QPushButton>("enrollSqueezeButton"));
+    auto* reject = f.find<QPushButton>("rejectButton");
+    QTRY_VERIFY_WITH_TIMEOUT(reject->isVisible(), patience_ms);
+    f.click(reject);
+    QTRY_COMPARE(f.bench->enrollment().activity(), EnrollSession::Activity::Waiting);
+    QCOMPARE(f.bench->enrollment().acceptedCount(), 1);
+    QCOMPARE(table->model()->rowCount(), 2);
+
+    auto* drop = f.find<QPushButton>("dropButton");
+    table->selectRow(1);
+    QVERIFY(!drop->isEnabled()); // a rejected one is not in the type
+    table->selectRow(0);
+    QTRY_VERIFY(drop->isEnabled());
+    f.click(drop);
+    QTRY_VERIFY(f.window->findChild<QInputDialog*>(u"dropDialog"_s));
+    auto* dialog = f.window->findChild<QInputDialog*>(u"dropDialog"_s);
+    dialog->setTextValue(u"slipped"_s);
+    dialog->accept();
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 0, patience_ms);
+    const auto last = static_cast<int>(EnrollSqueezeModel::Column::Verdict);
+    QTRY_COMPARE(table->model()->index(0, last).data().toString(), u"rejected: slipped"_s);
+}
+
+void EnrollPageTest::spaceSqueezesAndAccepts()
+{
+    WindowFixture f(false);
+    goToSqueezes(f, u"Can"_s);
+    f.bench->arm();
+    QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("enrollSqueezeButton")->isEnabled(), patience_ms);
+    QTest::keyClick(f.page(u"enroll"_s), Qt::Key_Space);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().activity(), EnrollSession::Activity::Deciding,
+                              patience_ms);
+    QTest::keyClick(f.page(u"enroll"_s), Qt::Key_Space);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, patience_ms);
+}
+
+void EnrollPageTest::aRecipeAboveItsLimitIsRefusedBeforeItIsSent()
+{
+    WindowFixture f(false);
+    EnrollRecipeForm form(*f.bench);
+    Recipe recipe;
+    form.setRecipe(recipe, false);
+    QVERIFY(form.isValid());
+    recipe.bias_N = 35; // 35 + 10 above the crush limit of 40
+    form.setRecipe(recipe, false);
+    QVERIFY(!form.isValid());
+    recipe.bias_N = 5; // would have to pull
+    form.setRecipe(recipe, false);
+    QVERIFY(!form.isValid());
+    recipe.bias_N = 900; // above what any gripper here allows
+    recipe.maxForce_N = 1000;
+    form.setRecipe(recipe, false);
+    QVERIFY(!form.isValid());
+    QVERIFY(form.findChild<QLabel*>(u"recipeSummary"_s)->text().contains(u"gripper"_s));
+}
+
+void EnrollPageTest::aKnownNameKeepsItsRecipe()
+{
+    WindowFixture f;
+    f.window->showPage(u"enroll"_s);
+    QTest::keyClicks(f.find<QLineEdit>("typeName"), u"B"_s);
+    f.click(f.find<QPushButton>("nameNext"));
+    QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Recipe);
+    auto* form = f.window->findChild<EnrollRecipeForm*>();
+    for (QDoubleSpinBox* field : form->findChildren<QDoubleSpinBox*>())
+        QVERIFY(!field->isEnabled());
+    f.click(f.find<QPushButton>("recipeBack"));
+    QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Name);
+}
+
+void EnrollPageTest::reviewFindsMeanSpreadAndTheNearestType()
+{
+    // Two types a factor 1.5 apart in stiffness, each with squeezes at -2, 0 and +2 % in all three
+    // parameters.
+    std::vector<TypeSqueeze> squeezes;
+    for (const double step : {0.98, 1.0, 1.02}) {
+        squeezes.push_back({u"one"_s, {0.04 * step, 43 / step, 10000 * step}});
+        squeezes.push_back({u"two"_s, {0.04 / step, 43 * step, 15000 * step}});
+        squeezes.push_back({u"far"_s, {0.04 * step, 43 * step, 90000 / step}});
+    }
+    const TypeReview review = reviewType(squeezes, fitTypeModels(squeezes), u"one"_s);
+    QCOMPARE(review.squeezes, 3);
+    QVERIFY(std::abs(review.mean.k - 10000) < 1e-6);
+    QVERIFY(std::abs((*review.spreadPercent)[2] - 2.0) < 1e-9); // sd of -2, 0, +2 %
+    QCOMPARE(review.nearest, u"two"_s);
+    QVERIFY(review.gateSd && *review.nearestSd > *review.gateSd);
+    QCOMPARE(reviewType(squeezes, fitTypeModels(squeezes), u"nobody"_s).squeezes, 0);
+}
+
+GRIPSCOPE_TEST(EnrollPageTest)
+#include "enroll_page_test.moc"

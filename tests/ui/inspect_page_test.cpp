@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_registry.h"
+#include "tests/ui/workbench_fixture.h"
+#include "ui/widgets/inspection_list.h"
+#include "ui/widgets/verdict_panel.h"
+
+#include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+
+using namespace Qt::StringLiterals;
+using namespace gripscope;
+using gripscope::test::WindowFixture;
+
+namespace {
+
+constexpr int patience_ms = 15000;
+
+void expectType(WindowFixture& f, const QString& name)
+{
+    auto* combo = f.find<QComboBox>("expectedCombo");
+    const int index = combo->findData(name);
+    QVERIFY(index >= 0);
+    combo->setCurrentIndex(index);
+    emit combo->activated(index);
+}
+
+/// Space on the page, until the verdict is in the library.
+void squeezeBySpace(WindowFixture& f)
+{
+    Page* page = f.page(u"inspect"_s);
+    page->setFocus();
+    QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("squeezeButton")->isEnabled(), patience_ms);
+    const qint64 before = f.bench->inspection().counts().total;
+    QTest::keyClick(page, Qt::Key_Space);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().counts().total, before + 1, patience_ms);
+}
+
+} // namespace
+
+/// The Inspect page by click and key, with the virtual gripper.
+class InspectPageTest : public QObject {
+    Q_OBJECT
+private slots:
+    void sayWhatToDoBeforeTheFirstSqueeze();
+    void emptyLibrarySaysEnrollFirst();
+    void squeezeIsOnlyThereWhenArmed();
+    void anExpectedPartIsAsExpected();
+    void anotherTypeIsNamed();
+    void aStrangerIsUnknown();
+    void lostReportsAreNotTheParts();
+    void theListFollowsTheInspections();
+};
+
+void InspectPageTest::sayWhatToDoBeforeTheFirstSqueeze()
+{
+    WindowFixture f;
+    f.window->showPage(u"inspect"_s);
+    const auto* verdict = f.find<VerdictPanel>("verdictPanel");
+    QTRY_COMPARE(verdict->headline(), u"Not armed"_s);
+    QVERIFY(!verdict->outcome());
+    f.bench->arm();
+    QTRY_COMPARE_WITH_TIMEOUT(verdict->headline(), u"Ready"_s, patience_ms);
+    f.bench->connection().disconnect();
+    QTRY_COMPARE_WITH_TIMEOUT(verdict->headline(), u"No gripper"_s, patience_ms);
+}
+
+void InspectPageTest::emptyLibrarySaysEnrollFirst()
+{
+    WindowFixture f(false);
+    f.window->showPage(u"inspect"_s);
+    QTRY_COMPARE(f.find<VerdictPanel>("verdictPanel")->headline(), u"No types yet"_s);
+}
+
+void InspectPageTest::squeezeIsOnlyThereWhenArmed()
+{
+    WindowFixture f;
+    f.window->showPage(u"inspect"_s);
+    auto* squeeze = f.find<QPushButton>("squeezeButton");
+    auto* arm = f.find<QPushButton>("inspectArmButton");
+    QVERIFY(!squeeze->isEnabled());
+    QVERIFY(arm->isVisible());
+    QTest::keyClick(f.page(u"inspect"_s), Qt::Key_Space);
+    QTest::qWait(50);
+    QVERIFY(f.bench->inspection().state() == InspectSession::State::Ready);
+    QVERIFY(!f.bench->connection().armed());
+    f.click(arm);
+    QTRY_VERIFY_WITH_TIMEOUT(squeeze->isEnabled(), patience_ms);
+    QVERIFY(!arm->isVisible());
+}
+
+void InspectPageTest::anExpectedPartIsAsExpected()
+{
+    WindowFixture f;
+    f.window->showPage(u"inspect"_s);
+    expectType(f, u"A"_s);
+    f.click(f.find<QPushButton>("inspectArmButton"));
+    squeezeBySpace(f);
+    const auto* verdict = f.find<VerdictPanel>("verdictPanel");
+    QVERIFY(verdict->outcome() == InspectionOutcome::AsExpected);
+    QCOMPARE(verdict->headline(), u"A"_s);
+    QVERIFY(!f.find<QLabel>("reasonLabel")->text().isEmpty());
+    QCOMPARE(f.bench->inspection().counts().asExpected, 1);
+    // The Fit page has it without being asked.
+    QVERIFY(f.bench->fitSubject());
+    QCOMPARE(f.bench->fitSubject()->title, u"Inspection 1"_s);
+}
+
+void InspectPageTest::anotherTypeIsNamed()
+{
+    WindowFixture f(true, u"virtual:?object=C&seed=8"_s);
+    f.window->showPage(u"inspect"_s);
+    expectType(f, u"A"_s);
+    f.click(f.find<QPushButton>("inspectArmButton"));
+    squeezeBySpace(f);
+    const auto* verdict = f.find<VerdictPanel>("verdictPanel");
+    QVERIFY(verdict->outcome() == InspectionOutcome::OtherType);
+    QCOMPARE(verdict->headline(), u"C"_s);
+    QVERIFY(verdict->accessibleDescription().contains(u"expected A"_s));
+}
+
+void InspectPageTest::aStrangerIsUnknown()
+{
+    WindowFixture f(true, u"virtual:?object=0.05,80,7000&seed=8"_s);
+    f.window->showPage(u"inspect"_s);
+    f.click(f.find<QPushButton>("inspectArmButton"));
+    squeezeBySpace(f);
+    QVERIFY(f.find<VerdictPanel>("verdictPanel")->outcome() == InspectionOutcome::Unknown);
+}
+
+void InspectPageTest::lostReportsAreNotTheParts()
+{
+    WindowFixture f(true, u"virtual:?object=A&seed=8&fault=loss:0.02"_s);
+    f.window->showPage(u"inspect"_s);
+    f.click(f.find<QPushButton>("inspectArmButton"));
+    squeezeBySpace(f);
+    const auto* verdict = f.find<VerdictPanel>("verdictPanel");
+    QVERIFY(verdict->outcome() == InspectionOutcome::NotValid);
+    QCOMPARE(verdict->headline(), u"Squeeze again"_s);
+    QVERIFY(f.find<QLabel>("reasonLabel")->text().contains(u"samples are missing"_s));
+}
+
+void InspectPageTest::theListFollowsTheInspections()
+{
+    WindowFixture f;
+    f.window->showPage(u"inspect"_s);
+    auto* list = f.find<InspectionList>("inspectionList");
+    const QAbstractItemModelTester tester(list->model(),
+                                          QAbstractItemModelTester::FailureReportingMode::Fatal);
+    f.click(f.find<QPushButton>("inspectArmButton"));
+    squeezeBySpace(f);
+    squeezeBySpace(f);
+    QTRY_COMPARE_WITH_TIMEOUT(list->model()->rowCount(), 2, patience_ms);
+    QCOMPARE(list->model()->index(0, 0).data(InspectionListModel::NumberRole).toLongLong(), 2);
+    // Enter on a line opens its squeeze, read back from the library, on the Fit page.
+    list->setCurrentIndex(list->model()->index(1, 0));
+    emit list->activated(list->currentIndex());
+    QTRY_COMPARE_WITH_TIMEOUT(f.window->currentPage()->id(), u"fit"_s, patience_ms);
+    QCOMPARE(f.bench->fitSubject()->title, u"Inspection 1"_s);
+}
+
+GRIPSCOPE_TEST(InspectPageTest)
+#include "inspect_page_test.moc"

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_registry.h"
+#include "tests/ui/workbench_fixture.h"
+#include "ui/charts/strip_chart.h"
+#include "ui/widgets/axis_ticks.h"
+
+#include <QPushButton>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+using namespace gripscope;
+using gripscope::test::WindowFixture;
+
+namespace {
+constexpr int patience_ms = 15000;
+
+std::size_t points(const StripChart& chart)
+{
+    std::size_t count = 0;
+    for (const LiveHistory::Stretch& stretch : chart.stretches())
+        count += stretch.size();
+    return count;
+}
+} // namespace
+
+/// The Live page with the virtual gripper, and its charts.
+class LivePageTest : public QObject {
+    Q_OBJECT
+private slots:
+    void chartsFollowTheGripper();
+    void pauseHoldsThePicture();
+    void tareIsOnlyForTheScreen();
+    void aTrialSqueezeOpensOnTheFitPage();
+    void rangeStandsBetweenRoundNumbers_data();
+    void rangeStandsBetweenRoundNumbers();
+    void ticksAreRoundAndFew_data();
+    void ticksAreRoundAndFew();
+    void aChartPaintsItsCurve();
+};
+
+void LivePageTest::chartsFollowTheGripper()
+{
+    WindowFixture f(false);
+    f.window->showPage(u"live"_s);
+    const QList<StripChart*> charts = f.window->findChildren<StripChart*>();
+    QCOMPARE(charts.size(), 2);
+    for (StripChart* chart : charts) {
+        QTRY_VERIFY_WITH_TIMEOUT(points(*chart) > 50, patience_ms);
+        QVERIFY(points(*chart) <= 2 * static_cast<std::size_t>(chart->columns() + 2));
+    }
+}
+
+void LivePageTest::pauseHoldsThePicture()
+{
+    WindowFixture f(false);
+    f.window->showPage(u"live"_s);
+    StripChart* chart = f.window->findChildren<StripChart*>().first();
+    QTRY_VERIFY_WITH_TIMEOUT(points(*chart) > 50, patience_ms);
+    f.click(f.find<QPushButton>("pauseButton"));
+    QTRY_VERIFY(f.find<QPushButton>("pauseButton")->isChecked());
+    const auto held = chart->stretches();
+    const double then = f.bench->liveHistory().newestTime_s();
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->liveHistory().newestTime_s() > then + 0.3, patience_ms);
+    QVERIFY(!held.empty() && !chart->stretches().empty());
+    // The same columns up to the one that was still filling.
+    QCOMPARE(chart->stretches().front().front().x, held.front().front().x);
+}
+
+void LivePageTest::tareIsOnlyForTheScreen()
+{
+    WindowFixture f(false);
+    f.window->showPage(u"live"_s);
+    StripChart* position = f.window->findChildren<StripChart*>().last();
+    QTRY_VERIFY_WITH_TIMEOUT(points(*position) > 100, patience_ms);
+    QVERIFY(position->seen());
+    const double before = position->seen()->high;
+    f.click(f.find<QPushButton>("tareButton"));
+    QTRY_VERIFY(std::abs(position->seen()->high) < 0.2); // mm, the noise of the sensor
+    QVERIFY(std::abs(before) > 1.0);                     // can A stands at some 12 mm
+    f.click(f.find<QPushButton>("tareButton"));
+    QTRY_VERIFY(std::abs(position->seen()->high - before) < 0.5);
+}
+
+void LivePageTest::aTrialSqueezeOpensOnTheFitPage()
+{
+    WindowFixture f(false);
+    f.window->showPage(u"live"_s);
+    auto* trial = f.find<QPushButton>("trialButton");
+    QTRY_VERIFY(trial->isEnabled());
+    f.click(trial); // it says Arm, and arms
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+    QTRY_COMPARE(trial->text(), u"Trial squeeze"_s);
+    f.click(trial);
+    QTRY_COMPARE(trial->text(), u"Cancel squeeze"_s);
+    QVERIFY(f.bench->squeezing());
+    QTRY_COMPARE_WITH_TIMEOUT(f.window->currentPage()->id(), u"fit"_s, patience_ms);
+    QVERIFY(!f.bench->squeezing());
+    QVERIFY(f.bench->fitSubject());
+    const Estimate* best = f.bench->fitSubject()->identification.best();
+    QVERIFY(best && best->parameters);
+    // Can A; the virtual gripper scatters its parameters by some 5 % a squeeze.
+    QVERIFY(std::abs(best->parameters->k / 9990 - 1) < 0.25);
+}
+
+void LivePageTest::rangeStandsBetweenRoundNumbers_data()
+{
+    QTest::addColumn<double>("low");
+    QTest::addColumn<double>("high");
+    QTest::addColumn<double>("least");
+    QTest::addColumn<double>("from");
+    QTest::addColumn<double>("to");
+    QTest::newRow("squeeze with noise about zero") << -0.08 << 30.07 << 2.0 << 0.0 << 30.0;
+    QTest::newRow("a constant gets the least span") << 12.345 << 12.345 << 0.2 << 12.2 << 12.45;
+    QTest::newRow("negative") << -7.3 << -2.1 << 1.0 << -8.0 << -2.0;
+}
+
+void LivePageTest::rangeStandsBetweenRoundNumbers()
+{
+    QFETCH(double, low);
+    QFETCH(double, high);
+    QFETCH(double, least);
+    QFETCH(double, from);
+    QFETCH(double, to);
+    const AxisRange range = roundRange(low, high, least);
+    QVERIFY(std::abs(range.low - from) < 1e-9);
+    QVERIFY(std::abs(range.high - to) < 1e-9);
+}
+
+void LivePageTest::ticksAreRoundAndFew_data()
+{
+    QTest::addColumn<double>("low");
+    QTest::addColumn<double>("high");
+    QTest::addColumn<int>("most");
+    QTest::addColumn<QStringList>("labels");
+    QTest::newRow("tens") << 0.0 << 30.0 << 5 << QStringList{u"0"_s, u"10"_s, u"20"_s, u"30"_s};
+    QTest::newRow("true minus") << -2.0 << 2.0 << 5
+                                << QStringList{u"\u22122"_s, u"\u22121"_s, u"0"_s, u"1"_s, u"2"_s};
+    QTest::newRow("decimals as the step asks")
+        << 0.1 << 0.31 << 6 << QStringList{u"0.10"_s, u"0.15"_s, u"0.20"_s, u"0.25"_s, u"0.30"_s};
+    QTest::newRow("empty range") << 1.0 << 1.0 << 5 << QStringList{};
+    QTest::newRow("not a number") << std::nan("") << 1.0 << 5 << QStringList{};
+}
+
+void LivePageTest::ticksAreRoundAndFew()
+{
+    QFETCH(double, low);
+    QFETCH(double, high);
+    QFETCH(int, most);
+    const AxisTicks ticks = roundTicks(low, high, most);
+    QVERIFY(static_cast<int>(ticks.values.size()) <= most);
+    QStringList labels;
+    for (const double value : ticks.values)
+        labels << ticks.label(value);
+    QTEST(labels, "labels");
+}
+
+void LivePageTest::aChartPaintsItsCurve()
+{
+    Theme::instance().apply(ThemeKind::Light);
+    StripChart chart(LiveHistory::Channel::Force, 2.0);
+    chart.resize(600, 200);
+    chart.setUnit(u"N"_s);
+    const auto painted = [&chart] {
+        const QImage image = chart.grab().toImage();
+        const QColor wanted = Theme::instance().tokens().force;
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                count += image.pixelColor(x, y) == wanted;
+        return count;
+    };
+    QCOMPARE(painted(), 0);
+    // A square wave with a gap in the middle: nothing may be drawn across it.
+    LiveHistory::Stretch first, second;
+    for (int i = 0; i < 40; ++i) {
+        first.push_back({-10 + i * 0.1, i % 2 ? 30.0 : 10.0});
+        second.push_back({-4 + i * 0.1, i % 2 ? 30.0 : 10.0});
+    }
+    chart.setStretches({first, second});
+    QVERIFY(painted() > 300);
+    const QImage image = chart.grab().toImage();
+    const int middle = 64 + static_cast<int>((600 - 64 - 16) * 0.5);
+    for (int y = 0; y < image.height(); ++y)
+        QVERIFY(image.pixelColor(middle, y) != Theme::instance().tokens().force);
+}
+
+GRIPSCOPE_TEST(LivePageTest)
+#include "live_page_test.moc"

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_registry.h"
+#include "tests/ui/workbench_fixture.h"
+#include "ui/about_dialog.h"
+#include "ui/status_line.h"
+
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+
+using namespace Qt::StringLiterals;
+using namespace gripscope;
+using gripscope::test::WindowFixture;
+
+namespace {
+constexpr int patience_ms = 10000;
+}
+
+/// Clicks and keys on the whole window.
+class MainWindowTest : public QObject {
+    Q_OBJECT
+private slots:
+    void nothingIsCutOffAtTheLeastSize_data();
+    void nothingIsCutOffAtTheLeastSize();
+    void everyPageHasItsPlaceInTheRail();
+    void keysChooseThePage();
+    void armingIsAPersonsClick();
+    void stopOnEveryPageStopsAndDisarms_data();
+    void stopOnEveryPageStopsAndDisarms();
+    void escapeStopsWhereverTheFocusIs_data();
+    void escapeStopsWhereverTheFocusIs();
+    void escapeStopsInADialogToo();
+    void anErrorIsShownUntilItIsDismissed();
+    void theOperatorIsKnownToTheSessions();
+    void aLostGripperIsToldInWords();
+    void everythingThatCanBePressedIsLargeEnoughAndHasAName();
+    void closingStopsTheGripper();
+};
+
+void MainWindowTest::nothingIsCutOffAtTheLeastSize_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<bool>("withMessage");
+    for (const char* id : {"live", "inspect", "enroll", "types", "fit", "history"})
+        QTest::newRow(id) << QString::fromLatin1(id) << false;
+    // The pages on which a squeeze may go wrong keep their room even under an error of two lines.
+    for (const char* id : {"live", "inspect", "enroll"})
+        QTest::addRow("%s with an error", id) << QString::fromLatin1(id) << true;
+}
+
+void MainWindowTest::nothingIsCutOffAtTheLeastSize()
+{
+    QFETCH(QString, id);
+    QFETCH(bool, withMessage);
+    WindowFixture f;
+    if (withMessage)
+        f.bench->report(
+            u"12 reports were lost during this squeeze, so it was not judged. Check the USB cable, then squeeze again. "_s
+                .repeated(2));
+    f.window->showPage(id);
+    QCoreApplication::processEvents();
+    const Page* page = f.window->currentPage();
+    const QSize least = page->minimumSizeHint();
+    QVERIFY2(page->width() >= least.width() && page->height() >= least.height(),
+             qPrintable(u"it needs %1x%2 and has %3x%4"_s.arg(least.width())
+                            .arg(least.height())
+                            .arg(page->width())
+                            .arg(page->height())));
+    QCOMPARE(f.window->size(), QSize(1024, 640));
+}
+
+void MainWindowTest::everyPageHasItsPlaceInTheRail()
+{
+    WindowFixture f(false);
+    for (Page* page : f.window->pages()) {
+        f.click(f.find<QWidget>(qPrintable("rail-"_L1 + page->id())));
+        QCOMPARE(f.window->currentPage(), page);
+        QVERIFY(page->isVisible());
+    }
+}
+
+void MainWindowTest::keysChooseThePage()
+{
+    WindowFixture f(false);
+    f.window->activateWindow();
+    for (int i = 0; i < 6; ++i) {
+        QTest::keyClick(f.window.get(), static_cast<Qt::Key>(Qt::Key_1 + i), Qt::ControlModifier);
+        QTRY_COMPARE(f.window->currentPage(), f.window->pages()[static_cast<std::size_t>(i)]);
+    }
+}
+
+void MainWindowTest::armingIsAPersonsClick()
+{
+    WindowFixture f;
+    QVERIFY(!f.bench->connection().armed());
+    auto* arm = f.find<QPushButton>("armButton");
+    f.click(arm);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY(arm->isChecked());
+    f.click(arm);
+    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY(!arm->isChecked());
+}
+
+void MainWindowTest::stopOnEveryPageStopsAndDisarms_data()
+{
+    QTest::addColumn<QString>("id");
+    for (const char* id : {"live", "inspect", "enroll", "types", "fit", "history"})
+        QTest::newRow(id) << QString::fromLatin1(id);
+}
+
+void MainWindowTest::stopOnEveryPageStopsAndDisarms()
+{
+    QFETCH(QString, id);
+    WindowFixture f;
+    f.click(f.find<QPushButton>("armButton"));
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+    Recipe recipe;
+    recipe.seconds = 5; // long enough to be stopped in the middle, however busy the machine
+    f.bench->inspection().setRecipe(recipe);
+    QVERIFY(f.bench->inspection().squeeze());
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().port()->squeezeState() == SqueezeState::Running,
+                             patience_ms);
+    f.window->showPage(id);
+    QCOMPARE(f.window->currentPage()->id(), id);
+    f.click(f.find<QPushButton>("stopButton"));
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().port()->squeezeState() == SqueezeState::Stopped,
+                             patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->inspection().state() == InspectSession::State::Ready, patience_ms);
+    QVERIFY(!f.bench->inspection().result()); // a stopped squeeze is not judged
+    QTRY_VERIFY(!f.find<QPushButton>("armButton")->isChecked());
+}
+
+void MainWindowTest::escapeStopsWhereverTheFocusIs_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"operatorField", "trialButton", "rail-types", "deviceChip"})
+        QTest::newRow(name) << QString::fromLatin1(name);
+}
+
+void MainWindowTest::escapeStopsWhereverTheFocusIs()
+{
+    QFETCH(QString, name);
+    WindowFixture f(false);
+    f.bench->arm();
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+    auto* widget = f.find<QWidget>(qPrintable(name));
+    widget->setFocus();
+    QSignalSpy stopped(f.bench.get(), &Workbench::stopped);
+    QTest::keyClick(widget, Qt::Key_Escape);
+    QVERIFY(stopped.count() >= 1);
+    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), patience_ms);
+}
+
+void MainWindowTest::escapeStopsInADialogToo()
+{
+    WindowFixture f(false);
+    f.bench->arm();
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+    QTest::keyClick(f.window.get(), Qt::Key_F1);
+    QTRY_VERIFY(f.window->findChild<AboutDialog*>());
+    QTest::keyClick(f.window->findChild<AboutDialog*>(), Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY(!f.window->findChild<AboutDialog*>() || !f.window->findChild<AboutDialog*>()->isVisible());
+}
+
+void MainWindowTest::anErrorIsShownUntilItIsDismissed()
+{
+    WindowFixture f(false);
+    f.bench->report(u"First."_s);
+    f.bench->report(u"Second."_s);
+    QCOMPARE(f.window->message(), u"Second."_s);
+    QPushButton* dismiss = nullptr;
+    for (QPushButton* button : f.window->findChildren<QPushButton*>())
+        if (button->text() == "Dismiss"_L1)
+            dismiss = button;
+    QVERIFY(dismiss && dismiss->isVisible());
+    f.click(dismiss);
+    QCOMPARE(f.window->message(), u"First."_s);
+    f.click(dismiss);
+    QVERIFY(f.window->message().isEmpty());
+    QVERIFY(!dismiss->isVisible());
+}
+
+void MainWindowTest::theOperatorIsKnownToTheSessions()
+{
+    WindowFixture f(false);
+    auto* field = f.find<QLineEdit>("operatorField");
+    QCOMPARE(field->text(), u"Mai"_s);
+    field->selectAll();
+    QTest::keyClicks(field, u"Jo"_s);
+    QCOMPARE(f.bench->operatorName(), u"Jo"_s);
+}
+
+void MainWindowTest::aLostGripperIsToldInWords()
+{
+    WindowFixture f(false, u"virtual:?fault=unplug:0.3"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().state() == ConnectSession::State::Lost, patience_ms);
+    QTRY_VERIFY(!f.window->message().isEmpty());
+    QTRY_VERIFY(!f.find<QPushButton>("armButton")->isEnabled());
+    const auto* status = f.window->findChild<StatusLine*>();
+    QTRY_VERIFY(status->text().contains(u"lost"_s));
+}
+
+void MainWindowTest::everythingThatCanBePressedIsLargeEnoughAndHasAName()
+{
+    WindowFixture f;
+    for (const char* id : {"live", "inspect", "enroll"}) {
+        f.window->showPage(QString::fromLatin1(id));
+        QCoreApplication::processEvents();
+        for (QAbstractButton* button : f.window->findChildren<QAbstractButton*>()) {
+            if (!button->isVisible() || button->objectName() == "qt_clearbutton"_L1)
+                continue;
+            const QString name =
+                button->accessibleName().isEmpty() ? button->text() : button->accessibleName();
+            QVERIFY2(!name.isEmpty(), qPrintable(button->objectName()));
+            QVERIFY2(button->height() >= metrics::touchTarget, qPrintable(name));
+        }
+    }
+}
+
+void MainWindowTest::closingStopsTheGripper()
+{
+    WindowFixture f(false);
+    f.bench->arm();
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+    f.window->close();
+    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), patience_ms);
+}
+
+GRIPSCOPE_TEST(MainWindowTest)
+#include "main_window_test.moc"
