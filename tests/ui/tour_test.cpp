@@ -39,7 +39,7 @@ void TourTest::savesOnePictureAPage()
         for (int y = 80; y < picture.height() - 40; y += 7)
             for (int x = 100; x < picture.width(); x += 7)
                 colors << picture.pixel(x, y);
-        QVERIFY2(colors.size() > 3, qPrintable(name));
+        QVERIFY2(colors.size() > 8, qPrintable(name));
     }
     Theme::instance().apply(ThemeKind::Light);
 }
