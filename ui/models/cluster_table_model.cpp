@@ -38,7 +38,7 @@ QVariant ClusterTableModel::headerData(int section, Qt::Orientation orientation,
 {
     if (role == Qt::TextAlignmentRole)
         return int(Qt::AlignCenter);
-    if (role != Qt::DisplayRole || section < 0)
+    if ((role != Qt::DisplayRole && role != Qt::ToolTipRole) || section < 0)
         return {};
     if (orientation == Qt::Horizontal)
         return section < m_types.size() ? QVariant(m_types[section]) : QVariant();

@@ -191,8 +191,9 @@ void HistoryPage::buildTable()
     d->table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     d->table->verticalHeader()->hide();
     d->table->verticalHeader()->setDefaultSectionSize(metrics::touchTarget);
+    d->table->setStyleSheet(u"QTableView::item { padding: 0 4px; }"_s);
     QHeaderView* header = d->table->horizontalHeader();
-    header->setStyleSheet(u"QHeaderView::section { padding: 8px 9px; }"_s); // in line with the cells
+    header->setStyleSheet(u"QHeaderView::section { padding: 8px 6px; }"_s); // in line with the cells
     header->setHighlightSections(false);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setStretchLastSection(true);
@@ -261,8 +262,9 @@ void HistoryPage::showCounts(const InspectionCounts& counts, qint64 matching)
     };
     QString text = tr("%1 inspected").arg(formatCount(counts.total));
     if (counts.total > 0)
-        text += u" · "_s + tr("%1 as expected")
-                               .arg(formatPercent(100.0 * double(counts.asExpected) / double(counts.total)));
+        text +=
+            u" · "_s +
+            tr("%1 as expected").arg(formatPercent(100.0 * double(counts.asExpected) / double(counts.total)));
     text += share(counts.otherType, tr("other type")) + share(counts.unknown, tr("unknown")) +
             share(counts.inconclusive, tr("inconclusive")) + share(counts.invalid, tr("not valid"));
     if (matching != counts.total)

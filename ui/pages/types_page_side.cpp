@@ -36,6 +36,23 @@ QIcon typeIcon(int type, double ratio)
     return QIcon(pixmap);
 }
 
+/// A header whose names end in an ellipsis where the column is narrow (one with a style sheet cuts them at
+/// both ends).
+class ElidedHeader : public QHeaderView {
+public:
+    using QHeaderView::QHeaderView;
+
+protected:
+    void initStyleOptionForIndex(QStyleOptionHeader* option, int logicalIndex) const override
+    {
+        QHeaderView::initStyleOptionForIndex(option, logicalIndex);
+        constexpr int padding = 6;
+        const QFontMetrics strong(Theme::font(metrics::fontSmall, true));
+        option->text =
+            strong.elidedText(option->text, Qt::ElideRight, sectionSize(logicalIndex) - 2 * padding);
+    }
+};
+
 } // namespace
 
 TypesSide::TypesSide(QWidget* parent)
@@ -119,6 +136,7 @@ void TypesSide::buildClusters(QVBoxLayout* column)
 
 void TypesSide::buildTable(QVBoxLayout* column)
 {
+    m_table->setHorizontalHeader(new ElidedHeader(Qt::Horizontal));
     m_table->setModel(m_model);
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->setShowGrid(false);
@@ -130,7 +148,7 @@ void TypesSide::buildTable(QVBoxLayout* column)
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->verticalHeader()->setDefaultSectionSize(24);
     m_table->verticalHeader()->setMinimumSectionSize(20);
-    m_table->setStyleSheet(u"QTableView::item { padding: 0; } QHeaderView::section { padding: 2px 6px; }"_s);
+    m_table->setStyleSheet(u"QTableView::item { padding: 0; } QHeaderView::section { padding: 2px; }"_s);
     m_table->setAccessibleName(tr("Types against clusters: the cluster that each squeeze fell into"));
     m_tableTitle->setWordWrap(true);
     column->addWidget(makeRule());

@@ -18,7 +18,7 @@ struct ScenePoint {
     QString id;
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
     int color = 0; ///< index into Theme::typeColor()
-    int shape = 0; ///< sphere, cube, cone, octahedron, then from the start again
+    int shape = 0; ///< sphere, cube, cone, octahedron
     QString tip;   ///< shown when it is pointed at or picked
 };
 

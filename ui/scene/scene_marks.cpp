@@ -38,7 +38,7 @@ void drawTypeSign(QPainter& painter, QPointF at, double radius, int shape, const
 void drawTypeSign(QPainter& painter, QPointF at, double radius, int type)
 {
     const ThemeTokens& tokens = Theme::instance().tokens();
-    drawTypeSign(painter, at, radius, type, Theme::typeColor(type),
+    drawTypeSign(painter, at, radius, typeShape(type), Theme::typeColor(type),
                  tokens.kind == ThemeKind::Light ? tokens.surface : tokens.text);
 }
 

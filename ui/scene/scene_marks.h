@@ -10,6 +10,13 @@ class QPainter;
 
 namespace gripscope {
 
+/// The shape of the n-th type. Its colour goes by n as well (Theme::typeColor()); the fifth's is close to the
+/// first's, so from there on the shapes are shifted by one.
+[[nodiscard]] constexpr int typeShape(int type)
+{
+    return (type + type / 4) % 4;
+}
+
 /// The flat sign of a type: disc, square, triangle, diamond, for sphere, cube, cone, octahedron. The same in
 /// legends, pair plots and tables.
 void drawTypeSign(QPainter& painter, QPointF at, double radius, int shape, const QColor& fill,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene/type_scene.h"
 
+#include "ui/scene/scene_marks.h"
 #include "ui/widgets/number_format.h"
 
 #include <QCoreApplication>
@@ -32,7 +33,7 @@ ScenePoint pointOf(const TypeSpace& space, const SpaceSqueeze& squeeze)
     const QString name = words(QT_TRANSLATE_NOOP("gripscope::TypeScene", "%1, squeeze %2"))
                              .arg(space.types[squeeze.type])
                              .arg(squeeze.number);
-    return {squeeze.id, squeeze.parameters.vector(), squeeze.type, squeeze.type,
+    return {squeeze.id, squeeze.parameters.vector(), squeeze.type, typeShape(squeeze.type),
             name + u'\n' + parametersText(squeeze.parameters, space.units)};
 }
 
@@ -47,6 +48,16 @@ SceneContent everything(const TypeSpace& space)
     return all;
 }
 
+/// Takes out the points (one a squeeze so far, in order) of hidden types.
+void hidePoints(SceneContent& content, const TypeSpace& space, const TypeVisibility& visible)
+{
+    std::vector<ScenePoint> shown;
+    for (std::size_t i = 0; i < content.points.size(); ++i)
+        if (visible[std::size_t(space.squeezes[i].type)])
+            shown.push_back(std::move(content.points[i]));
+    content.points = std::move(shown);
+}
+
 } // namespace
 
 SceneContent typeScene(const TypeSpace& space, const TypeVisibility& visible,
@@ -55,8 +66,7 @@ SceneContent typeScene(const TypeSpace& space, const TypeVisibility& visible,
     SceneContent content = everything(space);
     content.highlight = highlight;
     content.axes = axesFor(space, content);
-    std::erase_if(content.points,
-                  [&](const ScenePoint& point) { return !visible[std::size_t(point.shape)]; });
+    hidePoints(content, space, visible);
     std::erase_if(content.ellipsoids,
                   [&](const SceneEllipsoid& e) { return !visible[std::size_t(e.color)]; });
     return content;
@@ -71,8 +81,7 @@ SceneContent clusterScene(const TypeSpace& space, const TypeVisibility& visible,
     const std::vector<int>& labels = clustering.result.steps[std::size_t(step)].labels;
     for (std::size_t i = 0; i < content.points.size(); ++i)
         content.points[i].color = labels[i];
-    std::erase_if(content.points,
-                  [&](const ScenePoint& point) { return !visible[std::size_t(point.shape)]; });
+    hidePoints(content, space, visible);
     const Eigen::Index clusters = clustering.centroids[std::size_t(step)].rows();
     for (Eigen::Index cluster = 0; cluster < clusters; ++cluster) {
         SceneCentroid centroid;

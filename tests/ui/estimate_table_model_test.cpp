@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_registry.h"
+#include "tests/ui/identification_example.h"
+#include "ui/models/derived_quantities.h"
+#include "ui/models/estimate_table_model.h"
+#include "ui/models/estimate_words.h"
+
+#include <QAbstractItemModelTester>
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+
+using namespace gripscope;
+using Column = EstimateTableModel::Column;
+
+class EstimateTableModelTest : public QObject {
+    Q_OBJECT
+
+    static QVariant cell(const EstimateTableModel& model, Estimator estimator, Column column,
+                         int role = Qt::EditRole)
+    {
+        return model.index(model.rowOf(estimator), int(column)).data(role);
+    }
+
+private slots:
+    void keepsTheRulesOfAModel()
+    {
+        EstimateTableModel model;
+        const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        model.setIdentification(test::identifiedCanA(), QStringLiteral("N"), QStringLiteral("m"));
+        QCOMPARE(model.rowCount(), 3);
+        model.clear();
+        QCOMPARE(model.rowCount(), 0);
+    }
+    void holdsRawNumbersInTheUnitsOfTheHeader()
+    {
+        const Identification found = test::identifiedCanA();
+        EstimateTableModel model;
+        model.setIdentification(found, QStringLiteral("N"), QStringLiteral("m"));
+        const Estimate* best = found.find(Estimator::OutputError);
+        QVERIFY(best && best->parameters);
+        QCOMPARE(cell(model, Estimator::OutputError, Column::Mass).toDouble(), best->parameters->m * 1e3);
+        QCOMPARE(cell(model, Estimator::OutputError, Column::Stiffness).toDouble(),
+                 best->parameters->k * 1e-3);
+        const double half =
+            cell(model, Estimator::OutputError, Column::Mass, EstimateTableModel::HalfWidthRole).toDouble();
+        QVERIFY(std::abs(half / (1.959963984540054e3 * (*best->standardErrors())[0]) - 1) < 1e-12);
+        QCOMPARE(model.headerData(int(Column::Mass), Qt::Horizontal, Qt::DisplayRole).toString(),
+                 QStringLiteral("m\ng"));
+        QCOMPARE(model.headerData(int(Column::Stiffness), Qt::Horizontal, Qt::DisplayRole).toString(),
+                 QStringLiteral("k\nkN/m"));
+    }
+    void millimetresAreShownInSi()
+    {
+        const Identification found = test::identifiedCanA();
+        EstimateTableModel model;
+        model.setIdentification(found, QStringLiteral("N"), QStringLiteral("mm"));
+        // The same numbers in N and mm mean a thousand times as much in SI: 39.6 N s^2/mm are 39.6 t.
+        const double m = cell(model, Estimator::OutputError, Column::Mass).toDouble();
+        QVERIFY(std::abs(m / (found.find(Estimator::OutputError)->parameters->m * 1e3) - 1) < 1e-12);
+        QCOMPARE(model.headerData(int(Column::Mass), Qt::Horizontal, Qt::DisplayRole).toString(),
+                 QStringLiteral("m\nkg"));
+    }
+    void unitsAsPrintedShowNone()
+    {
+        EstimateTableModel model;
+        model.setIdentification(test::identifiedCanA(), QStringLiteral("1"), QStringLiteral("1"));
+        QCOMPARE(model.headerData(int(Column::Mass), Qt::Horizontal, Qt::DisplayRole).toString(),
+                 QStringLiteral("m"));
+    }
+    void aBiasedEstimateSaysSoInNumbers()
+    {
+        const Identification found = test::identifiedCanA();
+        QCOMPARE(estimateVerdict(found, *found.find(Estimator::OutputError)), QStringLiteral("recommended"));
+        // Noise of 5 um biases the paper's estimator by tens of per cent in m (science of the matter, not
+        // chance).
+        QVERIFY(estimateVerdict(found, *found.find(Estimator::Arx)).startsWith(QStringLiteral("m ")));
+        Estimate failed;
+        failed.estimator = Estimator::Arx;
+        failed.status = EstimateStatus::NoPhysicalMapping;
+        QCOMPARE(estimateVerdict(found, failed), QStringLiteral("no physical m, b, k"));
+    }
+    void aFailedEstimateHasNoNumbers()
+    {
+        Identification found = test::identifiedCanA();
+        Estimate failed;
+        failed.estimator = Estimator::Duffing;
+        found.estimates.push_back(failed);
+        EstimateTableModel model;
+        model.setIdentification(found, QStringLiteral("N"), QStringLiteral("m"));
+        QVERIFY(!cell(model, Estimator::Duffing, Column::Mass).isValid());
+        QVERIFY(model.toTsv().contains(QStringLiteral("duffing\t\t\t\t\t\t\t\t\tnot applicable")));
+    }
+    void tabSeparatedTextReadsBack()
+    {
+        const Identification found = test::identifiedCanA();
+        EstimateTableModel model;
+        model.setIdentification(found, QStringLiteral("N"), QStringLiteral("m"));
+        const QStringList lines = model.toTsv().split(u'\n', Qt::SkipEmptyParts);
+        QCOMPARE(lines.size(), 4);
+        const qsizetype columns = lines[0].count(u'\t');
+        for (const QString& line : lines)
+            QCOMPARE(line.count(u'\t'), columns);
+        QVERIFY(lines[0].contains(QStringLiteral("m (kg)")));
+        QCOMPARE(lines[2].section(u'\t', 1, 1).toDouble(), found.find(Estimator::OutputError)->parameters->m);
+    }
+    void derivedQuantitiesFollowFromTheParameters()
+    {
+        Estimate estimate;
+        estimate.parameters = MassDampingStiffness{2, 3, 18};
+        estimate.covariance = Eigen::Vector3d(0.04, 0.09, 0.36).asDiagonal();
+        const auto derived = derivedQuantities(estimate);
+        QVERIFY(derived);
+        QVERIFY(std::abs(derived->naturalFrequency_Hz - 3 / (2 * std::numbers::pi)) < 1e-14);
+        QVERIFY(std::abs(derived->dampingRatio - 0.25) < 1e-14);
+        // By hand: f/2 sqrt(0.04/4 + 0.36/324), zeta sqrt(0.04/16 + 0.09/9 + 0.36/1296).
+        const double f = derived->naturalFrequency_Hz;
+        QVERIFY(std::abs(*derived->naturalFrequencyError_Hz - f / 2 * std::sqrt(0.01 + 0.36 / 324)) < 1e-12);
+        QVERIFY(std::abs(*derived->dampingRatioError - 0.25 * std::sqrt(0.0025 + 0.01 + 0.36 / 1296)) <
+                1e-12);
+        estimate.parameters->m = 0;
+        QVERIFY(!derivedQuantities(estimate));
+    }
+};
+
+GRIPSCOPE_TEST(EstimateTableModelTest)
+#include "estimate_table_model_test.moc"
