@@ -90,8 +90,8 @@ QString Error::describe() const
     // One pass, so that a %1 inside an argument (a file name, say) stays as it is.
     QString out;
     for (qsizetype i = 0; i < text.size(); ++i) {
-        const bool placeholder = text[i] == QLatin1Char('%') && i + 1 < text.size() && text[i + 1].isDigit();
-        if (!placeholder) {
+        const bool isArgument = text[i] == QLatin1Char('%') && i + 1 < text.size() && text[i + 1].isDigit();
+        if (!isArgument) {
             out += text[i];
             continue;
         }

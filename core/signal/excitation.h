@@ -16,18 +16,20 @@ enum class ExcitationKind { Step, Prbs, Multisine, Chirp };
 [[nodiscard]] QString toString(ExcitationKind kind);
 [[nodiscard]] std::optional<ExcitationKind> excitationKindFromString(const QString& text);
 
-/// A force to be commanded. A one-sided grip can only push, so a squeeze is `bias` plus a signal within +-`peak`,
-/// cut at zero when `oneSided`.
+/// A force to be commanded. A one-sided grip can only push, so a squeeze is `bias` plus a signal within
+/// +-`peak`, cut at zero when `oneSided`.
 ///   Step: bias + peak from the first sample on.
-///   Prbs: pseudo-random binary sequence of a maximum-length shift register, bias +- peak, each bit `bit_s` long
+///   Prbs: pseudo-random binary sequence of a maximum-length shift register, bias +- peak, each bit `bit_s`
+///   long
 ///         (rounded to whole samples, at least one); the seed picks the start within the sequence.
-///   Multisine: equal amplitudes on the harmonics of the record up to 1 / (2 bit_s), random phases from the seed,
+///   Multisine: equal amplitudes on the harmonics of the record up to 1 / (2 bit_s), random phases from the
+///   seed,
 ///         scaled so that its largest value is `peak`.
 ///   Chirp: linear sweep from 1 / record length to 1 / (2 bit_s).
 struct ExcitationOptions {
     ExcitationKind kind = ExcitationKind::Prbs;
-    double peak = 10;  ///< force unit
-    double bias = 20;  ///< force unit
+    double peak = 10; ///< force unit
+    double bias = 20; ///< force unit
     double bit_s = 0.005;
     double sampleTime_s = 0.0005;
     std::size_t samples = 2000;

@@ -36,9 +36,10 @@ struct Window {
 
 /// Force and position of one squeeze on the device's own clock, with all that is needed to read them later.
 ///
-/// `time_s`, `force`, `position` have the same length; `sequence` and `status` are empty or have that length too.
-/// Times are those of the device and increase; a lost sample is a jump in time and sequence, never a made-up row.
-/// Channel units are the texts in `forceUnit` and `positionUnit`; "1" means that the source names none.
+/// `time_s`, `force`, `position` have the same length; `sequence` and `status` are empty or have that length
+/// too. Times are those of the device and increase; a lost sample is a jump in time and sequence, never a
+/// made-up row. Channel units are the texts in `forceUnit` and `positionUnit`; "1" means that the source
+/// names none.
 struct Recording {
     double sampleTime_s = 0;
     QString forceUnit = QStringLiteral("1");
@@ -69,8 +70,8 @@ enum SampleStatus : std::uint16_t {
     StatusWatchdog = 1 << 7,
 };
 
-/// Gaps found from the sequence numbers, or from the time stamps where there are none. A step of time longer than
-/// 1.5 sample times is a gap of round(step / sampleTime_s) - 1 samples. O(N).
+/// Gaps found from the sequence numbers, or from the time stamps where there are none. A step of time longer
+/// than 1.5 sample times is a gap of round(step / sampleTime_s) - 1 samples. O(N).
 [[nodiscard]] std::vector<Gap> findGaps(const Recording& recording);
 
 /// The stretches between gaps, in order. Without gaps: one window over everything; without samples: none.

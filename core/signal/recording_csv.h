@@ -13,16 +13,17 @@ namespace gripscope {
 
 /// How to read a CSV that is not Gripscope's own: which columns and which sample time.
 struct CsvReadOptions {
-    QString forceColumn;                ///< empty: "force"
-    QString positionColumn;             ///< empty: "position"
-    std::optional<double> sampleTime_s; ///< overrides the file's; needed when the file has neither it nor time_s
-    QString forceUnit;                  ///< empty: the file's, else "1"
-    QString positionUnit;               ///< empty: the file's, else "1"
+    QString forceColumn;    ///< empty: "force"
+    QString positionColumn; ///< empty: "position"
+    std::optional<double>
+        sampleTime_s;     ///< overrides the file's; needed when the file has neither it nor time_s
+    QString forceUnit;    ///< empty: the file's, else "1"
+    QString positionUnit; ///< empty: the file's, else "1"
 };
 
 /// Reads a recording (`# key: value` comments, a header, rows; UTF-8, C locale, LF or CR LF).
-/// Every number must be finite and every row whole. Errors are BadInput with the place FILE:LINE:COLUMN (column
-/// counted in fields from 1), or FileUnreadable.
+/// Every number must be finite and every row whole. Errors are BadInput with the place FILE:LINE:COLUMN
+/// (column counted in fields from 1), or FileUnreadable.
 [[nodiscard]] Expected<Recording> readRecordingCsv(const QString& file, const CsvReadOptions& options = {});
 /// The same from bytes in memory; `name` stands for the file in messages.
 [[nodiscard]] Expected<Recording> parseRecordingCsv(const QByteArray& text, const QString& name,

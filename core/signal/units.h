@@ -7,8 +7,8 @@
 
 namespace gripscope {
 
-/// Units of m, b and k that follow from those of the channels: N and mm give N s^2/mm, N s/mm, N/mm; N and m give
-/// kg, N s/m, N/m; "1" and "1" give "1" three times (units as printed).
+/// Units of m, b and k that follow from those of the channels: N and mm give N s^2/mm, N s/mm, N/mm; N and m
+/// give kg, N s/m, N/m; "1" and "1" give "1" three times (units as printed).
 struct ParameterUnits {
     QString m, b, k;
     friend bool operator==(const ParameterUnits&, const ParameterUnits&) = default;

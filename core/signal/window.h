@@ -5,9 +5,9 @@
 
 namespace gripscope {
 
-/// Picks the part of a recording that is to be identified: where the device reports that the excitation is moving
-/// (StatusMoving) the longest unbroken stretch of those samples, else the longest unbroken stretch of all.
-/// `lostSamples` counts the samples missing inside the stretch asked for, `eligible` the samples it has.
+/// Picks the part of a recording that is to be identified: where the device reports that the excitation is
+/// moving (StatusMoving) the longest unbroken stretch of those samples, else the longest unbroken stretch of
+/// all. `lostSamples` counts the samples missing inside the stretch asked for, `eligible` the samples it has.
 struct WindowChoice {
     Window window;
     std::size_t eligible = 0;

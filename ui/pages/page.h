@@ -12,7 +12,9 @@ class Workbench;
 class Page : public QWidget {
     Q_OBJECT
 public:
-    explicit Page(Workbench& workbench, QWidget* parent = nullptr) : QWidget(parent), m_workbench(&workbench) {}
+    explicit Page(Workbench& workbench, QWidget* parent = nullptr) : QWidget(parent), m_workbench(&workbench)
+    {
+    }
 
     [[nodiscard]] virtual QString id() const = 0;       ///< "live", names the tour's picture
     [[nodiscard]] virtual QString title() const = 0;    ///< translated, for rail and header
@@ -21,8 +23,8 @@ public:
     /// Called when the page comes into view or leaves it; timers and pictures rest while it is out of view.
     virtual void setActive(bool) {}
 
-    /// For `--tour`: bring the page to a telling state with the virtual gripper and the example types. Called once,
-    /// while shown; the tour then waits until tourReady() (it gives up, and says so, after 30 s).
+    /// For `--tour`: bring the page to a telling state with the virtual gripper and the example types. Called
+    /// once, while shown; the tour then waits until tourReady() (it gives up, and says so, after 30 s).
     virtual void prepareTour() {}
     [[nodiscard]] virtual bool tourReady() const { return true; }
 

@@ -11,7 +11,8 @@ namespace gripscope {
 /// The one style sheet of the program, made from the tokens. Widgets choose a look by dynamic properties:
 ///   QPushButton  role = "primary" | "quiet" | "stop"
 ///   QFrame       role = "card" | "bar" | "rail" | "rule" | "message"
-///   QLabel       role = "heading" | "title" | "caption" | "number" | "big-number" | "strong" | "second" | "error"
+///   QLabel       role = "heading" | "title" | "caption" | "number" | "big-number" | "strong" | "second" |
+///   "error"
 /// setRole() in ui/widgets/controls.h sets the property and repolishes.
 class StyleSheet {
 public:

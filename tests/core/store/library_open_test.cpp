@@ -104,7 +104,8 @@ private slots:
     void migrationOneIsNeverEdited()
     {
         // What was released is in users' files: a change needs a further step, not another text.
-        QCOMPARE(migrations()[0].checksum(), u"3fe0d89f2b05a7707d258048112e93e811eaeedda21d2fd53aa4554bb97e77c9"_s);
+        QCOMPARE(migrations()[0].checksum(),
+                 u"3fe0d89f2b05a7707d258048112e93e811eaeedda21d2fd53aa4554bb97e77c9"_s);
     }
     void furtherStepsAreAppliedInOrderAndOnce()
     {
