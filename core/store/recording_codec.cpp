@@ -33,6 +33,8 @@ public:
     template <typename T>
     void put(const std::vector<T>& values)
     {
+        if (values.empty()) // it has no address to copy from
+            return;
         const qsizetype start = m_bytes.size();
         m_bytes.resize(start + qsizetype(values.size() * sizeof(T)));
         qToLittleEndian<T>(values.data(), qsizetype(values.size()), m_bytes.data() + start);
@@ -75,6 +77,8 @@ public:
             return;
         }
         values.resize(count);
+        if (count == 0)
+            return;
         qFromLittleEndian<T>(m_bytes.constData() + m_at, qsizetype(count), values.data());
         m_at += qsizetype(count * sizeof(T));
     }
