@@ -47,44 +47,47 @@ private slots:
     {
         HistoryModel model;
         const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-        model.restart(5);
-        model.append(page(5, 3));
-        model.append(page(2, 2));
+        model.restart(5, page(5, 3));
+        model.append(3, page(2, 2));
         QCOMPARE(model.rowCount(), 5);
-        model.restart(0);
+        model.restart(0, {});
         QCOMPARE(model.rowCount(), 0);
     }
     void asksForThePagesItLacksOneAtATime()
     {
         HistoryModel model;
         QSignalSpy asked(&model, &HistoryModel::pageAsked);
-        model.restart(450);
-        model.append(page(450, 200));
+        model.restart(450, page(450, 200));
         QVERIFY(model.canFetchMore({}));
         model.fetchMore({});
         model.fetchMore({}); // the first answer is still on its way
         QCOMPARE(asked.size(), 1);
         QCOMPARE(asked.first().first().toInt(), 200);
-        model.append(page(250, 200));
+        model.append(200, page(250, 200));
         model.fetchMore({});
         QCOMPARE(asked.last().first().toInt(), 400);
-        model.append(page(50, 50));
+        model.append(400, page(50, 50));
         QVERIFY(!model.canFetchMore({}));
+    }
+    void aPageForAnOlderListIsIgnored()
+    {
+        HistoryModel model;
+        model.restart(8, page(8, 4));
+        model.append(0, page(8, 4));
+        QCOMPARE(model.rowCount(), 4);
     }
     void anEmptyPageEndsTheList()
     {
         HistoryModel model;
-        model.restart(10);
-        model.append(page(10, 4));
-        model.append({});
+        model.restart(10, page(10, 4));
+        model.append(4, {});
         QVERIFY(!model.canFetchMore({}));
         QCOMPARE(model.total(), 4);
     }
     void holdsRawValuesAndWordsThemInTheDelegate()
     {
         HistoryModel model;
-        model.restart(2);
-        model.append(page(2, 2));
+        model.restart(2, page(2, 2));
         const auto cell = [&](int row, Column column) { return model.index(row, int(column)); };
         QCOMPARE(cell(0, Column::Mass).data(HistoryModel::SortRole).toDouble(), 0.0396);
         QCOMPARE(HistoryDelegate::text(cell(0, Column::Mass)),
@@ -99,8 +102,7 @@ private slots:
         HistoryModel model;
         InspectionRecord stranger = inspection(1);
         stranger.verdict = VerdictKind::Unknown;
-        model.restart(1);
-        model.append({stranger});
+        model.restart(1, {stranger});
         QVERIFY(!model.index(0, int(Column::Posterior)).data(Qt::EditRole).isValid());
     }
     void csvKeepsEveryDigitAndQuotesNames()

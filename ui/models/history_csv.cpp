@@ -67,4 +67,19 @@ QByteArray toCsv(const std::vector<InspectionRecord>& inspections)
     return text.toUtf8();
 }
 
+Expected<QByteArray> historyCsv(Library& library, HistoryFilter filter)
+{
+    filter.limit = 1000;
+    std::vector<InspectionRecord> all;
+    while (true) {
+        filter.offset = int(all.size());
+        const auto page = library.inspections(filter);
+        if (!page)
+            return tl::unexpected<Error>(page.error());
+        all.insert(all.end(), page->begin(), page->end());
+        if (int(page->size()) < filter.limit)
+            return toCsv(all);
+    }
+}
+
 } // namespace gripscope

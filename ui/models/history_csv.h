@@ -13,4 +13,8 @@ namespace gripscope {
 /// shortest form that reads back the same, m, b and k in the squeeze's own units, which stand beside them.
 [[nodiscard]] QByteArray toCsv(const std::vector<InspectionRecord>& inspections);
 
+/// The same for every inspection that `filter` lets through; its limit and offset do not matter. On the
+/// library's thread.
+[[nodiscard]] Expected<QByteArray> historyCsv(Library& library, HistoryFilter filter);
+
 } // namespace gripscope

@@ -48,17 +48,19 @@ InspectionOutcome outcomeOf(const InspectionRecord& record)
     return inspectionOutcome(record.verdict, record.type, record.expectedType);
 }
 
-void HistoryModel::restart(qint64 total)
+void HistoryModel::restart(qint64 total, std::vector<InspectionRecord> page)
 {
     beginResetModel();
-    m_rows.clear();
+    m_rows = std::move(page);
     m_total = total;
     m_waiting = false;
     endResetModel();
 }
 
-void HistoryModel::append(const std::vector<InspectionRecord>& page)
+void HistoryModel::append(int offset, const std::vector<InspectionRecord>& page)
 {
+    if (offset != int(m_rows.size()))
+        return;
     m_waiting = false;
     if (page.empty()) {
         m_total = qint64(m_rows.size());

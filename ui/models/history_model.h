@@ -37,10 +37,11 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// Starts anew with a list of `total` rows, none of them here yet.
-    void restart(qint64 total);
-    /// The next page, as asked for; a short or empty one ends the list.
-    void append(const std::vector<InspectionRecord>& page);
+    /// Starts anew with a list of `total` rows, of which `page` are the first.
+    void restart(qint64 total, std::vector<InspectionRecord> page);
+    /// The page that was asked for at `offset`; ignored when that is no longer where the list ends. An empty
+    /// one ends the list.
+    void append(int offset, const std::vector<InspectionRecord>& page);
     [[nodiscard]] const InspectionRecord& record(int row) const { return m_rows[std::size_t(row)]; }
     [[nodiscard]] qint64 total() const { return m_total; }
 

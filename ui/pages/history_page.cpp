@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/history_page.h"
 
-#include "core/recognition/paper_appendix.h"
 #include "ui/models/history_csv.h"
 #include "ui/models/history_delegate.h"
 #include "ui/models/history_model.h"
-#include "ui/pages/fit_page_example.h"
 #include "ui/pages/fit_page_open.h"
+#include "ui/pages/history_page_examples.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_format.h"
@@ -41,8 +40,7 @@ struct HistoryPage::Private {
     QTimer typing; ///< a filter is applied once a person stops typing
     int generation = 0;
     bool stale = true, loading = false;
-    std::vector<Recording> examples; ///< still to be judged for the tour
-    bool judgingExamples = false;
+    ExampleInspections* examples = nullptr;
 };
 
 namespace {
@@ -70,21 +68,6 @@ Expected<HistoryStart> fetchStart(Library& library, const HistoryFilter& filter)
         return tl::unexpected<Error>(page.error());
     start.page = std::move(*page);
     return start;
-}
-
-Expected<QByteArray> fetchCsv(Library& library, HistoryFilter filter)
-{
-    filter.limit = 1000;
-    std::vector<InspectionRecord> all;
-    while (true) {
-        filter.offset = int(all.size());
-        const auto page = library.inspections(filter);
-        if (!page)
-            return tl::unexpected<Error>(page.error());
-        all.insert(all.end(), page->begin(), page->end());
-        if (int(page->size()) < filter.limit)
-            return toCsv(all);
-    }
 }
 
 } // namespace
@@ -234,8 +217,7 @@ void HistoryPage::reload()
                 workbench().report(start.error().describe());
                 return;
             }
-            d->model->restart(start->matching);
-            d->model->append(start->page);
+            d->model->restart(start->matching, std::move(start->page));
             showCounts(start->counts, start->matching);
         });
 }
@@ -246,12 +228,12 @@ void HistoryPage::fetch(int offset)
     wanted.offset = offset;
     workbench().ask<std::vector<InspectionRecord>>(
         this, [wanted](Library& library) { return library.inspections(wanted); },
-        [this, generation = d->generation](Expected<std::vector<InspectionRecord>> page) {
+        [this, offset, generation = d->generation](Expected<std::vector<InspectionRecord>> page) {
             if (generation != d->generation)
                 return;
             if (!page)
                 workbench().report(page.error().describe());
-            d->model->append(page.value_or(std::vector<InspectionRecord>{}));
+            d->model->append(offset, page.value_or(std::vector<InspectionRecord>{}));
         });
 }
 
@@ -303,7 +285,7 @@ void HistoryPage::exportTo(const QString& file)
     workbench().ask<void>(
         this,
         [file, wanted = filter()](Library& library) -> Expected<void> {
-            const Expected<QByteArray> csv = fetchCsv(library, wanted);
+            const Expected<QByteArray> csv = historyCsv(library, wanted);
             if (!csv)
                 return tl::unexpected<Error>(csv.error());
             QSaveFile out(file);
@@ -318,51 +300,14 @@ void HistoryPage::exportTo(const QString& file)
 
 void HistoryPage::prepareTour()
 {
-    reload();
-    const auto simulate = [] {
-        std::vector<Recording> recordings;
-        const std::vector<TypeSqueeze> squeezes = paperSqueezesInSi();
-        std::uint64_t seed = 1;
-        for (const std::size_t row : {31, 5, 12, 25, 2, 38, 17})
-            recordings.push_back(simulatedSqueeze(squeezes[row].parameters, seed++));
-        recordings.push_back(simulatedSqueeze({0.06, 70, 15000}, seed)); // none of the types
-        return recordings;
-    };
-    workbench().ask<qint64>(
-        this, [](Library& library) { return library.countInspections({}); },
-        [this, simulate](Expected<qint64> count) {
-            if (!count || *count > 0)
-                return;
-            d->judgingExamples = true;
-            workbench().compute<std::vector<Recording>>(
-                this, simulate, [this](std::vector<Recording> recordings) {
-                    d->examples = std::move(recordings);
-                    connect(&workbench(), &Workbench::ticked, this, [this] { judgeNextExample(); });
-                });
-        });
-}
-
-void HistoryPage::judgeNextExample()
-{
-    InspectSession& inspection = workbench().inspection();
-    if (!d->judgingExamples || inspection.state() != InspectSession::State::Ready)
-        return;
-    if (inspection.result() && inspection.result()->number == 0)
-        return; // it is still being stored
-    if (d->examples.empty()) {
-        d->judgingExamples = false;
-        reload();
-        return;
-    }
-    if (inspection.judgeRecording(d->examples.back(), u"simulated"_s))
-        d->examples.pop_back();
-    else
-        d->judgingExamples = false;
+    d->examples = new ExampleInspections(workbench(), this);
+    connect(d->examples, &ExampleInspections::finished, this, [this] { reload(); });
+    d->examples->start();
 }
 
 bool HistoryPage::tourReady() const
 {
-    return !d->loading && !d->judgingExamples && d->model->rowCount() > 0;
+    return !d->loading && d->examples && !d->examples->busy() && d->model->rowCount() > 0;
 }
 
 } // namespace gripscope

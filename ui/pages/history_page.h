@@ -39,7 +39,6 @@ private:
     void showCounts(const InspectionCounts& counts, qint64 matching);
     void openRow(const QModelIndex& index);
     void chooseExport();
-    void judgeNextExample();
 
     struct Private;
     std::unique_ptr<Private> d;

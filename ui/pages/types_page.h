@@ -8,7 +8,6 @@
 namespace gripscope {
 
 class SceneView;
-enum class SceneKind;
 
 /// The enrolled types in the space of m, b and k, and how K-means finds them without labels.
 class TypesPage : public Page {
@@ -33,19 +32,13 @@ public:
 
 private:
     [[nodiscard]] QWidget* buildSceneCard();
-    [[nodiscard]] QLayout* buildToolBar();
-    [[nodiscard]] QLayout* buildStepBar();
     [[nodiscard]] QWidget* buildEmpty();
     void load();
     void cluster();
     void takeInspection();
     void refresh();
-    void refreshStepBar();
     void loadExamples();
     void openPicked();
-    void copyPicture();
-    void savePicture();
-    void play(bool on);
 
     struct Private;
     std::unique_ptr<Private> d;

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/types_page_steps.h"
+
+#include "ui/pages/types_page_tools.h"
+#include "ui/theme/theme.h"
+#include "ui/widgets/controls.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QSlider>
+#include <QToolButton>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
+
+StepBar::StepBar(QWidget* parent)
+    : QWidget(parent), m_types(makeButton(tr("Types"))), m_clusters(makeButton(tr("K-means"))),
+      m_play(makeToolButton({}, u"media-playback-start"_s, tr("Play the iterations"))),
+      m_back(makeToolButton({}, u"go-previous"_s, tr("One iteration back"))),
+      m_forward(makeToolButton({}, u"go-next"_s, tr("One iteration on"))),
+      m_slider(new QSlider(Qt::Horizontal)), m_text(makeLabel({}, "second"))
+{
+    m_types->setToolTip(tr("Colour by type, with the ellipsoid that holds 95 % of its squeezes"));
+    m_clusters->setToolTip(tr("Colour by the cluster that K-means finds without knowing the types"));
+    auto* group = new QButtonGroup(this);
+    for (QPushButton* button : {m_types, m_clusters}) {
+        button->setCheckable(true);
+        group->addButton(button);
+    }
+    m_types->setChecked(true);
+    m_play->setCheckable(true);
+    m_slider->setAccessibleName(tr("K-means iteration"));
+    m_slider->setPageStep(1);
+    m_text->setMinimumWidth(92);
+    auto* line = new QHBoxLayout(this);
+    line->setContentsMargins(12, 0, 12, 0);
+    line->setSpacing(metrics::insideControl);
+    line->addWidget(m_types);
+    line->addWidget(m_clusters);
+    line->addSpacing(metrics::step);
+    for (QToolButton* button : {m_play, m_back, m_forward})
+        line->addWidget(button);
+    line->addWidget(m_slider, 1);
+    line->addSpacing(metrics::step);
+    line->addWidget(m_text);
+
+    m_playing.setInterval(700ms);
+    connect(&m_playing, &QTimer::timeout, this,
+            [this] { step() + 1 < m_count ? goTo(step() + 1) : play(false); });
+    connect(group, &QButtonGroup::buttonClicked, this, [this](QAbstractButton* button) {
+        m_byCluster = button == m_clusters;
+        play(false);
+        emit changed();
+    });
+    connect(m_play, &QToolButton::clicked, this, [this](bool on) { play(on); });
+    connect(m_back, &QToolButton::clicked, this, [this] { goTo(step() - 1); });
+    connect(m_forward, &QToolButton::clicked, this, [this] { goTo(step() + 1); });
+    connect(m_slider, &QSlider::valueChanged, this, [this](int at) { goTo(at); });
+    refresh();
+}
+
+int StepBar::step() const
+{
+    return m_slider->value();
+}
+
+void StepBar::setCount(int count)
+{
+    play(false);
+    m_count = count;
+    const QSignalBlocker quiet(m_slider);
+    m_slider->setRange(0, std::max(0, count - 1));
+    m_slider->setValue(m_slider->maximum());
+    if (count == 0) {
+        m_byCluster = false;
+        m_types->setChecked(true);
+    }
+    refresh();
+}
+
+void StepBar::goTo(int step)
+{
+    if (m_count == 0)
+        return;
+    {
+        const QSignalBlocker quiet(m_slider);
+        m_slider->setValue(step);
+    }
+    m_byCluster = true;
+    m_clusters->setChecked(true);
+    refresh();
+    emit changed();
+}
+
+void StepBar::play(bool on)
+{
+    if (on && step() + 1 >= m_count)
+        goTo(0);
+    on ? m_playing.start() : m_playing.stop();
+    m_play->setChecked(on);
+    m_play->setIcon(Theme::instance().icon(on ? u"media-playback-pause"_s : u"media-playback-start"_s));
+}
+
+void StepBar::refresh()
+{
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_clusters, m_play, m_slider})
+        widget->setEnabled(m_count > 0);
+    m_back->setEnabled(step() > 0);
+    m_forward->setEnabled(step() + 1 < m_count);
+    const int last = m_slider->maximum();
+    m_text->setText(m_count == 0  ? QString()
+                    : step() == 0 ? tr("start of %1").arg(last)
+                                  : tr("step %1 of %2").arg(step()).arg(last));
+}
+
+} // namespace gripscope
