@@ -19,8 +19,14 @@ struct LagAlignment {
         // A rest this close to a whole sample is rounding of the division, not time.
         constexpr double rounding = 1e-9;
         const double lag = sampleTime_s > 0 ? lag_s / sampleTime_s : 0;
-        if (!std::isfinite(lag) || std::abs(lag) > 1e15)
+        if (std::isnan(lag))
             return;
+        // Longer than any record, whole or not.
+        constexpr double longest = 1e15;
+        if (std::abs(lag) > longest) {
+            samples = static_cast<std::ptrdiff_t>(std::copysign(longest, lag));
+            return;
+        }
         const double whole = std::floor(lag + rounding);
         samples = static_cast<std::ptrdiff_t>(whole);
         rest = lag - whole > rounding ? lag - whole : 0;

@@ -15,6 +15,9 @@ namespace {
 /// Columns whose angle to the others is below this are taken for dependent: rounding makes it about 1e-15.
 constexpr double dependent = 1e-12;
 
+/// Far below anything that counts beside positions of about 1, far above denormal numbers and their squares.
+constexpr double vanishing = 1e-150;
+
 /// M, B, K as the matrices need them. Velocities are counted in units of `speed`, the natural frequency where
 /// that is above one radian a sample, so that the matrices stay balanced.
 struct Dynamics {
@@ -75,6 +78,9 @@ public:
     void advance(Eigen::Matrix<double, N, 1>& state, std::ptrdiff_t n) const
     {
         state = (m_step.phi * state + m_step.gamma0 * force(n) + m_step.gamma1 * force(n + 1)).eval();
+        // Without force it decays; zero is faster than the denormal numbers it would end in.
+        if (state.cwiseAbs().maxCoeff() < vanishing)
+            state.setZero();
     }
     /// The state at time n + rest.
     [[nodiscard]] Eigen::Matrix<double, N, 1> within(const Eigen::Matrix<double, N, 1>& state,
@@ -109,8 +115,7 @@ public:
     void advance()
     {
         m_power = (m_power * m_phi).eval();
-        // Long decayed: zero it before it turns into denormal numbers, which are slow.
-        if (m_power.cwiseAbs().maxCoeff() < 1e-150)
+        if (m_power.cwiseAbs().maxCoeff() < vanishing)
             m_power.setZero();
     }
     /// d x / d x0 and d x / d v0.

@@ -312,7 +312,7 @@ private slots:
             recording.position.clear();
         }
         if (record == 5)
-            recording.forceLag_s = 1e6;
+            recording.forceLag_s = 1e20;
         if (record == 6) {
             for (double& y : recording.position)
                 y = -y;
