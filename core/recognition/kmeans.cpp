@@ -2,6 +2,7 @@
 #include "core/recognition/kmeans.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -153,6 +154,16 @@ void renumber(KMeansResult& result, int clusters)
     result.centroids = result.steps.back().centroids;
 }
 
+/// Whether all sums and squared distances of these items stay below the largest number.
+bool computable(const Eigen::MatrixXd& items)
+{
+    if (items.size() == 0)
+        return true;
+    const double reach = items.maxCoeff() - items.minCoeff();
+    return items.allFinite() && std::isfinite(reach * reach * double(items.size())) &&
+           std::isfinite(items.cwiseAbs().maxCoeff() * double(items.rows()));
+}
+
 } // namespace
 
 std::optional<Error> KMeansOptions::validate() const
@@ -174,10 +185,10 @@ Expected<KMeansResult> kMeans(const Eigen::MatrixXd& items, const KMeansOptions&
 {
     if (const auto problem = options.validate())
         return tl::unexpected(*problem);
-    if (!items.allFinite())
+    if (!computable(items))
         return failure(ErrorCode::BadInput,
-                       {u"The table to be clustered"_s, u"found a number that is not finite"_s,
-                        u"expected finite numbers"_s});
+                       {u"The table to be clustered"_s, u"found numbers that are not finite or too large"_s,
+                        u"expected finite ones whose squares can be added"_s});
     KMeansResult best;
     if (items.rows() < options.clusters || items.cols() == 0)
         return best;

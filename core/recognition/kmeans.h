@@ -45,7 +45,8 @@ struct KMeansResult {
 
 /// `items`: rows are items, columns features, all finite. The best of the restarts; the earliest of equals.
 /// The seed feeds a Mersenne twister of 64 bits, so that every machine takes the same starts. Converged: no
-/// item changed its cluster. Errors: Usage (options), BadInput (a number that is not finite).
+/// item changed its cluster. Errors: Usage (options), BadInput (numbers that are not finite, or too large to
+/// be squared).
 [[nodiscard]] Expected<KMeansResult> kMeans(const Eigen::MatrixXd& items, const KMeansOptions& options = {});
 
 } // namespace gripscope

@@ -20,6 +20,9 @@ constexpr int dimensions = 3;
 /// file enrolled twice) from giving a covariance of zero.
 constexpr double leastScatter = 1e-4;
 
+/// Keeps the covariance invertible in double precision when m, b and k of many squeezes go exactly together.
+constexpr double leastShrinkage = 1e-10;
+
 /// Errors as values, not exceptions.
 using QuietPolicy = boost::math::policies::policy<
     boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
@@ -96,7 +99,7 @@ TypeModels fitTypeModels(const std::vector<TypeSqueeze>& squeezes)
     if (models.degreesOfFreedom == 0)
         return models;
     const double v = models.degreesOfFreedom;
-    models.shrinkage = 1 / (1 + v * v * v);
+    models.shrinkage = std::max(leastShrinkage, 1 / (1 + v * v * v));
     const Eigen::Matrix3d pooled = pooledCovariance(logs, models.types, models.degreesOfFreedom);
     models.covarianceLog = (1 - models.shrinkage) * pooled;
     models.covarianceLog.diagonal() = pooled.diagonal();

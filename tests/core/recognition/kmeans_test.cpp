@@ -9,6 +9,7 @@
 #include <QJsonObject>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -28,6 +29,11 @@ QJsonObject oracle()
 bool sameTo9Digits(double found, double wanted)
 {
     return std::abs(found - wanted) <= 1e-9 * std::abs(wanted);
+}
+
+std::size_t usedClusters(const std::vector<int>& labels)
+{
+    return std::set<int>(labels.begin(), labels.end()).size();
 }
 
 Eigen::MatrixXd column(std::initializer_list<double> values)
@@ -153,25 +159,23 @@ private slots:
     }
     void aClusterThatRunsEmptyIsFilledAgain()
     {
-        // Random plane data: with many clusters and few items some starts lose all items of a centre on the
-        // way.
+        // From the first three items as centres the middle one has lost all its items after two steps (found
+        // by search). One start in a thousand or so begins there.
+        Eigen::MatrixXd items(6, 2);
+        items << 5, 11, 6, 10, 8, 11, 11, 10, 2, 4, 0, 6;
         KMeansOptions options;
-        options.clusters = 12;
+        options.clusters = 3;
         options.candidates = 1;
         options.restarts = 1;
-        Eigen::MatrixXd items(24, 2);
-        std::uint32_t state = 1;
-        for (double& value : items.reshaped()) {
-            state = state * 1664525u + 1013904223u;
-            value = std::floor(double(state >> 24) / 16);
-        }
-        for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-            options.seed = seed;
+        bool emptied = false;
+        for (options.seed = 1; options.seed <= 5000; ++options.seed) {
             const auto result = kMeans(items, options);
-            const std::set<int> used(result->labels.begin(), result->labels.end());
-            QCOMPARE(used.size(), std::size_t(12));
-            QVERIFY(result->centroids.allFinite());
+            QCOMPARE(usedClusters(result->labels), std::size_t(3));
+            emptied =
+                emptied || std::any_of(result->steps.begin(), result->steps.end(),
+                                       [](const KMeansStep& step) { return usedClusters(step.labels) < 3; });
         }
+        QVERIFY(emptied);
     }
     void stopsAtTheIterationLimitAndSaysSo()
     {
@@ -195,6 +199,9 @@ private slots:
             options.*option = 0;
             QCOMPARE(kMeans(column({1, 2, 3, 4}), options).error().code, ErrorCode::Usage);
         }
+        QCOMPARE(kMeans(column({1e200, -1e200, 0, 4})).error().code, ErrorCode::BadInput);
+        QCOMPARE(kMeans(column({1e308, 1e308, 1e308, 1e308})).error().code, ErrorCode::BadInput);
+        QVERIFY(kMeans(column({1e150, -1e150, 0, 4}))->centroids.allFinite());
         QCOMPARE(kMeans(column({1, 2, std::nan(""), 4})).error().code, ErrorCode::BadInput);
         QCOMPARE(kMeans(column({1, 2, std::numeric_limits<double>::infinity(), 4})).error().code,
                  ErrorCode::BadInput);

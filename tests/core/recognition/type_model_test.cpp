@@ -103,6 +103,16 @@ private slots:
         QVERIFY(own < 1e-12);
         QVERIFY(std::abs(off - 100) < 0.2); // log 1.001 is 0.9995e-3
     }
+    void parametersThatGoExactlyTogetherGiveAFiniteDistance()
+    {
+        std::vector<TypeSqueeze> squeezes;
+        for (int i = 0; i < 20'000; ++i)
+            squeezes.push_back({u"A"_s, {1.0 + i % 7, 1.0 + i % 7, 1.0 + i % 7}});
+        const TypeModels models = fitTypeModels(squeezes);
+        QVERIFY(*squaredDistance(models, models.types[0], {4, 4, 4}) < 1);
+        const double off = *squaredDistance(models, models.types[0], {4, 4, 4.1});
+        QVERIFY(std::isfinite(off) && off > 1e6);
+    }
     void squeezesThatAreNotPositiveAreLeftOut()
     {
         const TypeModels models = fitTypeModels(
