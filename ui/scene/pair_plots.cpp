@@ -7,6 +7,8 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <map>
+
 namespace gripscope {
 
 namespace {
@@ -121,13 +123,7 @@ void PairPlots::paintContent(QPainter& painter, const Plot& plot) const
         outline(ellipsoid.shape, Theme::typeColor(ellipsoid.color));
     if (content().highlight && content().highlight->ellipsoid)
         outline(*content().highlight->ellipsoid, tokens.text);
-    for (const ScenePoint& point : content().points) {
-        const QPointF at = place(plot, point.at);
-        drawTypeSign(painter, at, 4.5, point.shape, Theme::typeColor(point.color),
-                     tokens.kind == ThemeKind::Light ? tokens.surface : tokens.text);
-        if (!pickedId().isEmpty() && point.id == pickedId())
-            drawPickRing(painter, at);
-    }
+    paintPoints(painter, plot);
     for (const SceneCentroid& centroid : content().centroids) {
         std::vector<QPointF> trail;
         for (const Eigen::Vector3d& value : centroid.trail)
@@ -138,6 +134,28 @@ void PairPlots::paintContent(QPainter& painter, const Plot& plot) const
         const ScenePoint& point = content().highlight->point;
         drawTypeSign(painter, place(plot, point.at), 4.5, point.shape, tokens.text, tokens.surface);
         drawHighlightRing(painter, place(plot, point.at));
+    }
+}
+
+void PairPlots::paintPoints(QPainter& painter, const Plot& plot) const
+{
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    if (content().points.size() > mostGlyphs) {
+        std::map<int, QPolygonF> dots;
+        for (const ScenePoint& point : content().points)
+            dots[point.color] << place(plot, point.at);
+        for (const auto& [color, places] : dots) {
+            painter.setPen(QPen(Theme::typeColor(color), 3, Qt::SolidLine, Qt::RoundCap));
+            painter.drawPoints(places);
+        }
+    }
+    for (const ScenePoint& point : content().points) {
+        const QPointF at = place(plot, point.at);
+        if (content().points.size() <= mostGlyphs)
+            drawTypeSign(painter, at, 4.5, point.shape, Theme::typeColor(point.color),
+                         tokens.kind == ThemeKind::Light ? tokens.surface : tokens.text);
+        if (!pickedId().isEmpty() && point.id == pickedId())
+            drawPickRing(painter, at);
     }
 }
 

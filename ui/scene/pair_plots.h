@@ -30,6 +30,7 @@ private:
     [[nodiscard]] QPointF place(const Plot& plot, const Eigen::Vector3d& value) const;
     void paintFrame(QPainter& painter, const Plot& plot) const;
     void paintContent(QPainter& painter, const Plot& plot) const;
+    void paintPoints(QPainter& painter, const Plot& plot) const;
 };
 
 } // namespace gripscope

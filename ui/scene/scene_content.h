@@ -39,6 +39,10 @@ struct SceneCentroid {
     int color = 0;
 };
 
+/// Above this many points they are drawn as plain dots: a glyph costs a hundred times a dot in software
+/// rendering.
+inline constexpr std::size_t mostGlyphs = 2000;
+
 /// All that a view of the m-b-k space shows. A value: build it, hand it over, forget it.
 struct SceneContent {
     std::array<AxisScale, 3> axes; ///< m, b, k

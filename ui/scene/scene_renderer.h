@@ -32,9 +32,6 @@ struct SceneRequest {
         true; ///< nothing moves: translucent surfaces are sorted exactly (depth peeling), which takes longer
 };
 
-/// Above this many points they are drawn as plain dots: a glyph costs a hundred times a dot in software
-/// rendering.
-inline constexpr std::size_t mostGlyphs = 2000;
 /// Radius of a point's glyph on the screen at the middle of the cube, logical pixels.
 inline constexpr double glyphRadius = 5.0;
 
