@@ -4,6 +4,7 @@
 #include "ui/charts/strip_chart.h"
 #include "ui/widgets/axis_ticks.h"
 
+#include <QElapsedTimer>
 #include <QPushButton>
 
 #include <cmath>
@@ -37,6 +38,7 @@ private slots:
     void ticksAreRoundAndFew_data();
     void ticksAreRoundAndFew();
     void aChartPaintsItsCurve();
+    void denseDataDoesNotHoldUpTheScreen();
 };
 
 void LivePageTest::chartsFollowTheGripper()
@@ -183,6 +185,25 @@ void LivePageTest::aChartPaintsItsCurve()
     const int middle = 64 + static_cast<int>((600 - 64 - 16) * 0.5);
     for (int y = 0; y < image.height(); ++y)
         QVERIFY(image.pixelColor(middle, y) != Theme::instance().tokens().force);
+}
+
+void LivePageTest::denseDataDoesNotHoldUpTheScreen()
+{
+    Theme::instance().apply(ThemeKind::Light);
+    StripChart chart(LiveHistory::Channel::Position, 0.2);
+    chart.resize(1100, 300);
+    LiveHistory::Stretch noise; // every column from bottom to top: the most there can be to draw
+    for (int i = 0; i < 1000; ++i) {
+        noise.push_back({-10 + i * 0.01, i % 3 * 0.1});
+        noise.push_back({-10 + i * 0.01, 1 - i % 5 * 0.1});
+    }
+    chart.setStretches({noise});
+    (void)chart.grab(); // grid and letters are drawn once
+    QElapsedTimer clock;
+    clock.start();
+    (void)chart.grab();
+    // Nothing may hold up the screen's thread for over 50 ms; four times that here, for a busy machine.
+    QVERIFY2(clock.elapsed() < 200, qPrintable(QString::number(clock.elapsed())));
 }
 
 GRIPSCOPE_TEST(LivePageTest)

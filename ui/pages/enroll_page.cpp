@@ -320,7 +320,15 @@ void EnrollPage::prepareTour()
              [&session] { return session.step() == EnrollSession::Step::Squeeze; });
     const auto squeeze = [this, &tour, &session] {
         tour.add([this] { d->squeezes->squeezeOrAccept(); },
-                 [&session] { return session.activity() == EnrollSession::Activity::Deciding; });
+                 [this, &session] {
+                     // A busy machine may have starved the gripper's heartbeat: as a person would, once more.
+                     if (session.activity() == EnrollSession::Activity::Waiting &&
+                         !workbench().connection().armed())
+                         workbench().arm();
+                     else if (session.activity() == EnrollSession::Activity::Waiting)
+                         d->squeezes->squeezeOrAccept();
+                     return session.activity() == EnrollSession::Activity::Deciding;
+                 });
     };
     for (int i = 1; i <= 7; ++i) {
         squeeze();

@@ -351,16 +351,20 @@ void InspectPage::prepareTour()
 {
     TourScript& tour = d->tour;
     const auto inspect = [this, &tour](int times) {
-        for (int i = 0; i < times; ++i) {
+        for (int i = 0; i < times; ++i)
             tour.add([this] { squeeze(); },
-                     [this] { return workbench().inspection().state() == InspectSession::State::Squeezing; });
-            tour.add([] {},
                      [this] {
-                         InspectSession& s = workbench().inspection();
-                         return s.state() == InspectSession::State::Ready && s.result() &&
-                                s.result()->number != 0;
+                         const InspectSession& session = workbench().inspection();
+                         if (session.state() != InspectSession::State::Ready)
+                             return false;
+                         // A busy machine may have starved the gripper's heartbeat: as a person would, once
+                         // more.
+                         if (!session.result() && !workbench().connection().armed())
+                             workbench().arm();
+                         else if (!session.result())
+                             squeeze();
+                         return session.result() && session.result()->number != 0;
                      });
-        }
     };
     tour.add(
         [this] {

@@ -236,10 +236,20 @@ void LivePage::refreshControls()
     d->position->setDeviceUnit(identity.positionUnit);
     const bool ready = connection.armed() || !identity.commandable;
     d->squeeze->setEnabled(connected);
-    d->squeeze->setText(d->trialRunning ? tr("Cancel squeeze")
-                        : !connected || ready
-                            ? (identity.commandable || !connected ? tr("Trial squeeze") : tr("Record 1 s"))
-                            : tr("Arm"));
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    const auto offer = [&](const QString& text, const QString& icon) {
+        d->squeeze->setText(text);
+        d->squeeze->setAccessibleName(text);
+        d->squeeze->setIcon(Theme::instance().icon(icon, Theme::onColor(tokens.accent)));
+    };
+    if (d->trialRunning)
+        offer(tr("Cancel squeeze"), u"dialog-cancel"_s);
+    else if (connected && !identity.commandable)
+        offer(tr("Record 1 s"), u"media-playback-start"_s);
+    else if (connected && !ready)
+        offer(tr("Arm"), u"object-unlocked"_s);
+    else
+        offer(tr("Trial squeeze"), u"media-playback-start"_s);
     d->progress->setVisible(d->trialRunning);
     d->hint->setVisible(!d->trialRunning);
     if (!connected)
@@ -323,11 +333,10 @@ void LivePage::prepareTour()
     TourScript& tour = d->tour;
     tour.connectTo(workbench(), u"virtual:?object=A&seed=11"_s);
     for (int i = 0; i < 2; ++i) {
-        tour.add([this] { startTrial(); }, [this] { return d->trialRunning; });
-        tour.add([] {}, [this] { return !d->trialRunning; });
+        tour.add([this] { startTrial(); }, [this] { return !d->trialRunning; });
         tour.wait(900);
     }
-    tour.add([this] { startTrial(); }, [this] { return d->trial.progress() > 0.6; });
+    tour.add([this] { startTrial(); }, [this] { return d->trial.progress() > 0.6 || !d->trialRunning; });
     tour.start(workbench());
 }
 
