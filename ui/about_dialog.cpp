@@ -46,7 +46,7 @@ AboutDialog::AboutDialog(const QStringList& pageTitles, QWidget* parent) : QDial
     QPushButton* close = makeButton(tr("Close"), {}, "primary", this);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
     column->addWidget(close, 0, Qt::AlignRight);
-    resize(520, sizeHint().height());
+    resize(520, layout()->totalHeightForWidth(520));
 }
 
 } // namespace gripscope

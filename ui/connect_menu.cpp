@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/connect_menu.h"
 
-#include "ui/theme/theme.h"
 #include "ui/workbench.h"
 
 #include <QInputDialog>
@@ -38,7 +37,7 @@ void ConnectMenu::rebuild()
     m_looking->setEnabled(false);
     m_afterFound = addSeparator();
     connect(addAction(tr("Other address…")), &QAction::triggered, this, &ConnectMenu::askForAddress);
-    QAction* disconnect = addAction(Theme::instance().icon(u"network-disconnect"_s), tr("Disconnect"));
+    QAction* disconnect = addAction(tr("Disconnect"));
     disconnect->setEnabled(m_workbench->connection().state() != ConnectSession::State::Disconnected);
     connect(disconnect, &QAction::triggered, m_workbench, [this] { m_workbench->connection().disconnect(); });
     look();

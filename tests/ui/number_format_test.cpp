@@ -93,7 +93,8 @@ void NumberFormatTest::probabilitiesNearTheEndsAreBounded()
     QCOMPARE(formatProbability(0.9998), u"0.9998"_s);
     QCOMPARE(formatProbability(0.99999), u"> 0.9999"_s);
     QCOMPARE(formatProbability(1e-9), u"< 0.0001"_s);
-    QCOMPARE(formatProbability(0), u"0.0000"_s);
+    QCOMPARE(formatProbability(0), u"< 0.0001"_s);
+    QCOMPARE(formatProbability(1), u"> 0.9999"_s);
 }
 
 void NumberFormatTest::countsAreGrouped()

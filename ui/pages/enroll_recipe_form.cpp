@@ -31,6 +31,7 @@ EnrollRecipeForm::EnrollRecipeForm(Workbench& workbench, QWidget* parent)
     for (int i = 0; i < 6; ++i) {
         auto* label = makeLabel(fields[i]->accessibleName(), "strong", this);
         label->setBuddy(fields[i]);
+        label->setContentsMargins(0, i < 3 ? 0 : 8, 0, 0);
         grid->addWidget(label, i / 3 * 2, i % 3);
         grid->addWidget(fields[i], i / 3 * 2 + 1, i % 3);
     }

@@ -12,6 +12,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <boost/math/distributions/students_t.hpp>
 
 #include <cmath>
 
@@ -104,8 +105,8 @@ EnrollReviewPanel::EnrollReviewPanel(Workbench& workbench, QWidget* parent)
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(24);
     grid->setVerticalSpacing(8);
-    grid->addWidget(makeLabel(tr("Mean"), "caption", card), 0, 1, Qt::AlignRight);
-    grid->addWidget(makeLabel(tr("Spread"), "caption", card), 0, 2, Qt::AlignRight);
+    grid->addWidget(makeLabel(tr("Mean (95 %)"), "caption", card), 0, 1, Qt::AlignRight);
+    grid->addWidget(makeLabel(tr("Spread (1 sd)"), "caption", card), 0, 2, Qt::AlignRight);
     const QString names[] = {tr("moving mass m"), tr("damping b"), tr("stiffness k")};
     for (int i = 0; i < 3; ++i) {
         const int row = 3 - i;
@@ -171,12 +172,15 @@ void EnrollReviewPanel::show(const TypeReview& review)
 {
     m_title->setText(
         tr("Review of %1: %2 squeezes").arg(m_workbench->enrollment().typeName()).arg(review.squeezes));
-    // The mean's own interval says how well it is known: spread over the root of the count.
-    std::optional<Eigen::Vector3d> errors;
-    if (review.spreadPercent)
-        errors =
-            review.spreadPercent->cwiseProduct(review.mean.vector()) / (100 * std::sqrt(review.squeezes));
-    const ParameterTexts texts = parameterTexts(review.mean, errors, review.forceUnit, review.positionUnit);
+    // The mean's own interval says how well it is known: Student's t, since the squeezes are few.
+    std::optional<Eigen::Vector3d> halfWidths;
+    if (review.spreadPercent) {
+        const double t = boost::math::quantile(boost::math::students_t(review.squeezes - 1), 0.975);
+        halfWidths =
+            t * review.spreadPercent->cwiseProduct(review.mean.vector()) / (100 * std::sqrt(review.squeezes));
+    }
+    const ParameterTexts texts =
+        parameterTextsWithin(review.mean, halfWidths, review.forceUnit, review.positionUnit);
     const QString means[] = {texts.m.text(), texts.b.text(), texts.k.text()};
     for (int i = 0; i < 3; ++i) {
         m_mean[i]->setText(means[i]);

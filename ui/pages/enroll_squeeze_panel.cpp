@@ -144,7 +144,7 @@ void EnrollSqueezePanel::refresh()
     m_squeeze->setEnabled(ready && activity == Activity::Waiting);
     m_squeeze->setText(activity == Activity::Squeezing ? tr("Squeezing…") : tr("Squeeze (Space)"));
     if (!connected)
-        m_hint->setText(tr("No gripper. Choose one above."));
+        m_hint->setText(tr("No gripper. Choose one at the top."));
     else if (!ready)
         m_hint->setText(tr("Place a part of this type, hands clear, then arm."));
     else if (accepted >= EnrollSession::suggestedSqueezes)
@@ -163,8 +163,9 @@ void EnrollSqueezePanel::refresh()
     if (m_review->property("role").toString() != QLatin1String(look))
         setRole(m_review, look);
     refreshLast();
-    if (activity != m_shown) {
+    if (activity != m_shown || ready != m_ready) {
         m_shown = activity;
+        m_ready = ready;
         if (isVisible())
             focusNext();
     }

@@ -46,6 +46,7 @@ private:
     ProgressRing* m_ring;
     QPushButton *m_squeeze, *m_arm, *m_accept, *m_reject, *m_drop, *m_review;
     QTableView* m_table;
+    bool m_ready = false;
     EnrollSession::Activity m_shown = EnrollSession::Activity::Waiting;
 };
 

@@ -117,6 +117,8 @@ void InspectPage::buildVerdict(QBoxLayout* column)
     d->reason->setObjectName("reasonLabel");
     d->reason->setWordWrap(true);
     d->reason->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    d->facts->hide();
+    d->reason->hide();
     auto* words = new QVBoxLayout;
     words->setSpacing(2);
     words->addWidget(d->facts);
@@ -292,7 +294,7 @@ void InspectPage::showHint()
     else if (session.state() == InspectSession::State::Loading)
         d->verdict->showHint(tr("Reading the library…"), {});
     else if (!connected)
-        d->verdict->showHint(tr("No gripper"), tr("Choose one above, next to the page's title"));
+        d->verdict->showHint(tr("No gripper"), tr("Choose one at the top of the window"));
     else if (session.types().empty())
         d->verdict->showHint(tr("No types yet"), tr("Enroll at least one type (Ctrl+3), then inspect parts"));
     else if (!connection.armed() && connection.identity().commandable)
@@ -312,13 +314,16 @@ void InspectPage::showNumbers()
     } else {
         const Recording& recording = result->recording;
         const ParameterTexts texts = parameterTexts(*best, recording.forceUnit, recording.positionUnit);
+        // Numbers of a measurement that is not valid are not the part's: they step back.
+        for (QLabel* label : {d->m, d->b, d->k})
+            label->setEnabled(result->outcome != InspectionOutcome::NotValid);
         d->m->setText(texts.m.text());
         d->b->setText(texts.b.text());
         d->k->setText(texts.k.text());
         const std::optional<double> si = siFactor(recording.forceUnit, recording.positionUnit);
         std::optional<MassDampingStiffness> part;
         std::optional<Eigen::Vector3d> errors = best->standardErrors();
-        if (si)
+        if (si && result->outcome != InspectionOutcome::NotValid)
             part = MassDampingStiffness{best->parameters->m * *si, best->parameters->b * *si,
                                         best->parameters->k * *si};
         if (errors && si)
@@ -326,10 +331,14 @@ void InspectPage::showNumbers()
         d->map->setPart(part, errors);
     }
     if (!result) {
-        d->facts->clear();
+        // Their room stays from the first verdict on, so that nothing jumps while the next squeeze runs.
+        d->facts->setText(u" "_s);
         d->reason->clear();
         return;
     }
+    // What to do about a bad measurement may take two lines and has no facts beside it.
+    d->facts->setVisible(result->outcome != InspectionOutcome::NotValid);
+    d->reason->show();
     const Verdict& verdict = result->verdict;
     QStringList facts;
     const QString of = verdict.type.isEmpty() ? verdict.nearest : verdict.type;
@@ -342,8 +351,7 @@ void InspectPage::showNumbers()
                               QString::number(std::sqrt(*verdict.gate), 'f', 1));
         facts << tr("wrong-type rate %1").arg(formatPercent(100 * VerdictOptions{}.wrongType));
     }
-    d->facts->setText(facts.join(u"  ·  "_s));
-    d->facts->setVisible(!facts.isEmpty());
+    d->facts->setText(facts.isEmpty() ? u" "_s : facts.join(u"  ·  "_s));
     d->reason->setText(verdict.reasons.join(QLatin1Char(' ')));
 }
 

@@ -253,7 +253,7 @@ void LivePage::refreshControls()
     d->progress->setVisible(d->trialRunning);
     d->hint->setVisible(!d->trialRunning);
     if (!connected)
-        d->hint->setText(tr("No gripper is connected. Choose one above."));
+        d->hint->setText(tr("No gripper is connected. Choose one at the top."));
     else if (!identity.commandable)
         d->hint->setText(tr("This gripper only streams: squeeze by its own program, and record."));
     else if (!connection.armed())

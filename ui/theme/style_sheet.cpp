@@ -104,6 +104,7 @@ QLabel[role="caption"] { font-size: @fontSmall; color: @secondText; }
 QLabel[role="second"] { color: @secondText; }
 QLabel[role="number"] { font-size: @fontTitle; font-weight: 600; }
 QLabel[role="big-number"] { font-size: @fontNumber; font-weight: 600; }
+QLabel:disabled { color: @secondText; }
 QLabel[role="error"] { color: @notValid; }
 )"_s;
 }

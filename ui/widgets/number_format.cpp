@@ -133,11 +133,9 @@ QString formatProbability(double probability)
 {
     if (!std::isfinite(probability))
         return u"–"_s;
-    if (probability >= 1)
-        return u"1"_s;
     if (probability > 0.9999)
         return u"> 0.9999"_s;
-    if (probability > 0 && probability < 0.0001)
+    if (probability < 0.0001)
         return u"< 0.0001"_s;
     return QLocale::c().toString(probability, 'f', 4);
 }

@@ -72,7 +72,7 @@ VerdictWords verdictWords(const InspectSession::Result& result)
     }
     case InspectionOutcome::NotValid:
         return {tr(QT_TRANSLATE_NOOP("Outcome", "Squeeze again")),
-                tr(QT_TRANSLATE_NOOP("Outcome", "measurement not valid: the part was not judged"))};
+                tr(QT_TRANSLATE_NOOP("Outcome", "measurement not valid; part not judged"))};
     }
     return {};
 }

@@ -13,9 +13,9 @@ namespace {
 constexpr double halfWidth95 = 1.959964;
 } // namespace
 
-ParameterTexts parameterTexts(const MassDampingStiffness& parameters,
-                              const std::optional<Eigen::Vector3d>& standardErrors, const QString& forceUnit,
-                              const QString& positionUnit)
+ParameterTexts parameterTextsWithin(const MassDampingStiffness& parameters,
+                                    const std::optional<Eigen::Vector3d>& halfWidths,
+                                    const QString& forceUnit, const QString& positionUnit)
 {
     const std::optional<double> si = siFactor(forceUnit, positionUnit);
     const double factor = si.value_or(1.0);
@@ -23,11 +23,21 @@ ParameterTexts parameterTexts(const MassDampingStiffness& parameters,
                                     : parameterUnits(forceUnit, positionUnit);
     const auto one = [&](double value, int i, const QString& unit) {
         std::optional<double> error;
-        if (standardErrors)
-            error = halfWidth95 * factor * (*standardErrors)[i];
+        if (halfWidths)
+            error = factor * (*halfWidths)[i];
         return formatNumber(value * factor, error, unit);
     };
     return {one(parameters.m, 0, units.m), one(parameters.b, 1, units.b), one(parameters.k, 2, units.k)};
+}
+
+ParameterTexts parameterTexts(const MassDampingStiffness& parameters,
+                              const std::optional<Eigen::Vector3d>& standardErrors, const QString& forceUnit,
+                              const QString& positionUnit)
+{
+    std::optional<Eigen::Vector3d> halfWidths;
+    if (standardErrors)
+        halfWidths = halfWidth95 * *standardErrors;
+    return parameterTextsWithin(parameters, halfWidths, forceUnit, positionUnit);
 }
 
 ParameterTexts parameterTexts(const Estimate& estimate, const QString& forceUnit, const QString& positionUnit)

@@ -17,5 +17,9 @@ struct ParameterTexts {
 [[nodiscard]] ParameterTexts parameterTexts(const MassDampingStiffness& parameters,
                                             const std::optional<Eigen::Vector3d>& standardErrors,
                                             const QString& forceUnit, const QString& positionUnit);
+/// The same from half widths that the caller knows.
+[[nodiscard]] ParameterTexts parameterTextsWithin(const MassDampingStiffness& parameters,
+                                                  const std::optional<Eigen::Vector3d>& halfWidths,
+                                                  const QString& forceUnit, const QString& positionUnit);
 
 } // namespace gripscope

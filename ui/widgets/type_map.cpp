@@ -161,7 +161,8 @@ void TypeMap::paintAxes(QPainter& painter, const View& v) const
     painter.save();
     painter.translate(9, v.plot.center().y());
     painter.rotate(-90);
-    painter.drawText(QRectF(-90, -9, 180, 18), Qt::AlignCenter, tr("damping (N s/m)"));
+    painter.drawText(QRectF(-90, -9, 180, 18), Qt::AlignCenter,
+                     v.plot.height() < 110 ? tr("b (N s/m)") : tr("damping (N s/m)"));
     painter.restore();
 }
 
@@ -209,10 +210,13 @@ void TypeMap::paintNames(QPainter& painter, const View& v, const std::vector<QRe
         const QSizeF size(letters.horizontalAdvance(name) + 2, letters.height());
         const QRectF& box = bounds[i];
         const double middle = box.center().y() - size.height() / 2;
-        const QPointF places[] = {{box.right() + 4, middle},
-                                  {box.left() - 4 - size.width(), middle},
-                                  {box.center().x() - size.width() / 2, box.top() - size.height() - 1},
-                                  {box.center().x() - size.width() / 2, box.bottom() + 1}};
+        std::vector<QPointF> places;
+        for (const double lift : {0.0, -16.0, 16.0, -32.0, 32.0}) {
+            places.emplace_back(box.right() + 4, middle + lift);
+            places.emplace_back(box.left() - 4 - size.width(), middle + lift);
+        }
+        places.emplace_back(box.center().x() - size.width() / 2, box.top() - size.height() - 1);
+        places.emplace_back(box.center().x() - size.width() / 2, box.bottom() + 1);
         const auto free = [&](const QRectF& there, bool ofEllipses) {
             const auto hit = [&there](const QRectF& other) { return other.intersects(there); };
             return v.plot.contains(there) && std::none_of(taken.begin(), taken.end(), hit) &&

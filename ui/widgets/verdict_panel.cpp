@@ -86,7 +86,9 @@ void VerdictPanel::paintWords(QPainter& painter, double left, const QColor& colo
     const double room = width() - left - padding;
     int pixels = m_outcome ? metrics::fontVerdict : metrics::fontNumber;
     const int least = std::min(pixels, static_cast<int>(metrics::fontNumber));
-    while (pixels > least && QFontMetricsF(Theme::font(pixels, true)).horizontalAdvance(m_headline) > room)
+    const double tall = height() - 44 - metrics::fontTitle; // what the line below and some air leave
+    while (pixels > least &&
+           (QFontMetricsF(Theme::font(pixels, true)).horizontalAdvance(m_headline) > room || pixels > tall))
         pixels -= 2;
     const QFont large = Theme::font(pixels, true);
     const QFont small = Theme::font(metrics::fontTitle, m_outcome.has_value());
