@@ -210,14 +210,14 @@ Estimate estimateArx(const std::vector<double>& force, const std::vector<double>
     const Regression regression = makeRegression(force, position, options);
     if (static_cast<Eigen::Index>(regression.rows()) <= regression.columns()) {
         estimate.status = EstimateStatus::TooFewSamples;
-        estimate.message = "there are fewer samples than the model has coefficients";
+        estimate.message = "there are fewer samples than the model has coefficients; record for longer";
         return estimate;
     }
     const Solution solution = solve(regression);
     if (solution.coefficients.size() == 0 || !solution.coefficients.allFinite()) {
         estimate.status = EstimateStatus::NotIdentifiable;
         estimate.message =
-            "force and position do not determine the coefficients: the force does not vary enough";
+            "force and position do not determine the coefficients; squeeze with a force that varies";
         return estimate;
     }
     estimate.coefficients = inChannelUnits(regression, solution.coefficients);

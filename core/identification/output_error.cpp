@@ -21,9 +21,11 @@ namespace {
 /// Above this condition number of the scaled sensitivities, rounding decides what m, b and k are.
 constexpr double largestCondition = 1e8;
 
-constexpr const char* constantForce =
-    "a constant force does not determine m, b and k together with a free start and offset";
-constexpr const char* noAnswer = "the position does not answer the force";
+constexpr const char* constantForce = "a constant force does not determine m, b and k together with a free "
+                                      "start and offset; squeeze with a force that "
+                                      "varies, for instance a pseudo-random binary sequence";
+constexpr const char* noAnswer =
+    "the position does not answer the force; check the grip and which column is which";
 
 Estimate failed(EstimateStatus status, const char* message)
 {
@@ -184,11 +186,13 @@ std::optional<SearchResult> findSolution(const OutputErrorProblem& problem, cons
 const char* boundaryMessage(const SearchResult& search)
 {
     static constexpr std::array<const char*, 3> toZero{
-        "the mass cannot be told from zero: excite faster, or sample faster",
-        "the damping cannot be told from zero", "the stiffness cannot be told from zero: squeeze longer"};
-    static constexpr std::array<const char*, 3> toInfinity{"no finite mass explains the position",
-                                                           "no finite damping explains the position",
-                                                           "no finite stiffness explains the position"};
+        "the mass cannot be told from zero; excite faster, or sample faster",
+        "the damping cannot be told from zero; squeeze longer or with more force",
+        "the stiffness cannot be told from zero; squeeze longer"};
+    static constexpr std::array<const char*, 3> toInfinity{
+        "no finite mass explains the position; check the grip and the sensor",
+        "no finite damping explains the position; check the grip and the sensor",
+        "no finite stiffness explains the position; check the grip and the sensor"};
     const auto i = static_cast<std::size_t>(search.boundaryIndex);
     return search.boundaryAtZero ? toZero[i] : toInfinity[i];
 }
@@ -201,12 +205,14 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
     const int parameterCount = 3 + (options.freeInitialState ? 2 : 0) + (options.freeOffset ? 1 : 0);
     if (static_cast<int>(std::min<std::size_t>(force.size(), 100)) <= parameterCount)
         return failed(EstimateStatus::TooFewSamples,
-                      "there are fewer samples than output error has unknowns");
+                      "there are fewer samples than output error has unknowns; record for longer");
     const OutputErrorProblem problem = scaledProblem(force, position, options);
     if (problem.rows() <= parameterCount)
         return failed(EstimateStatus::TooFewSamples, "the lag between the channels leaves too few samples");
     if (isConstant(position))
-        return failed(EstimateStatus::NotIdentifiable, "the position does not change");
+        return failed(
+            EstimateStatus::NotIdentifiable,
+            "the position does not change; check that the fingers hold the object and that the sensor works");
 
     const std::optional<SearchResult> found = findSolution(problem, options);
     if (!found)
@@ -215,7 +221,9 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
     Estimate estimate = failed(EstimateStatus::NotIdentifiable, "");
     estimate.iterations = search.iterations;
     if (!isDetermined(search)) {
-        estimate.message = isConstant(force) ? constantForce : "this force does not determine m, b and k";
+        estimate.message = isConstant(force)
+                               ? constantForce
+                               : "this force does not determine m, b and k; squeeze with a richer one";
         return estimate;
     }
     if (search.outcome == SearchOutcome::Boundary) {

@@ -298,7 +298,6 @@ Linearization linearize(const OutputErrorProblem& problem, const Eigen::Vector3d
     if (!triangle.allFinite())
         return out;
     const NuisanceProjection projection(triangle, nuisances);
-    out.columnNorms = triangle.middleCols<3>(nuisances).colwise().norm();
     out.sensitivities = projection.rest.leftCols(3);
     out.residual = projection.rest.col(3);
     out.finite = true;

@@ -59,7 +59,6 @@ struct Linearization {
     bool finite = false;
     Eigen::MatrixXd sensitivities; ///< R factor, 3 columns: d x / d theta
     Eigen::VectorXd residual;      ///< its right-hand side
-    Eigen::Vector3d columnNorms;   ///< of d x / d theta before the projection
 };
 [[nodiscard]] Linearization linearize(const OutputErrorProblem& problem, const Eigen::Vector3d& theta,
                                       const ScaledNuisance& nuisance);

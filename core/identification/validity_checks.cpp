@@ -87,9 +87,7 @@ ValidityCheck excitation(const Estimate& estimate)
         estimate.status == EstimateStatus::TooFewSamples) {
         check.ok = false;
         check.decisive = true;
-        check.message =
-            QString::fromStdString(estimate.message) +
-            u". Squeeze with a force that varies, for instance a pseudo-random binary sequence."_s;
+        check.message = QString::fromStdString(estimate.message);
         return check;
     }
     const std::optional<Eigen::Vector3d> errors = estimate.standardErrors();

@@ -33,6 +33,13 @@ QIcon outcomeIcon(InspectionOutcome outcome, double ratio)
     return QIcon(pixmap);
 }
 
+/// Without the year while it is this one: the tool tip has it whole.
+QString shortTime(const QDateTime& time)
+{
+    const bool thisYear = time.date().year() == QDate::currentDate().year();
+    return QLocale().toString(time, thisYear ? u"MM-dd HH:mm"_s : u"yyyy-MM-dd HH:mm"_s);
+}
+
 } // namespace
 
 QString HistoryDelegate::text(const QModelIndex& index)
@@ -42,7 +49,7 @@ QString HistoryDelegate::text(const QModelIndex& index)
     case Column::Number:
         return QString::number(value.toLongLong());
     case Column::Time:
-        return QLocale().toString(value.toDateTime().toLocalTime(), u"yyyy-MM-dd HH:mm"_s);
+        return shortTime(value.toDateTime().toLocalTime());
     case Column::Outcome:
         return outcomeWord(InspectionOutcome(value.toInt()));
     case Column::Posterior:
