@@ -46,7 +46,7 @@ std::optional<double> leadingPosterior(const Verdict& verdict)
 QString joinReasons(const QString& json)
 {
     QStringList sentences;
-    for (const QJsonValue& sentence : QJsonDocument::fromJson(json.toUtf8()).array())
+    for (const QJsonValue sentence : QJsonDocument::fromJson(json.toUtf8()).array())
         sentences.append(sentence.toString());
     return sentences.join(u' ');
 }
