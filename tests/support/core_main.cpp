@@ -5,8 +5,8 @@
 #include <QStandardPaths>
 
 #ifdef __SANITIZE_THREAD__
-// Qt Test has a thread of its own that watches the time; Debian's Qt is built without the sanitizer, which therefore
-// does not see how that thread and the main one agree.
+// Qt Test has a thread of its own that watches the time; Debian's Qt is built without the sanitizer, which
+// therefore does not see how that thread and the main one agree.
 extern "C" const char* __tsan_default_suppressions()
 {
     return "race:QWaitCondition\ncalled_from_lib:libQt6Test\n";
