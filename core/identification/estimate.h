@@ -64,6 +64,18 @@ struct ResidualSummary {
     std::optional<double> errorInflation;
 };
 
+/// A cubic spring: m x'' + b x' + k x + k3 x^3 = F, x measured from the offset. Only `duffing` has one.
+struct CubicSpring {
+    double k3 = 0;
+    Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero(); ///< of (m, b, k, k3)
+};
+
+/// Residuals that are not white: e[t] = sum_i coefficients[i-1] e[t-i] + w[t], w white.
+struct AutoregressiveNoise {
+    std::vector<double> coefficients; ///< empty: white
+    double innovationDeviation = 0;   ///< standard deviation of w, in the position's unit
+};
+
 /// One estimator's answer to one window. `parameters` is empty for every status but Converged and, where a
 /// usable last iterate exists, NotConverged. `covariance` is that of (m, b, k); only finite numbers appear
 /// anywhere.
@@ -73,6 +85,8 @@ struct Estimate {
     std::string message; ///< why the status is what it is, in plain words
     std::optional<MassDampingStiffness> parameters;
     std::optional<Eigen::Matrix3d> covariance;
+    std::optional<CubicSpring> cubic;
+    std::optional<AutoregressiveNoise> noise; ///< the model behind `covariance` where residuals are not white
     Nuisance nuisance;
     std::optional<ArxCoefficients> coefficients;
     Fit fit;

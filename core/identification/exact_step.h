@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/identification/matrix_exponential.h"
 #include "core/signal/recording.h"
 
 #include <Eigen/Core>
-
-#include <unsupported/Eigen/MatrixFunctions>
 
 namespace gripscope {
 
@@ -29,7 +28,7 @@ template <int N>
     generator.template topLeftCorner<N, N>() = a;
     generator.template block<N, 1>(0, N) = b;
     generator(N, N + 1) = 1;
-    const Eigen::Matrix<double, N + 2, N + 2> flow = generator.exp();
+    const Eigen::Matrix<double, N + 2, N + 2> flow = matrixExponential(generator);
     ExactStep<N> step;
     step.phi = flow.template topLeftCorner<N, N>();
     step.gamma0 = flow.template block<N, 1>(0, N);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/signal/measuring_chain.h"
+
 #include <QMap>
 #include <QString>
 
@@ -46,6 +48,7 @@ struct Recording {
     QString positionUnit = QStringLiteral("1");
     std::optional<ForceHold> hold; ///< empty: the source does not say
     double forceLag_s = 0;         ///< how much later the position channel samples than the force channel
+    MeasuringChain chain;          ///< what is known of the device's systematic effects
     std::vector<double> time_s;
     std::vector<double> force;
     std::vector<double> position;
