@@ -9,6 +9,7 @@
 #include "core/store/grasp_writer.h"
 #include "core/store/inspection_table.h"
 #include "core/store/library_private.h"
+#include "core/store/measuring_chain_table.h"
 #include "core/store/migration.h"
 #include "core/store/recording_table.h"
 #include "core/store/type_table.h"
@@ -17,6 +18,9 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
+
+#include <algorithm>
+#include <cmath>
 
 namespace gripscope {
 
@@ -171,6 +175,32 @@ Expected<qint64> Library::countInspections(const HistoryFilter& filter) const
 Expected<InspectionCounts> Library::inspectionCounts() const
 {
     return inspection_table::counts(*d->database);
+}
+
+Expected<void> Library::addMeasuringChain(const NewMeasuringChain& measured)
+{
+    if (measured.gripperSerial.isEmpty())
+        return failure(ErrorCode::Usage,
+                       {u"This gripper has no serial number to keep what was measured under."_s});
+    const MeasuringChain& chain = measured.chain;
+    std::vector<double> numbers{measured.forceLag_s,         chain.forceLagUncertainty_s,
+                                chain.forceScaleUncertainty, chain.positionScaleUncertainty,
+                                chain.frameCompliance,       chain.frameComplianceUncertainty};
+    if (chain.baseline) {
+        numbers.insert(numbers.end(), chain.baseline->parameters.begin(), chain.baseline->parameters.end());
+        numbers.insert(numbers.end(), chain.baseline->standardErrors.begin(),
+                       chain.baseline->standardErrors.end());
+    }
+    if (!std::all_of(numbers.begin(), numbers.end(), [](double value) { return std::isfinite(value); }))
+        return failure(ErrorCode::Usage, {u"A number that was measured of the gripper is not finite."_s});
+    return d->write<void>(u"store what was measured of the gripper"_s, [&] {
+        return measuring_chain_table::insert(*d->database, RowStamp::now(), measured);
+    });
+}
+
+Expected<std::optional<MeasuringChainRecord>> Library::measuringChain(const QString& gripperSerial) const
+{
+    return measuring_chain_table::newest(*d->database, gripperSerial);
 }
 
 } // namespace gripscope

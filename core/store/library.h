@@ -88,6 +88,19 @@ struct InspectionCounts {
     qint64 total = 0, asExpected = 0, otherType = 0, unknown = 0, inconclusive = 0, invalid = 0;
 };
 
+/// What was measured of a gripper's channels.
+struct NewMeasuringChain {
+    QString gripperSerial; ///< whose it is
+    double forceLag_s = 0; ///< how much later the position channel samples than the force channel
+    MeasuringChain chain;
+    QString operatorName;
+    QString basis; ///< how it was measured, in words
+};
+
+struct MeasuringChainRecord : NewMeasuringChain {
+    QDateTime measured;
+};
+
 /// The library of types, squeezes and inspections in one SQLite file. Rows are appended, never overwritten;
 /// keys are UUIDs in time order; every write is one transaction, so a squeeze is stored whole or not at all.
 /// All types of a library have comparable units: channels that can be taken to SI, or all the same units
@@ -144,6 +157,12 @@ public:
     inspections(const HistoryFilter& filter) const; ///< newest first
     [[nodiscard]] Expected<qint64> countInspections(const HistoryFilter& filter) const;
     [[nodiscard]] Expected<InspectionCounts> inspectionCounts() const;
+
+    // Grippers
+    /// What is known of a gripper from now on. Usage: no serial number, or a number that is not finite.
+    [[nodiscard]] Expected<void> addMeasuringChain(const NewMeasuringChain& measured);
+    [[nodiscard]] Expected<std::optional<MeasuringChainRecord>>
+    measuringChain(const QString& gripperSerial) const; ///< the newest
 
     /// Adds the paper's four cans in SI as types A to D with 10 squeezes each, once: nothing when they are
     /// there.

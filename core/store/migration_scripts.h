@@ -6,5 +6,6 @@ namespace gripscope {
 /// The schema as numbered scripts, one file each, never edited after a release (a checksum in every library
 /// sees it).
 extern const char* const migrationScript1;
+extern const char* const migrationScript2;
 
 } // namespace gripscope
