@@ -20,7 +20,7 @@ const std::vector<Command>& commands()
         {u"classify"_qs, u"says which enrolled type each recording shows"_qs, runClassify},
         {u"reproduce-paper"_qs, u"Table 1 of the paper, and what Gripscope adds"_qs, runReproducePaper},
         {u"calibrate"_qs, u"not yet: fits sensor curves"_qs, runCalibrate},
-        {u"study"_qs, u"not yet: Monte Carlo figures of merit"_qs, runStudy},
+        {u"study"_qs, u"repeats experiments with known truth: how good the estimates are"_qs, runStudy},
     };
     return table;
 }
@@ -42,11 +42,6 @@ int notYet(const QString& command, const QStringList& arguments)
 int runCalibrate(const QStringList& arguments)
 {
     return notYet(u"calibrate"_qs, arguments);
-}
-
-int runStudy(const QStringList& arguments)
-{
-    return notYet(u"study"_qs, arguments);
 }
 
 } // namespace gripscope::cli

@@ -28,6 +28,6 @@ int runEnroll(const QStringList& arguments);
 int runClassify(const QStringList& arguments);
 int runReproducePaper(const QStringList& arguments);
 int runCalibrate(const QStringList& arguments); ///< not yet
-int runStudy(const QStringList& arguments);     ///< not yet
+int runStudy(const QStringList& arguments);
 
 } // namespace gripscope::cli

@@ -36,6 +36,8 @@ private slots:
         QTest::newRow("enroll") << QStringList{u"library"_s, u"type"_s, u"sample-time"_s};
         QTest::newRow("classify") << QStringList{u"library"_s, u"false-reject"_s, u"wrong-type"_s};
         QTest::newRow("reproduce-paper") << QStringList{};
+        QTest::newRow("study") << QStringList{u"runs"_s, u"seed"_s, u"estimators"_s, u"settings"_s,
+                                              u"threads"_s};
     }
     void helpIsThereForEveryCommand()
     {
@@ -75,6 +77,10 @@ private slots:
             "virtual:");
         row("no output", {u"simulate"_s, u"--object"_s, u"1,1,1"_s}, "-o");
         row("an object that is none", {u"simulate"_s, u"--object"_s, u"1,1"_s, u"-o"_s, u"x.csv"_s}, "m,b,k");
+        row("no such study", {u"study"_s, u"efficency"_s}, "efficiency");
+        row("an estimator the study lacks", {u"study"_s, u"efficiency"_s, u"--estimators"_s, u"ols"_s},
+            "arx-mean-force");
+        row("no such setting", {u"study"_s, u"efficiency"_s, u"--settings"_s, u"E"_s}, "A-prbs-90-200");
         row("no cluster", {u"cluster"_s, u"t.csv"_s, u"--clusters"_s, u"0"_s}, "clusters");
     }
     void whatCannotBeUnderstoodIsExit2()
@@ -92,7 +98,7 @@ private slots:
         m_work.write(u"table.csv"_s, "m,b,k\n1,2,3\n4,5,6\n");
         m_work.write(u"r.csv"_s, "u,y\n1,2\n2,3\n");
         QTest::newRow("calibrate") << QStringList{u"calibrate"_s, u"points.csv"_s, u"--degree"_s, u"2"_s};
-        QTest::newRow("study") << QStringList{u"study"_s, u"efficiency"_s};
+        QTest::newRow("study") << QStringList{u"study"_s, u"recognition"_s};
         for (const QString& estimator : {u"iv"_s, u"duffing"_s, u"periodic"_s})
             QTest::newRow(qPrintable(estimator))
                 << QStringList{u"identify"_s, u"--estimator"_s, estimator, u"r.csv"_s};

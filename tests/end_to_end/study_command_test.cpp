@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/end_to_end/program_run.h"
+#include "tests/support/test_registry.h"
+
+using namespace gripscope::test;
+using namespace Qt::StringLiterals;
+
+class StudyCommandTest : public QObject {
+    Q_OBJECT
+private:
+    Workplace m_work;
+
+private slots:
+    void efficiencyIsOneDocumentWithARowASettingAndPooled()
+    {
+        const ProgramRun run = m_work.cli({u"study"_s, u"efficiency"_s, u"--runs"_s, u"20"_s, u"--settings"_s,
+                                           u"200,95"_s, u"--estimators"_s, u"oe,arx"_s, u"--json"_s});
+        QCOMPARE(run.exit, 0);
+        QVERIFY(run.err.contains("100 %"));
+        const QJsonObject document = run.json();
+        const QJsonArray settings = document[u"settings"].toArray();
+        QCOMPARE(settings.size(), 4 * 2 * 2);
+        const QJsonObject first = settings[0].toObject();
+        QCOMPARE(first[u"setting"].toString(), u"A-prbs-95-200"_s);
+        QCOMPARE(first[u"estimator"].toString(), u"oe"_s);
+        QCOMPARE(first[u"used"].toInt(), 20);
+        QCOMPARE(first[u"excitation"][u"bit_s"].toDouble(), 0.5);
+        QVERIFY(first[u"parameters"][u"k"][u"ratio"].toDouble() > 0.5);
+        const QJsonObject multisine = settings[2].toObject();
+        QCOMPARE(multisine[u"excitation"][u"harmonics"].toArray(), (QJsonArray{1, 2, 3, 4}));
+        QCOMPARE(document[u"pooled"].toArray().size(), 2);
+        // What the paper's estimator loses is no matter of luck: its error is many times the bound.
+        QVERIFY(document[u"pooled"][0][u"ratio"].toDouble() < 1.5);
+        QVERIFY(document[u"pooled"][1][u"ratio"].toDouble() > 5);
+    }
+    void theTableSaysTheSameInText()
+    {
+        const ProgramRun run = m_work.cli(
+            {u"study"_s, u"efficiency"_s, u"--runs"_s, u"5"_s, u"--settings"_s, u"A-prbs-90-200"_s});
+        QCOMPARE(run.exit, 0);
+        QVERIFY(run.out.contains("A-prbs-90-200"));
+        QVERIFY(run.out.contains("of 5 runs failed"));
+    }
+};
+
+GRIPSCOPE_TEST(StudyCommandTest)
+#include "study_command_test.moc"
