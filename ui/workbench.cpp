@@ -199,11 +199,26 @@ void Workbench::noticeConnection()
     if (now != d->seen) {
         const bool opened = now.state == ConnectSession::State::Connected && d->seen.state != now.state;
         d->seen = now;
-        if (opened)
+        if (opened) {
             d->history.reset(d->connection.identity().sampleTime_s);
+            applyMeasuringChain(now.serial);
+        }
         emit connectionChanged();
     }
     noticeError(d->connectionError, d->connection.lastError());
+}
+
+void Workbench::applyMeasuringChain(const QString& serial)
+{
+    using Found = std::optional<MeasuringChainRecord>;
+    ask<Found>(
+        this, [serial](Library& library) { return library.measuringChain(serial); },
+        [this, serial](const Expected<Found>& found) {
+            if (!found)
+                return report(found.error().describe());
+            if (*found && d->seen.serial == serial)
+                d->connection.setMeasuringChain((*found)->forceLag_s, (*found)->chain);
+        });
 }
 
 void Workbench::noticeEnrollment()

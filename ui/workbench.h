@@ -104,6 +104,7 @@ private:
     void runInPool(std::function<void()> work);
     void tick();
     void noticeConnection();
+    void applyMeasuringChain(const QString& serial); ///< what the library knows of this gripper
     void noticeEnrollment();
     void noticeInspection();
     void noticeError(std::optional<Error>& known, const std::optional<Error>& now);

@@ -20,6 +20,8 @@ struct ConnectSession::Private {
     GripperIdentity
         identity; // of the last gripper that answered, so that it can still be named once it is lost
     LinkCounters counters;
+    std::optional<double> measuredLag_s;
+    MeasuringChain chain;
     std::map<int, SampleListener> listeners;
     int nextHandle = 1;
     std::vector<Sample> batch;
@@ -102,6 +104,8 @@ Expected<void> ConnectSession::connectTo(const QString& address)
     d->identity = {};
     d->identity.address = address;
     d->counters = {};
+    d->measuredLag_s.reset();
+    d->chain = {};
     d->state = State::Connecting;
     d->port->open();
     return {};
@@ -196,6 +200,22 @@ void ConnectSession::stop() noexcept
 {
     if (d->port)
         d->port->stop();
+}
+
+void ConnectSession::setMeasuringChain(double forceLag_s, const MeasuringChain& chain)
+{
+    d->measuredLag_s = forceLag_s;
+    d->chain = chain;
+}
+
+double ConnectSession::forceLag_s() const
+{
+    return d->measuredLag_s.value_or(d->identity.forceLag_s);
+}
+
+const MeasuringChain& ConnectSession::measuringChain() const
+{
+    return d->chain;
 }
 
 int ConnectSession::addListener(SampleListener listener)

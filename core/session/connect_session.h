@@ -47,6 +47,12 @@ public:
     void disarm();
     void stop() noexcept;
 
+    /// What was measured of this gripper's channels: recordings carry it from now on, until the next
+    /// connectTo().
+    void setMeasuringChain(double forceLag_s, const MeasuringChain& chain);
+    [[nodiscard]] double forceLag_s() const; ///< as measured, else as the gripper says
+    [[nodiscard]] const MeasuringChain& measuringChain() const;
+
     /// Called in poll() with each batch of new samples; returns a handle for removeListener(). A listener may
     /// add and remove listeners, itself too.
     int addListener(SampleListener listener);

@@ -111,7 +111,8 @@ void SqueezeJob::Private::begin(std::size_t samples, QMap<QString, QString> prov
     recording.forceUnit = identity.forceUnit;
     recording.positionUnit = identity.positionUnit;
     recording.hold = identity.hold;
-    recording.forceLag_s = identity.forceLag_s;
+    recording.forceLag_s = connection.forceLag_s();
+    recording.chain = connection.measuringChain();
     recording.provenance = std::move(provenance);
     recorder.begin(listening ? SqueezeRecorder::Mode::Everything : SqueezeRecorder::Mode::Movement, samples,
                    identity.sampleTime_s);

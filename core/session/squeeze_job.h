@@ -25,9 +25,9 @@ namespace gripscope {
 /// poll().
 ///
 /// The recording goes from 20 ms before the device reports that it moves to 20 ms after it stopped to; it has
-/// the sample time, hold, lag and units of the device's identity, every sample's sequence number and status,
-/// and in its provenance: device, serial, address, firmware, excitation (kind, peak, bias, bit, seed),
-/// operator and UTC time.
+/// the sample time, hold and units of the device's identity, what is known of its channels (lag, chain),
+/// every sample's sequence number and status, and in its provenance: device, serial, address, firmware,
+/// excitation (kind, peak, bias, bit, seed), operator and UTC time.
 class SqueezeJob {
 public:
     enum class State { Idle, Starting, Squeezing, Done, Failed };

@@ -86,6 +86,23 @@ private slots:
         QCOMPARE(all.first, std::size_t(40));
         QCOMPARE(all.count, std::size_t(500));
     }
+    void whatWasMeasuredOfTheChannelsGoesIntoTheRecordingUntilAnotherGripperComes()
+    {
+        gripper().identity.forceLag_s = 0.0001;
+        m_connection->session.poll();
+        MeasuringChain chain;
+        chain.forceLagUncertainty_s = 2e-6;
+        m_connection->session.setMeasuringChain(0.00012, chain);
+        QVERIFY(m_job->start(m_recipe, 3));
+        QVERIFY(finish());
+        QCOMPARE(m_job->recording().forceLag_s, 0.00012);
+        QVERIFY(m_job->recording().chain == chain);
+
+        QVERIFY(m_connection->session.connectTo(QStringLiteral("fake:")));
+        m_connection->session.poll();
+        QCOMPARE(m_connection->session.forceLag_s(), 0.0001);
+        QVERIFY(m_connection->session.measuringChain() == MeasuringChain());
+    }
     void theProvenanceSaysWhereItComesFrom()
     {
         m_job->setOperator(QStringLiteral("Ada"));
