@@ -112,6 +112,7 @@ Recording slice(const Recording& recording, Window window)
     out.positionUnit = recording.positionUnit;
     out.hold = recording.hold;
     out.forceLag_s = recording.forceLag_s;
+    out.chain = recording.chain;
     out.provenance = recording.provenance;
     out.time_s = part(recording.time_s, window);
     out.force = part(recording.force, window);

@@ -2,6 +2,7 @@
 #include "core/signal/recording_csv.h"
 
 #include "core/signal/csv_line_reader.h"
+#include "core/signal/measuring_chain_csv.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -115,7 +116,16 @@ Expected<void> RecordingParser::readSetting(std::string_view key, std::string_vi
     } else if (key == "position_unit") {
         m_recording.positionUnit = text(value);
     } else {
-        m_recording.provenance.insert(text(key), text(value));
+        switch (setMeasuringChain(m_recording.chain, key, value)) {
+        case ChainSetting::Taken:
+            break;
+        case ChainSetting::NoSuchKey:
+            m_recording.provenance.insert(text(key), text(value));
+            break;
+        case ChainSetting::BadValue:
+            return m_lines.bad(1, u"found %1: %2"_s.arg(text(key), quoted(value)),
+                               measuringChainExpectation(key));
+        }
     }
     return {};
 }

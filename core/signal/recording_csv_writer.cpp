@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/signal/measuring_chain_csv.h"
 #include "core/signal/recording_csv.h"
 
 #include <QSaveFile>
@@ -45,6 +46,7 @@ void appendHead(QByteArray& text, const Recording& recording)
     text += "# force_lag_s: ";
     append(text, recording.forceLag_s);
     text += '\n';
+    text += measuringChainLines(recording.chain);
     for (auto it = recording.provenance.begin(); it != recording.provenance.end(); ++it)
         appendSetting(text, it.key(), it.value());
 }

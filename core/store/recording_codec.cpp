@@ -12,7 +12,8 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr char magic[4] = {'G', 'S', 'R', 'B'};
-constexpr std::uint16_t version = 1;
+constexpr std::uint16_t plainVersion = 1;
+constexpr std::uint16_t chainVersion = 2;
 enum Columns : std::uint8_t { HasSequence = 1, HasStatus = 2 };
 
 class Writer {
@@ -101,6 +102,40 @@ std::uint8_t holdCode(const std::optional<ForceHold>& hold)
     return !hold ? 0 : *hold == ForceHold::Zero ? 1 : 2;
 }
 
+void putChain(Writer& out, const MeasuringChain& chain)
+{
+    out.put(chain.forceLagUncertainty_s);
+    out.put(chain.forceScaleUncertainty);
+    out.put(chain.positionScaleUncertainty);
+    out.put(chain.frameCompliance);
+    out.put(chain.frameComplianceUncertainty);
+    out.put(std::uint8_t(chain.baseline ? 1 : 0));
+    if (!chain.baseline)
+        return;
+    for (const double value : chain.baseline->parameters)
+        out.put(value);
+    for (const double value : chain.baseline->standardErrors)
+        out.put(value);
+}
+
+MeasuringChain getChain(Reader& in)
+{
+    MeasuringChain chain;
+    chain.forceLagUncertainty_s = in.get<double>();
+    chain.forceScaleUncertainty = in.get<double>();
+    chain.positionScaleUncertainty = in.get<double>();
+    chain.frameCompliance = in.get<double>();
+    chain.frameComplianceUncertainty = in.get<double>();
+    if (in.get<std::uint8_t>() == 0)
+        return chain;
+    chain.baseline.emplace();
+    for (double& value : chain.baseline->parameters)
+        value = in.get<double>();
+    for (double& value : chain.baseline->standardErrors)
+        value = in.get<double>();
+    return chain;
+}
+
 tl::unexpected<Error> damaged(const QString& reason)
 {
     return failure(ErrorCode::StorageCorrupt, {u"A recording"_s, reason});
@@ -117,7 +152,8 @@ Expected<QByteArray> encodeRecording(const Recording& recording)
         return failure(ErrorCode::Usage, {u"The channels of the recording differ in length."_s});
     Writer out;
     out.raw(magic, sizeof(magic));
-    out.put(version);
+    const bool hasChain = !(recording.chain == MeasuringChain());
+    out.put(hasChain ? chainVersion : plainVersion);
     out.put(recording.sampleTime_s);
     out.put(recording.forceLag_s);
     out.put(holdCode(recording.hold));
@@ -136,6 +172,8 @@ Expected<QByteArray> encodeRecording(const Recording& recording)
     out.put(recording.position);
     out.put(recording.sequence);
     out.put(recording.status);
+    if (hasChain)
+        putChain(out, recording.chain);
     return out.take();
 }
 
@@ -145,8 +183,10 @@ Expected<Recording> decodeRecording(const QByteArray& bytes)
         return damaged(u"it does not begin like one"_s);
     const QByteArray body = bytes.mid(sizeof(magic));
     Reader in(body);
-    if (const auto found = in.get<std::uint16_t>(); found != version)
-        return damaged(u"its layout has version %1; this program knows %2"_s.arg(found).arg(version));
+    const auto version = in.get<std::uint16_t>();
+    if (version != plainVersion && version != chainVersion)
+        return damaged(
+            u"its layout has version %1; this program knows up to %2"_s.arg(version).arg(chainVersion));
     Recording recording;
     recording.sampleTime_s = in.get<double>();
     recording.forceLag_s = in.get<double>();
@@ -170,6 +210,8 @@ Expected<Recording> decodeRecording(const QByteArray& bytes)
         in.get(recording.sequence, samples);
     if (columns & HasStatus)
         in.get(recording.status, samples);
+    if (version == chainVersion)
+        recording.chain = getChain(in);
     if (!in.ok() || !in.atEnd())
         return damaged(u"it is shorter or longer than it says"_s);
     return recording;

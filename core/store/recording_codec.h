@@ -11,13 +11,20 @@ namespace gripscope {
 /// The bytes of a recording as the library keeps them, every number bit for bit. All values little-endian,
 /// doubles as IEEE 754 binary64, texts as a 32-bit count of bytes followed by UTF-8:
 ///
-///     "GSRB"  u16 version = 1
+///     "GSRB"  u16 version (1, or 2 with a measuring chain at the end)
 ///     f64 sampleTime_s   f64 forceLag_s   u8 hold (0: not said, 1: zero-order, 2: first-order)
 ///     text forceUnit   text positionUnit
 ///     u32 n   n times (text key, text value)           provenance, sorted by key
 ///     u64 samples   u8 columns (1: sequence, 2: status)
 ///     f64 time_s[samples]   f64 force[samples]   f64 position[samples]
 ///     u64 sequence[samples]  if columns & 1      u16 status[samples]  if columns & 2
+///
+/// and in version 2, written only for a chain that is not the default, so that all else stays readable to
+/// programs that know version 1 alone:
+///
+///     f64 forceLagUncertainty_s, forceScaleUncertainty, positionScaleUncertainty, frameCompliance,
+///         frameComplianceUncertainty      u8 has a baseline (0, 1)
+///     f64 parameters[3]   f64 standardErrors[3]        if it has one
 ///
 /// Usage when the channels differ in length.
 [[nodiscard]] Expected<QByteArray> encodeRecording(const Recording& recording);

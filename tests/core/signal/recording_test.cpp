@@ -115,6 +115,7 @@ private slots:
         recording.positionUnit = u"mm"_s;
         recording.hold = ForceHold::Zero;
         recording.forceLag_s = 1e-4;
+        recording.chain.frameCompliance = 1e-5;
         recording.provenance.insert(u"operator"_s, u"Ada"_s);
         const Recording part = slice(recording, {10, 5});
         QCOMPARE(part.size(), std::size_t(5));
@@ -124,6 +125,7 @@ private slots:
         QCOMPARE(part.status.size(), std::size_t(5));
         QVERIFY(part.hold == ForceHold::Zero);
         QCOMPARE(part.forceLag_s, 1e-4);
+        QVERIFY(part.chain == recording.chain);
         QCOMPARE(part.positionUnit, u"mm"_s);
         QCOMPARE(part.provenance, recording.provenance);
     }

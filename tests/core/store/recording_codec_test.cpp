@@ -75,6 +75,29 @@ private slots:
                                 "0000000000000000 0000000000000040 000000000000f0bf 0201");
         QCOMPARE(valueOf(encodeRecording(recording)).toHex(), wanted.toHex());
     }
+    void theMeasuringChainComesBack_data()
+    {
+        QTest::addColumn<bool>("baseline");
+        QTest::newRow("without a baseline") << false;
+        QTest::newRow("with one") << true;
+    }
+    void theMeasuringChainComesBack()
+    {
+        QFETCH(bool, baseline);
+        Recording recording = awkwardRecording(3);
+        recording.chain = {1.0 / 3e5, 0.001, 0.002, 1e-5, 1e-7, std::nullopt};
+        if (baseline)
+            recording.chain.baseline = GripperBaseline{{0.0025, 1.0 / 7, 12}, {1e-5, 0.01, 2}};
+        const QByteArray bytes = valueOf(encodeRecording(recording));
+        QVERIFY(valueOf(decodeRecording(bytes)) == recording);
+        for (qsizetype size = 0; size < bytes.size(); ++size)
+            QCOMPARE(decodeRecording(bytes.left(size)).error().code, ErrorCode::StorageCorrupt);
+        QCOMPARE(decodeRecording(bytes + '\0').error().code, ErrorCode::StorageCorrupt);
+    }
+    void withoutAChainTheOldLayoutIsKept()
+    {
+        QCOMPARE(int(valueOf(encodeRecording(awkwardRecording(1)))[4]), 1);
+    }
     void channelsOfDifferentLengthAreRefused()
     {
         Recording recording = awkwardRecording(3);
