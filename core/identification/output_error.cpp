@@ -3,6 +3,7 @@
 
 #include "core/identification/discretization.h"
 #include "core/identification/fit.h"
+#include "core/identification/output_error_problem.h"
 #include "core/identification/output_error_residuals.h"
 #include "core/identification/output_error_search.h"
 #include "core/identification/output_error_start.h"
@@ -11,6 +12,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -41,32 +43,6 @@ bool isConstant(const std::vector<double>& values)
     return std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); });
 }
 
-OutputErrorProblem scaledProblem(const std::vector<double>& force, const std::vector<double>& position,
-                                 const OutputErrorOptions& options)
-{
-    OutputErrorProblem problem;
-    problem.hold = options.hold;
-    problem.lag = LagAlignment(options.lag_s, options.sampleTime_s);
-    problem.freeInitialState = options.freeInitialState;
-    problem.freeOffset = options.freeOffset;
-    problem.sampleTime_s = options.sampleTime_s;
-    problem.forceScale = powerOfTwoScale(force);
-    problem.force.reserve(force.size());
-    for (const double value : force)
-        problem.force.push_back(value / problem.forceScale);
-    problem.position = position;
-    if (options.freeOffset) {
-        // A free offset takes any constant up; without the largest part of it less is lost to rounding.
-        problem.positionShift = position.front();
-        for (double& value : problem.position)
-            value -= problem.positionShift;
-    }
-    problem.positionScale = powerOfTwoScale(problem.position);
-    for (double& value : problem.position)
-        value /= problem.positionScale;
-    return problem;
-}
-
 Nuisance nuisanceInChannelUnits(const OutputErrorProblem& problem, const ScaledNuisance& scaled)
 {
     Nuisance nuisance;
@@ -79,10 +55,20 @@ Nuisance nuisanceInChannelUnits(const OutputErrorProblem& problem, const ScaledN
     return nuisance;
 }
 
-/// Model output, residuals, fits and their tests at the solution.
-void describeResiduals(const OutputErrorProblem& problem, const SearchResult& search,
-                       const std::vector<double>& force, const std::vector<double>& position,
-                       const OutputErrorOptions& options, Estimate& estimate)
+/// The force with the values found for the lost samples.
+std::vector<double> completedForce(const OutputErrorProblem& problem, const ScaledNuisance& nuisance,
+                                   const std::vector<double>& force)
+{
+    std::vector<double> completed = force;
+    for (std::size_t i = 0; i < problem.lost.size(); ++i)
+        completed[problem.lost[i]] = nuisance.lostForces[i] * problem.forceScale;
+    return completed;
+}
+
+/// Model output and residuals; nothing was measured at the lost samples, so there the residual is zero.
+void simulateSolution(const OutputErrorProblem& problem, const std::vector<double>& completedForce,
+                      const std::vector<double>& position, const OutputErrorOptions& options,
+                      Estimate& estimate)
 {
     const SimulationOptions simulation{options.sampleTime_s,
                                        options.hold,
@@ -90,22 +76,47 @@ void describeResiduals(const OutputErrorProblem& problem, const SearchResult& se
                                        estimate.nuisance.x0.value_or(0),
                                        estimate.nuisance.v0.value_or(0),
                                        estimate.nuisance.offset.value_or(0)};
-    estimate.simulated = simulate(*estimate.parameters, force, simulation);
+    estimate.simulated = simulate(*estimate.parameters, completedForce, simulation);
     estimate.residual.resize(position.size());
     for (std::size_t i = 0; i < position.size(); ++i)
         estimate.residual[i] = position[i] - estimate.simulated[i];
-    const auto first = static_cast<std::size_t>(problem.firstRow());
-    const auto rows = static_cast<std::size_t>(problem.rows());
-    const std::span<const double> used = std::span(position).subspan(first, rows);
+    for (const std::size_t lost : problem.lost)
+        estimate.residual[lost] = 0;
+}
+
+/// Those of the rows used that were measured.
+std::vector<double> measuredOnly(const OutputErrorProblem& problem, const std::vector<double>& values)
+{
+    std::vector<double> measured;
+    measured.reserve(static_cast<std::size_t>(problem.rows()));
+    auto lost = problem.lost.begin();
+    const auto end = static_cast<std::size_t>(problem.endRow());
+    for (auto t = static_cast<std::size_t>(problem.firstRow()); t < end; ++t) {
+        while (lost != problem.lost.end() && *lost < t)
+            ++lost;
+        if (lost == problem.lost.end() || *lost != t)
+            measured.push_back(values[t]);
+    }
+    return measured;
+}
+
+/// Fits, residuals and their tests at the solution.
+void describeResiduals(const OutputErrorProblem& problem, const SearchResult& search,
+                       const std::vector<double>& force, const std::vector<double>& position,
+                       const OutputErrorOptions& options, Estimate& estimate)
+{
+    simulateSolution(problem, completedForce(problem, search.linear.nuisance, force), position, options,
+                     estimate);
+    const std::vector<double> residual = measuredOnly(problem, estimate.residual);
     estimate.fit.simulationPercent =
-        fitPercent(used, std::span<const double>(estimate.simulated).subspan(first, rows));
+        fitPercent(measuredOnly(problem, position), measuredOnly(problem, estimate.simulated));
     estimate.fit.predictionPercent = estimate.fit.simulationPercent;
-    for (const double e : std::span<const double>(estimate.residual).subspan(first, rows))
+    for (const double e : residual)
         estimate.residuals.sse += e * e;
     estimate.residuals.sse = std::min(estimate.residuals.sse, std::numeric_limits<double>::max());
     estimate.residuals.degreesOfFreedom =
-        static_cast<double>(problem.rows() - 3 - search.response.nuisanceRank);
-    const OutputErrorResiduals tests = testOutputError(problem, search.theta, search.response.nuisance);
+        static_cast<double>(problem.measuredRows() - 3 - search.linear.nuisanceRank);
+    const OutputErrorResiduals tests = testOutputError(problem, search.theta, search.linear.nuisance);
     estimate.residuals.whitenessP = tests.whitenessP;
     estimate.residuals.inputIndependenceP = tests.inputIndependenceP;
     estimate.residuals.errorInflation = tests.errorInflation;
@@ -115,8 +126,8 @@ void describeResiduals(const OutputErrorProblem& problem, const SearchResult& se
 std::optional<Eigen::Matrix3d> covarianceOf(const SearchResult& search,
                                             const MassDampingStiffness& parameters, double degreesOfFreedom)
 {
-    const Eigen::Matrix3d inverse = search.triangle.inverse();
-    const double variance = search.response.cost / degreesOfFreedom;
+    const Eigen::Matrix3d inverse = search.linear.triangle.inverse();
+    const double variance = search.linear.cost / degreesOfFreedom;
     const Eigen::Vector3d p = parameters.vector();
     const Eigen::Matrix3d covariance =
         variance * (p.asDiagonal() * inverse * inverse.transpose() * p.asDiagonal());
@@ -126,8 +137,8 @@ std::optional<Eigen::Matrix3d> covarianceOf(const SearchResult& search,
 /// What the search found is more than rounding.
 bool isDetermined(const SearchResult& search)
 {
-    return search.response.finite && search.response.ownShare >= smallestOwnShare &&
-           scaledConditionNumber(search.triangle) <= largestCondition;
+    return search.linear.finite && search.linear.ownShare >= smallestOwnShare &&
+           scaledConditionNumber(search.linear.triangle) <= largestCondition;
 }
 
 /// The search ended at an optimum and the data determines it.
@@ -150,8 +161,7 @@ public:
             if (!start.allFinite())
                 continue;
             const SearchResult search = searchOutputError(m_problem, start, m_maxIterations);
-            const bool better =
-                isSettled(search) && (!settled() || search.response.cost < m_best->response.cost);
+            const bool better = isSettled(search) && (!settled() || search.linear.cost < m_best->linear.cost);
             if (!m_best || better)
                 m_best = search;
             if (settled())
@@ -183,6 +193,18 @@ std::optional<SearchResult> findSolution(const OutputErrorProblem& problem, cons
     return tries.best();
 }
 
+/// What lost samples add to the unknowns: a force each, but no more than a fresh state after a gap.
+std::ptrdiff_t unknownForces(const OutputErrorProblem& problem)
+{
+    std::ptrdiff_t count = 0;
+    std::ptrdiff_t run = 0;
+    for (std::size_t i = 0; i < problem.lost.size(); ++i) {
+        run = i > 0 && problem.lost[i] == problem.lost[i - 1] + 1 ? run + 1 : 1;
+        count += run <= 2 ? 1 : 0;
+    }
+    return count;
+}
+
 const char* boundaryMessage(const SearchResult& search)
 {
     static constexpr std::array<const char*, 3> toZero{
@@ -206,22 +228,25 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
     if (static_cast<int>(std::min<std::size_t>(force.size(), 100)) <= parameterCount)
         return failed(EstimateStatus::TooFewSamples,
                       "there are fewer samples than output error has unknowns; record for longer");
-    const OutputErrorProblem problem = scaledProblem(force, position, options);
+    const OutputErrorProblem problem = makeOutputErrorProblem(force, position, options);
     if (problem.rows() <= parameterCount)
         return failed(EstimateStatus::TooFewSamples, "the lag between the channels leaves too few samples");
-    if (isConstant(position))
+    if (problem.measuredRows() <= parameterCount + unknownForces(problem))
+        return failed(EstimateStatus::TooFewSamples,
+                      "too many samples are lost; check the connection and record again");
+    if (isConstant(problem.position))
         return failed(
             EstimateStatus::NotIdentifiable,
             "the position does not change; check that the fingers hold the object and that the sensor works");
 
     const std::optional<SearchResult> found = findSolution(problem, options);
     if (!found)
-        return failed(EstimateStatus::NotIdentifiable, isConstant(force) ? constantForce : noAnswer);
+        return failed(EstimateStatus::NotIdentifiable, isConstant(problem.force) ? constantForce : noAnswer);
     const SearchResult& search = *found;
     Estimate estimate = failed(EstimateStatus::NotIdentifiable, "");
     estimate.iterations = search.iterations;
     if (!isDetermined(search)) {
-        estimate.message = isConstant(force)
+        estimate.message = isConstant(problem.force)
                                ? constantForce
                                : "this force does not determine m, b and k; squeeze with a richer one";
         return estimate;
@@ -237,7 +262,7 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
         return estimate;
     }
     estimate.parameters = parameters;
-    estimate.nuisance = nuisanceInChannelUnits(problem, search.response.nuisance);
+    estimate.nuisance = nuisanceInChannelUnits(problem, search.linear.nuisance);
     estimate.status =
         search.outcome == SearchOutcome::Converged ? EstimateStatus::Converged : EstimateStatus::NotConverged;
     estimate.message = search.outcome == SearchOutcome::Converged ? "converged" : "the search did not settle";
@@ -251,13 +276,13 @@ std::optional<double> sseUnderOtherHold(const std::vector<double>& force, const 
 {
     OutputErrorOptions other = options;
     other.hold = options.hold == ForceHold::Zero ? ForceHold::First : ForceHold::Zero;
-    const OutputErrorProblem problem = scaledProblem(force, position, other);
+    const OutputErrorProblem problem = makeOutputErrorProblem(force, position, other);
     // A few iterations will do: the two optima are close, and a cost that is a little high is on the safe
     // side.
     constexpr int iterations = 10;
     const SearchResult search = searchOutputError(problem, problem.toTheta(found), iterations);
-    const double sse = search.response.cost * problem.positionScale * problem.positionScale;
-    return search.response.finite && std::isfinite(sse) ? std::optional(sse) : std::nullopt;
+    const double sse = search.linear.cost * problem.positionScale * problem.positionScale;
+    return search.linear.finite && std::isfinite(sse) ? std::optional(sse) : std::nullopt;
 }
 
 } // namespace gripscope

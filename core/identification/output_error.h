@@ -15,16 +15,19 @@ struct OutputErrorOptions {
     double lag_s = 0; ///< how much later the position channel samples than the force channel
     bool freeInitialState = true;
     bool freeOffset = true;
+    /// Indexes where neither force nor position was measured (the values there are ignored). A lost force is
+    /// one more unknown, its position is no row of the sum.
+    std::vector<std::size_t> lost;
     std::optional<MassDampingStiffness> start; ///< empty: found from the data
     int maxIterations = 200;
 };
 
-/// Minimises sum (y - x(m, b, k, x0, v0, offset))^2, x the exact response of m x'' + b x' + k x = F to the
-/// force as it is held. Levenberg-Marquardt in ln m, ln b, ln k with exact sensitivities; x0, v0 and offset,
-/// which enter linearly, are solved for at every step. Under white Gaussian position noise and known force
-/// this is the maximum-likelihood estimate: it reaches the Cramer-Rao bound, and `covariance` = s^2 (J'J)^-1
-/// is that bound with s^2 = SSE / (N - p), p counting m, b, k and every free nuisance (Ljung, System
-/// Identification, ch. 7 and 9).
+/// Minimises sum (y - x(m, b, k, x0, v0, offset, lost forces))^2 over the measured samples, x the exact
+/// response of m x'' + b x' + k x = F to the force as it is held. Levenberg-Marquardt in ln m, ln b, ln k
+/// with exact sensitivities; x0, v0 and offset, which enter linearly, are solved for at every step. Under
+/// white Gaussian position noise and known force this is the maximum-likelihood estimate: it reaches the
+/// Cramer-Rao bound, and `covariance` = s^2 (J'J)^-1 is that bound with s^2 = SSE / (N - p), p counting m, b,
+/// k and every free nuisance (Ljung, System Identification, ch. 7 and 9).
 ///
 /// All numbers must be finite, force and position equally long, the sample time positive. Statuses:
 /// Converged; NotConverged with the last iterate; TooFewSamples when N <= p; NotIdentifiable with words when

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/output_error_model.h"
 
-#include "core/identification/exact_step.h"
-#include "core/identification/tall_qr.h"
-
-#include <Eigen/QR>
+#include "core/identification/column_elimination.h"
+#include "core/identification/output_error_cascade.h"
 
 #include <cmath>
 
@@ -15,293 +13,243 @@ namespace {
 /// Columns whose angle to the others is below this are taken for dependent: rounding makes it about 1e-15.
 constexpr double dependent = 1e-12;
 
-/// Far below anything that counts beside positions of about 1, far above denormal numbers and their squares.
-constexpr double vanishing = 1e-150;
+/// Share of the sensitivities' power below which a change of the linear unknowns leaves the step good.
+constexpr double settledShare = 1e-3;
 
-/// M, B, K as the matrices need them. Velocities are counted in units of `speed`, the natural frequency where
-/// that is above one radian a sample, so that the matrices stay balanced.
-struct Dynamics {
-    double stiffness, damping, compliance, speed;
-
-    explicit Dynamics(const Eigen::Vector3d& theta)
-        : stiffness(std::exp(theta(2) - theta(0))), damping(std::exp(theta(1) - theta(0))),
-          compliance(std::exp(-theta(0))), speed(std::max(1.0, std::sqrt(stiffness)))
-    {
-    }
-    [[nodiscard]] bool finite() const
-    {
-        return std::isfinite(stiffness) && std::isfinite(damping) && std::isfinite(compliance) &&
-               compliance > 0;
-    }
-    /// Of the state (x, x' / speed).
-    [[nodiscard]] Eigen::Matrix2d motion() const
-    {
-        Eigen::Matrix2d a;
-        a << 0, speed, -stiffness / speed, -damping;
-        return a;
-    }
-    /// Of the state (x, x'/speed, w speed^2, w' speed), w'' + (B/M) w' + (K/M) w = x.
-    [[nodiscard]] Eigen::Matrix4d cascade() const
-    {
-        Eigen::Matrix4d a = Eigen::Matrix4d::Zero();
-        a.topLeftCorner<2, 2>() = motion();
-        a.bottomRightCorner<2, 2>() = motion();
-        a(3, 0) = speed;
-        return a;
-    }
-};
-
-/// exactStep() over the share `part` of a sample for a force of size 1 / M.
-template <int N>
-ExactStep<N> stepOver(const Eigen::Matrix<double, N, N>& a, double part, const Dynamics& dynamics,
-                      ForceHold hold)
+/// Walks through the measured rows: `use(index)` at each, `advance()` between them.
+template <typename Use, typename Advance>
+void forEachMeasuredRow(const OutputErrorProblem& problem, CascadeWalk& walk, const Use& use,
+                        const Advance& advance)
 {
-    Eigen::Matrix<double, N, 1> b = Eigen::Matrix<double, N, 1>::Zero();
-    b(1) = part / dynamics.speed;
-    ExactStep<N> step = exactStep<N>(a * part, b, hold);
-    step.gamma0 *= dynamics.compliance;
-    step.gamma1 *= dynamics.compliance;
-    return step;
+    const std::ptrdiff_t shift = problem.lag.samples;
+    const std::ptrdiff_t begin = problem.firstRow() + shift;
+    const std::ptrdiff_t end = problem.endRow() + shift;
+    auto lost = problem.lost.begin();
+    while (walk.time() < end) {
+        if (walk.time() >= begin) {
+            const auto index = static_cast<std::size_t>(walk.time() - shift);
+            while (lost != problem.lost.end() && *lost < index)
+                ++lost;
+            if (lost == problem.lost.end() || *lost != index)
+                use(index);
+        }
+        walk.advance();
+        advance();
+    }
 }
 
-/// Runs a state of N numbers through the record, sample by sample, and shows it at the times of the
-/// positions.
-template <int N>
-class Recursion {
-public:
-    Recursion(const OutputErrorProblem& problem, const Eigen::Matrix<double, N, N>& a,
-              const Dynamics& dynamics)
-        : m_problem(problem), m_step(stepOver<N>(a, 1, dynamics, problem.hold)),
-          m_part(stepOver<N>(a, problem.lag.rest, dynamics, problem.hold))
-    {
-    }
-    void advance(Eigen::Matrix<double, N, 1>& state, std::ptrdiff_t n) const
-    {
-        state = (m_step.phi * state + m_step.gamma0 * force(n) + m_step.gamma1 * force(n + 1)).eval();
-        // Without force it decays; zero is faster than the denormal numbers it would end in.
-        if (state.cwiseAbs().maxCoeff() < vanishing)
-            state.setZero();
-    }
-    /// The state at time n + rest.
-    [[nodiscard]] Eigen::Matrix<double, N, 1> within(const Eigen::Matrix<double, N, 1>& state,
-                                                     std::ptrdiff_t n) const
-    {
-        const double rest = m_problem.lag.rest;
-        if (rest == 0)
-            return state;
-        const double end = (1 - rest) * force(n) + rest * force(n + 1);
-        return m_part.phi * state + m_part.gamma0 * force(n) + m_part.gamma1 * end;
-    }
-    [[nodiscard]] const Eigen::Matrix<double, N, N>& phi() const { return m_step.phi; }
-    [[nodiscard]] const Eigen::Matrix<double, N, N>& partPhi() const { return m_part.phi; }
-
-private:
-    [[nodiscard]] double force(std::ptrdiff_t n) const
-    {
-        const auto last = static_cast<std::ptrdiff_t>(m_problem.force.size()) - 1;
-        return m_problem.force[static_cast<std::size_t>(std::min(n, last))];
-    }
-    const OutputErrorProblem& m_problem;
-    ExactStep<N> m_step, m_part;
-};
-
-/// What a unit of x0 and of v0 adds to the position: the first row of phi^n.
-class FreeResponses {
-public:
-    FreeResponses(const Eigen::Matrix2d& phi, const Eigen::Matrix2d& partPhi, double speed)
-        : m_phi(phi), m_part(partPhi), m_speed(speed)
-    {
-    }
-    void advance()
-    {
-        m_power = (m_power * m_phi).eval();
-        if (m_power.cwiseAbs().maxCoeff() < vanishing)
-            m_power.setZero();
-    }
-    /// d x / d x0 and d x / d v0.
-    [[nodiscard]] Eigen::RowVector2d position() const
-    {
-        const Eigen::RowVector2d x = m_part.row(0) * m_power;
-        return {x(0), x(1) / m_speed};
-    }
-
-private:
-    Eigen::Matrix2d m_phi, m_part;
-    double m_speed;
-    Eigen::Matrix2d m_power = Eigen::Matrix2d::Identity();
-};
-
-/// Splits a triangle whose first `count` columns are nuisances: what is left of the other columns when
-/// everything that the nuisances explain is taken out, and the solution for the nuisances themselves.
-struct NuisanceProjection {
-    Eigen::MatrixXd rest;     ///< other columns, projected; its rows are orthonormal coordinates
-    Eigen::MatrixXd solution; ///< count x others: the nuisances that explain each of the others best
-    int rank = 0;
-
-    NuisanceProjection(const Eigen::MatrixXd& triangle, Eigen::Index count)
-    {
-        const Eigen::Index others = triangle.cols() - count;
-        if (count == 0) {
-            rest = triangle;
-            solution.resize(0, others);
-            return;
-        }
-        Eigen::MatrixXd nuisances = triangle.leftCols(count);
-        Eigen::VectorXd scales(count);
-        for (Eigen::Index i = 0; i < count; ++i) {
-            const double norm = nuisances.col(i).norm();
-            scales(i) = norm > 0 ? 1 / norm : 0;
-            nuisances.col(i) *= scales(i);
-        }
-        Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(nuisances);
-        qr.setThreshold(dependent);
-        rank = static_cast<int>(qr.rank());
-        const Eigen::MatrixXd rotated = qr.householderQ().adjoint() * triangle.rightCols(others);
-        rest = rotated.bottomRows(rotated.rows() - rank);
-        solution = scales.asDiagonal() * qr.solve(Eigen::MatrixXd(triangle.rightCols(others)));
-    }
-};
-
-void readNuisance(const OutputErrorProblem& problem, const Eigen::VectorXd& solution,
-                  ScaledNuisance& nuisance)
+Eigen::Index offsetColumns(const OutputErrorProblem& problem)
 {
-    Eigen::Index at = 0;
-    if (problem.freeInitialState) {
-        nuisance.x0 = solution(at++);
-        nuisance.v0 = solution(at++);
-    }
-    if (problem.freeOffset)
-        nuisance.offset = solution(at);
+    return problem.freeOffset ? 1 : 0;
+}
+
+/// What is left of the four columns d theta and residual without the linear unknowns, brought into the
+/// linearisation.
+void readRest(const SmallMatrix& rest, Linearization& out)
+{
+    const SmallMatrix own = eliminateOrdered(rest, 3);
+    const Eigen::Index rows = std::min<Eigen::Index>(own.rows(), 3);
+    out.triangle.topRows(rows) = own.topLeftCorner(rows, 3);
+    out.right.head(rows) = own.col(3).head(rows);
+    out.cost = rest.col(3).squaredNorm();
+}
+
+/// The response is the sum of its derivatives by ln M, ln B, ln K, with a minus (Euler's theorem).
+double responsePower(const Eigen::Matrix3d& triangle)
+{
+    return triangle.rowwise().sum().squaredNorm();
 }
 
 } // namespace
 
-std::ptrdiff_t OutputErrorProblem::firstRow() const
-{
-    return std::max<std::ptrdiff_t>(-lag.samples, 0);
-}
-
-std::ptrdiff_t OutputErrorProblem::endRow() const
-{
-    const auto count = static_cast<std::ptrdiff_t>(force.size());
-    // Within the last step a straight force would need the sample after it.
-    const std::ptrdiff_t unknown = lag.rest > 0 && hold == ForceHold::First ? 1 : 0;
-    return std::min(count - lag.samples - unknown, count);
-}
-
-MassDampingStiffness OutputErrorProblem::toChannelUnits(const Eigen::Vector3d& theta) const
-{
-    const double scale = forceScale / positionScale;
-    return {std::exp(theta(0)) * sampleTime_s * sampleTime_s * scale,
-            std::exp(theta(1)) * sampleTime_s * scale, std::exp(theta(2)) * scale};
-}
-
-Eigen::Vector3d OutputErrorProblem::toTheta(const MassDampingStiffness& parameters) const
-{
-    const double scale = std::log(forceScale / positionScale);
-    const double time = std::log(sampleTime_s);
-    return {std::log(parameters.m) - 2 * time - scale, std::log(parameters.b) - time - scale,
-            std::log(parameters.k) - scale};
-}
-
 ResponseFit fitResponse(const OutputErrorProblem& problem, const Eigen::Vector3d& theta)
 {
     ResponseFit fit;
-    const Dynamics dynamics(theta);
+    const CascadeDynamics dynamics(theta);
     if (!dynamics.finite())
         return fit;
-    const Recursion<2> recursion(problem, dynamics.motion(), dynamics);
-    FreeResponses free(recursion.phi(), recursion.partPhi(), dynamics.speed);
-    const int nuisances = problem.nuisanceCount();
+    CascadeWalk walk(problem, problem.force, dynamics);
+    FreeResponses free(walk, dynamics.speed);
+    const Eigen::Index nuisances = problem.nuisanceCount();
     TallQr qr(nuisances + 2);
-    Eigen::Vector2d state = Eigen::Vector2d::Zero();
-    const std::ptrdiff_t begin = problem.firstRow() + problem.lag.samples;
-    const std::ptrdiff_t end = problem.endRow() + problem.lag.samples;
-    for (std::ptrdiff_t n = 0; n < end; ++n) {
-        if (n >= begin) {
-            auto row = qr.nextRow();
-            if (problem.freeInitialState)
-                row.head<2>() = free.position();
-            if (problem.freeOffset)
-                row(nuisances - 1) = 1;
-            row(nuisances) = recursion.within(state, n)(0);
-            row(nuisances + 1) = problem.position[static_cast<std::size_t>(n - problem.lag.samples)];
+    const auto use = [&](std::size_t index) {
+        auto row = qr.nextRow();
+        if (problem.freeInitialState) {
+            row(0) = free.byPosition();
+            row(1) = free.bySpeed();
         }
-        recursion.advance(state, n);
-        free.advance();
-    }
-    const Eigen::MatrixXd triangle = qr.triangle();
+        if (problem.freeOffset)
+            row(nuisances - 1) = 1;
+        row(nuisances) = walk.row().response;
+        row(nuisances + 1) = problem.position[index];
+    };
+    forEachMeasuredRow(problem, walk, use, [&] { free.advance(); });
+    const SmallMatrix triangle = qr.triangle();
     if (!triangle.allFinite())
         return fit;
-    const NuisanceProjection projection(triangle, nuisances);
-    const Eigen::VectorXd forced = projection.rest.col(0);
-    const Eigen::VectorXd measured = projection.rest.col(1);
-    const double power = forced.squaredNorm();
-    fit.gain = power > 0 ? forced.dot(measured) / power : 0;
+    const SmallMatrix rest = eliminateColumns(triangle, nuisances, dependent).rest;
+    const double power = rest.col(0).squaredNorm();
     const double rawPower = triangle.col(nuisances).squaredNorm();
+    fit.gain = power > 0 ? rest.col(0).dot(rest.col(1)) / power : 0;
     fit.ownShare = rawPower > 0 ? std::sqrt(power / rawPower) : 0;
-    fit.cost = (measured - forced).squaredNorm();
-    fit.costWithGain = (measured - fit.gain * forced).squaredNorm();
-    fit.nuisanceRank = projection.rank;
-    if (nuisances > 0)
-        readNuisance(problem, projection.solution.col(1) - projection.solution.col(0), fit.nuisance);
-    fit.finite = std::isfinite(fit.cost) && std::isfinite(fit.costWithGain);
+    fit.costWithGain = (rest.col(1) - fit.gain * rest.col(0)).squaredNorm();
+    fit.finite = std::isfinite(fit.costWithGain);
     return fit;
+}
+
+ScaledNuisance Linearization::nuisanceAfter(const Eigen::Vector3d& step) const
+{
+    ScaledNuisance after = nuisance;
+    const Eigen::VectorXd change = nuisanceSlope * step;
+    after.x0 += change(0);
+    after.v0 += change(1);
+    after.offset += change(2);
+    for (std::size_t i = 0; i < after.lostForces.size(); ++i)
+        after.lostForces[i] += change(3 + static_cast<Eigen::Index>(i));
+    return after;
+}
+
+ScaledNuisance unknownNuisance(const OutputErrorProblem& problem)
+{
+    ScaledNuisance nuisance;
+    for (const std::size_t lost : problem.lost)
+        nuisance.lostForces.push_back(problem.force[lost]);
+    return nuisance;
+}
+
+ResponseLinearizer::ResponseLinearizer(const OutputErrorProblem& problem)
+    : m_problem(problem), m_qr(problem.nuisanceCount() + 4), m_lost(problem, offsetColumns(problem), 4),
+      m_force(problem.lost.empty() ? std::vector<double>() : problem.force)
+{
+}
+
+Linearization ResponseLinearizer::at(const Eigen::Vector3d& theta, const ScaledNuisance& assumed)
+{
+    const CascadeDynamics dynamics(theta);
+    if (!dynamics.finite())
+        return {};
+    return m_problem.lost.empty() ? withoutLosses(dynamics, assumed) : withLosses(dynamics, assumed);
+}
+
+Linearization ResponseLinearizer::withoutLosses(const CascadeDynamics& dynamics,
+                                                const ScaledNuisance& assumed)
+{
+    CascadeWalk walk(m_problem, m_problem.force, dynamics);
+    walk.startAt(assumed.x0, assumed.v0);
+    FreeResponses free(walk, dynamics.speed);
+    const Eigen::Index nuisances = m_problem.nuisanceCount();
+    m_qr.clear();
+    double raw = 0;
+    const auto use = [&](std::size_t index) {
+        auto row = m_qr.nextRow();
+        if (m_problem.freeInitialState) {
+            row(0) = free.byPosition();
+            row(1) = free.bySpeed();
+        }
+        if (m_problem.freeOffset)
+            row(nuisances - 1) = 1;
+        const CascadeRow at = walk.row();
+        raw += at.response * at.response;
+        row(nuisances) = at.byMass;
+        row(nuisances + 1) = at.byDamping;
+        row(nuisances + 2) = at.byStiffness;
+        row(nuisances + 3) = m_problem.position[index] - at.response - assumed.offset;
+    };
+    forEachMeasuredRow(m_problem, walk, use, [&] { free.advance(); });
+
+    const SmallMatrix triangle = m_qr.triangle();
+    if (!triangle.allFinite())
+        return {};
+    const ColumnElimination elimination = eliminateColumns(triangle, nuisances, dependent);
+    Linearization out;
+    readRest(elimination.rest, out);
+    out.nuisanceRank = static_cast<int>(elimination.rank);
+    Eigen::Matrix<double, 3, 4> change = Eigen::Matrix<double, 3, 4>::Zero();
+    if (m_problem.freeInitialState)
+        change.topRows<2>() = elimination.solution.topRows<2>();
+    if (m_problem.freeOffset)
+        change.row(2) = elimination.solution.bottomRows<1>();
+    out.nuisance = {assumed.x0 + change(0, 3), assumed.v0 + change(1, 3), assumed.offset + change(2, 3), {}};
+    out.nuisanceSlope = -change.leftCols<3>();
+    finish(triangle.col(nuisances + 3).squaredNorm() - out.cost, raw, out);
+    return out;
+}
+
+Linearization ResponseLinearizer::withLosses(const CascadeDynamics& dynamics, const ScaledNuisance& assumed)
+{
+    for (std::size_t i = 0; i < m_problem.lost.size(); ++i)
+        m_force[m_problem.lost[i]] = assumed.lostForces[i];
+    CascadeWalk walk(m_problem, m_force, dynamics);
+    walk.startAt(assumed.x0, assumed.v0);
+    m_lost.start(walk, dynamics.speed);
+    double raw = 0;
+    const auto use = [&](std::size_t index) {
+        auto row = m_lost.nextRow();
+        const CascadeRow at = walk.row();
+        raw += at.response * at.response;
+        if (m_problem.freeOffset)
+            row(LostForceColumns::coordinates) = 1;
+        row.tail<4>() << at.byMass, at.byDamping, at.byStiffness,
+            m_problem.position[index] - at.response - assumed.offset;
+    };
+    forEachMeasuredRow(m_problem, walk, use, [&] { m_lost.advance(); });
+
+    const LostForceColumns::Solution solution = m_lost.solve();
+    if (!solution.finite)
+        return {};
+    Linearization out;
+    readRest(solution.rest, out);
+    out.nuisanceRank = static_cast<int>(solution.rank);
+    const double offset = m_problem.freeOffset ? solution.fixed(0, 3) : 0;
+    out.nuisance = {assumed.x0 + solution.start(0, 3), assumed.v0 + solution.start(1, 3),
+                    assumed.offset + offset, assumed.lostForces};
+    for (std::size_t i = 0; i < m_problem.lost.size(); ++i)
+        out.nuisance.lostForces[i] += solution.lostForces(static_cast<Eigen::Index>(i), 3);
+    out.nuisanceSlope.setZero(3 + solution.lostForces.rows(), 3);
+    out.nuisanceSlope.topRows<2>() = -solution.start.leftCols<3>();
+    if (m_problem.freeOffset)
+        out.nuisanceSlope.row(2) = -solution.fixed.leftCols(3);
+    out.nuisanceSlope.bottomRows(solution.lostForces.rows()) = -solution.lostForces.leftCols<3>();
+    finish(solution.explainedPower(3), raw, out);
+    return out;
+}
+
+void ResponseLinearizer::finish(double explained, double raw, Linearization& out) const
+{
+    const double power = out.triangle.squaredNorm();
+    out.ownShare = raw > 0 ? std::sqrt(responsePower(out.triangle) / raw) : 0;
+    out.settled = explained <= settledShare * power;
+    out.finite = std::isfinite(out.cost) && out.triangle.allFinite() && out.right.allFinite() &&
+                 out.nuisanceSlope.allFinite() && std::isfinite(out.ownShare) &&
+                 std::isfinite(out.nuisance.x0 + out.nuisance.v0 + out.nuisance.offset);
 }
 
 void forEachLinearizedRow(const OutputErrorProblem& problem, const Eigen::Vector3d& theta,
                           const ScaledNuisance& nuisance,
                           const std::function<void(std::ptrdiff_t, const Eigen::RowVectorXd&)>& use)
 {
-    const Dynamics dynamics(theta);
-    const Recursion<4> recursion(problem, dynamics.cascade(), dynamics);
-    FreeResponses free(recursion.phi().topLeftCorner<2, 2>(), recursion.partPhi().topLeftCorner<2, 2>(),
-                       dynamics.speed);
-    const double squaredSpeed = dynamics.speed * dynamics.speed;
-    const int nuisances = problem.nuisanceCount();
+    const CascadeDynamics dynamics(theta);
+    std::vector<double> force = problem.force;
+    for (std::size_t i = 0; i < nuisance.lostForces.size(); ++i)
+        force[problem.lost[i]] = nuisance.lostForces[i];
+    CascadeWalk walk(problem, force, dynamics);
+    walk.startAt(nuisance.x0, nuisance.v0);
+    FreeResponses free(walk, dynamics.speed);
+    const Eigen::Index nuisances = problem.nuisanceCount();
     Eigen::RowVectorXd row(nuisances + 4);
-    Eigen::Vector4d state(nuisance.x0, nuisance.v0 / dynamics.speed, 0, 0);
-    const std::ptrdiff_t begin = problem.firstRow() + problem.lag.samples;
-    const std::ptrdiff_t end = problem.endRow() + problem.lag.samples;
-    for (std::ptrdiff_t n = 0; n < end; ++n) {
-        if (n >= begin) {
-            const std::ptrdiff_t index = n - problem.lag.samples;
-            const Eigen::Vector4d at = recursion.within(state, n);
-            // d x / d ln K = -K w etc. The cascade starts from w = 0, which leaves out free responses of its
-            // own when x0 or v0 is not zero; the columns of x0 and v0 span exactly those.
-            const double byStiffness = -dynamics.stiffness * at(2) / squaredSpeed;
-            const double byDamping = -dynamics.damping * at(3) / dynamics.speed;
-            if (problem.freeInitialState)
-                row.head<2>() = free.position();
-            if (problem.freeOffset)
-                row(nuisances - 1) = 1;
-            row(nuisances) = -at(0) - byDamping - byStiffness;
-            row(nuisances + 1) = byDamping;
-            row(nuisances + 2) = byStiffness;
-            row(nuisances + 3) = problem.position[static_cast<std::size_t>(index)] - at(0) - nuisance.offset;
-            use(index, row);
+    const auto fill = [&](std::size_t index) {
+        if (problem.freeInitialState) {
+            row(0) = free.byPosition();
+            row(1) = free.bySpeed();
         }
-        recursion.advance(state, n);
-        free.advance();
-    }
-}
-
-Linearization linearize(const OutputErrorProblem& problem, const Eigen::Vector3d& theta,
-                        const ScaledNuisance& nuisance)
-{
-    Linearization out;
-    const int nuisances = problem.nuisanceCount();
-    TallQr qr(nuisances + 4);
-    forEachLinearizedRow(problem, theta, nuisance,
-                         [&](std::ptrdiff_t, const Eigen::RowVectorXd& row) { qr.nextRow() = row; });
-    const Eigen::MatrixXd triangle = qr.triangle();
-    if (!triangle.allFinite())
-        return out;
-    const NuisanceProjection projection(triangle, nuisances);
-    out.sensitivities = projection.rest.leftCols(3);
-    out.residual = projection.rest.col(3);
-    out.finite = true;
-    return out;
+        if (problem.freeOffset)
+            row(nuisances - 1) = 1;
+        const CascadeRow at = walk.row();
+        row.tail<4>() << at.byMass, at.byDamping, at.byStiffness,
+            problem.position[index] - at.response - nuisance.offset;
+        use(static_cast<std::ptrdiff_t>(index), row);
+    };
+    forEachMeasuredRow(problem, walk, fill, [&] { free.advance(); });
 }
 
 } // namespace gripscope

@@ -1,52 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/identification/estimate.h"
-#include "core/identification/lag_alignment.h"
+#include "core/identification/lost_force_columns.h"
+#include "core/identification/output_error_problem.h"
+#include "core/identification/tall_qr.h"
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <functional>
 #include <vector>
 
 namespace gripscope {
 
-/// The output-error problem in units of its own: time in samples, force and position divided by a power of
-/// two near their largest value (so that nothing is rounded and no square overflows), position less
-/// `positionShift`. The parameters are the logarithms theta = (ln M, ln B, ln K) of M x'' + B x' + K x = F in
-/// these units.
-struct OutputErrorProblem {
-    std::vector<double> force, position;
-    ForceHold hold = ForceHold::First;
-    LagAlignment lag;
-    bool freeInitialState = true, freeOffset = true;
-    double sampleTime_s = 1, forceScale = 1, positionScale = 1, positionShift = 0;
-
-    /// Rows whose position lies within the time the force is known: [firstRow, endRow).
-    [[nodiscard]] std::ptrdiff_t firstRow() const;
-    [[nodiscard]] std::ptrdiff_t endRow() const;
-    [[nodiscard]] std::ptrdiff_t rows() const { return std::max<std::ptrdiff_t>(endRow() - firstRow(), 0); }
-    /// How many of x0, v0, offset are free.
-    [[nodiscard]] int nuisanceCount() const { return (freeInitialState ? 2 : 0) + (freeOffset ? 1 : 0); }
-
-    [[nodiscard]] MassDampingStiffness toChannelUnits(const Eigen::Vector3d& theta) const;
-    [[nodiscard]] Eigen::Vector3d toTheta(const MassDampingStiffness& parameters) const;
-};
-
-/// x0, v0 and offset in the problem's units; zero where they are not free.
-struct ScaledNuisance {
-    double x0 = 0, v0 = 0, offset = 0;
-};
-
-/// The best x0, v0 and offset for given m, b, k: they enter linearly, so that they are one linear
-/// least-squares solution away (variable projection, Golub and Pereyra 1973).
+/// The best x0, v0, offset and lost forces for given m, b, k: they enter linearly, so that they are one
+/// linear least-squares solution away (variable projection, Golub and Pereyra 1973). Here the forces of lost
+/// samples are those of the problem, and the lost rows do not count.
 struct ResponseFit {
     bool finite = false;
-    double cost = 0; ///< sum of squared residuals
-    ScaledNuisance nuisance;
-    int nuisanceRank = 0;
-    /// The factor on the forced response (the compliance) that would fit best, and the cost with it.
+    /// The factor on the forced response (the compliance) that would fit best, and the sum of squared
+    /// residuals with it.
     double gain = 1, costWithGain = 0;
     /// The share of the forced response that x0, v0 and offset cannot imitate: at rounding level for a
     /// constant force.
@@ -54,17 +26,55 @@ struct ResponseFit {
 };
 [[nodiscard]] ResponseFit fitResponse(const OutputErrorProblem& problem, const Eigen::Vector3d& theta);
 
-/// The problem linearised in theta, with everything that x0, v0 and offset can explain projected out.
+/// The problem linearised at theta in everything that is unknown, with all that enters linearly (x0, v0,
+/// offset, lost forces) solved for.
 struct Linearization {
     bool finite = false;
-    Eigen::MatrixXd sensitivities; ///< R factor, 3 columns: d x / d theta
-    Eigen::VectorXd residual;      ///< its right-hand side
+    double cost = 0;         ///< sum of squared residuals with the best linear unknowns
+    ScaledNuisance nuisance; ///< those
+    int nuisanceRank = 0;    ///< how many of them the data determines
+    Eigen::Matrix3d triangle =
+        Eigen::Matrix3d::Zero();                     ///< R of d x / d theta, the linear unknowns' share out
+    Eigen::Vector3d right = Eigen::Vector3d::Zero(); ///< min |triangle d theta - right| is the step to go
+    /// The share of the response that the linear unknowns cannot imitate: at rounding level for a constant
+    /// force.
+    double ownShare = 0;
+    /// The sensitivities are those at the linear unknowns that were assumed; true when these are near enough
+    /// to the best ones for the step to be good.
+    bool settled = false;
+    /// d (x0, v0, offset, lost forces) / d theta.
+    Eigen::MatrixX3d nuisanceSlope;
+
+    /// The linear unknowns to be expected after a step in theta.
+    [[nodiscard]] ScaledNuisance nuisanceAfter(const Eigen::Vector3d& step) const;
 };
-[[nodiscard]] Linearization linearize(const OutputErrorProblem& problem, const Eigen::Vector3d& theta,
-                                      const ScaledNuisance& nuisance);
+
+/// One pass over the record for each theta gives cost and sensitivities together; the memory for it is kept
+/// between the passes.
+class ResponseLinearizer {
+public:
+    explicit ResponseLinearizer(const OutputErrorProblem& problem);
+
+    /// At theta, with sensitivities for the linear unknowns `assumed`.
+    [[nodiscard]] Linearization at(const Eigen::Vector3d& theta, const ScaledNuisance& assumed);
+
+private:
+    [[nodiscard]] Linearization withoutLosses(const CascadeDynamics& dynamics, const ScaledNuisance& assumed);
+    [[nodiscard]] Linearization withLosses(const CascadeDynamics& dynamics, const ScaledNuisance& assumed);
+    void finish(double explained, double raw, Linearization& out) const;
+
+    const OutputErrorProblem& m_problem;
+    TallQr m_qr;
+    LostForceColumns m_lost;
+    std::vector<double> m_force;
+};
+
+/// What to assume of the linear unknowns where nothing is known: rest, no offset, the problem's own forces.
+[[nodiscard]] ScaledNuisance unknownNuisance(const OutputErrorProblem& problem);
 
 /// Calls `use(row, columns)` for every row of the linearised problem, columns being x0, v0, offset (those
-/// that are free), ln M, ln B, ln K and the residual.
+/// that are free), ln M, ln B, ln K and the residual. Lost rows do not appear, and lost forces are no
+/// columns: output_error_sensitivities.h takes their share out.
 void forEachLinearizedRow(const OutputErrorProblem& problem, const Eigen::Vector3d& theta,
                           const ScaledNuisance& nuisance,
                           const std::function<void(std::ptrdiff_t, const Eigen::RowVectorXd&)>& use);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/output_error_search.h"
 
+#include "core/identification/column_elimination.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,8 @@ constexpr double runaway = 1.0;
 constexpr double undetermined = 3.0;
 /// Gauss-Newton needs 5 to 15 iterations where it converges well.
 constexpr int gaussNewtonIterations = 15;
+/// Share of a column that is rounding.
+constexpr double dependent = 1e-15;
 constexpr double smallestDamping = 1e-12, largestDamping = 1e16;
 
 double squaredSize(const OutputErrorProblem& problem)
@@ -40,69 +43,106 @@ double squaredSize(const OutputErrorProblem& problem)
 Eigen::Vector3d dampedStep(const Eigen::Matrix3d& triangle, const Eigen::Vector3d& right,
                            const Eigen::Vector3d& scales, double damping)
 {
-    Eigen::Matrix<double, 6, 3> stacked;
-    stacked.topRows<3>() = triangle;
-    stacked.bottomRows<3>() = (std::sqrt(damping) * scales).asDiagonal();
-    Eigen::Matrix<double, 6, 1> rhs = Eigen::Matrix<double, 6, 1>::Zero();
-    rhs.head<3>() = right;
-    // Columns of very different size: scale, so that the rank decision of the pivoting means something.
-    const Eigen::Vector3d norms = stacked.colwise().norm().transpose().cwiseMax(1e-300);
-    const Eigen::Matrix<double, 6, 3> scaled = stacked * norms.cwiseInverse().asDiagonal();
-    return norms.cwiseInverse().asDiagonal() * Eigen::Vector3d(scaled.colPivHouseholderQr().solve(rhs));
+    SmallMatrix stacked = SmallMatrix::Zero(6, 4);
+    stacked.topLeftCorner<3, 3>() = triangle;
+    stacked.block<3, 3>(3, 0) = (std::sqrt(damping) * scales).asDiagonal();
+    stacked.col(3).head<3>() = right;
+    return eliminateColumns(stacked, 3, dependent).solution;
 }
 
 class Search {
 public:
     Search(const OutputErrorProblem& problem, const Eigen::Vector3d& start)
-        : m_problem(problem), m_size(squaredSize(problem))
+        : m_problem(problem), m_linearizer(problem), m_size(squaredSize(problem))
     {
         m_result.theta = start;
-        m_result.response = fitResponse(problem, start);
+        m_result.linear = settledAt(start, unknownNuisance(problem));
     }
 
     SearchResult run(int maxIterations)
     {
-        while (m_result.response.finite && m_result.iterations < maxIterations) {
-            if (!linearizeHere() || hasArrived())
+        while (m_result.linear.finite && m_result.iterations < maxIterations) {
+            m_scales = m_scales.cwiseMax(m_result.linear.triangle.colwise().norm().transpose());
+            if (hasArrived())
                 break;
             ++m_result.iterations;
+            if (isLostInRounding()) {
+                if (polish())
+                    continue;
+                m_result.outcome = SearchOutcome::Converged;
+                break;
+            }
             const bool slow = m_result.iterations > gaussNewtonIterations;
             if (!(slow && improveByNewton()) && !improve()) {
                 stall();
                 break;
             }
         }
-        if (m_result.outcome == SearchOutcome::NotConverged && m_result.response.finite)
+        if (m_result.outcome == SearchOutcome::NotConverged && m_result.linear.finite)
             markUndetermined();
         return m_result;
     }
 
 private:
-    bool linearizeHere()
+    /// With sensitivities for the best linear unknowns: a second pass where the assumed ones were far off.
+    Linearization settledAt(const Eigen::Vector3d& theta, const ScaledNuisance& assumed)
     {
-        const Linearization linear = linearize(m_problem, m_result.theta, m_result.response.nuisance);
-        if (!linear.finite)
+        Linearization linear = m_linearizer.at(theta, assumed);
+        return linear.finite && !linear.settled ? m_linearizer.at(theta, linear.nuisance) : linear;
+    }
+
+    /// Moves there when it lowers the cost.
+    bool accept(const Eigen::Vector3d& step)
+    {
+        const Eigen::Vector3d theta = m_result.theta + step;
+        Linearization trial = m_linearizer.at(theta, m_result.linear.nuisanceAfter(step));
+        if (!trial.finite || !(trial.cost < m_result.linear.cost))
             return false;
-        const Eigen::HouseholderQR<Eigen::MatrixXd> qr(linear.sensitivities);
-        m_result.triangle = qr.matrixQR().topRows(3).triangularView<Eigen::Upper>();
-        m_right = (qr.householderQ().adjoint() * linear.residual).head<3>();
-        m_scales = m_scales.cwiseMax(m_result.triangle.colwise().norm().transpose());
+        if (!trial.settled) {
+            trial = m_linearizer.at(theta, trial.nuisance);
+            if (!trial.finite)
+                return false;
+        }
+        m_gain = m_result.linear.cost - trial.cost;
+        m_result.theta = theta;
+        m_result.linear = std::move(trial);
         return true;
     }
 
     [[nodiscard]] double degreesOfFreedom() const
     {
         return static_cast<double>(
-            std::max<std::ptrdiff_t>(m_problem.rows() - 3 - m_result.response.nuisanceRank, 1));
+            std::max<std::ptrdiff_t>(m_problem.measuredRows() - 3 - m_result.linear.nuisanceRank, 1));
     }
 
-    /// |m_right| is the length of the step still to go, in units of the residuals.
+    /// |right| is the length of the step still to go, in units of the residuals.
     bool hasArrived()
     {
-        const double residual = std::sqrt(m_result.response.cost / degreesOfFreedom());
-        if (m_right.norm() > arrived * residual + rounding * std::sqrt(m_size / degreesOfFreedom()))
+        const double residual = std::sqrt(m_result.linear.cost / degreesOfFreedom());
+        if (m_result.linear.right.norm() >
+            arrived * residual + rounding * std::sqrt(m_size / degreesOfFreedom()))
             return false;
         m_result.outcome = SearchOutcome::Converged;
+        return true;
+    }
+
+    /// The step lowers the cost by less than the cost is rounded, which can't be seen any more.
+    bool isLostInRounding()
+    {
+        const Linearization& linear = m_result.linear;
+        m_polish = dampedStep(linear.triangle, linear.right, m_scales, 0);
+        return linear.right.squaredNorm() <= rounding * linear.cost && m_polish.cwiseAbs().maxCoeff() < 0.1;
+    }
+
+    /// Takes that step; false when less than half of what was to go is gone.
+    bool polish()
+    {
+        const Eigen::Vector3d theta = m_result.theta + m_polish;
+        Linearization trial = m_linearizer.at(theta, m_result.linear.nuisanceAfter(m_polish));
+        if (!trial.finite || !(trial.right.norm() < 0.5 * m_result.linear.right.norm()))
+            return false;
+        m_result.theta = theta;
+        m_result.linear = std::move(trial);
         return true;
     }
 
@@ -110,17 +150,14 @@ private:
     bool improve()
     {
         for (; m_damping < largestDamping; m_damping *= 10) {
-            Eigen::Vector3d step = dampedStep(m_result.triangle, m_right, m_scales, m_damping);
+            Eigen::Vector3d step =
+                dampedStep(m_result.linear.triangle, m_result.linear.right, m_scales, m_damping);
             const double longest = step.cwiseAbs().maxCoeff();
             if (!std::isfinite(longest))
                 continue;
             step *= std::min(1.0, longestStep / std::max(longest, 1e-300));
-            const ResponseFit trial = fitResponse(m_problem, m_result.theta + step);
-            if (!trial.finite || !(trial.cost < m_result.response.cost))
+            if (!accept(step))
                 continue;
-            m_gain = m_result.response.cost - trial.cost;
-            m_result.theta += step;
-            m_result.response = trial;
             m_damping = std::max(m_damping / 10, smallestDamping);
             return !runsAway();
         }
@@ -146,33 +183,29 @@ private:
         const Eigen::LDLT<Eigen::Matrix3d> factors(symmetric);
         if (factors.info() != Eigen::Success || !factors.isPositive())
             return false;
-        const Eigen::Vector3d step = factors.solve(m_result.triangle.transpose() * m_right);
+        const Eigen::Vector3d step =
+            factors.solve(m_result.linear.triangle.transpose() * m_result.linear.right);
         if (!step.allFinite() || step.cwiseAbs().maxCoeff() > 1)
             return false;
-        const ResponseFit trial = fitResponse(m_problem, m_result.theta + step);
-        if (!trial.finite || !(trial.cost < m_result.response.cost))
-            return false;
-        m_result.theta += step;
-        m_result.response = trial;
-        return true;
+        return accept(step);
     }
 
     /// Half the derivative of the cost.
-    [[nodiscard]] std::optional<Eigen::Vector3d> gradientAt(const Eigen::Vector3d& theta) const
+    [[nodiscard]] std::optional<Eigen::Vector3d> gradientAt(const Eigen::Vector3d& theta)
     {
-        const ResponseFit fit = fitResponse(m_problem, theta);
-        if (!fit.finite)
-            return std::nullopt;
-        const Linearization linear = linearize(m_problem, theta, fit.nuisance);
+        const ScaledNuisance assumed = m_result.linear.nuisanceAfter(theta - m_result.theta);
+        Linearization linear = m_linearizer.at(theta, assumed);
+        if (linear.finite)
+            linear = m_linearizer.at(theta, linear.nuisance);
         if (!linear.finite)
             return std::nullopt;
-        return Eigen::Vector3d(-linear.sensitivities.transpose() * linear.residual);
+        return Eigen::Vector3d(-linear.triangle.transpose() * linear.right);
     }
 
     /// The cost stands still while a logarithm keeps going.
     bool runsAway()
     {
-        const double noise = rounding * (m_result.response.cost + rounding * m_size);
+        const double noise = rounding * (m_result.linear.cost + rounding * m_size);
         m_idle = m_gain < noise ? m_idle + 1 : 0;
         return m_idle >= 3;
     }
@@ -180,16 +213,16 @@ private:
     /// No step lowers the cost any more: rounding, the end of a valley, or a runaway.
     void stall()
     {
-        const Eigen::Vector3d step = dampedStep(m_result.triangle, m_right, m_scales, 0);
+        const Eigen::Vector3d step = dampedStep(m_result.linear.triangle, m_result.linear.right, m_scales, 0);
         Eigen::Index index = 0;
         const double longest = step.cwiseAbs().maxCoeff(&index);
-        const double residual = std::sqrt(m_result.response.cost / degreesOfFreedom());
+        const double residual = std::sqrt(m_result.linear.cost / degreesOfFreedom());
         if (std::isfinite(longest) && longest > runaway) {
             m_result.outcome = SearchOutcome::Boundary;
             m_result.boundaryIndex = static_cast<int>(index);
             m_result.boundaryAtZero = step(index) < 0;
-        } else if (m_right.norm() < 1e-4 * residual || m_result.response.cost < rounding * m_size ||
-                   longest < 1e-10) {
+        } else if (m_result.linear.right.norm() < 1e-4 * residual ||
+                   m_result.linear.cost < rounding * m_size || longest < 1e-10) {
             m_result.outcome = SearchOutcome::Converged;
         }
     }
@@ -198,8 +231,8 @@ private:
     /// standard error of a logarithm is above `undetermined`.
     void markUndetermined()
     {
-        const Eigen::Matrix3d inverse = m_result.triangle.inverse();
-        const double residual = std::sqrt(m_result.response.cost / degreesOfFreedom());
+        const Eigen::Matrix3d inverse = m_result.linear.triangle.inverse();
+        const double residual = std::sqrt(m_result.linear.cost / degreesOfFreedom());
         Eigen::Index index = 0;
         const double largest = residual * inverse.rowwise().norm().maxCoeff(&index);
         if (largest <= undetermined)
@@ -210,9 +243,10 @@ private:
     }
 
     const OutputErrorProblem& m_problem;
+    ResponseLinearizer m_linearizer;
     double m_size;
     SearchResult m_result;
-    Eigen::Vector3d m_right = Eigen::Vector3d::Zero();
+    Eigen::Vector3d m_polish = Eigen::Vector3d::Zero();
     Eigen::Vector3d m_scales = Eigen::Vector3d::Zero();
     double m_damping = 1e-3, m_gain = 0;
     int m_idle = 0;

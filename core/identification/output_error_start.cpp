@@ -2,10 +2,9 @@
 #include "core/identification/output_error_start.h"
 
 #include "core/identification/arx_mapping.h"
+#include "core/identification/column_elimination.h"
 #include "core/identification/exact_step.h"
 #include "core/identification/tall_qr.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -20,10 +19,14 @@ constexpr std::array<double, 5> filterBandwidths{0.01, 0.03, 0.1, 0.3, 1.0};
 /// A start that leaves more than this share of the position's energy unexplained (a fit below 50 %) is not
 /// trusted.
 constexpr double poorShare = 0.25;
+/// Share of a column that is rounding.
+constexpr double dependent = 1e-15;
+/// Far below anything that counts, far above denormal numbers and their squares.
+constexpr double gone = 1e-150;
 /// Samples the grid is tried on: enough to rank its coarse points.
 constexpr std::ptrdiff_t gridSamples = 2000;
 
-/// signal / (1 + s/lambda)^2 and its first derivative, from rest, for a signal that is straight between
+/// signal / (1 + s/lambda)^2 and its derivatives, from rest, for a signal that is held or straight between
 /// samples.
 class StateVariableFilter {
 public:
@@ -33,21 +36,25 @@ public:
         a << 0, 1, -bandwidth * bandwidth, -2 * bandwidth;
         m_step = exactStep<2>(a, Eigen::Vector2d(0, bandwidth * bandwidth), hold);
     }
-    [[nodiscard]] double value() const { return m_state(0); }
-    [[nodiscard]] double slope() const { return m_state(1); }
+    [[nodiscard]] double value() const { return m_value; }
+    [[nodiscard]] double slope() const { return m_slope; }
     [[nodiscard]] double curvature(double input) const
     {
-        return m_bandwidth * m_bandwidth * (input - m_state(0)) - 2 * m_bandwidth * m_state(1);
+        return m_bandwidth * m_bandwidth * (input - m_value) - 2 * m_bandwidth * m_slope;
     }
     void advance(double now, double next)
     {
-        m_state = (m_step.phi * m_state + m_step.gamma0 * now + m_step.gamma1 * next).eval();
+        const double value = m_step.phi(0, 0) * m_value + m_step.phi(0, 1) * m_slope +
+                             (m_step.gamma0(0) * now + m_step.gamma1(0) * next);
+        m_slope = m_step.phi(1, 0) * m_value + m_step.phi(1, 1) * m_slope +
+                  (m_step.gamma0(1) * now + m_step.gamma1(1) * next);
+        m_value = value;
     }
 
 private:
     double m_bandwidth;
     ExactStep<2> m_step;
-    Eigen::Vector2d m_state = Eigen::Vector2d::Zero();
+    double m_value = 0, m_slope = 0;
 };
 
 /// Position and force at the same time index, the lag rounded to whole samples.
@@ -80,15 +87,9 @@ private:
 Eigen::VectorXd solveTriangle(const Eigen::MatrixXd& triangle)
 {
     const Eigen::Index n = triangle.cols() - 1;
-    Eigen::MatrixXd left = triangle.topLeftCorner(n, n);
-    Eigen::VectorXd scales(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const double norm = left.col(i).norm();
-        scales(i) = norm > 0 ? 1 / norm : 0;
-        left.col(i) *= scales(i);
-    }
-    return scales.asDiagonal() *
-           Eigen::VectorXd(left.colPivHouseholderQr().solve(triangle.topRightCorner(n, 1)));
+    if (!triangle.allFinite())
+        return Eigen::VectorXd::Zero(n);
+    return eliminateColumns(triangle, n, dependent).solution.col(0);
 }
 
 /// ln(M, B, K), an impossible sign of M or B replaced by something small: the search will see to it.
@@ -110,23 +111,25 @@ std::optional<Eigen::Vector3d> fromStateVariableFilter(const OutputErrorProblem&
     StateVariableFilter forceFilter(bandwidth, problem.hold);
     StateVariableFilter positionFilter(bandwidth, ForceHold::First);
     TallQr qr(problem.freeOffset ? 7 : 6);
+    const double factor = std::exp(-bandwidth);
+    double decay = 1; // exp(-bandwidth t)
     for (std::ptrdiff_t t = 0; t < samples.count; ++t) {
         auto row = qr.nextRow();
-        const double decay = std::exp(-bandwidth * static_cast<double>(t));
-        row(0) = positionFilter.curvature(samples.position(t));
-        row(1) = positionFilter.slope();
-        row(2) = positionFilter.value();
-        row(3) = decay;
-        row(4) = decay * bandwidth * static_cast<double>(t);
+        row(0) = decay;
+        row(1) = decay * bandwidth * static_cast<double>(t);
+        row(2) = positionFilter.curvature(samples.position(t));
+        row(3) = positionFilter.slope();
+        row(4) = positionFilter.value();
         if (problem.freeOffset)
             row(5) = 1;
         row(row.size() - 1) = forceFilter.value();
         const std::ptrdiff_t next = std::min(t + 1, samples.count - 1);
         forceFilter.advance(samples.force(t), samples.force(next));
         positionFilter.advance(samples.position(t), samples.position(next));
+        decay = decay > gone ? decay * factor : 0;
     }
     const Eigen::VectorXd solution = solveTriangle(qr.triangle());
-    return repaired(solution(0), solution(1), solution(2));
+    return repaired(solution(2), solution(3), solution(4));
 }
 
 std::optional<Eigen::Vector3d> fromArx(const OutputErrorProblem& problem)

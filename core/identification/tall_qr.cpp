@@ -1,36 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/tall_qr.h"
 
-#include <Eigen/QR>
 #include <Eigen/SVD>
 
+#include <cmath>
 #include <limits>
 
 namespace gripscope {
 
-namespace {
-/// Few enough to stay in the first-level cache, many enough that the triangle's own rows cost little.
-constexpr Eigen::Index blockRows = 128;
-} // namespace
-
 TallQr::TallQr(Eigen::Index columns)
-    : m_rows(Eigen::MatrixXd::Zero(columns + blockRows, columns)), m_used(columns)
+    : m_block(Block::Zero(blockRows, columns)), m_triangle(Eigen::MatrixXd::Zero(columns, columns))
 {
+}
+
+void TallQr::clear()
+{
+    m_triangle.setZero();
+    m_used = 0;
+}
+
+/// The reflection that folds the block's part of a column into the triangle's diagonal, on all columns after
+/// it. Its vector is (corner, block part), everything between them being zero.
+void TallQr::reflect(Eigen::Index column)
+{
+    const auto part = m_block.col(column).head(m_used);
+    const double square = part.squaredNorm();
+    if (square == 0)
+        return;
+    double& diagonal = m_triangle(column, column);
+    const double norm = std::sqrt(square + diagonal * diagonal);
+    const double corner = diagonal + std::copysign(norm, diagonal);
+    const double scale = 1 / (norm * std::abs(corner));
+    diagonal = -std::copysign(norm, diagonal);
+    for (Eigen::Index j = column + 1; j < m_triangle.cols(); ++j) {
+        auto other = m_block.col(j).head(m_used);
+        const double share = scale * (corner * m_triangle(column, j) + part.dot(other));
+        m_triangle(column, j) -= share * corner;
+        other -= share * part;
+    }
 }
 
 void TallQr::fold()
 {
-    const Eigen::Index columns = m_rows.cols();
-    Eigen::HouseholderQR<Eigen::Ref<Eigen::MatrixXd>> qr(m_rows);
-    m_rows.topRows(columns).triangularView<Eigen::StrictlyLower>().setZero();
-    m_rows.bottomRows(m_rows.rows() - columns).setZero();
-    m_used = columns;
+    for (Eigen::Index column = 0; column < m_triangle.cols(); ++column)
+        reflect(column);
+    m_used = 0;
 }
 
-Eigen::MatrixXd TallQr::triangle()
+double TallQr::foldForResidual()
+{
+    const Eigen::Index last = m_triangle.cols() - 1;
+    for (Eigen::Index column = 0; column < last; ++column)
+        reflect(column);
+    const double residual = m_block(0, last);
+    reflect(last);
+    m_used = 0;
+    return residual;
+}
+
+const Eigen::MatrixXd& TallQr::triangle()
 {
     fold();
-    return m_rows.topRows(m_rows.cols());
+    return m_triangle;
+}
+
+Eigen::MatrixXd& TallQr::changeTriangle()
+{
+    fold();
+    return m_triangle;
 }
 
 double scaledConditionNumber(const Eigen::MatrixXd& matrix)

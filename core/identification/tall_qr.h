@@ -8,28 +8,41 @@ namespace gripscope {
 /// The triangle R of the QR decomposition of a matrix with few columns and any number of rows, which come one
 /// by one: blocks of rows are folded into R by Householder reflections, so that a million rows need a few
 /// kilobytes and nothing is squared (the condition number is that of the matrix, not of its normal
-/// equations).
+/// equations). 2 columns^2 operations a row; columns of which a block holds only zeros cost nothing.
 ///
 /// With the right-hand side as the last column, R holds the whole least-squares problem: solution, residual
 /// norm (last diagonal element) and covariance. Rows must be scaled so that their squares do not overflow.
 class TallQr {
 public:
+    /// Few enough to stay in the first-level cache, many enough that the triangle's own rows cost little.
+    static constexpr Eigen::Index blockRows = 64;
+
     explicit TallQr(Eigen::Index columns);
 
     /// Storage of the next row; fill all of it.
     [[nodiscard]] auto nextRow()
     {
-        if (m_used == m_rows.rows())
+        if (m_used == blockRows)
             fold();
-        return m_rows.row(m_used++);
+        return m_block.row(m_used++);
     }
-    /// columns x columns, upper triangular; the signs of its rows mean nothing.
-    [[nodiscard]] Eigen::MatrixXd triangle();
+    /// columns x columns, upper triangular; the signs of its rows mean nothing. Folds the rows so far.
+    [[nodiscard]] const Eigen::MatrixXd& triangle();
+    /// The same for a change of the columns' meaning between two rows; must be left upper triangular.
+    [[nodiscard]] Eigen::MatrixXd& changeTriangle();
+    /// Folds the rows so far, of which there must be one, and returns what is left of its last column when
+    /// all other columns are taken out: the recursive residual (Brown, Durbin and Evans 1975), of variance
+    /// s^2 for every row when the rows' errors have it.
+    double foldForResidual();
+    void clear();
 
 private:
     void fold();
+    void reflect(Eigen::Index column);
 
-    Eigen::MatrixXd m_rows; ///< the triangle so far in the first rows, new rows below
+    using Block = Eigen::Matrix<double, blockRows, Eigen::Dynamic>;
+    Block m_block;
+    Eigen::MatrixXd m_triangle;
     Eigen::Index m_used = 0;
 };
 
