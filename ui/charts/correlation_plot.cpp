@@ -26,6 +26,8 @@ CorrelationPlot::CorrelationPlot(QWidget* parent)
 
 void CorrelationPlot::setCorrelation(const Correlation& correlation, double sampleTime_s)
 {
+    m_correlation = correlation;
+    m_sampleTime_s = sampleTime_s;
     QList<QPointF> stems, heads, outside;
     const double lag_ms = 1000 * sampleTime_s;
     double largest = 0;
@@ -57,6 +59,20 @@ void CorrelationPlot::setCorrelation(const Correlation& correlation, double samp
     const double half = std::min(1.05, 1.2 * std::max(largest, 1.5 * correlation.band));
     setVertical({-half, half});
     setAccessibleDescription(tr("%n lag(s) outside of the 95 % band", nullptr, m_lagsOutside));
+}
+
+PlotTable CorrelationPlot::numbers() const
+{
+    using Values = std::vector<double>;
+    const auto lags = std::make_shared<Values>(m_correlation.lags.begin(), m_correlation.lags.end());
+    const auto lags_ms = std::make_shared<Values>(*lags);
+    for (double& lag : *lags_ms)
+        lag *= 1000 * m_sampleTime_s;
+    const auto band = std::make_shared<Values>(lags->size(), m_correlation.band);
+    return {{tr("Lag (samples)"), lags},
+            {tr("Lag (ms)"), lags_ms},
+            {tr("Correlation"), std::make_shared<Values>(m_correlation.values)},
+            {tr("95 % band (half width)"), band}};
 }
 
 void CorrelationPlot::themeChanged()

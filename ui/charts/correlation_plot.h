@@ -18,6 +18,8 @@ public:
     void setCorrelation(const Correlation& correlation, double sampleTime_s = 0);
     /// Lags (other than 0 of an autocorrelation) whose value is beyond the band.
     [[nodiscard]] int lagsOutside() const { return m_lagsOutside; }
+    /// Lag in samples and in milliseconds, correlation, half width of the band.
+    [[nodiscard]] PlotTable numbers() const override;
 
 protected:
     void themeChanged() override;
@@ -27,6 +29,8 @@ private:
     QLineSeries* m_stems;
     QScatterSeries* m_heads;
     QScatterSeries* m_outsideHeads; ///< beyond the band: larger, and in the colour of a doubtful measurement
+    Correlation m_correlation;
+    double m_sampleTime_s = 0;
     bool m_empty = true;
     int m_lagsOutside = 0;
 };

@@ -5,6 +5,7 @@
 #include "ui/charts/channel_scale.h"
 #include "ui/charts/correlation_plot.h"
 #include "ui/charts/time_plot.h"
+#include "ui/models/residual_words.h"
 
 #include <QGridLayout>
 
@@ -79,8 +80,13 @@ FitPlots::FitPlots(QWidget* parent)
     m_residuals->setHorizontalTitle(tr("Time (s)"));
     m_auto->setHorizontalTitle(tr("Lag (ms)"));
     m_cross->setHorizontalTitle(tr("Lag (ms)"));
-    m_auto->setTitle(tr("Residual autocorrelation"));
-    m_cross->setTitle(tr("Residuals against force"));
+    m_auto->setTitle(tr("Residual autocorrelation"), tr("Autocorrelation"));
+    m_cross->setTitle(tr("Residuals against force"), tr("Against force"));
+    m_response->setExportNames(tr("Position"), QStringLiteral("position"));
+    m_force->setExportNames(tr("Force"), QStringLiteral("force"));
+    m_residuals->setExportNames(tr("Residuals"), QStringLiteral("residuals"));
+    m_auto->setExportNames(tr("Residual autocorrelation"), QStringLiteral("autocorrelation"));
+    m_cross->setExportNames(tr("Residuals against force"), QStringLiteral("cross-correlation"));
     linkTime();
     clear();
 }
@@ -109,8 +115,10 @@ void FitPlots::clear()
         plot->setCurves({});
         plot->setBand(std::nullopt);
     }
-    m_auto->setCorrelation({});
-    m_cross->setCorrelation({});
+    for (CorrelationPlot* plot : {m_auto, m_cross}) {
+        plot->setCorrelation({});
+        plot->setFinding({});
+    }
 }
 
 void FitPlots::show(const Identification& identification, Estimator estimator, const QString& forceUnit,
@@ -127,10 +135,12 @@ void FitPlots::show(const Identification& identification, Estimator estimator, c
     const SharedValues time = scaled(identification.time_s, 1, identification.time_s.front());
 
     std::vector<PlotCurve> curves{{tr("measured"), CurveRole::MeasuredPosition, time,
-                                   scaled(identification.position, position.factor)}};
+                                   scaled(identification.position, position.factor),
+                                   position.title(tr("Measured position"))}};
     if (modelled)
         curves.push_back({tr("model, %1").arg(estimatorName(estimator)), CurveRole::Model, time,
-                          scaled(estimate->simulated, position.factor)});
+                          scaled(estimate->simulated, position.factor),
+                          position.title(tr("Model, %1").arg(estimatorName(estimator)))});
     m_response->setTitle(position.title(tr("Position")));
     m_response->setCurves(std::move(curves));
     m_force->setTitle(force.title(tr("Force")));
@@ -161,6 +171,9 @@ void FitPlots::show(const Identification& identification, Estimator estimator, c
 void FitPlots::showCorrelations(const Identification& identification, const Estimate* estimate)
 {
     constexpr int lags = 25; // what the whiteness test looks at, and a little more
+    const ResidualFindings findings = residualFindings(identification, estimate);
+    m_auto->setFinding(findings.whiteness.words, findings.whiteness.doubtful);
+    m_cross->setFinding(findings.inputIndependence.words, findings.inputIndependence.doubtful);
     for (CorrelationPlot* plot : {m_auto, m_cross})
         plot->setEmptyText(tr("no model, no residuals"));
     if (!estimate || estimate->residual.empty()) {

@@ -7,8 +7,8 @@
 
 namespace gripscope {
 
-class TimePlot;
 class CorrelationPlot;
+class TimePlot;
 
 /// One identification as plots under each other: measured position with the model's, force, residuals with
 /// their band, and their correlations. The first three share their time axis: a zoom in one is a zoom in all.

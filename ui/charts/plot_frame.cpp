@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/plot_frame.h"
 
+#include "ui/charts/plot_series_painter.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/axis_ticks.h"
 
@@ -9,6 +10,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QValueAxis>
+#include <QXYSeries>
 
 #include <algorithm>
 #include <cmath>
@@ -56,11 +58,49 @@ void PlotFrame::attach(QAbstractSeries* series)
     series->attachAxis(m_vertical);
 }
 
-void PlotFrame::setTitle(const QString& title)
+void PlotFrame::setTitle(const QString& title, const QString& brief)
 {
     m_title = title;
-    setAccessibleName(title);
+    m_briefTitle = brief.isEmpty() ? title : brief;
+    describe();
+}
+
+void PlotFrame::setFinding(const QString& finding, bool doubtful)
+{
+    m_finding = finding;
+    m_findingDoubtful = doubtful;
+    describe();
+}
+
+void PlotFrame::describe()
+{
+    setAccessibleName(m_finding.isEmpty() ? m_title : u"%1: %2"_s.arg(m_title, m_finding));
     viewport()->update();
+}
+
+void PlotFrame::setExportNames(const QString& plot, const QString& file)
+{
+    m_plotName = plot;
+    m_fileName = file;
+}
+
+QSize PlotFrame::pictureSize() const
+{
+    return viewport()->size();
+}
+
+void PlotFrame::paintPicture(QPainter& painter)
+{
+    m_inPicture = true;
+    const QList<QAbstractSeries*> series = chart()->series();
+    for (QAbstractSeries* one : series)
+        one->setVisible(false); // painted below, cut off without a clip
+    const QRect all = viewport()->rect();
+    render(&painter, all, all);
+    for (QAbstractSeries* one : series)
+        one->setVisible(true);
+    m_inPicture = false;
+    paintSeries(painter, *chart());
 }
 
 void PlotFrame::setHorizontalTitle(const QString& title)
@@ -199,17 +239,40 @@ void PlotFrame::drawBackground(QPainter* painter, const QRectF& rect)
     painter->restore();
 }
 
+double PlotFrame::paintTitle(QPainter* painter, const QRectF& line) const
+{
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    const QFont strong = Theme::font(metrics::fontSmall, true), plain = Theme::font(metrics::fontSmall);
+    const double findingWidth =
+        m_finding.isEmpty() ? 0 : QFontMetricsF(plain).horizontalAdvance(m_finding) + 6;
+    const auto width = [&](const QString& title) { return QFontMetricsF(strong).horizontalAdvance(title); };
+    QString title = m_finding.isEmpty() ? m_title : m_title + u':';
+    // Where it is tight the short title; where that is too long, from the edge of the plot's own margin.
+    QRectF room = line;
+    if (width(title) + findingWidth > room.width())
+        title = m_finding.isEmpty() ? m_briefTitle : m_briefTitle + u':';
+    if (width(title) + findingWidth > room.width())
+        room.setLeft(std::max(8.0, room.right() - width(title) - findingWidth));
+    title =
+        QFontMetricsF(strong).elidedText(title, Qt::ElideRight, std::max(0.0, room.width() - findingWidth));
+    painter->setFont(strong);
+    painter->setPen(tokens.text);
+    painter->drawText(room, Qt::AlignLeft | Qt::AlignVCenter, title);
+    const double end = room.left() + width(title);
+    if (m_finding.isEmpty())
+        return end;
+    painter->setFont(m_findingDoubtful ? strong : plain);
+    painter->setPen(m_findingDoubtful ? tokens.notValid : tokens.secondText);
+    painter->drawText(room.adjusted(width(title) + 6, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, m_finding);
+    return end + findingWidth;
+}
+
 void PlotFrame::paintHeader(QPainter* painter) const
 {
     const ThemeTokens& tokens = Theme::instance().tokens();
     const QRectF area = chart()->plotArea();
     const QRectF line(area.left(), 2, area.width(), top - 6);
-    painter->setFont(Theme::font(metrics::fontSmall, true));
-    painter->setPen(tokens.text);
-    const QFontMetricsF strong(painter->font());
-    painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                      strong.elidedText(m_title, Qt::ElideRight, line.width()));
-    const double titleEnd = line.left() + strong.horizontalAdvance(m_title) + 16;
+    const double titleEnd = paintTitle(painter, line) + 16;
     painter->setFont(Theme::font(metrics::fontSmall));
     const QFontMetricsF small(painter->font());
     double end = line.right();
@@ -250,7 +313,7 @@ void PlotFrame::drawForeground(QPainter* painter, const QRectF&)
         painter->setFont(Theme::font(metrics::fontSmall));
         painter->drawText(chart()->plotArea(), Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
     }
-    if (hasFocus()) {
+    if (hasFocus() && !m_inPicture) {
         painter->setPen(QPen(tokens.accent, 2));
         painter->setBrush(Qt::NoBrush);
         painter->drawRect(viewport()->rect().adjusted(1, 1, -1, -1));

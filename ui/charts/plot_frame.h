@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/charts/plot_export.h"
+
 #include <QChartView>
 #include <QColor>
 #include <QString>
@@ -24,13 +26,20 @@ struct PlotRange {
 /// title and the names of the curves above, round ticks, the same left edge; a band drawn behind the curves.
 /// Drag a rectangle to zoom, double click (or Home) to see everything again, + and - zoom along time, arrows
 /// move.
-class PlotFrame : public QChartView {
+class PlotFrame : public QChartView, public ExportablePlot {
     Q_OBJECT
 public:
     explicit PlotFrame(QWidget* parent = nullptr);
 
-    /// "Position (mm)"; also the accessible name.
-    void setTitle(const QString& title);
+    /// "Position (mm)"; also the accessible name. `brief` stands in for it where there is no room.
+    void setTitle(const QString& title, const QString& brief = {});
+    [[nodiscard]] QString title() const { return m_title; }
+    /// What was found, behind the title: "white, p = 0.31". A doubtful one stands out.
+    void setFinding(const QString& finding, bool doubtful = false);
+    [[nodiscard]] QString finding() const { return m_finding; }
+    [[nodiscard]] bool findingDoubtful() const { return m_findingDoubtful; }
+    /// What to call the plot in a menu, and its files.
+    void setExportNames(const QString& plot, const QString& file);
     /// In front of the numbers of the horizontal axis, short; empty hides those too (a plot below shows
     /// them).
     void setHorizontalTitle(const QString& title);
@@ -49,6 +58,11 @@ public:
     void showWhole();
     /// Pixel columns of the plot.
     [[nodiscard]] int columns() const;
+
+    [[nodiscard]] QString plotName() const override { return m_plotName; }
+    [[nodiscard]] QString fileName() const override { return m_fileName; }
+    [[nodiscard]] QSize pictureSize() const override;
+    void paintPicture(QPainter& painter) override;
 
     QSize sizeHint() const override { return {600, 160}; }
     QSize minimumSizeHint() const override { return {160, 84}; }
@@ -84,11 +98,16 @@ private:
     [[nodiscard]] int verticalSteps() const;
     void setTicks(QValueAxis* axis, int most);
     void paintHeader(QPainter* painter) const;
+    [[nodiscard]] double paintTitle(QPainter* painter, const QRectF& line) const;
+    void describe();
     void ask(PlotRange range);
 
     QValueAxis* m_horizontal = nullptr;
     QValueAxis* m_vertical = nullptr;
-    QString m_title, m_horizontalTitle, m_bandName, m_emptyText;
+    QString m_title, m_briefTitle, m_finding, m_horizontalTitle, m_bandName, m_emptyText;
+    QString m_plotName, m_fileName;
+    bool m_findingDoubtful = false;
+    bool m_inPicture = false; ///< no focus frame then
     std::optional<PlotRange> m_band;
     std::vector<LegendEntry> m_legend;
     PlotRange m_whole;

@@ -116,6 +116,17 @@ void TimePlot::fitVertical(double leastHalf)
     setVertical({middle - half, middle + half});
 }
 
+PlotTable TimePlot::numbers() const
+{
+    PlotTable table;
+    for (const PlotCurve& curve : m_curves) {
+        if (table.empty())
+            table.push_back({tr("Time (s)"), curve.x});
+        table.push_back({curve.column.isEmpty() ? title() : curve.column, curve.y});
+    }
+    return table;
+}
+
 void TimePlot::updateLegend()
 {
     std::vector<LegendEntry> entries;

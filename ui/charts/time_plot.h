@@ -17,6 +17,7 @@ struct PlotCurve {
     QString name;
     CurveRole role = CurveRole::MeasuredPosition;
     std::shared_ptr<const std::vector<double>> x, y;
+    QString column; ///< of an exported table: "Measured position (mm)"
 };
 
 /// Curves over time, drawn with at most two points a pixel column whatever their length.
@@ -31,6 +32,8 @@ public:
     [[nodiscard]] int drawnPoints() const;
     /// Fits the vertical range to what is in view; at least `leastHalf` either side of the middle.
     void fitVertical(double leastHalf = 0);
+    /// Time, then a column each curve: all of them, not only what is in view.
+    [[nodiscard]] PlotTable numbers() const override;
 
 protected:
     void refresh() override;
