@@ -37,14 +37,14 @@ QString statusWords(EstimateStatus status)
     return {};
 }
 
-QString percentText(double share)
+} // namespace
+
+QString deviationText(double share)
 {
     const QString sign = share < 0 ? QString(QChar(0x2212)) : u"+"_s;
     const double percent = std::abs(share) * 100;
     return percent > 999 ? sign + u">999 %"_s : sign + u"%1 %"_s.arg(percent, 0, 'f', percent < 1 ? 1 : 0);
 }
-
-} // namespace
 
 QString estimateVerdict(const Identification& identification, const Estimate& estimate)
 {
@@ -65,7 +65,7 @@ QString estimateVerdict(const Identification& identification, const Estimate& es
         // same.
         const double difference = mine[i] - other[i];
         if (std::abs(difference) > std::max(3 * error[i], 0.02 * std::abs(other[i])))
-            off << u"%1 %2"_s.arg(QString(u"mbk"_s[i]), percentText(difference / other[i]));
+            off << u"%1 %2"_s.arg(QString(u"mbk"_s[i]), deviationText(difference / other[i]));
     }
     return off.isEmpty() ? words(QT_TRANSLATE_NOOP("gripscope::EstimateWords", "agrees")) : off.join(u", "_s);
 }

@@ -11,6 +11,9 @@ namespace gripscope {
 /// not converge"... Others than the recommended one are measured against that.
 [[nodiscard]] QString estimateVerdict(const Identification& identification, const Estimate& estimate);
 
+/// A relative deviation with its sign: "+97 %", "−0.4 %", "+>999 %".
+[[nodiscard]] QString deviationText(double share);
+
 /// The name of a validity check for people.
 [[nodiscard]] QString checkName(const QString& id);
 
