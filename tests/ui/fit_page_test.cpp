@@ -4,15 +4,26 @@
 #include "tests/ui/identification_example.h"
 #include "tests/ui/science_pages.h"
 #include "ui/charts/fit_plots.h"
+#include "ui/charts/region_plot.h"
 #include "ui/charts/time_plot.h"
 #include "ui/models/estimate_table_model.h"
 #include "ui/pages/fit_page.h"
+#include "ui/pages/fit_page_export.h"
 #include "ui/pages/fit_page_summary.h"
 
 #include <QClipboard>
+#include <QContextMenuEvent>
+#include <QDir>
 #include <QGuiApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QTableView>
 
 using namespace gripscope;
@@ -34,6 +45,12 @@ QPushButton* button(const QWidget& page, const QString& name)
         if (candidate->accessibleName() == name)
             return candidate;
     return nullptr;
+}
+
+QByteArray contents(const QDir& folder, const QString& name)
+{
+    QFile file(folder.filePath(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 } // namespace
@@ -117,7 +134,130 @@ private slots:
         page.prepareTour();
         QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
         button(page, QStringLiteral("Copy numbers"))->click();
-        QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("estimator\tm (kg)")));
+        const QString text = QGuiApplication::clipboard()->text();
+        QVERIFY(text.startsWith(QStringLiteral("estimator\tm (kg)")));
+        for (const char* block : {"\n\nquantity\tvalue", "\n\ncorrelation\tm\tb\tk\nm\t1\t",
+                                  "\nwhiteness (Ljung-Box)\t0.", "\nexcitation\tyes\t", "\nverdict\tvalid"})
+            QVERIFY2(text.contains(QLatin1String(block)), block);
+    }
+    void everyPlotAndNumberIsSaved()
+    {
+        test::PageFixture fixture;
+        FitPage page(fixture.bench);
+        page.resize(1200, 800);
+        page.show();
+        page.prepareTour();
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        auto* exporter = page.findChild<FitExporter*>();
+        const QDir folder(fixture.folder.path());
+        exporter->saveAll(folder.path());
+        QTRY_COMPARE_WITH_TIMEOUT(exporter->pending(), 0, test::patience_ms);
+        QVERIFY(fixture.reports.isEmpty());
+        for (const char* name :
+             {"position", "force", "residuals", "autocorrelation", "cross-correlation", "joint-region"}) {
+            const QString base = QStringLiteral("Simulated-squeeze-of-can-A-") + QLatin1String(name);
+            QVERIFY2(!QImage(folder.filePath(base + QStringLiteral(".png"))).isNull(), name);
+            QVERIFY2(contents(folder, base + QStringLiteral(".svg")).contains("<svg"), name);
+            QVERIFY2(contents(folder, base + QStringLiteral(".csv")).count('\n') > 20, name);
+        }
+        const QJsonObject numbers =
+            QJsonDocument::fromJson(
+                contents(folder, QStringLiteral("Simulated-squeeze-of-can-A-numbers.json")))
+                .object();
+        QCOMPARE(numbers[QStringLiteral("recommended")].toString(), QStringLiteral("oe"));
+        QVERIFY(numbers[QStringLiteral("estimates")].toArray().size() >= 4);
+    }
+    void whatCannotBeSavedIsSaidOnce()
+    {
+        test::PageFixture fixture;
+        FitPage page(fixture.bench);
+        page.prepareTour();
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        page.findChild<FitExporter*>()->saveAll(fixture.folder.filePath(QStringLiteral("absent/folder")));
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.reports.size(), 1, test::patience_ms);
+        const QString said = fixture.reports.first().first().toString();
+        QVERIFY(said.contains(QStringLiteral("Choose a folder")) && said.contains(QStringLiteral("absent")));
+    }
+    void everyPlotHasAMenuForMouseAndKeys()
+    {
+        test::PageFixture fixture;
+        FitPage page(fixture.bench);
+        page.resize(1200, 800);
+        page.show();
+        page.prepareTour();
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        auto* plot = page.findChild<FitPlots*>()->residuals();
+        const auto menu = [&] { return plot->findChild<QMenu*>(QStringLiteral("plotMenu")); };
+        QTest::keyClick(plot, Qt::Key_F10, Qt::ShiftModifier);
+        QVERIFY(menu() && menu()->isVisible());
+        QCOMPARE(menu()->actions().size(), qsizetype(4));
+        menu()->actions().first()->trigger(); // copy picture
+        QVERIFY(!QGuiApplication::clipboard()->image().isNull());
+        menu()->close();
+        QTRY_VERIFY(!menu());
+        QContextMenuEvent event(QContextMenuEvent::Mouse, QPoint(80, 40),
+                                plot->viewport()->mapToGlobal(QPoint(80, 40)));
+        QCoreApplication::sendEvent(plot->viewport(), &event);
+        QVERIFY(menu() && menu()->isVisible());
+        menu()->close();
+    }
+    void theExportButtonListsEveryPlot()
+    {
+        test::PageFixture fixture;
+        FitPage page(fixture.bench);
+        auto* save = button(page, QStringLiteral("Export"));
+        QVERIFY(save && save->menu() && !save->isEnabled());
+        QStringList names;
+        for (const QAction* action : save->menu()->actions())
+            names << action->text();
+        for (const char* name : {"All numbers as JSON…", "Position", "Force", "Residuals", "Joint region"})
+            QVERIFY2(names.contains(QString::fromUtf8(name)), name);
+        QVERIFY(save->sizeHint().height() >= metrics::touchTarget);
+    }
+    void nothingIsCutOffOrScrollsSidewaysAtTheLeastSize()
+    {
+        test::PageFixture fixture;
+        FitPage page(fixture.bench);
+        page.resize(928, 520); // what a window of 1024 x 640 leaves
+        page.show();
+        page.prepareTour();
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        QVERIFY(page.minimumSizeHint().width() <= 928);
+        QVERIFY(page.minimumSizeHint().height() <= 520);
+        auto* tabs = page.findChild<QTabWidget*>();
+        for (int i = 0; i < tabs->count(); ++i) {
+            tabs->setCurrentIndex(i);
+            QCoreApplication::processEvents();
+            auto* scroll = qobject_cast<QScrollArea*>(tabs->widget(i));
+            if (!scroll)
+                continue; // what does not scroll is part of the minimum above
+            QVERIFY2(scroll->widget()->minimumSizeHint().width() <= scroll->viewport()->width(),
+                     qPrintable(QStringLiteral("%1: %2 > %3")
+                                    .arg(tabs->tabText(i))
+                                    .arg(scroll->widget()->minimumSizeHint().width())
+                                    .arg(scroll->viewport()->width())));
+        }
+        QVERIFY(tabs->tabBar()->sizeHint().width() <= tabs->width());
+    }
+    void theTabsAreWalkedByKeys()
+    {
+        test::PageFixture fixture;
+        FitPage page(fixture.bench);
+        page.resize(1200, 800);
+        page.show();
+        page.prepareTour();
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        auto* tabs = page.findChild<QTabWidget*>();
+        tabs->tabBar()->setFocus();
+        QTest::keyClick(tabs->tabBar(), Qt::Key_Right);
+        QVERIFY(page.findChild<RegionPlot*>()->isVisible());
+        QVERIFY(page.findChild<RegionPlot*>()->region().has_value());
+        QTest::keyClick(tabs->tabBar(), Qt::Key_Right);
+        QVERIFY(allText(page).contains(QStringLiteral("Excitation.")));
+        QVERIFY(allText(page).contains(QStringLiteral("Measurement valid"))); // on every tab
+        QTest::keyClick(tabs->tabBar(), Qt::Key_Right);
+        QVERIFY(allText(page).contains(QStringLiteral("What would make it better")));
+        QVERIFY(allText(page).contains(QStringLiteral("Natural frequency")));
     }
     void bothThemesAreTakenWhileShown()
     {

@@ -13,24 +13,31 @@ using Column = EstimateTableModel::Column;
 
 namespace {
 constexpr int side = 5; // the table stands in a third of the window
+
+QString fitText(const QVariant& percent)
+{
+    return percent.isValid() ? formatNumber(percent.toDouble(), std::nullopt, {}, 3).value
+                             : QString(QChar(0x2013));
 }
+} // namespace
 
 EstimateDelegate::Lines EstimateDelegate::linesOf(const QModelIndex& index)
 {
     const auto column = Column(index.column());
     if (column == Column::Estimator)
-        return {index.data().toString(), index.siblingAtColumn(int(Column::Verdict)).data().toString()};
+        return {index.data().toString(), index.siblingAtColumn(int(Column::Verdict)).data().toString(),
+                index.data(EstimateTableModel::CubicRole).toString()};
     if (column == Column::Verdict)
-        return {index.data().toString(), {}};
+        return {index.data().toString(), {}, {}};
     const QVariant value = index.data(EstimateTableModel::SortRole);
     if (!value.isValid())
-        return {QString(QChar(0x2013)), {}};
-    if (column == Column::SimulationFit || column == Column::PredictionFit)
-        return {formatNumber(value.toDouble(), std::nullopt, {}, 3).value, {}};
+        return {QString(QChar(0x2013)), {}, {}};
+    if (column == Column::SimulationFit)
+        return {fitText(value), fitText(index.siblingAtColumn(int(Column::PredictionFit)).data()), {}};
     const QVariant half = index.data(EstimateTableModel::HalfWidthRole);
     const FormattedNumber number =
         formatNumber(value.toDouble(), half.isValid() ? std::optional(half.toDouble()) : std::nullopt, {});
-    return {number.value, number.error.isEmpty() ? QString() : QStringLiteral("± ") + number.error};
+    return {number.value, number.error.isEmpty() ? QString() : QStringLiteral("± ") + number.error, {}};
 }
 
 QSize EstimateDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const
@@ -41,7 +48,8 @@ QSize EstimateDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&
     const int width =
         name ? first.horizontalAdvance(lines.first)
              : std::max(first.horizontalAdvance(lines.first), second.horizontalAdvance(lines.second));
-    return {width + 2 * side, first.height() + second.height() + 10};
+    const int smallLines = lines.third.isEmpty() ? 1 : 2;
+    return {width + 2 * side, first.height() + smallLines * second.height() + 10};
 }
 
 void EstimateDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -59,15 +67,19 @@ void EstimateDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
     const bool text =
         Column(index.column()) == Column::Estimator || Column(index.column()) == Column::Verdict;
     const Qt::Alignment align = text ? Qt::AlignLeft : Qt::AlignRight;
-    const auto draw = [&](const QString& line, const QFont& font, const QColor& color,
-                          Qt::Alignment vertical) {
+    int y = box.top();
+    const auto draw = [&](const QString& line, const QFont& font, const QColor& color) {
+        const QFontMetrics measures(font);
         painter->setFont(font);
         painter->setPen(color);
-        const QString shown = QFontMetrics(font).elidedText(line, Qt::ElideRight, box.width());
-        painter->drawText(box, int(align | vertical), shown);
+        painter->drawText(QRect(box.left(), y, box.width(), measures.height()), int(align | Qt::AlignVCenter),
+                          measures.elidedText(line, Qt::ElideRight, box.width()));
+        y += measures.height();
     };
-    draw(lines.first, Theme::font(metrics::fontBase), tokens.text, Qt::AlignTop);
-    draw(lines.second, Theme::font(metrics::fontSmall), tokens.secondText, Qt::AlignBottom);
+    const QFont small = Theme::font(metrics::fontSmall);
+    draw(lines.first, Theme::font(metrics::fontBase), tokens.text);
+    draw(lines.second, small, tokens.secondText);
+    draw(lines.third, small, tokens.secondText);
     painter->restore();
 }
 

@@ -5,7 +5,8 @@
 
 namespace gripscope {
 
-/// Two lines a row of EstimateTableModel: name over verdict, value over the half width of its 95 % interval.
+/// Two lines a row of EstimateTableModel: name over verdict, value over the half width of its 95 % interval,
+/// simulation fit over prediction fit; a third one for the cubic spring of an estimator that has one.
 class EstimateDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:
@@ -17,7 +18,7 @@ public:
 
 private:
     struct Lines {
-        QString first, second;
+        QString first, second, third;
     };
     [[nodiscard]] static Lines linesOf(const QModelIndex& index);
 };

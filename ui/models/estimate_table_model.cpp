@@ -5,8 +5,12 @@
 #include "ui/charts/fit_plots.h"
 #include "ui/models/estimate_words.h"
 #include "ui/models/shown_unit.h"
+#include "ui/widgets/number_format.h"
 
 #include <QLocale>
+
+#include <algorithm>
+#include <cmath>
 
 namespace gripscope {
 
@@ -31,6 +35,20 @@ bool isParameter(EstimateTableModel::Column column)
     return column >= EstimateTableModel::Column::Mass && column <= EstimateTableModel::Column::Stiffness;
 }
 
+/// From the channels' units to SI: force over position cubed.
+std::optional<double> cubicFactor(const QString& forceUnit, const QString& positionUnit)
+{
+    const std::optional<double> newtons = newtonsPer(forceUnit), metres = metresPer(positionUnit);
+    return newtons && metres ? std::optional(*newtons / (*metres * *metres * *metres)) : std::nullopt;
+}
+
+QString cubicUnit(const QString& forceUnit, const QString& positionUnit)
+{
+    if (cubicFactor(forceUnit, positionUnit))
+        return u"N/m\u00B3"_s;
+    return forceUnit == u"1" && positionUnit == u"1" ? u"1"_s : u"%1/%2\u00B3"_s.arg(forceUnit, positionUnit);
+}
+
 } // namespace
 
 void EstimateTableModel::setIdentification(const Identification& identification, const QString& forceUnit,
@@ -42,12 +60,18 @@ void EstimateTableModel::setIdentification(const Identification& identification,
     const ParameterUnits units =
         si ? parameterUnits(u"N"_s, u"m"_s) : parameterUnits(forceUnit, positionUnit);
     m_units = {units.m, units.b, units.k};
+    m_cubicUnit = cubicUnit(forceUnit, positionUnit);
+    const double cubic = cubicFactor(forceUnit, positionUnit).value_or(1);
     for (const Estimate& estimate : identification.estimates) {
-        Row row{estimate.estimator, estimateVerdict(identification, estimate), {}, {}, estimate.fit};
+        Row row{estimate.estimator, estimateVerdict(identification, estimate), {}, {}, {}, estimate.fit};
         if (estimate.parameters)
             row.parameters = estimate.parameters->vector() * si.value_or(1);
         if (const auto errors = estimate.standardErrors(); errors && estimate.parameters)
             row.halfWidths = *errors * (quantile975 * si.value_or(1));
+        if (estimate.cubic && estimate.parameters)
+            row.cubic =
+                std::pair(estimate.cubic->k3 * cubic,
+                          quantile975 * cubic * std::sqrt(std::max(0.0, estimate.cubic->covariance(3, 3))));
         m_rows.push_back(std::move(row));
     }
     // The recommended estimate chooses the prefix: a wild one beside it must not.
@@ -112,6 +136,18 @@ QVariant EstimateTableModel::number(const Row& row, Column column) const
     return {};
 }
 
+QVariant EstimateTableModel::cubicText(const Row& row) const
+{
+    if (!row.cubic)
+        return {};
+    const auto [k3, half] = *row.cubic;
+    // A can's k3 runs to billions of newtons a cubic metre.
+    const bool perMillimetre = m_cubicUnit == u"N/m\u00B3" && std::abs(k3) >= 1e6;
+    const double factor = perMillimetre ? 1e-9 : 1;
+    const QString unit = perMillimetre ? u"N/mm\u00B3"_s : m_cubicUnit;
+    return u"k3 = %1"_s.arg(formatNumber(k3 * factor, half * factor, unit).text());
+}
+
 QVariant EstimateTableModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid() || index.row() >= int(m_rows.size()))
@@ -124,6 +160,8 @@ QVariant EstimateTableModel::data(const QModelIndex& index, int role) const
         const int i = parameterOf(column);
         return (*row.halfWidths)[i] * m_factors[i];
     }
+    if (role == CubicRole)
+        return cubicText(row);
     if (role == Qt::ToolTipRole)
         return column == Column::Estimator || column == Column::Verdict ? row.verdict : QVariant();
     if (role != Qt::DisplayRole && role != Qt::EditRole && role != SortRole)
@@ -147,7 +185,8 @@ QVariant EstimateTableModel::headerData(int section, Qt::Orientation orientation
                                                   ? Qt::AlignRight
                                                   : Qt::AlignLeft)));
     if (role == Qt::ToolTipRole && column == Column::SimulationFit)
-        return tr("Fit of the model running free from the start: 100 (1 - |y - model| / |y - mean|)");
+        return tr("Above: fit of the model running free from the start, 100 (1 - |y - model| / |y - mean|). "
+                  "Below: fit one step ahead from measured positions; says little about m, b and k");
     if (role == Qt::ToolTipRole && column == Column::PredictionFit)
         return tr("Fit one step ahead from measured positions; says little about m, b and k");
     if (role != Qt::DisplayRole)
@@ -166,9 +205,9 @@ QVariant EstimateTableModel::headerData(int section, Qt::Orientation orientation
     case Column::Stiffness:
         return withUnit(tr("k"));
     case Column::SimulationFit:
-        return tr("sim.\n%");
+        return tr("sim. %\npred. %"); // one over the other, as the delegate writes them
     case Column::PredictionFit:
-        return tr("pred.\n%");
+        return tr("pred. %");
     case Column::Verdict:
         return tr("Verdict");
     }
@@ -189,13 +228,17 @@ QString EstimateTableModel::toTsv() const
             m_units[std::size_t(i)] == u"1" ? QString() : u" (%1)"_s.arg(m_units[std::size_t(i)]);
         header << name + unit << name + u" 95 % half width"_s + unit;
     }
-    header << u"simulation fit (%)"_s << u"prediction fit (%)"_s << u"verdict"_s;
+    const QString unit = m_cubicUnit == u"1" ? QString() : u" (%1)"_s.arg(m_cubicUnit);
+    header << u"simulation fit (%)"_s << u"prediction fit (%)"_s << u"verdict"_s << u"k3"_s + unit
+           << u"k3 95 % half width"_s + unit;
     QString text = header.join(u'\t') + u'\n';
     for (const Row& row : m_rows) {
         QStringList cells{toString(row.estimator)};
         for (int i = 0; i < 3; ++i)
             cells << full(at(row.parameters, i)) << full(at(row.halfWidths, i));
         cells << full(row.fit.simulationPercent) << full(row.fit.predictionPercent) << row.verdict;
+        cells << (row.cubic ? full(row.cubic->first) : QString())
+              << (row.cubic ? full(row.cubic->second) : QString());
         text += cells.join(u'\t') + u'\n';
     }
     return text;

@@ -19,6 +19,7 @@ public:
     enum Role {
         SortRole = Qt::UserRole, ///< the raw number
         HalfWidthRole,           ///< half the 95 % interval, same unit; invalid when there is none
+        CubicRole, ///< "k3 = 3.80 ± 0.05 N/mm³" for an estimator that has a cubic spring; else invalid
     };
 
     using QAbstractTableModel::QAbstractTableModel;
@@ -41,12 +42,15 @@ private:
         Estimator estimator = Estimator::OutputError;
         QString verdict;
         std::optional<Eigen::Vector3d> parameters, halfWidths; ///< SI where the channels allow it
+        std::optional<std::pair<double, double>> cubic;        ///< k3 and half its interval, in m_cubicUnit
         Fit fit;
     };
     [[nodiscard]] QVariant number(const Row& row, Column column) const;
+    [[nodiscard]] QVariant cubicText(const Row& row) const;
 
     std::vector<Row> m_rows;
     std::array<QString, 3> m_units, m_shownUnits;
+    QString m_cubicUnit;
     Eigen::Vector3d m_factors = Eigen::Vector3d::Ones(); ///< from m_units to m_shownUnits
 };
 

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/fit_page.h"
 
+#include "core/identification/identification_json.h"
 #include "core/signal/recording_csv.h"
+#include "ui/charts/correlation_plot.h"
 #include "ui/charts/fit_plots.h"
+#include "ui/charts/region_plot.h"
+#include "ui/charts/time_plot.h"
+#include "ui/models/fit_numbers.h"
 #include "ui/pages/fit_page_example.h"
+#include "ui/pages/fit_page_export.h"
 #include "ui/pages/fit_page_summary.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
@@ -15,7 +21,9 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QJsonDocument>
 #include <QLabel>
+#include <QMenu>
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QUrl>
@@ -32,9 +40,11 @@ struct FitPage::Private {
     QStackedWidget* stack = nullptr;
     FitPlots* plots = nullptr;
     FitSummary* summary = nullptr;
+    FitExporter* exporter = nullptr;
     QLabel* state = nullptr;
     QPushButton* all = nullptr;
     QPushButton* copy = nullptr;
+    QPushButton* save = nullptr;
 };
 
 namespace {
@@ -77,6 +87,7 @@ FitPage::FitPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d(std
     setSpacing(line, 0, 2 * metrics::step);
     line->addWidget(plotCard, 64);
     summaryCard->setMinimumWidth(404); // what the table of estimators needs
+    prepareExport();
     line->addWidget(summaryCard, 36);
 
     d->stack = new QStackedWidget;
@@ -108,6 +119,25 @@ QString FitPage::iconName() const
     return u"labplot-xy-fit-curve"_s;
 }
 
+void FitPage::prepareExport()
+{
+    d->exporter = new FitExporter(workbench(), this);
+    d->exporter->add(d->plots->response());
+    d->exporter->add(d->plots->force());
+    d->exporter->add(d->plots->residuals());
+    d->exporter->add(d->plots->autocorrelations());
+    d->exporter->add(d->plots->crossCorrelations());
+    d->exporter->add(d->summary->regionPlot());
+    d->exporter->setNumbers([this] {
+        if (!d->subject)
+            return QByteArray();
+        return QJsonDocument(toJson(d->subject->identification, d->subject->recording, d->subject->title))
+            .toJson();
+    });
+    connect(d->exporter, &FitExporter::told, this,
+            [this](const QString& words) { d->state->setText(words); });
+}
+
 QWidget* FitPage::buildBar()
 {
     auto* bar = new QWidget;
@@ -118,11 +148,18 @@ QWidget* FitPage::buildBar()
     d->all = makeButton(tr("Identify again"), u"view-refresh"_s);
     d->all->setToolTip(tr("Run every estimator on this squeeze"));
     d->copy = makeButton(tr("Copy numbers"), u"edit-copy"_s);
-    d->copy->setToolTip(tr("Copy the table of estimators, tab-separated, with full precision"));
+    d->copy->setToolTip(tr("Copy every number, tab-separated, with full precision"));
+    d->save = makeButton(tr("Export") + u" \u25BE"_s, u"document-export"_s);
+    d->save->setAccessibleName(tr("Export"));
+    d->save->setToolTip(tr("Save plots (PNG, SVG), their data (CSV) and all numbers (JSON)"));
+    auto* menu = new QMenu(d->save);
+    d->exporter->fill(menu);
+    d->save->setMenu(menu);
     d->state = makeLabel({}, "second");
     line->addWidget(open);
     line->addWidget(d->all);
     line->addWidget(d->copy);
+    line->addWidget(d->save);
     line->addWidget(d->state, 1, Qt::AlignRight | Qt::AlignVCenter);
     connect(open, &QPushButton::clicked, this, [this] { chooseFile(); });
     connect(d->all, &QPushButton::clicked, this, [this] { runAllEstimators(); });
@@ -162,6 +199,7 @@ void FitPage::takeSubject()
         d->stack->setCurrentIndex(0);
         d->all->setEnabled(false);
         d->copy->setEnabled(false);
+        d->save->setEnabled(false);
         return;
     }
     // The same one again: what was found since, by every estimator, stays.
@@ -200,6 +238,8 @@ void FitPage::showSubject()
     d->stack->setCurrentIndex(1);
     d->all->setEnabled(!d->identifying);
     d->copy->setEnabled(true);
+    d->save->setEnabled(true);
+    d->exporter->setSubject(subject.title);
     d->state->setText(d->identifying ? tr("identifying…") : QString());
     d->summary->show(subject.title, subject.identification, subject.recording.forceUnit,
                      subject.recording.positionUnit);
@@ -246,7 +286,8 @@ void FitPage::openRecording(const QString& file)
 
 void FitPage::copyNumbers()
 {
-    QGuiApplication::clipboard()->setText(d->summary->toTsv());
+    QGuiApplication::clipboard()->setText(fitNumbers(
+        d->subject->identification, d->subject->recording.forceUnit, d->subject->recording.positionUnit));
     d->state->setText(tr("copied"));
 }
 

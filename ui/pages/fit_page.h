@@ -34,6 +34,7 @@ protected:
 private:
     [[nodiscard]] QWidget* buildBar();
     [[nodiscard]] QWidget* buildEmpty();
+    void prepareExport();
     void chooseFile();
     void copyNumbers();
     void takeSubject();

@@ -75,25 +75,44 @@ QWidget* checkRow(const ValidityCheck& check)
         u"<b>%1.</b> %2"_s.arg(checkName(check.id).toHtmlEscaped(), sentence(check.message).toHtmlEscaped()));
     text->setWordWrap(true);
     text->setTextFormat(Qt::RichText);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     line->addWidget(text, 1);
     return row;
 }
 
 } // namespace
 
-CheckList::CheckList(QWidget* parent)
-    : QWidget(parent), m_sign(new CheckSignLabel(CheckSign::Pass)), m_verdict(makeLabel({}, "heading")),
-      m_rows(new QVBoxLayout)
+ValidityLine::ValidityLine(QWidget* parent)
+    : QWidget(parent), m_sign(new CheckSignLabel(CheckSign::Pass)), m_words(makeLabel({}, "strong"))
 {
-    auto* column = new QVBoxLayout(this);
-    setSpacing(column, 0, 4);
-    auto* head = new QHBoxLayout;
-    head->setSpacing(metrics::step);
-    head->addWidget(m_sign);
-    head->addWidget(m_verdict, 1);
-    column->addLayout(head);
-    m_rows->setSpacing(0);
-    column->addLayout(m_rows);
+    auto* line = new QHBoxLayout(this);
+    setSpacing(line, 0, metrics::insideControl);
+    line->addWidget(m_sign);
+    line->addWidget(m_words);
+}
+
+void ValidityLine::setVerdict(ValidityVerdict verdict)
+{
+    switch (verdict) {
+    case ValidityVerdict::Valid:
+        m_sign->setSign(CheckSign::Pass);
+        m_words->setText(tr("Measurement valid"));
+        break;
+    case ValidityVerdict::Suspect:
+        m_sign->setSign(CheckSign::Warning);
+        m_words->setText(tr("Measurement suspect"));
+        break;
+    case ValidityVerdict::Invalid:
+        m_sign->setSign(CheckSign::Fail);
+        m_words->setText(tr("Measurement not valid"));
+        break;
+    }
+    setAccessibleName(m_words->text());
+}
+
+CheckList::CheckList(QWidget* parent) : QWidget(parent), m_rows(new QVBoxLayout(this))
+{
+    setSpacing(m_rows, 0, 0);
 }
 
 void CheckList::setValidity(const Validity& validity)
@@ -102,25 +121,11 @@ void CheckList::setValidity(const Validity& validity)
         delete item->widget();
         delete item;
     }
-    switch (validity.verdict) {
-    case ValidityVerdict::Valid:
-        m_sign->setSign(CheckSign::Pass);
-        m_verdict->setText(tr("Measurement valid"));
-        break;
-    case ValidityVerdict::Suspect:
-        m_sign->setSign(CheckSign::Warning);
-        m_verdict->setText(tr("Measurement suspect"));
-        break;
-    case ValidityVerdict::Invalid:
-        m_sign->setSign(CheckSign::Fail);
-        m_verdict->setText(tr("Measurement not valid"));
-        break;
-    }
-    // What failed comes first.
     for (const bool ok : {false, true})
         for (const ValidityCheck& check : validity.checks)
             if (check.ok == ok)
                 m_rows->addWidget(checkRow(check));
+    m_rows->addStretch();
 }
 
 } // namespace gripscope

@@ -27,7 +27,19 @@ private:
     CheckSign m_sign;
 };
 
-/// The verdict on the measurement in one line, then every check with what was found.
+/// The verdict on the measurement, with its sign: "Measurement valid".
+class ValidityLine : public QWidget {
+    Q_OBJECT
+public:
+    explicit ValidityLine(QWidget* parent = nullptr);
+    void setVerdict(ValidityVerdict verdict);
+
+private:
+    CheckSignLabel* m_sign;
+    QLabel* m_words;
+};
+
+/// Every check with what was found; those that failed first.
 class CheckList : public QWidget {
     Q_OBJECT
 public:
@@ -35,8 +47,6 @@ public:
     void setValidity(const Validity& validity);
 
 private:
-    CheckSignLabel* m_sign;
-    QLabel* m_verdict;
     QVBoxLayout* m_rows;
 };
 

@@ -3,20 +3,24 @@
 
 #include "core/signal/units.h"
 #include "ui/charts/fit_plots.h"
-#include "ui/models/derived_quantities.h"
-#include "ui/models/estimate_delegate.h"
+#include "ui/charts/region_plot.h"
 #include "ui/models/estimate_table_model.h"
 #include "ui/pages/fit_page_checks.h"
+#include "ui/pages/fit_page_estimators.h"
+#include "ui/pages/fit_page_uncertainty.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/elided_label.h"
 #include "ui/widgets/number_format.h"
 
 #include <QGridLayout>
-#include <QHeaderView>
-#include <QLabel>
 #include <QResizeEvent>
-#include <QTableView>
+#include <QScrollArea>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace gripscope {
 
@@ -48,68 +52,80 @@ QString withInterval(const FormattedNumber& number)
 } // namespace
 
 FitSummary::FitSummary(QWidget* parent)
-    : QScrollArea(parent), m_title(makeLabel({}, "title")), m_facts(makeLabel({}, "second")),
-      m_bestName(makeLabel({}, "heading")), m_best(new QGridLayout), m_model(new EstimateTableModel(this)),
-      m_table(new QTableView), m_note(makeLabel({}, "second")), m_checks(new CheckList)
+    : QWidget(parent), m_title(new ElidedLabel), m_verdict(new ValidityLine), m_facts(new ElidedLabel),
+      m_best(new QGridLayout), m_tabs(new QTabWidget), m_estimators(new EstimatorPanel),
+      m_region(new RegionPlot), m_regionWords(makeLabel({}, "second")), m_checks(new CheckList),
+      m_uncertainty(new UncertaintyPanel)
 {
-    setWidgetResizable(true);
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    auto* body = new QWidget;
-    auto* column = new QVBoxLayout(body);
-    column->setContentsMargins(2 * metrics::step, 12, 2 * metrics::step, 2 * metrics::step);
-    column->setSpacing(metrics::step);
-    m_title->setWordWrap(true);
-    m_facts->setWordWrap(true);
-    m_note->setWordWrap(true);
-    m_best->setHorizontalSpacing(2 * metrics::step);
-    m_best->setVerticalSpacing(4);
-    m_best->setColumnStretch(1, 1);
-    buildTable();
-    m_note->setText(
-        tr("ARX predicts one step ahead from the last two measured positions. With noise that reads high "
-           "even when m, b and k are far off: a good ARX prediction fit says nothing about them."));
-    column->addWidget(m_title);
-    column->addWidget(m_facts);
-    column->addWidget(makeRule());
-    column->addWidget(m_bestName);
-    column->addLayout(m_best);
-    column->addWidget(makeRule());
-    column->addWidget(makeLabel(tr("Estimators"), "heading"));
-    column->addWidget(m_table);
-    column->addWidget(m_note);
-    column->addWidget(makeRule());
-    column->addWidget(m_checks);
-    column->addStretch();
-    setWidget(body);
+    auto* column = new QVBoxLayout(this);
+    setSpacing(column, 0, 0);
+    column->addWidget(buildHead());
+    buildTabs();
+    column->addWidget(m_tabs, 1);
+    connect(m_estimators, &EstimatorPanel::estimatorChosen, this, &FitSummary::estimatorChosen);
     connect(&Theme::instance(), &Theme::changed, this, [this] { showBest(); });
 }
 
-void FitSummary::buildTable()
+QWidget* FitSummary::buildHead()
 {
-    m_table->setModel(m_model);
-    m_table->setItemDelegate(new EstimateDelegate(this));
-    m_table->setColumnHidden(int(EstimateTableModel::Column::Verdict),
-                             true); // the delegate writes it below the name
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setShowGrid(false);
-    m_table->setFrameShape(QFrame::NoFrame);
-    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_table->setTabKeyNavigation(false);
-    m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setHighlightSections(false);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-    m_table->horizontalHeader()->setMinimumSectionSize(40);
-    m_table->horizontalHeader()->setStyleSheet(
-        u"QHeaderView::section { padding: 4px 5px; }"_s); // as the delegate's
-    m_table->setAccessibleName(tr("Estimators against each other"));
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-            [this](const QModelIndex& now) {
-                if (const auto estimator = m_model->estimatorAt(now.row()))
-                    emit estimatorChosen(*estimator);
-            });
+    auto* head = new QWidget;
+    auto* column = new QVBoxLayout(head);
+    column->setContentsMargins(2 * metrics::step, 12, 2 * metrics::step, metrics::insideControl);
+    column->setSpacing(metrics::insideControl);
+    setRole(m_title, "heading");
+    setRole(m_facts, "caption");
+    auto* line = new QHBoxLayout;
+    line->setSpacing(metrics::step);
+    line->addWidget(m_title, 1);
+    line->addWidget(m_verdict);
+    m_best->setHorizontalSpacing(2 * metrics::step);
+    m_best->setVerticalSpacing(2);
+    m_best->setColumnStretch(1, 1);
+    column->addLayout(line);
+    column->addWidget(m_facts);
+    column->addWidget(makeRule());
+    column->addLayout(m_best);
+    return head;
+}
+
+void FitSummary::buildTabs()
+{
+    m_tabs->setDocumentMode(true);
+    m_tabs->setStyleSheet(u"QTabWidget > QStackedWidget { background: transparent; }"_s); // the card's
+    m_tabs->tabBar()->setDrawBase(false);
+    m_tabs->tabBar()->setExpanding(true);
+    m_tabs->tabBar()->setAccessibleName(tr("Details of the fit"));
+    m_tabs->tabBar()->setStyleSheet(u"QTabBar::tab { padding: 0 8px; }"_s); // five in a third of the window
+    auto* region = new QWidget;
+    auto* column = new QVBoxLayout(region);
+    setSpacing(column, metrics::step, metrics::insideControl);
+    m_regionWords->setWordWrap(true);
+    column->addWidget(m_region, 1);
+    column->addWidget(m_regionWords);
+    addTab(m_estimators, tr("Estimators"));
+    m_tabs->addTab(region, tr("Region")); // a picture takes the room there is, it does not scroll
+    addTab(m_checks, tr("Checks"));
+    addTab(m_uncertainty, tr("Uncertainty"));
+}
+
+void FitSummary::addTab(QWidget* body, const QString& title)
+{
+    auto* inside = new QWidget;
+    auto* column = new QVBoxLayout(inside);
+    column->setContentsMargins(metrics::step, metrics::step, metrics::step, 12);
+    column->addWidget(body);
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(inside);
+    scroll->setAccessibleName(title);
+    m_tabs->addTab(scroll, title);
+}
+
+EstimateTableModel* FitSummary::table() const
+{
+    return m_estimators->model();
 }
 
 void FitSummary::show(const QString& title, const Identification& identification, const QString& forceUnit,
@@ -118,29 +134,25 @@ void FitSummary::show(const QString& title, const Identification& identification
     m_identification = identification;
     m_forceUnit = forceUnit;
     m_positionUnit = positionUnit;
-    m_title->setText(title);
+    m_title->setFullText(title);
     const double seconds = identification.sampleTime_s * double(identification.time_s.size());
-    m_facts->setText(tr("%1 samples · %2 · force %3 between samples")
-                         .arg(formatCount(qint64(identification.time_s.size())),
-                              formatNumber(seconds, std::nullopt, u"s"_s).valueWithUnit(),
-                              identification.hold == ForceHold::Zero ? tr("held") : tr("linear")));
+    const QString hold = identification.hold == ForceHold::Zero ? tr("force held") : tr("force linear");
+    const QString facts = tr("%1 samples · %2 · %3 between samples")
+                              .arg(formatCount(qint64(identification.time_s.size())),
+                                   formatNumber(seconds, std::nullopt, u"s"_s).valueWithUnit(), hold);
+    m_facts->setFullText(facts);
+    m_verdict->setVerdict(identification.validity.verdict);
     showBest();
-    m_model->setIdentification(identification, forceUnit, positionUnit);
-    m_note->setVisible(identification.find(Estimator::Arx) || identification.find(Estimator::ArxMeanForce) ||
-                       identification.find(Estimator::Arx221));
+    m_estimators->setIdentification(identification, forceUnit, positionUnit);
+    m_region->setRegion(estimateRegion(identification));
+    m_regionWords->setText(m_region->region() ? correlationWords(*m_region->region()) : QString());
+    m_regionWords->setVisible(m_region->region().has_value());
     m_checks->setValidity(identification.validity);
-    fitTable();
-    if (const Estimate* best = identification.best())
-        m_table->selectRow(m_model->rowOf(best->estimator));
-}
-
-void FitSummary::fitTable()
-{
-    m_table->resizeRowsToContents();
-    int height = m_table->horizontalHeader()->sizeHint().height() + 4;
-    for (int row = 0; row < m_model->rowCount(); ++row)
-        height += m_table->rowHeight(row);
-    m_table->setFixedHeight(height);
+    const auto failed =
+        std::count_if(identification.validity.checks.begin(), identification.validity.checks.end(),
+                      [](const ValidityCheck& check) { return !check.ok; });
+    m_tabs->setTabText(2, failed > 0 ? tr("Checks (%1)").arg(failed) : tr("Checks"));
+    m_uncertainty->setIdentification(identification, forceUnit, positionUnit);
 }
 
 void FitSummary::showBest()
@@ -151,15 +163,14 @@ void FitSummary::showBest()
     }
     const Estimate* best = m_identification.best();
     if (!best || !best->parameters) {
-        m_bestName->setText(tr("No estimate"));
+        m_best->addWidget(makeLabel(tr("No estimate"), "heading"), m_best->rowCount(), 0, 1, 2);
         return;
     }
-    m_bestName->setText(tr("Recommended: %1").arg(estimatorName(best->estimator)));
-    const bool narrow = viewport()->width() < narrowWidth;
-    const auto row = [this, narrow](const QString& name, const FormattedNumber& number, bool large) {
+    const bool narrow = width() < narrowWidth;
+    const auto row = [this, narrow](const QString& name, const FormattedNumber& number) {
         const int at = m_best->rowCount();
-        auto* label = makeLabel(name, narrow ? "caption" : "second");
-        auto* value = makeLabel(withInterval(number), !large ? "strong" : narrow ? "heading" : "number");
+        auto* label = makeLabel(name, "second");
+        auto* value = makeLabel(withInterval(number), narrow ? "heading" : "number");
         value->setTextFormat(Qt::RichText);
         value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         value->setAccessibleName(u"%1: %2"_s.arg(name, number.text()));
@@ -173,28 +184,16 @@ void FitSummary::showBest()
     const auto shown = [](const QString& unit) { return unit == u"1" ? QString() : unit; };
     const auto errors = best->standardErrors();
     const auto error = [&](int i) { return errors ? halfWidth((*errors)[i], factor) : std::nullopt; };
-    row(tr("Mass m"), formatNumber(best->parameters->m * factor, error(0), shown(units.m)), true);
-    row(tr("Damping b"), formatNumber(best->parameters->b * factor, error(1), shown(units.b)), true);
-    row(tr("Stiffness k"), formatNumber(best->parameters->k * factor, error(2), shown(units.k)), true);
-    if (const auto derived = derivedQuantities(*best)) {
-        row(tr("Natural frequency"),
-            formatNumber(derived->naturalFrequency_Hz, halfWidth(derived->naturalFrequencyError_Hz), u"Hz"_s),
-            false);
-        row(tr("Damping ratio"),
-            formatNumber(derived->dampingRatio, halfWidth(derived->dampingRatioError), {}), false);
-    }
+    row(tr("Mass m"), formatNumber(best->parameters->m * factor, error(0), shown(units.m)));
+    row(tr("Damping b"), formatNumber(best->parameters->b * factor, error(1), shown(units.b)));
+    row(tr("Stiffness k"), formatNumber(best->parameters->k * factor, error(2), shown(units.k)));
 }
 
 void FitSummary::resizeEvent(QResizeEvent* event)
 {
-    QScrollArea::resizeEvent(event);
+    QWidget::resizeEvent(event);
     if ((event->oldSize().width() < narrowWidth) != (event->size().width() < narrowWidth))
         showBest();
-}
-
-QString FitSummary::toTsv() const
-{
-    return m_model->toTsv();
 }
 
 } // namespace gripscope

@@ -3,20 +3,26 @@
 
 #include "core/identification/identification.h"
 
-#include <QScrollArea>
+#include <QWidget>
 
 class QGridLayout;
 class QLabel;
-class QTableView;
+class QTabWidget;
 
 namespace gripscope {
 
 class CheckList;
+class ElidedLabel;
 class EstimateTableModel;
+class EstimatorPanel;
+class RegionPlot;
+class UncertaintyPanel;
+class ValidityLine;
 
-/// The right third of the Fit page: the recommended estimate with its error bars, the estimators against each
-/// other, the checks on the measurement.
-class FitSummary : public QScrollArea {
+/// The right third of the Fit page. Always in view: what was squeezed, the verdict on the measurement, m, b
+/// and k with their error bars. Behind tabs: the estimators against each other, the joint region, the checks,
+/// what the uncertainty is made of.
+class FitSummary : public QWidget {
     Q_OBJECT
 public:
     explicit FitSummary(QWidget* parent = nullptr);
@@ -24,9 +30,8 @@ public:
     void show(const QString& title, const Identification& identification, const QString& forceUnit,
               const QString& positionUnit);
     using QWidget::show;
-    [[nodiscard]] EstimateTableModel* table() const { return m_model; }
-    /// Header and one line an estimator, tab-separated.
-    [[nodiscard]] QString toTsv() const;
+    [[nodiscard]] EstimateTableModel* table() const;
+    [[nodiscard]] RegionPlot* regionPlot() const { return m_region; }
 
 signals:
     void estimatorChosen(gripscope::Estimator estimator); ///< a row of the table
@@ -35,20 +40,23 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void buildTable();
+    [[nodiscard]] QWidget* buildHead();
+    void buildTabs();
+    void addTab(QWidget* body, const QString& title);
     void showBest();
-    void fitTable();
 
     Identification m_identification;
     QString m_forceUnit, m_positionUnit;
-    QLabel* m_title;
-    QLabel* m_facts;
-    QLabel* m_bestName;
+    ElidedLabel* m_title;
+    ValidityLine* m_verdict;
+    ElidedLabel* m_facts;
     QGridLayout* m_best;
-    EstimateTableModel* m_model;
-    QTableView* m_table;
-    QLabel* m_note;
+    QTabWidget* m_tabs;
+    EstimatorPanel* m_estimators;
+    RegionPlot* m_region;
+    QLabel* m_regionWords;
     CheckList* m_checks;
+    UncertaintyPanel* m_uncertainty;
 };
 
 } // namespace gripscope

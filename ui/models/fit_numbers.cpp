@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/fit_numbers.h"
+
+#include "ui/models/derived_quantities.h"
+#include "ui/models/estimate_table_model.h"
+
+#include <QLocale>
+#include <QStringList>
+
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr double quantile975 = 1.959963984540054; // half a 95 % interval in standard errors
+
+QString full(const std::optional<double>& value)
+{
+    return value && std::isfinite(*value) ? QString::number(*value, 'g', QLocale::FloatingPointShortest)
+                                          : QString();
+}
+
+QString line(const QStringList& cells)
+{
+    return cells.join(u'\t') + u'\n';
+}
+
+QString derivedBlock(const Estimate& estimate)
+{
+    const auto derived = derivedQuantities(estimate);
+    if (!derived)
+        return {};
+    const auto half = [](std::optional<double> error) {
+        return error ? full(quantile975 * *error) : QString();
+    };
+    return u'\n' + line({u"quantity"_s, u"value"_s, u"95 % half width"_s, u"unit"_s}) +
+           line({u"natural frequency"_s, full(derived->naturalFrequency_Hz),
+                 half(derived->naturalFrequencyError_Hz), u"Hz"_s}) +
+           line({u"damping ratio"_s, full(derived->dampingRatio), half(derived->dampingRatioError), {}});
+}
+
+QString correlationBlock(const Estimate& estimate)
+{
+    const std::optional<Eigen::Vector3d> errors = estimate.standardErrors();
+    if (!errors || !(errors->minCoeff() > 0))
+        return {};
+    QString text = u'\n' + line({u"correlation"_s, u"m"_s, u"b"_s, u"k"_s});
+    for (int i = 0; i < 3; ++i) {
+        QStringList cells{QString(u"mbk"_s[i])};
+        for (int j = 0; j < 3; ++j)
+            cells << full((*estimate.covariance)(i, j) / (*errors)[i] / (*errors)[j]);
+        text += line(cells);
+    }
+    return text;
+}
+
+QString residualBlock(const Estimate& estimate)
+{
+    const ResidualSummary& residuals = estimate.residuals;
+    return u'\n' + line({u"residual test"_s, u"p"_s}) +
+           line({u"whiteness (Ljung-Box)"_s, full(residuals.whitenessP)}) +
+           line({u"independence of the force (F)"_s, full(residuals.inputIndependenceP)});
+}
+
+QString checkBlock(const Validity& validity)
+{
+    QString text = u'\n' + line({u"check"_s, u"ok"_s, u"value"_s, u"limit"_s, u"message"_s});
+    for (const ValidityCheck& check : validity.checks)
+        text += line({check.id, check.ok ? u"yes"_s : u"no"_s, full(check.value), full(check.limit),
+                      QString(check.message).simplified()});
+    return text + line({u"verdict"_s, toString(validity.verdict)});
+}
+
+} // namespace
+
+QString fitNumbers(const Identification& identification, const QString& forceUnit,
+                   const QString& positionUnit)
+{
+    EstimateTableModel estimates;
+    estimates.setIdentification(identification, forceUnit, positionUnit);
+    QString text = estimates.toTsv();
+    if (const Estimate* best = identification.best())
+        text += derivedBlock(*best) + correlationBlock(*best) + residualBlock(*best);
+    return text + checkBlock(identification.validity);
+}
+
+} // namespace gripscope

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/identification.h"
+
+#include <QWidget>
+
+class QGridLayout;
+class QLabel;
+
+namespace gripscope {
+
+/// What the error bars are worth: what would make them better, what else follows from m, b and k.
+class UncertaintyPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit UncertaintyPanel(QWidget* parent = nullptr);
+
+    void setIdentification(const Identification& identification, const QString& forceUnit,
+                           const QString& positionUnit);
+
+private:
+    void showAdvice(const Identification& identification);
+    void showDerived(const Identification& identification);
+
+    QLabel* m_adviceHead;
+    QLabel* m_advice;
+    QLabel* m_derivedHead;
+    QGridLayout* m_derived;
+};
+
+} // namespace gripscope
