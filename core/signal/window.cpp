@@ -68,4 +68,17 @@ WindowChoice chooseWindow(const Recording& recording)
     return choice;
 }
 
+Window movingWindow(const Recording& recording)
+{
+    if (!hasMovingSamples(recording))
+        return {0, recording.size()};
+    Window longest, current;
+    for (std::size_t i = 0; i < recording.size(); ++i) {
+        current = isMoving(recording, i) ? Window{current.first, current.count + 1} : Window{i + 1, 0};
+        if (current.count > longest.count)
+            longest = current;
+    }
+    return longest;
+}
+
 } // namespace gripscope

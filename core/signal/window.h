@@ -16,4 +16,8 @@ struct WindowChoice {
 };
 [[nodiscard]] WindowChoice chooseWindow(const Recording& recording);
 
+/// The longest run of samples that all report the excitation moving, gaps or not, the first of equals;
+/// without any such sample, everything.
+[[nodiscard]] Window movingWindow(const Recording& recording);
+
 } // namespace gripscope

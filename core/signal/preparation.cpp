@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/signal/preparation.h"
+
+#include "core/signal/contact_loss.h"
+#include "core/signal/frame_compliance.h"
+#include "core/signal/lost_share.h"
+#include "core/signal/preparation_steps.h"
+#include "core/signal/regular_grid.h"
+#include "core/signal/sample_clock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+namespace {
+
+template <typename T>
+std::span<const T> part(const std::vector<T>& all, Window window)
+{
+    return std::span<const T>(all).subspan(window.first, window.count);
+}
+
+bool allFinite(const std::vector<double>& values)
+{
+    return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+bool isUsable(const Recording& recording)
+{
+    const std::size_t n = recording.size();
+    return recording.position.size() == n && recording.time_s.size() == n &&
+           std::isfinite(recording.sampleTime_s) && recording.sampleTime_s > 0 &&
+           std::isfinite(recording.forceLag_s) && allFinite(recording.force) &&
+           allFinite(recording.position) && allFinite(recording.time_s);
+}
+
+/// The squeeze's samples within the part the device calls one.
+Window chooseSqueeze(PreparedRecord& prepared, const Recording& recording, const PreparationOptions& options)
+{
+    const Window asked = movingWindow(recording);
+    prepared.phases = {};
+    prepared.phases.touch = prepared.phases.loaded = asked.first;
+    prepared.phases.squeeze = asked;
+    if (!options.findContact)
+        return asked;
+    ContactPhases phases = findContact(part(recording.force, asked), part(recording.position, asked));
+    phases.touch += asked.first;
+    phases.loaded += asked.first;
+    phases.squeeze.first += asked.first;
+    prepared.phases = phases;
+    if (phases.squeeze.count < asked.count)
+        prepared.steps.push_back(contactStep(phases, asked));
+    return phases.squeeze;
+}
+
+SampleClock readClock(PreparedRecord& prepared, const Recording& recording, Window squeeze)
+{
+    const bool numbered = recording.sequence.size() == recording.size();
+    const std::span<const std::uint64_t> sequence =
+        numbered ? part(recording.sequence, squeeze) : std::span<const std::uint64_t>();
+    SampleClock clock = readSampleClock(part(recording.time_s, squeeze), sequence, recording.sampleTime_s);
+    prepared.sampleTime_s = clock.sampleTime_s;
+    prepared.choice.eligible = squeeze.count;
+    prepared.choice.lostSamples = clock.lost;
+    prepared.choice.gaps = clock.gaps;
+    if (clock.drifts)
+        prepared.steps.push_back(driftStep(clock, recording.sampleTime_s));
+    if (clock.breaks > 0)
+        prepared.steps.push_back(breakStep(clock));
+    return clock;
+}
+
+/// The device's stamps where it measured; where samples were moved or are missing, the grid's own times.
+std::vector<double> gridTimes(const Recording& recording, Window used, const SampleClock& clock,
+                              std::size_t clockFirst, std::size_t points, bool moved)
+{
+    std::vector<double> time_s(points);
+    const std::int64_t origin = clock.index[clockFirst];
+    const double offset =
+        static_cast<double>(origin) - (moved ? clock.time[clockFirst] : static_cast<double>(origin));
+    const double start_s = recording.time_s[used.first] + offset * clock.sampleTime_s;
+    for (std::size_t n = 0; n < points; ++n)
+        time_s[n] = start_s + static_cast<double>(n) * clock.sampleTime_s;
+    for (std::size_t i = 0; i < used.count && !moved; ++i)
+        time_s[static_cast<std::size_t>(clock.index[clockFirst + i] - origin)] =
+            recording.time_s[used.first + i];
+    return time_s;
+}
+
+/// Force and position on the grid; returns the samples used.
+Window fillGrid(PreparedRecord& prepared, const Recording& recording, Window squeeze,
+                const PreparationOptions& options)
+{
+    const SampleClock clock = readClock(prepared, recording, squeeze);
+    const Window kept = keepLostShare(clock.index, std::clamp(options.largestLostShare, 0.01, 0.99));
+    const Window used{squeeze.first + kept.first, kept.count};
+    const auto index = part(clock.index, kept);
+    const auto time = part(clock.time, kept);
+    const bool moved = options.resample && clock.jittered;
+    const ForceHold hold = options.hold.value_or(recording.hold.value_or(ForceHold::First));
+    GriddedChannels grid =
+        moved ? resampleToGrid(part(recording.force, used), part(recording.position, used), index, time, hold)
+              : placeOnGrid(part(recording.force, used), part(recording.position, used), index);
+    prepared.time_s = gridTimes(recording, used, clock, kept.first, grid.force.size(), moved);
+    prepared.force = std::move(grid.force);
+    prepared.position = std::move(grid.position);
+    prepared.lost = std::move(grid.lost);
+    if (clock.jittered)
+        prepared.steps.push_back(jitterStep(clock, moved));
+    if (clock.gaps > 0)
+        prepared.steps.push_back(lostStep(prepared.choice));
+    if (kept.count < squeeze.count)
+        prepared.steps.push_back(cutStep(used, squeeze));
+    return used;
+}
+
+void exciseContactLoss(PreparedRecord& prepared)
+{
+    const std::vector<std::size_t> away = findContactLoss(prepared.force, prepared.position);
+    if (away.empty())
+        return;
+    std::vector<std::size_t> lost;
+    std::set_union(prepared.lost.begin(), prepared.lost.end(), away.begin(), away.end(),
+                   std::back_inserter(lost));
+    prepared.lost = std::move(lost);
+    prepared.steps.push_back(contactLossStep(away, prepared.force.size()));
+}
+
+void removeFrame(PreparedRecord& prepared, ForceHold hold)
+{
+    const double compliance = prepared.chain.frameCompliance;
+    if (compliance == 0 || !std::isfinite(compliance))
+        return;
+    prepared.position = withoutFrame(prepared.position, prepared.force, compliance,
+                                     prepared.forceLag_s / prepared.sampleTime_s, hold);
+    prepared.steps.push_back(frameStep(compliance));
+}
+
+void notice(PreparedRecord& prepared, const Recording& recording, Window used)
+{
+    if (auto step = saturationStep(recording, used))
+        prepared.steps.push_back(*std::move(step));
+    if (auto step = quantizationStep(recording, used))
+        prepared.steps.push_back(*std::move(step));
+}
+
+} // namespace
+
+const PreparationStep* PreparedRecord::find(const QString& id) const
+{
+    for (const PreparationStep& step : steps) {
+        if (step.id == id)
+            return &step;
+    }
+    return nullptr;
+}
+
+PreparedRecord prepare(const Recording& recording, const PreparationOptions& options)
+{
+    PreparedRecord prepared;
+    prepared.sampleTime_s = recording.sampleTime_s;
+    prepared.hold = recording.hold;
+    prepared.forceLag_s = recording.forceLag_s;
+    prepared.chain = recording.chain;
+    if (!isUsable(recording)) {
+        prepared.time_s = recording.time_s;
+        prepared.force = recording.force;
+        prepared.position = recording.position;
+        prepared.choice = chooseWindow(recording);
+        prepared.steps.push_back(unusableStep());
+        return prepared;
+    }
+    if (recording.size() == 0)
+        return prepared;
+    const Window squeeze = chooseSqueeze(prepared, recording, options);
+    prepared.choice.window = fillGrid(prepared, recording, squeeze, options);
+    if (options.findContact)
+        exciseContactLoss(prepared);
+    if (options.removeFrame)
+        removeFrame(prepared, options.hold.value_or(recording.hold.value_or(ForceHold::First)));
+    notice(prepared, recording, prepared.choice.window);
+    return prepared;
+}
+
+} // namespace gripscope

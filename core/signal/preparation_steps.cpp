@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/signal/preparation_steps.h"
+
+#include "core/signal/clipping.h"
+#include "core/signal/robust_statistics.h"
+#include "core/signal/value_lattice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// Above this root mean square, in sample times, neighbours begin to change places.
+constexpr double largestJitter = 0.2;
+/// A clock that is off by more is more likely a wrong sample time.
+constexpr double largestDrift = 0.01;
+/// Of the range; coarser steps are more than 1 % noise of a kind that is not white.
+constexpr double coarseStep = 0.03;
+constexpr double finestWorthNaming = 1e-4;
+
+QString number(double value)
+{
+    return QString::number(value, 'g', 3);
+}
+
+} // namespace
+
+PreparationStep unusableStep()
+{
+    return {u"unusable"_s, 0, 0, false,
+            u"the channels differ in length, or hold numbers that are not finite, or the sample time is not "
+            "above zero"_s};
+}
+
+PreparationStep contactStep(const ContactPhases& phases, Window asked)
+{
+    const std::size_t before = phases.squeeze.first - asked.first;
+    const std::size_t behind = asked.count - phases.squeeze.count - before;
+    return {
+        u"contact"_s, before + behind, static_cast<double>(phases.squeeze.count), true,
+        u"%1 samples of approach and touch and %2 of release were left out; %3 samples of squeeze remain"_s
+            .arg(before)
+            .arg(behind)
+            .arg(phases.squeeze.count)};
+}
+
+PreparationStep driftStep(const SampleClock& clock, double nominal_s)
+{
+    const bool ok = std::abs(clock.drift) <= largestDrift;
+    QString message =
+        u"the device's clock runs at %1 s a sample instead of %2 s (%3 %); its own time was used"_s
+            .arg(clock.sampleTime_s, 0, 'g', 9)
+            .arg(nominal_s, 0, 'g', 9)
+            .arg(number(100 * clock.drift));
+    if (!ok)
+        message += u". That is much for a clock: check the sample time"_s;
+    return {u"clock_drift"_s, 0, clock.drift, ok, message};
+}
+
+PreparationStep breakStep(const SampleClock& clock)
+{
+    return {
+        u"clock_break"_s, clock.breaks, static_cast<double>(clock.breaks), true,
+        u"time stamps and sample numbers contradict each other in %1 places: the device's clock was set, or "
+        "the device started again. Nothing is assumed across them."_s.arg(clock.breaks)};
+}
+
+PreparationStep jitterStep(const SampleClock& clock, bool moved)
+{
+    const bool ok = moved && clock.jitter <= largestJitter;
+    const QString share = number(100 * clock.jitter);
+    if (!moved)
+        return {u"clock_jitter"_s, 0, clock.jitter, ok,
+                u"the samples jitter by %1 % of the sample time and were taken as regular"_s.arg(share)};
+    QString message =
+        u"the samples jitter by %1 % of the sample time; force and position were put on a regular grid"_s.arg(
+            share);
+    if (!ok)
+        message += u". That is too much for an exact correction: let the device sample more regularly"_s;
+    return {u"clock_jitter"_s, 0, clock.jitter, ok, message};
+}
+
+PreparationStep lostStep(const WindowChoice& choice)
+{
+    return {
+        u"samples_lost"_s, choice.gaps, static_cast<double>(choice.lostSamples), true,
+        u"%1 samples are missing in %2 places; the force there counts as unknown"_s.arg(choice.lostSamples)
+            .arg(choice.gaps)};
+}
+
+PreparationStep cutStep(Window used, Window squeeze)
+{
+    const std::size_t left = squeeze.count - used.count;
+    return {
+        u"window_cut"_s, left, static_cast<double>(left) / static_cast<double>(squeeze.count), false,
+        u"too many samples are missing to bridge all gaps; %1 of the %2 samples there are were used. Check "
+        "the cable and the load of the computer, then squeeze again."_s.arg(used.count)
+            .arg(squeeze.count)};
+}
+
+PreparationStep contactLossStep(const std::vector<std::size_t>& away, std::size_t samples)
+{
+    const double share = static_cast<double>(away.size()) / static_cast<double>(samples);
+    return {
+        u"contact_loss"_s, away.size(), share, true,
+        u"the gripper left the object for %1 samples (%2 %), since it can push but not pull; they were left "
+        "out. Squeeze with more bias."_s.arg(away.size())
+            .arg(number(100 * share))};
+}
+
+PreparationStep frameStep(double compliance)
+{
+    return {u"frame_compliance"_s, 0, compliance, true,
+            u"the frame's share of the position, %1 position units per force unit, was taken away"_s.arg(
+                number(compliance))};
+}
+
+std::optional<PreparationStep> saturationStep(const Recording& recording, Window used)
+{
+    std::size_t marked = 0;
+    if (recording.status.size() == recording.size()) {
+        for (std::size_t i = used.first; i < used.first + used.count; ++i)
+            marked += (recording.status[i] & (StatusForceSaturated | StatusPositionSaturated)) != 0 ? 1 : 0;
+    }
+    const auto channel = [used](const std::vector<double>& values) {
+        const auto window = std::span<const double>(values).subspan(used.first, used.count);
+        return clippedSamples(window, latticeStep(window).value_or(0)).total();
+    };
+    const std::size_t force = channel(recording.force), position = channel(recording.position);
+    const std::size_t count = std::max(marked, force + position);
+    if (count == 0)
+        return std::nullopt;
+    const double share = static_cast<double>(count) / static_cast<double>(used.count);
+    return PreparationStep{
+        u"saturation"_s, count, share, false,
+        u"samples at the end of a sensor's range: %1 by the device's word, %2 of force and %3 of position by "
+        "their look. Squeeze with less force."_s.arg(marked)
+            .arg(force)
+            .arg(position)};
+}
+
+std::optional<PreparationStep> quantizationStep(const Recording& recording, Window used)
+{
+    const auto window = std::span<const double>(recording.position).subspan(used.first, used.count);
+    const std::optional<double> step = latticeStep(window);
+    if (!step)
+        return std::nullopt;
+    const auto [lowest, highest] = std::minmax_element(window.begin(), window.end());
+    const double share = *step / (*highest - *lowest);
+    if (share < finestWorthNaming || *step < whiteNoiseDeviation(window))
+        return std::nullopt;
+    return PreparationStep{
+        u"quantization"_s, window.size(), *step, share < coarseStep,
+        u"the position comes in steps of %1, %2 % of its range and more than its noise"_s.arg(number(*step))
+            .arg(number(100 * share))};
+}
+
+} // namespace gripscope

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/signal/sample_clock.h"
+
+#include "core/signal/robust_statistics.h"
+#include "core/signal/value_lattice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+namespace {
+
+constexpr double contradiction = 0.7;          ///< samples; jitter of a quarter at both ends stays below
+constexpr double contradictionOfLength = 0.01; ///< of a gap, which a bad nominal clock explains
+constexpr std::int64_t longestCounted = 50;
+constexpr double mostSteps = 9e15; ///< still exact in a double
+/// Fewer stamps do not tell a drift from jitter.
+constexpr std::size_t fewestForDrift = 20;
+
+/// A step of the grid between two samples; `timed`: the clock's own step counts.
+struct Step {
+    std::int64_t samples = 1;
+    bool timed = true;
+    bool contradicts = false;
+};
+
+double median(const std::vector<double>& values)
+{
+    return quantile(values, 0.5);
+}
+
+/// The sample time to count with: the mean of the steps that are one sample long, found about their median;
+/// about the whole part of it nearest to the nominal time where most samples are lost.
+double referenceTime(std::span<const double> time_s, std::span<const std::uint64_t> sequence,
+                     double nominal_s)
+{
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < time_s.size(); ++i) {
+        const double step = time_s[i] - time_s[i - 1];
+        const bool next = sequence.empty() || sequence[i] == sequence[i - 1] + 1;
+        if (step > 0 && next)
+            steps.push_back(step);
+    }
+    const double middle = steps.empty() ? nominal_s : median(steps);
+    const double times = sequence.empty() ? std::max(std::round(middle / nominal_s), 1.0) : 1.0;
+    const double about = middle / times;
+    double sum = 0, count = 0;
+    for (const double step : steps) {
+        if (std::abs(step - about) > about / 2)
+            continue;
+        sum += step / about - 1;
+        count += 1;
+    }
+    const double reference = about * (1 + (count > 0 ? sum / count : 0));
+    return std::isfinite(reference) && reference > 0 ? reference : nominal_s;
+}
+
+/// Follows the clock from sample to sample, so that each is counted against where the next one is due and not
+/// against the jitter of the one before: a second-order loop, critically damped, over some twenty samples.
+class PhaseTracker {
+public:
+    /// The steps of the grid up to a sample `elapsed` sample times behind the one before.
+    [[nodiscard]] double due(double elapsed) const { return (elapsed + m_lead) / m_rate; }
+    void follow(double elapsed, double samples)
+    {
+        constexpr double phaseGain = 0.1, rateGain = 0.0025;
+        if (samples > static_cast<double>(longestCounted) || !(elapsed > 0)) {
+            m_lead = 0;
+            return;
+        }
+        const double late = elapsed + m_lead - samples * m_rate;
+        m_lead = (1 - phaseGain) * late;
+        m_rate = std::clamp(m_rate + rateGain * late / samples, 0.5, 2.0);
+    }
+
+private:
+    double m_lead = 0; ///< how much later than the grid the last sample was
+    double m_rate = 1;
+};
+
+Step countStep(double timeSteps, bool hasSequence, std::uint64_t before, std::uint64_t after)
+{
+    const double rounded = std::clamp(std::round(timeSteps), 1.0, mostSteps);
+    const auto byTime = static_cast<std::int64_t>(rounded);
+    const bool forward = timeSteps > 0;
+    if (!hasSequence) {
+        if (!forward)
+            return {3, false, true};
+        return {byTime, byTime <= longestCounted, false};
+    }
+    const double bySequence = after > before ? static_cast<double>(after - before) : 0;
+    const double allowed = std::max(contradiction, contradictionOfLength * bySequence);
+    if (forward && bySequence > 0 && std::abs(timeSteps - bySequence) <= allowed)
+        return {static_cast<std::int64_t>(std::min(bySequence, mostSteps)), true, false};
+    return {std::max<std::int64_t>(forward ? byTime : 1, 3), false, true};
+}
+
+/// Least squares of time on index, both centred.
+void fitLine(SampleClock& clock, double reference_s)
+{
+    const auto count = static_cast<double>(clock.index.size());
+    double meanIndex = 0, meanTime = 0;
+    for (std::size_t i = 0; i < clock.index.size(); ++i) {
+        meanIndex += static_cast<double>(clock.index[i]) / count;
+        meanTime += clock.time[i] / count;
+    }
+    double squares = 0, products = 0;
+    for (std::size_t i = 0; i < clock.index.size(); ++i) {
+        const double index = static_cast<double>(clock.index[i]) - meanIndex;
+        squares += index * index;
+        products += index * (clock.time[i] - meanTime - index);
+    }
+    // The slope less 1, so that regular stamps leave no rounding behind.
+    const double excess = products / squares;
+    double sse = 0, largest = 0;
+    for (std::size_t i = 0; i < clock.index.size(); ++i) {
+        const double index = static_cast<double>(clock.index[i]) - meanIndex;
+        const double rest = (clock.time[i] - meanTime - index - excess * index) / (1 + excess);
+        sse += rest * rest;
+        largest = std::max(largest, std::abs(rest));
+        clock.time[i] = static_cast<double>(clock.index[i]) + rest;
+    }
+    clock.sampleTime_s = reference_s * (1 + excess);
+    clock.jitter = std::sqrt(sse / count);
+    clock.driftError = count > 2 ? std::sqrt(sse / (count - 2) / squares) : 0;
+    // Rounding moves a stamp by half a lattice step, and the fitted line by a little.
+    clock.jittered = clock.jitter > smallestJitter && !(largest <= 0.75 * clock.resolution);
+}
+
+} // namespace
+
+SampleClock readSampleClock(std::span<const double> time_s, std::span<const std::uint64_t> sequence,
+                            double nominal_s)
+{
+    SampleClock clock;
+    clock.sampleTime_s = nominal_s;
+    clock.index.assign(time_s.size(), 0);
+    clock.time.assign(time_s.size(), 0.0);
+    if (time_s.size() < 2)
+        return clock;
+    const double reference_s = referenceTime(time_s, sequence, nominal_s);
+    PhaseTracker tracker;
+    for (std::size_t i = 1; i < time_s.size(); ++i) {
+        const double timeSteps = (time_s[i] - time_s[i - 1]) / reference_s;
+        const double due = timeSteps > 0 ? std::max(tracker.due(timeSteps), 0.5) : 0;
+        const Step step = sequence.empty() ? countStep(due, false, 0, 0)
+                                           : countStep(timeSteps, true, sequence[i - 1], sequence[i]);
+        const std::int64_t room = static_cast<std::int64_t>(mostSteps) - clock.index[i - 1];
+        const std::int64_t samples = std::min(step.samples, std::max<std::int64_t>(room, 1));
+        tracker.follow(timeSteps, static_cast<double>(samples));
+        clock.index[i] = clock.index[i - 1] + samples;
+        clock.time[i] = clock.time[i - 1] + (step.timed ? timeSteps : static_cast<double>(samples));
+        clock.breaks += step.contradicts ? 1 : 0;
+        clock.gaps += samples > 1 ? 1 : 0;
+        clock.lost += samples - 1;
+    }
+    if (const std::optional<double> lattice = latticeStep(time_s))
+        clock.resolution = *lattice / reference_s;
+    fitLine(clock, reference_s);
+    clock.drift = clock.sampleTime_s / nominal_s - 1;
+    clock.drifts =
+        time_s.size() >= fewestForDrift && std::abs(clock.drift) > std::max(5 * clock.driftError, 1e-6);
+    if (!clock.drifts)
+        clock.sampleTime_s = nominal_s;
+    return clock;
+}
+
+} // namespace gripscope
