@@ -45,9 +45,9 @@ bool isImplemented(Estimator estimator)
     case Estimator::ArxMeanForce:
     case Estimator::Arx221:
     case Estimator::OutputError:
+    case Estimator::Duffing:
         return true;
     case Estimator::InstrumentalVariables:
-    case Estimator::Duffing:
     case Estimator::Periodic:
         break;
     }

@@ -2,6 +2,7 @@
 #include "core/identification/identification.h"
 
 #include "core/identification/arx.h"
+#include "core/identification/duffing.h"
 #include "core/identification/fit.h"
 #include "core/identification/output_error.h"
 #include "core/identification/validity_checks.h"
@@ -40,6 +41,17 @@ OutputErrorOptions outputErrorOptions(const Identification& data, double lag_s,
     return outputError;
 }
 
+DuffingOptions duffingOptions(const Identification& data, double lag_s, const IdentificationOptions& options)
+{
+    DuffingOptions duffing;
+    duffing.sampleTime_s = data.sampleTime_s;
+    duffing.hold = data.hold;
+    duffing.lag_s = lag_s;
+    duffing.freeInitialState = options.initialState == InitialState::Free;
+    duffing.freeOffset = options.freeOffset;
+    return duffing;
+}
+
 Estimate runEstimator(Estimator estimator, const Identification& data, double lag_s,
                       const IdentificationOptions& options)
 {
@@ -51,8 +63,9 @@ Estimate runEstimator(Estimator estimator, const Identification& data, double la
                            {estimator, data.sampleTime_s, lag_s, options.freeOffset});
     case Estimator::OutputError:
         return estimateOutputError(data.force, data.position, outputErrorOptions(data, lag_s, options));
-    case Estimator::InstrumentalVariables:
     case Estimator::Duffing:
+        return estimateDuffing(data.force, data.position, duffingOptions(data, lag_s, options));
+    case Estimator::InstrumentalVariables:
     case Estimator::Periodic:
         break;
     }

@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/duffing.h"
+#include "core/identification/duffing_model.h"
+#include "core/identification/output_error.h"
+#include "core/signal/recording_csv.h"
+#include "tests/core/identification/synthetic.h"
+#include "tests/support/test_registry.h"
+
+#include <QFileInfo>
+#include <QTest>
+#include <boost/numeric/odeint.hpp>
+
+#include <limits>
+
+using namespace gripscope;
+using namespace Qt::StringLiterals;
+using test::relativeDifference;
+using test::Synthetic;
+
+namespace {
+
+/// A record of a cubic spring; `cubicShare` is k3 a^2 / k at a = 1 / k, the position under the peak force.
+Recording cubicRecord(const Synthetic& synthetic, double cubicShare, double noise = 0)
+{
+    Recording recording = synthetic.make();
+    const double k = synthetic.truth.k;
+    recording.position = simulateDuffing(synthetic.truth, cubicShare * k * k * k, recording.force,
+                                         {synthetic.sampleTime_s, synthetic.hold, synthetic.lag_s,
+                                          synthetic.x0, synthetic.v0, synthetic.offset});
+    GaussianNoise random(synthetic.seed + 1000000);
+    for (double& y : recording.position)
+        y += noise * random();
+    return recording;
+}
+
+DuffingOptions optionsFor(const Recording& recording, bool free)
+{
+    DuffingOptions options;
+    options.sampleTime_s = recording.sampleTime_s;
+    options.hold = recording.hold.value_or(ForceHold::First);
+    options.lag_s = recording.forceLag_s;
+    options.freeInitialState = free;
+    options.freeOffset = free;
+    return options;
+}
+
+Estimate estimate(const Recording& recording, bool free)
+{
+    return estimateDuffing(recording.force, recording.position, optionsFor(recording, free));
+}
+
+QString describe(const Estimate& e)
+{
+    if (!e.parameters)
+        return toString(e.status) + u": "_s + QString::fromStdString(e.message);
+    return u"%1: m %2 b %3 k %4 k3 %5, %6 iterations"_s.arg(toString(e.status))
+        .arg(e.parameters->m, 0, 'g', 12)
+        .arg(e.parameters->b, 0, 'g', 12)
+        .arg(e.parameters->k, 0, 'g', 12)
+        .arg(e.cubic->k3, 0, 'g', 12)
+        .arg(e.iterations);
+}
+
+/// The same motion by an adaptive method of order 8 with tolerances near rounding.
+std::vector<double> byFehlberg(const Synthetic& synthetic, double k3, const std::vector<double>& force)
+{
+    using State = std::array<double, 2>;
+    const MassDampingStiffness& p = synthetic.truth;
+    const double T = synthetic.sampleTime_s;
+    std::vector<double> positions;
+    State state{synthetic.x0, synthetic.v0};
+    auto stepper = boost::numeric::odeint::make_controlled(
+        1e-13, 1e-13, boost::numeric::odeint::runge_kutta_fehlberg78<State>());
+    for (std::size_t n = 0; n < force.size(); ++n) {
+        positions.push_back(state[0] + synthetic.offset);
+        const double next =
+            synthetic.hold == ForceHold::First ? force[std::min(n + 1, force.size() - 1)] : force[n];
+        const auto motion = [&](const State& s, State& ds, double t) {
+            const double f = force[n] + (next - force[n]) * t / T;
+            ds = {s[1], (f - p.b * s[1] - p.k * s[0] - k3 * s[0] * s[0] * s[0]) / p.m};
+        };
+        boost::numeric::odeint::integrate_adaptive(stepper, motion, state, 0.0, T, T / 4);
+    }
+    return positions;
+}
+
+double largestDifference(const std::vector<double>& a, const std::vector<double>& b)
+{
+    double largest = a.size() == b.size() ? 0 : 1e300;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        largest = std::max(largest, std::abs(a[i] - b[i]));
+    return largest;
+}
+
+} // namespace
+
+class DuffingTest : public QObject {
+    Q_OBJECT
+private slots:
+    void theMotionIsThatOfAnAdaptiveIntegrator_data()
+    {
+        QTest::addColumn<double>("share");
+        QTest::addColumn<double>("damping");
+        QTest::addColumn<bool>("straight");
+        for (const double share : {-0.01, 0.0, 0.5, 5.0}) {
+            for (const double damping : {0.1, 1.0, 5.0}) {
+                for (const bool straight : {false, true})
+                    QTest::addRow("cubic share %g, damping %g, %s", share, damping, straight ? "foh" : "zoh")
+                        << share << damping << straight;
+            }
+        }
+    }
+    void theMotionIsThatOfAnAdaptiveIntegrator()
+    {
+        QFETCH(double, share);
+        QFETCH(double, damping);
+        QFETCH(bool, straight);
+        Synthetic synthetic;
+        const double w = 6;
+        synthetic.truth = {0.04, 2 * damping * w * 0.04, w * w * 0.04};
+        synthetic.hold = straight ? ForceHold::First : ForceHold::Zero;
+        synthetic.samples = 200;
+        synthetic.x0 = 0.2;
+        synthetic.v0 = -1;
+        synthetic.offset = 3;
+        const Recording recording = cubicRecord(synthetic, share);
+        const double k = synthetic.truth.k;
+        const std::vector<double> other = byFehlberg(synthetic, share * k * k * k, recording.force);
+        // simulateDuffing() stops where halving its steps changes positions of about 1 by less than 1e-10.
+        const double difference = largestDifference(recording.position, other);
+        QVERIFY2(difference < 1e-9, qPrintable(QString::number(difference)));
+    }
+
+    void withoutACubicSpringTheMotionIsTheLinearOne_data()
+    {
+        QTest::addColumn<double>("lag");
+        for (const double lag : {0.0, 0.4, 3.0, 2.7, -1.3})
+            QTest::addRow("lag %g samples", lag) << lag;
+    }
+    void withoutACubicSpringTheMotionIsTheLinearOne()
+    {
+        QFETCH(double, lag);
+        for (const ForceHold hold : {ForceHold::Zero, ForceHold::First}) {
+            Synthetic synthetic;
+            synthetic.hold = hold;
+            synthetic.lag_s = lag * synthetic.sampleTime_s;
+            synthetic.x0 = 2;
+            synthetic.v0 = -3;
+            synthetic.offset = 5;
+            QVERIFY(largestDifference(cubicRecord(synthetic, 0).position, synthetic.make().position) < 1e-11);
+        }
+    }
+
+    void sensitivitiesAreTheDerivativesOfTheIntegratedMotion()
+    {
+        Synthetic synthetic;
+        synthetic.samples = 60;
+        DuffingProblem problem;
+        problem.force = synthetic.make().force;
+        problem.position.assign(problem.force.size(), 0.0);
+        problem.lag = LagAlignment(0.3, 1);
+        problem.substeps = 2;
+        for (const ForceHold hold : {ForceHold::Zero, ForceHold::First}) {
+            problem.hold = hold;
+            const DuffingPoint point{0.3, -0.2, 0.1, {std::log(1.0), std::log(0.4), std::log(0.8)}, 0.3};
+            const DuffingRows rows = duffingRows(problem, point);
+            for (Eigen::Index i = 0; i < problem.unknowns(); ++i) {
+                // Central differences: the error is about step^2 plus rounding / step.
+                constexpr double step = 1e-5;
+                const Eigen::VectorXd direction = step * Eigen::VectorXd::Unit(problem.unknowns(), i);
+                const DuffingRows above = duffingRows(problem, point.moved(problem, direction));
+                const DuffingRows below = duffingRows(problem, point.moved(problem, -direction));
+                for (std::size_t t = 0; t < rows.residuals.size(); ++t) {
+                    const double slope = (below.residuals[t] - above.residuals[t]) / (2 * step);
+                    const double exact = rows.sensitivities(static_cast<Eigen::Index>(t), i);
+                    QVERIFY2(std::abs(slope - exact) < 1e-8,
+                             qPrintable(u"column %1, row %2"_s.arg(i).arg(t)));
+                }
+            }
+        }
+    }
+
+    void withoutNoiseTheTruthComesBack_data()
+    {
+        QTest::addColumn<double>("share");
+        QTest::addColumn<double>("damping");
+        QTest::addColumn<bool>("straight");
+        QTest::addColumn<double>("lag");
+        QTest::addColumn<bool>("moving");
+        for (const double share : {-0.01, 0.3, 5.0}) {
+            for (const double damping : {0.05, 1.08, 4.0}) {
+                for (const double lag : {0.0, 0.4, -1.3}) {
+                    QTest::addRow("cubic share %g, damping %g, lag %g, zoh, rest", share, damping, lag)
+                        << share << damping << false << lag << false;
+                    QTest::addRow("cubic share %g, damping %g, lag %g, foh, free", share, damping, lag)
+                        << share << damping << true << lag << true;
+                }
+            }
+        }
+    }
+    void withoutNoiseTheTruthComesBack()
+    {
+        QFETCH(double, share);
+        QFETCH(double, damping);
+        QFETCH(bool, straight);
+        QFETCH(double, lag);
+        QFETCH(bool, moving);
+        Synthetic synthetic;
+        const double w = 1.6;
+        synthetic.truth = {0.4, 2 * damping * w * 0.4, w * w * 0.4};
+        synthetic.hold = straight ? ForceHold::First : ForceHold::Zero;
+        synthetic.lag_s = lag * synthetic.sampleTime_s;
+        if (moving) {
+            synthetic.x0 = 0.3;
+            synthetic.v0 = -0.5;
+            synthetic.offset = 50;
+        }
+        const Recording recording = cubicRecord(synthetic, share);
+        const Estimate e = estimate(recording, moving);
+        QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describe(e)));
+        // The integration's own error, 1e-9 of the position, times the condition of the problem (about 100).
+        QVERIFY2(relativeDifference(*e.parameters, synthetic.truth) < 1e-6, qPrintable(describe(e)));
+        const double k3 = share * std::pow(synthetic.truth.k, 3);
+        QVERIFY2(std::abs(e.cubic->k3 / k3 - 1) < 1e-5, qPrintable(describe(e)));
+        if (moving)
+            QVERIFY(std::abs(*e.nuisance.offset - 50) < 1e-6);
+        QCOMPARE(e.simulated.size(), recording.size());
+        QCOMPARE(e.residual.size(), recording.size());
+    }
+
+    void startsTenTimesOffFindTheSameAnswer()
+    {
+        Synthetic synthetic;
+        synthetic.truth = {0.4, 0.3, 1};
+        const Recording recording = cubicRecord(synthetic, 0.5, 0.05);
+        const Estimate own = estimate(recording, true);
+        QVERIFY2(own.status == EstimateStatus::Converged, qPrintable(describe(own)));
+        for (const double m : {0.1, 10.0}) {
+            for (const double b : {0.1, 10.0}) {
+                for (const double k : {0.1, 10.0}) {
+                    for (const double k3 : {-1.0, 0.05, 5.0}) {
+                        DuffingOptions options = optionsFor(recording, true);
+                        options.start = MassDampingStiffness{m * 0.4, b * 0.3, k * 1};
+                        options.startCubic = k3;
+                        const Estimate e = estimateDuffing(recording.force, recording.position, options);
+                        QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describe(e)));
+                        QVERIFY2(relativeDifference(*e.parameters, *own.parameters) < 1e-6,
+                                 qPrintable(describe(e)));
+                    }
+                }
+            }
+        }
+    }
+
+    void aLinearSpringHasNoCubicTermAndTheParametersOfOutputError()
+    {
+        Synthetic synthetic;
+        synthetic.fitPercent = 90;
+        synthetic.samples = 1000;
+        const Recording recording = synthetic.make();
+        const Estimate cubic = estimate(recording, true);
+        QVERIFY2(cubic.status == EstimateStatus::Converged, qPrintable(describe(cubic)));
+        const double k3Error = std::sqrt(cubic.cubic->covariance(3, 3));
+        QVERIFY(std::abs(cubic.cubic->k3) < 4 * k3Error);
+        OutputErrorOptions options;
+        options.sampleTime_s = recording.sampleTime_s;
+        options.hold = ForceHold::Zero;
+        const Estimate linear = estimateOutputError(recording.force, recording.position, options);
+        // One more parameter moves the others by what it adds to their variance (Hausman 1978).
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            const double added = (*cubic.covariance)(i, i) - (*linear.covariance)(i, i);
+            const double moved = cubic.parameters->vector()(i) - linear.parameters->vector()(i);
+            QVERIFY2(std::abs(moved) < 4 * std::sqrt(std::abs(added)) + 1e-9, qPrintable(describe(cubic)));
+        }
+    }
+
+    void unitsChangeNothingButUnits_data()
+    {
+        QTest::addColumn<double>("force");
+        QTest::addColumn<double>("position");
+        QTest::addColumn<double>("time");
+        for (const double force : {1e-6, 1e6, 1e30}) {
+            for (const double position : {1e-6, 1e6, 1e-30})
+                QTest::addRow("force %g, position %g", force, position) << force << position << 1.0;
+        }
+        QTest::newRow("fast") << 1.0 << 1.0 << 1e-6;
+        QTest::newRow("slow") << 1.0 << 1.0 << 1e6;
+    }
+    void unitsChangeNothingButUnits()
+    {
+        QFETCH(double, force);
+        QFETCH(double, position);
+        QFETCH(double, time);
+        Synthetic synthetic;
+        synthetic.truth = {0.4, 0.3, 1};
+        synthetic.offset = 1;
+        Recording recording = cubicRecord(synthetic, 0.5, 0.05);
+        const Estimate e = estimate(recording, true);
+        for (double& f : recording.force)
+            f *= force;
+        for (double& y : recording.position)
+            y *= position;
+        recording.sampleTime_s *= time;
+        const Estimate scaled = estimate(recording, true);
+        QVERIFY2(scaled.status == EstimateStatus::Converged, qPrintable(describe(scaled)));
+        const double unit = force / position;
+        const MassDampingStiffness back{scaled.parameters->m / unit / time / time,
+                                        scaled.parameters->b / unit / time, scaled.parameters->k / unit};
+        // The search ends within 1e-8 standard errors, here some percent.
+        QVERIFY2(relativeDifference(back, *e.parameters) < 1e-7, qPrintable(describe(scaled)));
+        const double k3 = scaled.cubic->k3 / unit * position * position;
+        QVERIFY2(std::abs(k3 / e.cubic->k3 - 1) < 1e-6, qPrintable(describe(scaled)));
+        const double error = std::sqrt(scaled.cubic->covariance(3, 3)) / unit * position * position;
+        QVERIFY(std::abs(error / std::sqrt(e.cubic->covariance(3, 3)) - 1) < 1e-5);
+    }
+
+    void longRecordsGiveTheSameAnswerWithASmallerError()
+    {
+        Synthetic synthetic;
+        synthetic.truth = {0.4, 0.3, 1};
+        synthetic.samples = 30000;
+        const Recording recording = cubicRecord(synthetic, 0.5, 0.1);
+        const Estimate e = estimate(recording, true);
+        QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describe(e)));
+        const Eigen::Vector3d z =
+            (e.parameters->vector() - synthetic.truth.vector()).cwiseQuotient(*e.standardErrors());
+        QVERIFY2(z.cwiseAbs().maxCoeff() < 4.5, qPrintable(describe(e)));
+        QVERIFY(((*e.standardErrors()).cwiseQuotient(synthetic.truth.vector())).maxCoeff() < 0.01);
+    }
+
+    void whatCannotBeAnsweredSaysWhy_data()
+    {
+        QTest::addColumn<QList<double>>("force");
+        QTest::addColumn<QList<double>>("position");
+        QTest::addColumn<QString>("status");
+        QList<double> ramp;
+        QList<double> noise;
+        GaussianNoise random(3);
+        for (int i = 0; i < 60; ++i) {
+            ramp << i;
+            noise << random();
+        }
+        QTest::newRow("nothing") << QList<double>() << QList<double>() << u"too_few_samples"_s;
+        QTest::newRow("three samples")
+            << QList<double>{1, 2, 3} << QList<double>{1, 2, 3} << u"too_few_samples"_s;
+        QTest::newRow("unequal lengths") << noise << QList<double>{1, 2} << u"not_applicable"_s;
+        QTest::newRow("constant position") << noise << QList<double>(60, 2.0) << u"not_identifiable"_s;
+        QTest::newRow("constant force") << QList<double>(60, 2.0) << noise << u"not_identifiable"_s;
+        QTest::newRow("no force") << QList<double>(60, 0.0) << ramp << u"not_identifiable"_s;
+    }
+    void whatCannotBeAnsweredSaysWhy()
+    {
+        QFETCH(QList<double>, force);
+        QFETCH(QList<double>, position);
+        QFETCH(QString, status);
+        DuffingOptions options;
+        options.sampleTime_s = 0.01;
+        const Estimate e =
+            estimateDuffing({force.begin(), force.end()}, {position.begin(), position.end()}, options);
+        QCOMPARE(toString(e.status), status);
+        QVERIFY(!e.parameters && !e.message.empty());
+    }
+
+    void anyNumbersGiveFiniteAnswersOrNone()
+    {
+        GaussianNoise random(11);
+        for (int run = 0; run < 60; ++run) {
+            std::vector<double> force;
+            std::vector<double> position;
+            const double forceSize = std::pow(10.0, -300 + 600 * random.uniform());
+            const double positionSize = std::pow(10.0, -300 + 600 * random.uniform());
+            const auto samples = static_cast<std::size_t>(3 + 60 * random.uniform());
+            for (std::size_t i = 0; i < samples; ++i) {
+                force.push_back(forceSize * random());
+                position.push_back(run % 3 == 0 ? positionSize * static_cast<double>(i % 7)
+                                                : positionSize * random());
+            }
+            DuffingOptions options;
+            options.sampleTime_s = std::pow(10.0, -6 + 12 * random.uniform());
+            options.hold = run % 2 == 0 ? ForceHold::Zero : ForceHold::First;
+            options.lag_s = run % 5 == 0 ? 1.4 * options.sampleTime_s : 0;
+            options.freeOffset = run % 4 != 0;
+            options.maxIterations = 30;
+            const Estimate e = estimateDuffing(force, position, options);
+            QVERIFY(!e.message.empty());
+            if (!e.parameters)
+                continue;
+            QVERIFY2(e.parameters->vector().allFinite() && e.parameters->vector().minCoeff() > 0,
+                     qPrintable(describe(e)));
+            QVERIFY(std::isfinite(e.cubic->k3) && e.cubic->covariance.allFinite());
+            QVERIFY(std::isfinite(e.residuals.sse));
+        }
+    }
+
+    void lostSamplesAreNotForThisEstimator()
+    {
+        Synthetic synthetic;
+        const Recording recording = synthetic.make();
+        DuffingOptions options = optionsFor(recording, true);
+        options.lost = {7};
+        const Estimate e = estimateDuffing(recording.force, recording.position, options);
+        QCOMPARE(toString(e.status), u"not_applicable"_s);
+        QVERIFY(!e.message.empty());
+    }
+};
+
+GRIPSCOPE_TEST(DuffingTest)
+#include "duffing_test.moc"
