@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/exact_step.h"
+#include "core/signal/recording.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace gripscope {
+
+/// Least squares of the output-error problem linearised at one point, sample by sample. Time is in samples:
+/// theta = (ln M, ln B, ln K) of M x'' + B x' + K x = F with M = m / T^2, B = b / T, K = k. The nuisances are
+/// x0, v0 (a sample) and the position's offset.
+class RecursivePass {
+public:
+    struct Point {
+        Eigen::Vector3d theta = Eigen::Vector3d::Zero();
+        Eigen::Vector3d nuisance = Eigen::Vector3d::Zero(); ///< x0, v0, offset
+    };
+    /// What the rows so far say about the way from the point to the optimum.
+    struct Solution {
+        bool determined = false;                        ///< to rounding: all three parameters have pivots
+        Eigen::Vector3d step = Eigen::Vector3d::Zero(); ///< in theta
+        Eigen::Vector3d nuisanceStep = Eigen::Vector3d::Zero(); ///< with `step` taken
+        Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero(); ///< of the information on theta, noise variance 1
+        double cost = 0;       ///< squared residuals at the point with the best nuisances
+        double costAtStep = 0; ///< and with the step taken, were the problem linear
+    };
+
+    RecursivePass() = default;
+    RecursivePass(const Point& point, ForceHold hold);
+
+    /// False: the point is outside the range of numbers, and nothing may be added.
+    [[nodiscard]] bool usable() const { return m_usable; }
+    [[nodiscard]] const Point& point() const { return m_point; }
+    [[nodiscard]] std::size_t samples() const { return m_samples; }
+    [[nodiscard]] std::size_t rows() const { return m_rows; }
+
+    /// The next sample: the force at its time and the one before it. A position that is not a number was not
+    /// measured and adds no row.
+    void add(double forceBefore, double force, double position)
+    {
+        if (m_samples > 0)
+            advance(forceBefore, force);
+        ++m_samples;
+        if (position == position)
+            addRow(position);
+    }
+
+    /// Least squares with `damping` times the diagonal added to the information on theta (Levenberg and
+    /// Marquardt).
+    [[nodiscard]] Solution solve(double damping) const;
+
+private:
+    /// Offset, theta, residual.
+    static constexpr std::size_t columns = 5, products = columns * (columns + 1) / 2;
+
+    void advance(double forceBefore, double force)
+    {
+        // phi is [[a, 0], [c, a]]: x does not hear of its sensitivities. Written out in scalars: a state that
+        // is stored in halves and loaded whole makes the processor wait.
+        const double x = m_state(0), v = m_state(1), w = m_state(2), u = m_state(3);
+        const auto& p = m_step.phi;
+        const auto& g0 = m_step.gamma0;
+        const auto& g1 = m_step.gamma1;
+        m_state(0) = p(0, 0) * x + p(0, 1) * v + (g0(0) * forceBefore + g1(0) * force);
+        m_state(1) = p(1, 0) * x + p(1, 1) * v + (g0(1) * forceBefore + g1(1) * force);
+        m_state(2) =
+            (p(2, 0) * x + p(2, 1) * v) + (p(2, 2) * w + p(2, 3) * u) + (g0(2) * forceBefore + g1(2) * force);
+        m_state(3) =
+            (p(3, 0) * x + p(3, 1) * v) + (p(3, 2) * w + p(3, 3) * u) + (g0(3) * forceBefore + g1(3) * force);
+        // Zero is faster than the denormal numbers these end in.
+        constexpr double vanishing = 1e-150;
+        if (!(std::abs(m_state(0)) + std::abs(m_state(2)) > vanishing))
+            m_state.setZero();
+        if (m_freeOver)
+            return;
+        const double f = m_free(0), g = m_free(1);
+        m_free(0) = f * p(0, 0) + g * p(1, 0);
+        m_free(1) = f * p(0, 1) + g * p(1, 1);
+        m_freeOver = !(std::abs(m_free(0)) + std::abs(m_free(1)) > vanishing);
+    }
+    void addRow(double position)
+    {
+        ++m_rows;
+        const double byStiffness = m_stiffnessFactor * m_state(2);
+        const double byDamping = m_dampingFactor * m_state(3);
+        const std::array<double, columns> row{1, -m_state(0) - byDamping - byStiffness, byDamping,
+                                              byStiffness, position - m_state(0) - m_point.nuisance(2)};
+        addProducts(row, std::make_index_sequence<products>());
+        if (m_freeOver) // most of the time: the start is forgotten
+            return;
+        const std::array<double, 2> free{m_free(0), m_free(1) * m_velocityFactor};
+        for (std::size_t i = 0; i < 2; ++i) {
+            for (std::size_t j = 0; j < 2; ++j)
+                m_freeProducts[i][j] += free[i] * free[j];
+            for (std::size_t j = 0; j < columns; ++j)
+                m_crossProducts[i][j] += free[i] * row[j];
+        }
+    }
+    /// The lower triangle row by row; one term for each, since a loop costs as much again.
+    template <std::size_t... Index>
+    void addProducts(const std::array<double, columns>& row, std::index_sequence<Index...>)
+    {
+        ((m_products[Index] += row[rowOf(Index)] * row[Index - firstOf(rowOf(Index))]), ...);
+    }
+    static constexpr std::size_t firstOf(std::size_t row) { return row * (row + 1) / 2; }
+    static constexpr std::size_t rowOf(std::size_t index)
+    {
+        std::size_t row = 0;
+        while (firstOf(row + 1) <= index)
+            ++row;
+        return row;
+    }
+
+    Point m_point;
+    bool m_usable = false;
+    ExactStep<4> m_step;
+    double m_stiffnessFactor = 0, m_dampingFactor = 0, m_velocityFactor = 1;
+    Eigen::Vector4d m_state =
+        Eigen::Vector4d::Zero();     ///< x, x'/speed, w speed^2, w' speed; m w'' + b w' + k w = x
+    Eigen::RowVector2d m_free{1, 0}; ///< what a unit of x0 and of v0 adds to x
+    std::size_t m_samples = 0, m_rows = 0;
+    bool m_freeOver = false; ///< m_free has decayed to nothing
+    /// Sums of the products of the columns among each other, of x0 and v0, and across.
+    std::array<double, products> m_products{};
+    std::array<std::array<double, 2>, 2> m_freeProducts{};
+    std::array<std::array<double, columns>, 2> m_crossProducts{};
+};
+
+} // namespace gripscope
