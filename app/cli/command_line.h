@@ -30,6 +30,8 @@ public:
     [[nodiscard]] bool isSet(const QString& name) const { return m_parser.isSet(name); }
     [[nodiscard]] QString text(const QString& name) const { return m_parser.value(name); }
     [[nodiscard]] QStringList list(const QString& name) const; ///< separated by commas
+    /// Of an option that may be given several times.
+    [[nodiscard]] QStringList texts(const QString& name) const { return m_parser.values(name); }
     [[nodiscard]] QStringList files() const { return m_parser.positionalArguments(); }
 
     enum class Range { Any, NotNegative, Positive };

@@ -20,6 +20,7 @@ const std::vector<Command>& commands()
         {u"classify"_qs, u"says which enrolled type each recording shows"_qs, runClassify},
         {u"reproduce-paper"_qs, u"Table 1 of the paper, and what Gripscope adds"_qs, runReproducePaper},
         {u"calibrate"_qs, u"not yet: fits sensor curves"_qs, runCalibrate},
+        {u"design"_qs, u"finds the excitation that best tells given objects apart"_qs, runDesign},
         {u"study"_qs, u"repeats experiments with known truth: how good the estimates are"_qs, runStudy},
     };
     return table;

@@ -29,5 +29,6 @@ int runClassify(const QStringList& arguments);
 int runReproducePaper(const QStringList& arguments);
 int runCalibrate(const QStringList& arguments); ///< not yet
 int runStudy(const QStringList& arguments);
+int runDesign(const QStringList& arguments);
 
 } // namespace gripscope::cli

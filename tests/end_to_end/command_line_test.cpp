@@ -36,6 +36,8 @@ private slots:
         QTest::newRow("enroll") << QStringList{u"library"_s, u"type"_s, u"sample-time"_s};
         QTest::newRow("classify") << QStringList{u"library"_s, u"false-reject"_s, u"wrong-type"_s};
         QTest::newRow("reproduce-paper") << QStringList{};
+        QTest::newRow("design") << QStringList{u"object"_s,  u"peak"_s,        u"bias"_s,     u"limit"_s,
+                                               u"seconds"_s, u"sample-time"_s, u"noise-sd"_s, u"scatter"_s};
         QTest::newRow("study") << QStringList{u"runs"_s, u"seed"_s, u"estimators"_s, u"settings"_s,
                                               u"threads"_s};
     }
@@ -77,6 +79,11 @@ private slots:
             "virtual:");
         row("no output", {u"simulate"_s, u"--object"_s, u"1,1,1"_s}, "-o");
         row("an object that is none", {u"simulate"_s, u"--object"_s, u"1,1"_s, u"-o"_s, u"x.csv"_s}, "m,b,k");
+        row("no object to design for", {u"design"_s}, "--object");
+        row("no room below the crush limit",
+            {u"design"_s, u"--object"_s, u"1,1,1"_s, u"--limit"_s, u"1"_s, u"--bias"_s, u"2"_s,
+             u"--seconds"_s, u"50"_s, u"--sample-time"_s, u"0.05"_s},
+            "limit");
         row("no such study", {u"study"_s, u"efficency"_s}, "efficiency");
         row("an estimator the study lacks", {u"study"_s, u"efficiency"_s, u"--estimators"_s, u"ols"_s},
             "arx-mean-force");
