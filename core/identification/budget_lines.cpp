@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/budget_lines.h"
+
+#include "core/identification/discretization.h"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString percent(double share)
+{
+    return QString::number(100 * share, 'g', 2);
+}
+
+/// A line whose covariance in (ln m, ln b, ln k) is `relative`.
+BudgetLine lineOf(const QString& id, const QString& words, EvaluationType type, const Eigen::Vector3d& p,
+                  const Eigen::Matrix3d& relative)
+{
+    BudgetLine line;
+    line.id = id;
+    line.words = words;
+    line.type = type;
+    line.covariance = p.asDiagonal() * relative * p.asDiagonal();
+    return line;
+}
+
+/// Values within +-a, all alike (JCGM 100, 4.3.7): a shift that may be there wholly, in part or not at all.
+Eigen::Matrix3d rectangular(const Eigen::Vector3d& shift)
+{
+    return shift * shift.transpose() / 3;
+}
+
+/// How far `other` is from p, relative: as a share or as a logarithm, whichever is more, so that an interval
+/// of either kind reaches it.
+Eigen::Vector3d relativeShift(const Eigen::Vector3d& p, const Eigen::Vector3d& other)
+{
+    const Eigen::Array3d ratio = other.cwiseQuotient(p);
+    const Eigen::Array3d logarithm = ratio.max(1e-12).log();
+    return (logarithm.abs() > (ratio - 1).abs()).select(logarithm, ratio - 1);
+}
+
+/// What white noise of standard deviation 1 on the force does to (ln m, ln b, ln k), and to the variance of
+/// the position: the model's impulse response g runs through the projected sensitivities backwards.
+struct ForceNoiseEffect {
+    Eigen::Matrix3d relative = Eigen::Matrix3d::Zero();
+    double positionVariance = 0;
+};
+ForceNoiseEffect forceNoiseEffect(const Estimate& e, const LinearizedRecord& record,
+                                  const OutputErrorOptions& options)
+{
+    const std::size_t samples = record.velocity.size();
+    std::vector<double> impulse(samples, 0.0);
+    impulse.front() = 1;
+    const SimulationOptions rest{options.sampleTime_s, options.hold, options.lag_s, 0, 0, 0};
+    ForceNoiseEffect out;
+    for (const double g : simulate(*e.parameters, impulse, rest))
+        out.positionVariance += g * g;
+
+    // A' = (S'S)^-1 S' with the nuisances projected out, row by row of the record, from its Gram matrices.
+    const Eigen::MatrixXd& n = record.nuisances;
+    Eigen::MatrixXd own = record.sensitivities;
+    if (n.cols() > 0) {
+        const Eigen::MatrixXd gram = n.transpose() * n;
+        own -= n * gram.completeOrthogonalDecomposition().solve(n.transpose() * own);
+    }
+    const Eigen::Matrix3d information = own.transpose() * own;
+    const Eigen::Matrix3d inverse = information.inverse();
+    const Eigen::MatrixXd influence = own * inverse / record.positionScale;
+    Eigen::MatrixXd answered(static_cast<Eigen::Index>(samples), 3);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        std::vector<double> backwards(samples, 0.0);
+        for (std::size_t r = 0; r < record.rows.size(); ++r)
+            backwards[samples - 1 - record.rows[r]] = influence(static_cast<Eigen::Index>(r), i);
+        const std::vector<double> filtered = simulate(*e.parameters, backwards, rest);
+        for (std::size_t t = 0; t < samples; ++t)
+            answered(static_cast<Eigen::Index>(t), i) = filtered[t];
+    }
+    out.relative = answered.transpose() * answered;
+    return out;
+}
+
+} // namespace
+
+std::vector<BudgetLine> noiseLines(const Estimate& estimate, const LinearizedRecord& record,
+                                   const OutputErrorOptions& options, double forceNoiseDeviation)
+{
+    BudgetLine noise;
+    noise.type = EvaluationType::A;
+    noise.covariance = *estimate.covariance;
+    const double degreesOfFreedom = std::max(estimate.residuals.degreesOfFreedom, 1.0);
+    const double inflation = std::max(estimate.residuals.errorInflation.value_or(1), 1.0);
+    const bool coloured = estimate.noise && !estimate.noise->coefficients.empty();
+    const double independent = coloured ? degreesOfFreedom / (inflation * inflation) : degreesOfFreedom;
+    noise.degreesOfFreedom = Eigen::Vector3d::Constant(std::max(independent, 1.0));
+    noise.id = coloured ? u"noise"_s : u"position_noise"_s;
+    noise.words = coloured ? u"noise of position and force, correlated over time (an autoregressive model of "
+                             "order %1)"_s.arg(estimate.noise->coefficients.size())
+                           : u"white noise of the position"_s;
+    if (!(forceNoiseDeviation > 0) || !record.usable())
+        return {noise};
+
+    const ForceNoiseEffect unit = forceNoiseEffect(estimate, record, options);
+    const double variance = forceNoiseDeviation * forceNoiseDeviation;
+    const Eigen::Vector3d p = estimate.parameters->vector();
+    const BudgetLine force = lineOf(u"force_noise"_s, u"white noise of the force, as stated"_s,
+                                    EvaluationType::B, p, variance * unit.relative);
+    const double residual = estimate.residuals.sse / degreesOfFreedom;
+    const double explained = variance * unit.positionVariance;
+    if (!force.covariance.allFinite() || !(residual > 0))
+        return {noise};
+    if (!coloured)
+        noise.covariance *= std::clamp(1 - explained / residual, 0.0, 1.0);
+    else // What is left of a coloured whole is not known better than by its diagonal.
+        noise.covariance = (noise.covariance - force.covariance).diagonal().cwiseMax(0.0).asDiagonal();
+    noise.id = u"position_noise"_s;
+    return {noise, force};
+}
+
+std::vector<BudgetLine> effectLines(const Eigen::Vector3d& p, const LinearizedRecord& record,
+                                    const MeasuringChain& chain)
+{
+    std::vector<BudgetLine> lines;
+    const Eigen::Matrix3Xd shifts =
+        shiftsBy(record, std::vector<std::vector<double>>{record.velocity, record.forceAtSample});
+    if (shifts.cols() != 2)
+        return lines;
+    if (chain.forceLagUncertainty_s > 0) {
+        const Eigen::Vector3d shift = shifts.col(0) * chain.forceLagUncertainty_s;
+        lines.push_back(lineOf(u"lag"_s,
+                               u"the lag between the channels is known to %1 us"_s.arg(
+                                   chain.forceLagUncertainty_s * 1e6, 0, 'g', 3),
+                               EvaluationType::B, p, shift * shift.transpose()));
+    }
+    if (chain.frameComplianceUncertainty > 0) {
+        const Eigen::Vector3d shift = shifts.col(1) * chain.frameComplianceUncertainty;
+        const double share = chain.frameComplianceUncertainty * p(2);
+        lines.push_back(lineOf(
+            u"frame_compliance"_s,
+            u"the compliance of frame and fingers is known to %1 % of the object's"_s.arg(percent(share)),
+            EvaluationType::B, p, shift * shift.transpose()));
+    }
+    return lines;
+}
+
+std::vector<BudgetLine> holdLines(const Eigen::Vector3d& p, const std::optional<HoldAmbiguity>& hold,
+                                  const ModelMisfit& misfit)
+{
+    std::vector<BudgetLine> lines;
+    Eigen::Matrix3d relative = Eigen::Matrix3d::Zero();
+    QStringList words;
+    if (hold && hold->probability > 0) {
+        const Eigen::Vector3d shift = relativeShift(p, hold->other.vector());
+        const double weight = std::min(2 * hold->probability, 1.0);
+        relative += weight * rectangular(shift);
+        words.append(u"the record does not tell how the force is held between samples: the other way m would "
+                     "be %1 % away"_s.arg(percent(std::abs(shift(0)))));
+    }
+    for (const MissingTerm& term : misfit.terms) {
+        if (term.id != u"smooth_force"_s)
+            continue;
+        relative += rectangular(term.shift);
+        words.append(u"the residuals ask for %1: m would be %2 % away"_s.arg(
+            term.words, percent(std::abs(term.shift(0)))));
+    }
+    if (relative.allFinite() && relative.trace() > 0)
+        lines.push_back(lineOf(u"hold"_s, words.join(u"; "_s), EvaluationType::B, p, relative));
+    return lines;
+}
+
+std::vector<BudgetLine> calibrationLines(const Eigen::Vector3d& p, const MeasuringChain& chain)
+{
+    const double force = chain.forceScaleUncertainty;
+    const double position = chain.positionScaleUncertainty;
+    if (!(force > 0) && !(position > 0))
+        return {};
+    const double variance = force * force + position * position;
+    return {lineOf(u"calibration"_s,
+                   u"the scales of force and position are known to %1 % and %2 %"_s.arg(percent(force),
+                                                                                        percent(position)),
+                   EvaluationType::B, p, Eigen::Matrix3d::Constant(variance))};
+}
+
+std::vector<BudgetLine> baselineLines(const GripperBaseline& baseline)
+{
+    BudgetLine line;
+    line.id = u"baseline"_s;
+    line.words = u"the empty gripper's own m, b and k, which were taken off"_s;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const double error = baseline.standardErrors[static_cast<std::size_t>(i)];
+        line.covariance(i, i) = error * error;
+    }
+    return {line};
+}
+
+std::vector<BudgetLine> discrepancyLines(const Eigen::Vector3d& p,
+                                         const std::optional<ModelDiscrepancy>& discrepancy,
+                                         const ModelMisfit& misfit)
+{
+    Eigen::Matrix3d relative = misfit.remainder;
+    QStringList words;
+    for (const MissingTerm& term : misfit.terms) {
+        if (term.id == u"smooth_force"_s)
+            continue;
+        relative += rectangular(term.shift);
+        words.append(u"the residuals ask for %1"_s.arg(term.words));
+    }
+    if (misfit.remainder.trace() > 0)
+        words.append(u"the force explains a part of the residuals that the model does not have"_s);
+    // Welch-Satterthwaite within the line.
+    Eigen::Vector3d quartic = Eigen::Vector3d::Zero();
+    if (misfit.remainderDegreesOfFreedom > 0)
+        quartic += misfit.remainder.diagonal().cwiseAbs2() / misfit.remainderDegreesOfFreedom;
+    if (discrepancy && discrepancy->found()) {
+        relative += discrepancy->covariance;
+        quartic +=
+            discrepancy->covariance.diagonal().cwiseAbs2().cwiseQuotient(discrepancy->degreesOfFreedom);
+        words.append(discrepancy->words);
+    }
+    if (!relative.allFinite() || !(relative.trace() > 0))
+        return {};
+    BudgetLine line = lineOf(u"model_discrepancy"_s, words.join(u"; "_s), EvaluationType::A, p, relative);
+    const Eigen::Vector3d degrees = relative.diagonal().cwiseAbs2().cwiseQuotient(quartic);
+    if (degrees.allFinite())
+        line.degreesOfFreedom = degrees.cwiseMax(1.0);
+    return {line};
+}
+
+} // namespace gripscope

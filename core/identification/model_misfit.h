@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/effect_regression.h"
+
+#include <Eigen/Core>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace gripscope {
+
+/// A term that a linear spring and damper leave out and that the residuals ask for.
+struct MissingTerm {
+    QString id; ///< cubic_spring, quadratic_spring, quadratic_damping, dry_friction, smooth_force
+    QString words;
+    Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< what leaving it out did to ln m, ln b, ln k
+};
+
+/// What the residuals of one record, as far as force and motion explain them, say about the error of m, b and
+/// k: model error, as opposed to noise.
+struct ModelMisfit {
+    std::vector<MissingTerm> terms;
+    /// Of (ln m, ln b, ln k), from what no term explains but past and present force does: unmodelled linear
+    /// dynamics.
+    Eigen::Matrix3d remainder = Eigen::Matrix3d::Zero();
+    double remainderDegreesOfFreedom = 0;
+    std::optional<double> remainderP; ///< that past and present force explains nothing more
+};
+
+/// Probability that a true model in white (or well modelled) Gaussian noise is charged with a misfit; half of
+/// it goes to the terms together, half to the remainder.
+inline constexpr double misfitLevel = 1e-3;
+
+/// Linear regression of the residuals on what candidate terms add to the position (force that x^3, x^2,
+/// x'|x'| or the sign of x' take up; force that is smooth between the samples where first-order hold has
+/// straight lines: the cubic spline through the samples, to the order T^2), x0, v0, offset and the
+/// sensitivities to m, b and k along. Terms enter one by one by their F test, and each is charged with the
+/// shift it causes in (ln m, ln b, ln k).
+///
+/// What is left is regressed on the force at the lags of residual_tests.h. Where that explains more than
+/// noise would, by the variance ratio F, the misfit is taken to be as large in the three directions of m, b
+/// and k, where the fit has hidden it, as it is on average in the others: covariance (F - 1) s^2 (S'S)^-1.
+///
+/// `known` are effects that the budget counts already (a lag or a compliance declared with an uncertainty):
+/// what they explain is no misfit. `estimate` has parameters and residuals; where it has a noise model all
+/// rows are whitened by it. Nothing is found in residuals at the size of rounding errors (below 1e-9 of the
+/// position).
+[[nodiscard]] ModelMisfit modelMisfit(const Estimate& estimate, const LinearizedRecord& record,
+                                      const std::vector<double>& force, const OutputErrorOptions& options,
+                                      const std::vector<std::vector<double>>& known = {});
+
+} // namespace gripscope

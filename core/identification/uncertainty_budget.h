@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/estimate.h"
+#include "core/identification/model_discrepancy.h"
+#include "core/identification/output_error.h"
+#include "core/signal/measuring_chain.h"
+
+#include <Eigen/Core>
+#include <QString>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace gripscope {
+
+/// How a standard uncertainty was found (JCGM 100, 2.3): A from the statistics of this record, B otherwise.
+enum class EvaluationType { A, B };
+[[nodiscard]] QString toString(EvaluationType type); ///< "A", "B"
+
+/// One effect's part in the uncertainty of m, b and k. `id` is one of position_noise, noise (position and
+/// force noise together, coloured), force_noise, lag, hold, calibration, frame_compliance, baseline,
+/// model_discrepancy.
+struct BudgetLine {
+    QString id;
+    QString words; ///< what it is and how large, plain words
+    EvaluationType type = EvaluationType::B;
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of (m, b, k), the channels' units squared
+    std::optional<Eigen::Vector3d> degreesOfFreedom;      ///< of m, b, k; none: as good as infinite
+    Eigen::Vector3d share = Eigen::Vector3d::Zero();      ///< of the combined variances of m, b, k, 0 to 1
+    [[nodiscard]] Eigen::Vector3d standardUncertainties() const;
+};
+
+/// The range that holds the value with the stated probability.
+struct CoverageInterval {
+    double lower = 0, upper = 0;
+    bool logarithmic = false; ///< symmetric in the logarithm, else symmetric
+    /// The data says only that the value is at most `upper`: the relative standard uncertainty is above 50 %,
+    /// or the range begins at zero.
+    bool onlyUpperBound = false;
+};
+
+/// A standard uncertainty with its effective degrees of freedom and the factor that gives the expanded one.
+struct CombinedUncertainty {
+    double standardUncertainty = 0;
+    std::optional<double> degreesOfFreedom; ///< none: as good as infinite
+    double coverageFactor = 0;              ///< Student's t
+};
+
+/// The uncertainty of one estimate as a whole, in the manner of the Guide to the Expression of Uncertainty in
+/// Measurement (JCGM 100:2008): every effect a line, covariances added up, effective degrees of freedom after
+/// Welch and Satterthwaite (G.4.1), intervals after Student.
+struct UncertaintyBudget {
+    QString message; ///< why there is no budget, or what could not be counted; empty when all was
+    std::optional<MassDampingStiffness> parameters; ///< without the empty gripper's; none: no budget
+    std::vector<BudgetLine> lines;
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< sum over the lines
+    std::array<CombinedUncertainty, 3> combined;          ///< of m, b, k
+    std::array<CoverageInterval, 3> intervals;            ///< of m, b, k
+    double coverage = 0.95;
+
+    [[nodiscard]] const BudgetLine* find(const QString& id) const;
+    /// Of a quantity with these derivatives to m, b, k; to first order.
+    [[nodiscard]] CombinedUncertainty propagate(const Eigen::Vector3d& gradient) const;
+};
+
+/// What m, b and k would be under the other hold, and how probable that one is after the data (0 to 1).
+struct HoldAmbiguity {
+    MassDampingStiffness other;
+    double probability = 0;
+};
+
+struct BudgetOptions {
+    std::optional<HoldAmbiguity> hold;
+    std::optional<ModelDiscrepancy> discrepancy; ///< between windows, amplitudes or squeezes
+    /// Standard deviation of white noise on the force channel, in its unit, where it is known. The budget
+    /// then tells force noise from position noise; else the residuals hold both.
+    double forceNoiseDeviation = 0;
+    bool subtractBaseline = true; ///< false: `estimate` is that of the object alone already
+    double coverage = 0.95;
+};
+
+/// The budget of an output-error estimate (or another one of the same model) of this record. Linear
+/// propagation (effect_regression.h):
+/// - noise: the estimate's own covariance; where the force noise is stated, the covariance that its filtered
+///   answer causes and s^2 (J'J)^-1 with the rest of s^2;
+/// - lag: the velocity is what a second of lag adds; frame compliance: the force is what a unit of compliance
+///   adds (a declared compliance was taken off the position before the estimate);
+/// - calibration: m, b, k are proportional to force over position, exactly; after the baseline, which the
+///   same channels measured;
+/// - hold: the difference to the parameters under the other hold as the half-width of a rectangle (4.3.7),
+///   narrowed as the record tells the holds apart: the variance counts min(1, 2 probability);
+/// - baseline: subtracted, its variances added.
+/// A line appears for every effect that is there. Intervals are symmetric in the logarithm, which positive
+/// parameters with relative uncertainties suit better and where a scale error is exact, but symmetric after
+/// a baseline and where an uncertainty is above half the value; they do not reach below zero.
+[[nodiscard]] UncertaintyBudget uncertaintyBudget(const Estimate& estimate, const std::vector<double>& force,
+                                                  const std::vector<double>& position,
+                                                  const OutputErrorOptions& options,
+                                                  const MeasuringChain& chain,
+                                                  const BudgetOptions& budgetOptions = {});
+
+} // namespace gripscope
