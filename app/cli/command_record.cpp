@@ -36,6 +36,7 @@ Request readRequest(CommandLine& line)
     request.file = line.text(u"output"_qs);
     request.seconds = line.number(u"seconds"_qs, Range::Positive);
     request.excitation.kind = excitationKind(line);
+    request.excitation.periods = excitationPeriods(line);
     request.excitation.peak = line.number(u"peak"_qs, Range::NotNegative);
     request.excitation.bias = line.number(u"bias"_qs, Range::NotNegative);
     request.excitation.bit_s = line.number(u"bit"_qs, Range::Positive);
@@ -184,7 +185,8 @@ void addOptions(CommandLine& line)
                 u"10"_qs);
     line.option(u"bias"_qs, u"FORCE"_qs, u"Preload, in the device's unit."_qs, u"20"_qs);
     line.option(u"bit"_qs, u"SECONDS"_qs,
-                u"Length of a bit of the PRBS; shortest half period of the others."_qs, u"0.005"_qs);
+                u"Length of a bit of prbs and inverse-repeat; shortest half period of the others."_qs,
+                u"0.005"_qs);
     line.flag(u"arm"_qs,
               u"Arms the gripper and squeezes; without it nothing moves, and the program only listens."_qs);
     line.shortOption(u'o', u"output"_qs, u"FILE"_qs, u"The recording to write."_qs);

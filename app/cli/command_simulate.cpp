@@ -50,6 +50,7 @@ Request readRequest(CommandLine& line)
     request.object = readObject(line);
     ExcitationOptions& excitation = request.excitation;
     excitation.kind = excitationKind(line);
+    excitation.periods = excitationPeriods(line);
     excitation.peak = line.number(u"peak"_qs);
     excitation.bias = line.number(u"bias"_qs);
     excitation.bit_s = line.number(u"bit"_qs, Range::Positive);
@@ -96,6 +97,8 @@ Recording simulated(const Request& request, std::vector<double> force)
         {u"noise_sd"_qs, number(request.noise)},
         {u"seed"_qs, QString::number(request.excitation.seed)},
     };
+    if (const std::optional<std::size_t> period = excitationPeriod(request.excitation))
+        recording.provenance.insert(u"excitation_period_samples"_qs, QString::number(*period));
     return recording;
 }
 
@@ -106,7 +109,8 @@ void addOptions(CommandLine& line)
     line.option(u"peak"_qs, u"FORCE"_qs, u"Largest force above and below the bias."_qs, u"1"_qs);
     line.option(u"bias"_qs, u"FORCE"_qs, u"Force in the middle."_qs, u"0"_qs);
     line.option(u"bit"_qs, u"SECONDS"_qs,
-                u"Length of a bit of the PRBS; shortest half period of the others."_qs, u"0.5"_qs);
+                u"Length of a bit of prbs and inverse-repeat; shortest half period of the others."_qs,
+                u"0.5"_qs);
     line.option(u"samples"_qs, u"N"_qs, u"How many samples."_qs, u"400"_qs);
     line.option(u"sample-time"_qs, u"SECONDS"_qs, u"Time from sample to sample."_qs, u"0.05"_qs);
     line.option(u"noise-sd"_qs, u"SD"_qs, u"Standard deviation of the noise on the position."_qs, u"0.1"_qs);

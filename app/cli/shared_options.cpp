@@ -53,13 +53,24 @@ IdentificationOptions identificationOptions(CommandLine& line)
 
 void addExcitationKind(CommandLine& line)
 {
-    line.option(u"excitation"_qs, u"KIND"_qs, u"step, prbs, multisine or chirp."_qs, u"prbs"_qs);
+    line.option(u"excitation"_qs, u"KIND"_qs,
+                u"step, prbs, multisine, chirp or inverse-repeat (for the estimator periodic)."_qs,
+                u"prbs"_qs);
+    line.option(u"periods"_qs, u"N"_qs,
+                u"How often inverse-repeat (without it: 8) or multisine (1) repeats within the record."_qs);
 }
 
 ExcitationKind excitationKind(CommandLine& line)
 {
-    (void)line.choice(u"excitation"_qs, {u"step"_qs, u"prbs"_qs, u"multisine"_qs, u"chirp"_qs});
+    (void)line.choice(u"excitation"_qs,
+                      {u"step"_qs, u"prbs"_qs, u"multisine"_qs, u"chirp"_qs, u"inverse-repeat"_qs});
     return excitationKindFromString(line.text(u"excitation"_qs)).value_or(ExcitationKind::Prbs);
+}
+
+std::size_t excitationPeriods(CommandLine& line)
+{
+    return line.isSet(u"periods"_qs) ? static_cast<std::size_t>(line.integer(u"periods"_qs, 1, 1'000'000))
+                                     : 0;
 }
 
 void addLibraryOption(CommandLine& line)

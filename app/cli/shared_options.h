@@ -14,9 +14,10 @@ void addReadingOptions(CommandLine& line);
 /// Hold, initial state and offset; the estimators stay as they are by default.
 [[nodiscard]] IdentificationOptions identificationOptions(CommandLine& line);
 
-/// `--excitation KIND`, shared by record and simulate.
+/// `--excitation KIND` and `--periods N`, shared by record and simulate.
 void addExcitationKind(CommandLine& line);
 [[nodiscard]] ExcitationKind excitationKind(CommandLine& line);
+[[nodiscard]] std::size_t excitationPeriods(CommandLine& line); ///< 0: not given
 
 /// `--library DB`, the user's own file without it.
 void addLibraryOption(CommandLine& line);

@@ -235,11 +235,14 @@ Expected<void> SqueezeJob::start(ExcitationOptions excitation, const JobLimits& 
     if (const Expected<void> started = gate.start(*force_N); !started)
         return started;
     d->listening = false;
-    d->begin(force_N->size(), {{u"excitation"_qs, toString(excitation.kind)},
-                               {u"excitation_peak_N"_qs, number(excitation.peak)},
-                               {u"excitation_bias_N"_qs, number(excitation.bias)},
-                               {u"excitation_bit_s"_qs, number(excitation.bit_s)},
-                               {u"excitation_seed"_qs, QString::number(excitation.seed)}});
+    QMap<QString, QString> facts{{u"excitation"_qs, toString(excitation.kind)},
+                                 {u"excitation_peak_N"_qs, number(excitation.peak)},
+                                 {u"excitation_bias_N"_qs, number(excitation.bias)},
+                                 {u"excitation_bit_s"_qs, number(excitation.bit_s)},
+                                 {u"excitation_seed"_qs, QString::number(excitation.seed)}};
+    if (const std::optional<std::size_t> period = excitationPeriod(excitation))
+        facts.insert(u"excitation_period_samples"_qs, QString::number(*period));
+    d->begin(force_N->size(), std::move(facts));
     return {};
 }
 

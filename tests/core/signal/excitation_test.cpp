@@ -109,6 +109,59 @@ private slots:
             largest = std::max(largest, std::abs(f - 20));
         QVERIFY(std::abs(largest - 10) < 1e-9);
     }
+    void anInverseRepeatSequenceRepeatsAndTurnsOverHalfWay()
+    {
+        // 2000 samples, bits of 10, eight periods: 2 times 7 bits are the longest that fit.
+        ExcitationOptions options = optionsOf(ExcitationKind::InverseRepeat);
+        QCOMPARE(*excitationPeriod(options), std::size_t(140));
+        options.periods = 3;
+        const std::size_t period = *excitationPeriod(options);
+        QCOMPARE(period, std::size_t(620));
+        const std::vector<double> force = *makeExcitation(options);
+        QCOMPARE(force.size(), options.samples);
+        for (std::size_t i = 0; i + period < force.size(); ++i) {
+            QCOMPARE(force[i], force[i - i % 10]);
+            QCOMPARE(force[i], force[i + period]);
+            QCOMPARE(force[i] - 20, 20 - force[i + period / 2]);
+        }
+        QCOMPARE(std::set<double>(force.begin(), force.end()), (std::set<double>{10, 30}));
+        options.seed = 2;
+        QVERIFY(force != *makeExcitation(options));
+    }
+    void anInverseRepeatSequenceHasOddHarmonicsOnly()
+    {
+        ExcitationOptions options = optionsOf(ExcitationKind::InverseRepeat);
+        options.samples = 620;
+        options.periods = 1;
+        const std::vector<double> force = *makeExcitation(options);
+        for (std::size_t h = 2; h < 60; h += 2)
+            QVERIFY(amplitude(force, h) < 1e-9);
+        for (std::size_t h = 1; h < 31; h += 2)
+            QVERIFY(amplitude(force, h) > 0.5);
+    }
+    void aMultisineMayRepeat()
+    {
+        ExcitationOptions options = optionsOf(ExcitationKind::Multisine);
+        QVERIFY(!excitationPeriod(options));
+        options.periods = 4;
+        QCOMPARE(*excitationPeriod(options), std::size_t(500));
+        const std::vector<double> force = *makeExcitation(options);
+        for (std::size_t i = 0; i + 500 < force.size(); ++i)
+            QCOMPARE(force[i], force[i + 500]);
+        // 0.25 s, bits of 5 ms: harmonics 1 to 25 of the period.
+        QVERIFY(amplitude(force, 4 * 25) > 0.5);
+        QVERIFY(amplitude(force, 4 * 26) < 1e-9 && amplitude(force, 4 * 25 - 1) < 1e-9);
+    }
+    void aRecordTooShortForItsPeriodsIsRefused()
+    {
+        for (const ExcitationKind kind : {ExcitationKind::InverseRepeat, ExcitationKind::Multisine}) {
+            ExcitationOptions options = optionsOf(kind);
+            options.periods = 5000;
+            const Expected<std::vector<double>> force = makeExcitation(options);
+            QVERIFY(!force);
+            QVERIFY2(force.error().describe().contains(u"periods"_s), qPrintable(force.error().describe()));
+        }
+    }
     void aChirpSweepsUpwards()
     {
         const std::vector<double> force = *makeExcitation(optionsOf(ExcitationKind::Chirp));
@@ -169,7 +222,8 @@ private slots:
     void kindsReadBackFromTheirNames()
     {
         for (const ExcitationKind kind :
-             {ExcitationKind::Step, ExcitationKind::Prbs, ExcitationKind::Multisine, ExcitationKind::Chirp})
+             {ExcitationKind::Step, ExcitationKind::Prbs, ExcitationKind::Multisine, ExcitationKind::Chirp,
+              ExcitationKind::InverseRepeat})
             QVERIFY(excitationKindFromString(toString(kind)) == kind);
         QVERIFY(!excitationKindFromString(u"noise"_s));
     }
