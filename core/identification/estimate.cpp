@@ -46,9 +46,9 @@ bool isImplemented(Estimator estimator)
     case Estimator::Arx221:
     case Estimator::OutputError:
     case Estimator::Duffing:
+    case Estimator::Periodic:
         return true;
     case Estimator::InstrumentalVariables:
-    case Estimator::Periodic:
         break;
     }
     return false;

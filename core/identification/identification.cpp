@@ -5,6 +5,7 @@
 #include "core/identification/duffing.h"
 #include "core/identification/fit.h"
 #include "core/identification/output_error.h"
+#include "core/identification/periodic.h"
 #include "core/identification/validity_checks.h"
 
 #include <cmath>
@@ -52,9 +53,20 @@ DuffingOptions duffingOptions(const Identification& data, double lag_s, const Id
     return duffing;
 }
 
-Estimate runEstimator(Estimator estimator, const Identification& data, double lag_s,
+Estimate runPeriodic(const Identification& data, const Recording& recording)
+{
+    PeriodicOptions periodic;
+    periodic.sampleTime_s = data.sampleTime_s;
+    periodic.hold = data.hold;
+    periodic.lag_s = recording.forceLag_s;
+    periodic.period = excitationPeriod(recording);
+    return estimatePeriodic(data.force, data.position, periodic);
+}
+
+Estimate runEstimator(Estimator estimator, const Identification& data, const Recording& recording,
                       const IdentificationOptions& options)
 {
+    const double lag_s = recording.forceLag_s;
     switch (estimator) {
     case Estimator::Arx:
     case Estimator::ArxMeanForce:
@@ -65,8 +77,9 @@ Estimate runEstimator(Estimator estimator, const Identification& data, double la
         return estimateOutputError(data.force, data.position, outputErrorOptions(data, lag_s, options));
     case Estimator::Duffing:
         return estimateDuffing(data.force, data.position, duffingOptions(data, lag_s, options));
-    case Estimator::InstrumentalVariables:
     case Estimator::Periodic:
+        return runPeriodic(data, recording);
+    case Estimator::InstrumentalVariables:
         break;
     }
     return notApplicable(estimator, "this estimator is not part of this version");
@@ -149,9 +162,8 @@ Identification identify(const Recording& recording, const IdentificationOptions&
 
     const char* const obstacle = unusable(result, recording);
     for (const Estimator estimator : options.estimators) {
-        result.estimates.push_back(obstacle != nullptr
-                                       ? notApplicable(estimator, obstacle)
-                                       : runEstimator(estimator, result, recording.forceLag_s, options));
+        result.estimates.push_back(obstacle != nullptr ? notApplicable(estimator, obstacle)
+                                                       : runEstimator(estimator, result, recording, options));
     }
     result.recommended = recommend(result.estimates);
     if (result.recommended == Estimator::OutputError && obstacle == nullptr)

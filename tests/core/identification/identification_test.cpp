@@ -120,7 +120,7 @@ private slots:
     void whatIsNotBuiltYetIsNotApplicable()
     {
         IdentificationOptions options;
-        options.estimators = {Estimator::InstrumentalVariables, Estimator::Periodic};
+        options.estimators = {Estimator::InstrumentalVariables};
         const Identification found = identify(Synthetic().make(), options);
         for (const Estimate& e : found.estimates) {
             QCOMPARE(toString(e.status), u"not_applicable"_s);
