@@ -66,7 +66,7 @@ PreparationStep breakStep(const SampleClock& clock)
     return {
         u"clock_break"_s, clock.breaks, static_cast<double>(clock.breaks), true,
         u"time stamps and sample numbers contradict each other in %1 places: the device's clock was set, or "
-        "the device started again. Nothing is assumed across them."_s.arg(clock.breaks)};
+        "the device started again. The longest part between them was used."_s.arg(clock.breaks)};
 }
 
 PreparationStep jitterStep(const SampleClock& clock, bool moved)

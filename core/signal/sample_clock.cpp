@@ -86,44 +86,70 @@ Step countStep(double timeSteps, bool hasSequence, std::uint64_t before, std::ui
     const bool forward = timeSteps > 0;
     if (!hasSequence) {
         if (!forward)
-            return {3, false, true};
+            return {1, false, true};
         return {byTime, byTime <= longestCounted, false};
     }
     const double bySequence = after > before ? static_cast<double>(after - before) : 0;
     const double allowed = std::max(contradiction, contradictionOfLength * bySequence);
     if (forward && bySequence > 0 && std::abs(timeSteps - bySequence) <= allowed)
         return {static_cast<std::int64_t>(std::min(bySequence, mostSteps)), true, false};
-    return {std::max<std::int64_t>(forward ? byTime : 1, 3), false, true};
+    return {1, false, true};
 }
 
-/// Least squares of time on index, both centred.
-void fitLine(SampleClock& clock, double reference_s)
+/// Samples [first, end) between steps that the clock does not time, with their means.
+struct Stretch {
+    std::size_t first = 0, end = 0;
+    double meanIndex = 0, meanDeviation = 0;
+};
+
+std::vector<Stretch> timedStretches(const SampleClock& clock, const std::vector<std::size_t>& starts)
 {
-    const auto count = static_cast<double>(clock.index.size());
-    double meanIndex = 0, meanTime = 0;
-    for (std::size_t i = 0; i < clock.index.size(); ++i) {
-        meanIndex += static_cast<double>(clock.index[i]) / count;
-        meanTime += clock.time[i] / count;
+    std::vector<Stretch> stretches;
+    for (std::size_t s = 0; s < starts.size(); ++s) {
+        Stretch stretch;
+        stretch.first = starts[s];
+        stretch.end = s + 1 < starts.size() ? starts[s + 1] : clock.index.size();
+        const auto count = static_cast<double>(stretch.end - stretch.first);
+        for (std::size_t i = stretch.first; i < stretch.end; ++i) {
+            stretch.meanIndex += static_cast<double>(clock.index[i]) / count;
+            stretch.meanDeviation += clock.time[i] / count;
+        }
+        stretches.push_back(stretch);
     }
+    return stretches;
+}
+
+/// Least squares of time on index, with one slope and an offset for each stretch. In: clock.time less the
+/// index, for the reference time (so that long records lose no digits); out: clock.time.
+void fitLines(SampleClock& clock, const std::vector<Stretch>& stretches, double reference_s)
+{
     double squares = 0, products = 0;
-    for (std::size_t i = 0; i < clock.index.size(); ++i) {
-        const double index = static_cast<double>(clock.index[i]) - meanIndex;
-        squares += index * index;
-        products += index * (clock.time[i] - meanTime - index);
+    for (const Stretch& stretch : stretches) {
+        for (std::size_t i = stretch.first; i < stretch.end; ++i) {
+            const double index = static_cast<double>(clock.index[i]) - stretch.meanIndex;
+            squares += index * index;
+            products += index * (clock.time[i] - stretch.meanDeviation);
+        }
     }
-    // The slope less 1, so that regular stamps leave no rounding behind.
-    const double excess = products / squares;
+    // The slope less 1; times that hardly go on are no clock.
+    constexpr double slowest = -0.9;
+    const double slope = squares > 0 ? products / squares : 0;
+    const double excess = slope > slowest && std::isfinite(slope) ? slope : 0;
     double sse = 0, largest = 0;
-    for (std::size_t i = 0; i < clock.index.size(); ++i) {
-        const double index = static_cast<double>(clock.index[i]) - meanIndex;
-        const double rest = (clock.time[i] - meanTime - index - excess * index) / (1 + excess);
-        sse += rest * rest;
-        largest = std::max(largest, std::abs(rest));
-        clock.time[i] = static_cast<double>(clock.index[i]) + rest;
+    for (const Stretch& stretch : stretches) {
+        for (std::size_t i = stretch.first; i < stretch.end; ++i) {
+            const double index = static_cast<double>(clock.index[i]) - stretch.meanIndex;
+            const double rest = (clock.time[i] - stretch.meanDeviation - excess * index) / (1 + excess);
+            sse += rest * rest;
+            largest = std::max(largest, std::abs(rest));
+            clock.time[i] = static_cast<double>(clock.index[i]) + rest;
+        }
     }
+    const auto count = static_cast<double>(clock.index.size());
+    const double free = count - static_cast<double>(stretches.size()) - 1;
     clock.sampleTime_s = reference_s * (1 + excess);
     clock.jitter = std::sqrt(sse / count);
-    clock.driftError = count > 2 ? std::sqrt(sse / (count - 2) / squares) : 0;
+    clock.driftError = free > 0 && squares > 0 ? std::sqrt(sse / free / squares) : 0;
     // Rounding moves a stamp by half a lattice step, and the fitted line by a little.
     clock.jittered = clock.jitter > smallestJitter && !(largest <= 0.75 * clock.resolution);
 }
@@ -141,23 +167,33 @@ SampleClock readSampleClock(std::span<const double> time_s, std::span<const std:
         return clock;
     const double reference_s = referenceTime(time_s, sequence, nominal_s);
     PhaseTracker tracker;
+    std::vector<std::size_t> starts{0};
+    // No share of lost samples bridges as many as this.
+    const auto acrossBreak =
+        static_cast<std::int64_t>(std::min(1000 * static_cast<double>(time_s.size()), mostSteps));
     for (std::size_t i = 1; i < time_s.size(); ++i) {
         const double timeSteps = (time_s[i] - time_s[i - 1]) / reference_s;
         const double due = timeSteps > 0 ? std::max(tracker.due(timeSteps), 0.5) : 0;
         const Step step = sequence.empty() ? countStep(due, false, 0, 0)
                                            : countStep(timeSteps, true, sequence[i - 1], sequence[i]);
         const std::int64_t room = static_cast<std::int64_t>(mostSteps) - clock.index[i - 1];
-        const std::int64_t samples = std::min(step.samples, std::max<std::int64_t>(room, 1));
+        const std::int64_t samples =
+            std::min(step.contradicts ? acrossBreak : step.samples, std::max<std::int64_t>(room, 1));
         tracker.follow(timeSteps, static_cast<double>(samples));
         clock.index[i] = clock.index[i - 1] + samples;
-        clock.time[i] = clock.time[i - 1] + (step.timed ? timeSteps : static_cast<double>(samples));
-        clock.breaks += step.contradicts ? 1 : 0;
+        clock.time[i] = step.timed ? clock.time[i - 1] + (timeSteps - static_cast<double>(samples)) : 0;
+        if (!step.timed)
+            starts.push_back(i);
+        if (step.contradicts) {
+            ++clock.breaks;
+            continue;
+        }
         clock.gaps += samples > 1 ? 1 : 0;
         clock.lost += samples - 1;
     }
     if (const std::optional<double> lattice = latticeStep(time_s))
         clock.resolution = *lattice / reference_s;
-    fitLine(clock, reference_s);
+    fitLines(clock, timedStretches(clock, starts), reference_s);
     clock.drift = clock.sampleTime_s / nominal_s - 1;
     clock.drifts =
         time_s.size() >= fewestForDrift && std::abs(clock.drift) > std::max(5 * clock.driftError, 1e-6);

@@ -24,8 +24,8 @@ struct SampleClock {
     /// samples themselves were not taken regularly.
     bool jittered = false;
     std::size_t breaks = 0;          ///< places where stamps and sequence numbers contradict each other
-    std::int64_t lost = 0;           ///< sum of index steps, less the samples there are
-    std::size_t gaps = 0;            ///< places where samples are missing
+    std::int64_t lost = 0;           ///< samples missing, without those at breaks
+    std::size_t gaps = 0;            ///< places where they are missing
     std::vector<std::int64_t> index; ///< of each sample
     std::vector<double> time;        ///< index + jitter of each sample
 };

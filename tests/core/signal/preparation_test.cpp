@@ -203,6 +203,19 @@ private slots:
         QVERIFY(prepared.force == recording.force);
         QVERIFY(prepared.find(u"clock_drift"_s)->ok);
     }
+    void aClockThatWasSetLeavesTheLongerPart()
+    {
+        Recording recording = plainRecording(ExcitationKind::Prbs, ForceHold::Zero);
+        for (std::size_t i = 0; i < recording.size(); ++i)
+            recording.sequence.push_back(i);
+        for (std::size_t i = 150; i < recording.size(); ++i)
+            recording.time_s[i] += 1;
+        const PreparedRecord prepared = prepare(recording);
+        QCOMPARE(ids(prepared), u"clock_break window_cut"_s);
+        QVERIFY((prepared.choice.window == Window{150, 250}));
+        QCOMPARE(prepared.choice.lostSamples, std::int64_t(0));
+        QVERIFY(prepared.lost.empty());
+    }
     void jitteredSamplesAreMovedToTheGrid()
     {
         Recording recording = plainRecording(ExcitationKind::Prbs, ForceHold::Zero);
