@@ -44,6 +44,7 @@ struct Workbench::Private {
     EnrollSession enrollment;
     InspectSession inspection;
     LiveHistory history;
+    LiveEstimate estimate;
     QThreadPool pool;
     QTimer timer;
     QString operatorName;
@@ -60,7 +61,10 @@ struct Workbench::Private {
 Workbench::Workbench(const QString& libraryFile, QObject* parent)
     : QObject(parent), d(std::make_unique<Private>(libraryFile))
 {
-    d->connection.addListener([this](const std::vector<Sample>& samples) { d->history.append(samples); });
+    d->connection.addListener([this](const std::vector<Sample>& samples) {
+        d->history.append(samples);
+        d->estimate.append(samples);
+    });
     // A display refreshes at 60 Hz; the sessions ask to be polled every 16 to 33 ms.
     d->timer.setInterval(16);
     d->timer.setTimerType(Qt::PreciseTimer);
@@ -100,6 +104,11 @@ LibraryService& Workbench::library()
 const LiveHistory& Workbench::liveHistory() const
 {
     return d->history;
+}
+
+const LiveEstimate& Workbench::liveEstimate() const
+{
+    return d->estimate;
 }
 
 QString Workbench::operatorName() const
@@ -200,7 +209,9 @@ void Workbench::noticeConnection()
         const bool opened = now.state == ConnectSession::State::Connected && d->seen.state != now.state;
         d->seen = now;
         if (opened) {
-            d->history.reset(d->connection.identity().sampleTime_s);
+            const GripperIdentity identity = d->connection.identity();
+            d->history.reset(identity.sampleTime_s);
+            d->estimate.reset(identity.sampleTime_s, identity.hold);
             applyMeasuringChain(now.serial);
         }
         emit connectionChanged();

@@ -5,6 +5,7 @@
 #include "core/session/enroll_session.h"
 #include "core/session/inspect_session.h"
 #include "core/store/library_service.h"
+#include "ui/live_estimate.h"
 #include "ui/live_history.h"
 
 #include <QObject>
@@ -38,6 +39,7 @@ public:
     [[nodiscard]] InspectSession& inspection();
     [[nodiscard]] LibraryService& library();
     [[nodiscard]] const LiveHistory& liveHistory() const;
+    [[nodiscard]] const LiveEstimate& liveEstimate() const;
     [[nodiscard]] QString operatorName() const;
     void setOperatorName(const QString& name);
 

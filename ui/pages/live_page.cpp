@@ -3,6 +3,7 @@
 
 #include "core/session/squeeze_job.h"
 #include "ui/pages/live_channel_card.h"
+#include "ui/pages/live_estimate_card.h"
 #include "ui/theme/theme.h"
 #include "ui/tour_script.h"
 #include "ui/widgets/controls.h"
@@ -37,6 +38,7 @@ struct LivePage::Private {
     QElapsedTimer sinceNumbers;
     LiveChannelCard* force = nullptr;
     LiveChannelCard* position = nullptr;
+    LiveEstimateCard* estimate = nullptr;
     QButtonGroup* spans = nullptr;
     QPushButton* pause = nullptr;
     QPushButton* tare = nullptr;
@@ -136,6 +138,8 @@ void LivePage::buildCharts(QBoxLayout* column)
     d->position = new LiveChannelCard(LiveHistory::Channel::Position, tr("Position"), this);
     column->addWidget(d->force, 1);
     column->addWidget(d->position, 1);
+    d->estimate = new LiveEstimateCard(this);
+    column->addWidget(d->estimate);
 }
 
 void LivePage::buildCounters(QBoxLayout* column)
@@ -219,6 +223,9 @@ void LivePage::refreshNumbers()
         else
             card->showNoValue();
     }
+    const GripperIdentity identity = workbench().connection().identity();
+    const LiveEstimate& estimate = workbench().liveEstimate();
+    d->estimate->show(estimate.state(), estimate.following(), identity.forceUnit, identity.positionUnit);
     const LinkCounters counters = workbench().connection().counters();
     const auto count = [](std::uint64_t n) { return formatCount(static_cast<qint64>(n)); };
     d->reports->setText(count(counters.reports));

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/live_estimate.h"
+
+#include <limits>
+
+namespace gripscope {
+
+namespace {
+/// A longer loss is a new squeeze for all that can be told on line.
+constexpr std::uint64_t longestLoss = 100;
+} // namespace
+
+void LiveEstimate::reset(double sampleTime_s, ForceHold hold)
+{
+    *this = {};
+    m_options.sampleTime_s = sampleTime_s;
+    m_options.hold = hold;
+}
+
+void LiveEstimate::append(const std::vector<Sample>& samples)
+{
+    for (const Sample& sample : samples)
+        take(sample);
+}
+
+void LiveEstimate::take(const Sample& sample)
+{
+    const bool moving = (sample.status & StatusMoving) != 0;
+    const std::uint64_t lost = sample.sequence > m_lastSequence ? sample.sequence - m_lastSequence - 1 : 0;
+    if (moving && (!m_moving || lost > longestLoss))
+        m_estimator.emplace(m_options);
+    else if (moving)
+        for (std::uint64_t i = 0; i < lost; ++i)
+            m_estimator->update(std::numeric_limits<double>::quiet_NaN(),
+                                std::numeric_limits<double>::quiet_NaN());
+    if (moving)
+        m_estimator->update(sample.force, sample.position);
+    m_moving = moving;
+    m_lastSequence = sample.sequence;
+}
+
+std::optional<RecursiveState> LiveEstimate::state() const
+{
+    return m_estimator ? std::optional(m_estimator->state()) : std::nullopt;
+}
+
+} // namespace gripscope
