@@ -92,7 +92,8 @@ struct Estimate {
     Fit fit;
     ResidualSummary residuals;
     int iterations = 0;
-    /// Model output on the window (simulation) and residuals y - yhat, for plots; empty when there is no
+    Window part; ///< the samples of the identification's window that it is of
+    /// Model output on that part (simulation) and residuals y - yhat, for plots; empty when there is no
     /// model. ARX models run free from the measured y[0], y[1]; their residuals are those of the one-step
     /// prediction and start at t = 2.
     std::vector<double> simulated;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/identification.h"
 
-#include "core/identification/arx.h"
-#include "core/identification/duffing.h"
 #include "core/identification/fit.h"
 #include "core/identification/output_error.h"
 #include "core/identification/periodic.h"
+#include "core/identification/run_estimator.h"
 #include "core/identification/validity_checks.h"
 
 #include <cmath>
@@ -13,14 +12,6 @@
 namespace gripscope {
 
 namespace {
-
-std::vector<double> part(const std::vector<double>& all, Window window)
-{
-    if (all.size() < window.first + window.count)
-        return {};
-    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(window.first);
-    return {begin, begin + static_cast<std::ptrdiff_t>(window.count)};
-}
 
 Estimate notApplicable(Estimator estimator, const char* message)
 {
@@ -30,71 +21,16 @@ Estimate notApplicable(Estimator estimator, const char* message)
     return estimate;
 }
 
-OutputErrorOptions outputErrorOptions(const Identification& data, double lag_s,
-                                      const IdentificationOptions& options)
-{
-    OutputErrorOptions outputError;
-    outputError.sampleTime_s = data.sampleTime_s;
-    outputError.hold = data.hold;
-    outputError.lag_s = lag_s;
-    outputError.freeInitialState = options.initialState == InitialState::Free;
-    outputError.freeOffset = options.freeOffset;
-    return outputError;
-}
-
-DuffingOptions duffingOptions(const Identification& data, double lag_s, const IdentificationOptions& options)
-{
-    DuffingOptions duffing;
-    duffing.sampleTime_s = data.sampleTime_s;
-    duffing.hold = data.hold;
-    duffing.lag_s = lag_s;
-    duffing.freeInitialState = options.initialState == InitialState::Free;
-    duffing.freeOffset = options.freeOffset;
-    return duffing;
-}
-
-Estimate runPeriodic(const Identification& data, const Recording& recording)
-{
-    PeriodicOptions periodic;
-    periodic.sampleTime_s = data.sampleTime_s;
-    periodic.hold = data.hold;
-    periodic.lag_s = recording.forceLag_s;
-    periodic.period = excitationPeriod(recording);
-    return estimatePeriodic(data.force, data.position, periodic);
-}
-
-Estimate runEstimator(Estimator estimator, const Identification& data, const Recording& recording,
-                      const IdentificationOptions& options)
-{
-    const double lag_s = recording.forceLag_s;
-    switch (estimator) {
-    case Estimator::Arx:
-    case Estimator::ArxMeanForce:
-    case Estimator::Arx221:
-        return estimateArx(data.force, data.position,
-                           {estimator, data.sampleTime_s, lag_s, options.freeOffset});
-    case Estimator::OutputError:
-        return estimateOutputError(data.force, data.position, outputErrorOptions(data, lag_s, options));
-    case Estimator::Duffing:
-        return estimateDuffing(data.force, data.position, duffingOptions(data, lag_s, options));
-    case Estimator::Periodic:
-        return runPeriodic(data, recording);
-    case Estimator::InstrumentalVariables:
-        break;
-    }
-    return notApplicable(estimator, "this estimator is not part of this version");
-}
-
 /// N/2 ln(SSE / SSE of the other hold), N counted as far as the residuals are independent.
-std::optional<double> otherHoldGain(const Identification& data, double lag_s,
-                                    const IdentificationOptions& options)
+std::optional<double> otherHoldGain(const Identification& data, const PreparedRecord& record,
+                                    const EstimatorTask& task)
 {
     const Estimate* const estimate = data.find(Estimator::OutputError);
     if (estimate == nullptr || estimate->status != EstimateStatus::Converged ||
         !estimate->residuals.whitenessP)
         return std::nullopt;
     const std::optional<double> other = sseUnderOtherHold(
-        data.force, data.position, outputErrorOptions(data, lag_s, options), *estimate->parameters);
+        record.force, record.position, outputErrorOptions(record, task), *estimate->parameters);
     if (!other || !(*other > 0))
         return std::nullopt;
     const double inflation = std::max(estimate->residuals.errorInflation.value_or(1), 1.0);
@@ -104,13 +40,14 @@ std::optional<double> otherHoldGain(const Identification& data, double lag_s,
 }
 
 /// What keeps every estimator from starting, or nothing.
-const char* unusable(const Identification& data, const Recording& recording)
+const char* unusable(const PreparedRecord& record)
 {
-    if (recording.force.size() != recording.position.size())
+    if (record.force.size() != record.position.size())
         return "force and position have different lengths";
-    if (!std::isfinite(data.sampleTime_s) || !(data.sampleTime_s > 0) || !std::isfinite(recording.forceLag_s))
+    if (!std::isfinite(record.sampleTime_s) || !(record.sampleTime_s > 0) ||
+        !std::isfinite(record.forceLag_s))
         return "the sample time or the lag is not a usable number";
-    if (!allFinite(data.force) || !allFinite(data.position))
+    if (!allFinite(record.force) || !allFinite(record.position))
         return "the recording holds values that are not finite";
     return nullptr;
 }
@@ -152,22 +89,28 @@ const Estimate* Identification::best() const
 
 Identification identify(const Recording& recording, const IdentificationOptions& options)
 {
+    PreparationOptions preparation;
+    preparation.hold = options.hold;
+    PreparedRecord record = prepare(recording, preparation);
     Identification result;
-    result.choice = chooseWindow(recording);
+    result.choice = record.choice;
     result.hold = options.hold.value_or(recording.hold.value_or(ForceHold::First));
-    result.sampleTime_s = recording.sampleTime_s;
-    result.time_s = part(recording.time_s, result.choice.window);
-    result.force = part(recording.force, result.choice.window);
-    result.position = part(recording.position, result.choice.window);
+    result.sampleTime_s = record.sampleTime_s;
+    const EstimatorTask task{result.hold, options.initialState == InitialState::Free, options.freeOffset,
+                             excitationPeriod(recording)};
 
-    const char* const obstacle = unusable(result, recording);
-    for (const Estimator estimator : options.estimators) {
+    const char* const obstacle = unusable(record);
+    for (const Estimator estimator : options.estimators)
         result.estimates.push_back(obstacle != nullptr ? notApplicable(estimator, obstacle)
-                                                       : runEstimator(estimator, result, recording, options));
-    }
+                                                       : runEstimator(estimator, record, task));
     result.recommended = recommend(result.estimates);
     if (result.recommended == Estimator::OutputError && obstacle == nullptr)
-        result.otherHoldGain = otherHoldGain(result, recording.forceLag_s, options);
+        result.otherHoldGain = otherHoldGain(result, record, task);
+    result.preparation = std::move(record.steps);
+    result.time_s = std::move(record.time_s);
+    result.force = std::move(record.force);
+    result.position = std::move(record.position);
+    result.lost = std::move(record.lost);
     result.validity.checks = checkValidity(result, recording, options);
     result.validity.verdict = overallVerdict(result.validity.checks);
     return result;

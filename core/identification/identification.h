@@ -3,8 +3,7 @@
 
 #include "core/identification/estimate.h"
 #include "core/identification/validity.h"
-#include "core/signal/recording.h"
-#include "core/signal/window.h"
+#include "core/signal/preparation.h"
 
 #include <optional>
 #include <vector>
@@ -31,15 +30,19 @@ struct Identification {
     /// By how much the other force hold would raise the log-likelihood of output error, correlation between
     /// residuals allowed for; absent when it was not tried. Above 10 the two are told apart.
     std::optional<double> otherHoldGain;
-    std::vector<double> time_s, force, position; ///< the window that was used, for plots
+    std::vector<PreparationStep> preparation; ///< what was done to the recording before, and noticed
+    /// The window that was used, on a regular grid; at the indexes `lost` nothing was measured and the values
+    /// are for plots only.
+    std::vector<double> time_s, force, position;
+    std::vector<std::size_t> lost;
 
     /// The recommended estimate, or null when there is none with parameters.
     [[nodiscard]] const Estimate* best() const;
     [[nodiscard]] const Estimate* find(Estimator estimator) const;
 };
 
-/// Chooses the window, runs every estimator asked for, and judges the measurement. Pure; never throws for
-/// data.
+/// Prepares the record (preparation.h), runs every estimator asked for, and judges the measurement. Pure;
+/// never throws for data.
 [[nodiscard]] Identification identify(const Recording& recording, const IdentificationOptions& options = {});
 
 } // namespace gripscope

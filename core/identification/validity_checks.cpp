@@ -11,9 +11,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// Share of the samples asked for that may lie outside the unbroken window before the measurement is worth
-/// nothing.
-constexpr double largestShareOutside = 0.2;
+/// Share of the squeeze that may be lost or left out before the measurement is worth nothing.
+constexpr double largestShareLost = 0.25;
 /// Share of saturated samples above which the measurement is invalid; any saturated sample makes it suspect.
 constexpr double largestSaturatedShare = 0.01;
 /// The relative standard error above which m or k counts as not excited.
@@ -38,19 +37,22 @@ ValidityCheck samplesLost(const Identification& data)
     check.value = static_cast<double>(choice.lostSamples);
     check.limit = 0;
     check.ok = choice.lostSamples == 0 && choice.gaps == 0;
-    const double outside = choice.eligible > 0 ? 1 - static_cast<double>(choice.window.count) /
-                                                         static_cast<double>(choice.eligible)
-                                               : 0;
-    check.decisive = outside > largestShareOutside;
+    // What was measured of the squeeze and used, against all of it.
+    const double whole = static_cast<double>(choice.eligible) + static_cast<double>(choice.lostSamples);
+    const double used = static_cast<double>(data.position.size()) - static_cast<double>(data.lost.size());
+    check.decisive = whole > 0 && 1 - used / whole > largestShareLost;
     if (check.ok)
         check.message = u"no sample is missing"_s;
+    else if (check.decisive)
+        check.message =
+            u"%1 samples are missing in %2 places, too much of the squeeze. Check the cable and the load of "
+            "the computer, then squeeze again."_s.arg(choice.lostSamples)
+                .arg(choice.gaps);
     else
         check.message =
-            u"%1 samples are missing in %2 places; %3 % of the squeeze lie outside the unbroken part that "
-            "was used. Check the cable and the load of the computer, then squeeze again."_s
-                .arg(choice.lostSamples)
-                .arg(choice.gaps)
-                .arg(100 * outside, 0, 'f', 0);
+            u"%1 samples are missing in %2 places. Their forces count as unknown, which the errors "
+            "include. Check the cable and the load of the computer."_s.arg(choice.lostSamples)
+                .arg(choice.gaps);
     return check;
 }
 

@@ -56,6 +56,13 @@ Values tail(const Values& values, std::size_t count)
     return {values.end() - std::ptrdiff_t(n), values.end()};
 }
 
+Values partOf(const Values& values, Window part)
+{
+    const std::size_t first = std::min(part.first, values.size());
+    const std::size_t end = std::min(part.first + part.count, values.size());
+    return {values.begin() + std::ptrdiff_t(first), values.begin() + std::ptrdiff_t(end)};
+}
+
 } // namespace
 
 FitPlots::FitPlots(QWidget* parent)
@@ -129,7 +136,10 @@ void FitPlots::show(const Identification& identification, Estimator estimator, c
         return;
     }
     const Estimate* estimate = identification.find(estimator);
-    const bool modelled = estimate && estimate->simulated.size() == identification.position.size();
+    const Window part = estimate ? estimate->part : Window();
+    const bool modelled = estimate && !estimate->simulated.empty() &&
+                          estimate->simulated.size() == part.count &&
+                          part.first + part.count <= identification.position.size();
     const ChannelScale position = channelScale(positionUnit, largest(identification.position));
     const ChannelScale force = channelScale(forceUnit, largest(identification.force));
     const SharedValues time = scaled(identification.time_s, 1, identification.time_s.front());
@@ -138,7 +148,8 @@ void FitPlots::show(const Identification& identification, Estimator estimator, c
                                    scaled(identification.position, position.factor),
                                    position.title(tr("Measured position"))}};
     if (modelled)
-        curves.push_back({tr("model, %1").arg(estimatorName(estimator)), CurveRole::Model, time,
+        curves.push_back({tr("model, %1").arg(estimatorName(estimator)), CurveRole::Model,
+                          std::make_shared<Values>(partOf(*time, part)),
                           scaled(estimate->simulated, position.factor),
                           position.title(tr("Model, %1").arg(estimatorName(estimator)))});
     m_response->setTitle(position.title(tr("Position")));
@@ -148,7 +159,7 @@ void FitPlots::show(const Identification& identification, Estimator estimator, c
 
     const Values residual = estimate ? estimate->residual : Values();
     const ChannelScale small = channelScale(positionUnit, largest(residual));
-    const auto residualTime = std::make_shared<Values>(tail(*time, residual.size()));
+    const auto residualTime = std::make_shared<Values>(tail(partOf(*time, part), residual.size()));
     m_residuals->setTitle(
         small.title(estimate && estimate->coefficients ? tr("Residuals, one step ahead") : tr("Residuals")));
     m_residuals->setEmptyText(tr("no model, no residuals"));
@@ -183,7 +194,8 @@ void FitPlots::showCorrelations(const Identification& identification, const Esti
     }
     m_auto->setCorrelation(autocorrelation(estimate->residual, lags), identification.sampleTime_s);
     m_cross->setCorrelation(
-        crossCorrelation(estimate->residual, tail(identification.force, estimate->residual.size()), lags),
+        crossCorrelation(estimate->residual,
+                         tail(partOf(identification.force, estimate->part), estimate->residual.size()), lags),
         identification.sampleTime_s);
 }
 

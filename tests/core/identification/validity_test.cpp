@@ -122,7 +122,9 @@ private slots:
         QTest::addColumn<QString>("verdict");
         QTest::newRow("none") << 0 << 0 << u"valid"_s;
         QTest::newRow("one near the end") << 1900 << 1 << u"suspect"_s;
-        QTest::newRow("one in the middle") << 1000 << 1 << u"invalid"_s;
+        QTest::newRow("one in the middle") << 1000 << 1 << u"suspect"_s;
+        QTest::newRow("a tenth") << 1000 << 200 << u"suspect"_s;
+        QTest::newRow("a third") << 1000 << 700 << u"invalid"_s;
     }
     void lostSamplesMakeAMeasurementSuspectThenInvalid()
     {
