@@ -17,7 +17,7 @@ struct PlotCurve {
     QString name;
     CurveRole role = CurveRole::MeasuredPosition;
     std::shared_ptr<const std::vector<double>> x, y;
-    QString column; ///< of an exported table: "Measured position (mm)"
+    QString column = {}; ///< of an exported table: "Measured position (mm)"
 };
 
 /// Curves over time, drawn with at most two points a pixel column whatever their length.
