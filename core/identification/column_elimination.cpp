@@ -56,6 +56,7 @@ public:
         ColumnElimination out;
         out.rank = rank;
         out.rest = m_work.bottomRightCorner(m_work.rows() - rank, others);
+        out.taken = m_work.topRightCorner(rank, others);
         out.solution = SmallMatrix::Zero(m_count, others);
         for (Eigen::Index j = 0; j < others; ++j)
             solve(rank, j, out);

@@ -15,6 +15,7 @@ using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen:
 struct ColumnElimination {
     Eigen::Index rank = 0; ///< of the first columns
     SmallMatrix rest;      ///< (rows - rank) x others: the others with what the first explain taken out
+    SmallMatrix taken;     ///< rank x others: what was taken out, in coordinates of its own
     SmallMatrix solution;  ///< first x others: the factors on the first columns that explain each other best
 };
 

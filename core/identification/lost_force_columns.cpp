@@ -38,30 +38,48 @@ LostForceColumns::LostForceColumns(const OutputErrorProblem& problem, Eigen::Ind
 {
 }
 
-void LostForceColumns::start(const CascadeWalk& walk, double speed)
+void LostForceColumns::start(const CascadeWalk& walk, double speed, const std::vector<double>& assumed)
 {
     const CascadeStep& step = walk.step();
     const CascadeStep& part = walk.part();
     const double rest = m_problem.lag.rest;
     m_step << step.a00, step.a01, step.held.x, step.rising.x, step.a10, step.a11, step.held.v, step.rising.v;
     m_position << part.a00, part.a01, part.held.x + (1 - rest) * part.rising.x, rest * part.rising.x;
-    // A unit of each coordinate moves the state by about one.
-    const double moved = std::hypot(step.held.x + step.rising.x, step.held.v + step.rising.v);
-    m_forceUnit = moved > 0 && std::isfinite(1 / moved) ? 1 / moved : 1;
+    m_moved = std::hypot(step.held.x + step.rising.x, step.held.v + step.rising.v);
     m_speed = speed;
+    m_assumed = &assumed;
     m_reach.setZero();
     if (m_problem.freeInitialState)
         m_reach(0, 0) = m_reach(1, 1) = 1;
+    m_eliminated.clear();
+    m_qr.clear();
+    m_time = 0;
     m_next = 0;
     for (Eigen::Index i = 0; i < 2; ++i) {
         if (m_next < m_problem.lost.size() && m_problem.lost[m_next] == static_cast<std::size_t>(i)) {
-            m_reach(2 + i, 2 + i) = m_forceUnit;
+            m_reach(2 + i, 2 + i) = unitOf(m_next);
+            addPrior(m_next, 2 + i, unitOf(m_next));
             ++m_next;
         }
     }
-    m_time = 0;
-    m_eliminated.clear();
-    m_qr.clear();
+}
+
+/// The force of one unit of a coordinate: one that moves the state and the row of the prior by about one.
+double LostForceColumns::unitOf(std::size_t lost) const
+{
+    const double unit =
+        1 / std::hypot(m_moved, m_problem.noiseDeviation / m_problem.lostForceDeviation[lost]);
+    return std::isfinite(unit) ? unit : 1;
+}
+
+void LostForceColumns::addPrior(std::size_t lost, Eigen::Index coordinate, double unit)
+{
+    const double weight = m_problem.noiseDeviation / m_problem.lostForceDeviation[lost];
+    const double expected = m_problem.force[m_problem.lost[lost]];
+    auto row = m_qr.nextRow();
+    row.setZero();
+    row(coordinate) = weight * unit;
+    row(row.size() - 1) = weight * (expected - (*m_assumed)[lost]);
 }
 
 void LostForceColumns::advance()
@@ -89,9 +107,10 @@ void LostForceColumns::enter(std::size_t lost)
     m_reach.setZero();
     m_reach.topRows<3>() = work.leftCols<3>().transpose();
     m_reach.col(3).setZero();
-    m_reach(3, 3) = m_forceUnit;
+    m_reach(3, 3) = unitOf(lost);
     eliminate(event);
     m_eliminated.push_back(event);
+    addPrior(lost, 3, m_reach(3, 3));
 }
 
 /// The triangle in the new coordinates, with the direction that reaches nothing any more taken out.
@@ -124,8 +143,7 @@ LostForceColumns::Solution LostForceColumns::solve()
     const Eigen::Index unknowns = coordinates + m_fixed;
     ColumnElimination elimination = eliminateColumns(triangle, unknowns, dependent);
     out.rank = elimination.rank;
-    out.explainedPower = triangle.rightCols(m_others).colwise().squaredNorm().transpose() -
-                         elimination.rest.colwise().squaredNorm().transpose();
+    out.explainedPower = elimination.taken.colwise().squaredNorm().transpose();
     out.rest = elimination.rest;
     out.fixed = elimination.solution.bottomRows(m_fixed);
     for (const Eliminated& event : m_eliminated) {
@@ -144,7 +162,7 @@ void LostForceColumns::substituteBack(Solution& solution, SmallMatrix c) const
 {
     for (std::size_t i = m_eliminated.size(); i-- > 0;) {
         const Eliminated& event = m_eliminated[i];
-        solution.lostForces.row(static_cast<Eigen::Index>(event.lost)) = m_forceUnit * c.row(3);
+        solution.lostForces.row(static_cast<Eigen::Index>(event.lost)) = unitOf(event.lost) * c.row(3);
         Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, largestSmallMatrix> z =
             event.row.tail(m_others);
         if (event.observed) {
@@ -162,8 +180,10 @@ void LostForceColumns::substituteBack(Solution& solution, SmallMatrix c) const
     solution.start.row(1) *= m_speed;
     std::size_t lost = 0;
     for (Eigen::Index i = 0; i < 2; ++i) {
-        if (lost < m_problem.lost.size() && m_problem.lost[lost] == static_cast<std::size_t>(i))
-            solution.lostForces.row(static_cast<Eigen::Index>(lost++)) = m_forceUnit * c.row(2 + i);
+        if (lost < m_problem.lost.size() && m_problem.lost[lost] == static_cast<std::size_t>(i)) {
+            solution.lostForces.row(static_cast<Eigen::Index>(lost)) = unitOf(lost) * c.row(2 + i);
+            ++lost;
+        }
     }
 }
 

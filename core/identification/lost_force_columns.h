@@ -15,8 +15,8 @@ namespace gripscope {
 /// columns would be as many as there are losses; but at any time only q = (x, v, f, next f), the state and
 /// the two forces that act on it, can reach later positions. So four coordinates c with q = Q c are enough:
 /// whenever a lost force enters, the one direction of c that no longer reaches q is eliminated from the
-/// triangle for good (a square-root information filter with unknown input, Bierman 1977). The cost of a loss
-/// is that of some rows, whatever their number.
+/// triangle for good (a square-root information filter, Bierman 1977). The cost of a loss is that of some
+/// rows, whatever their number. Every lost force has a row of its own that holds it to its prior.
 ///
 /// The rows of the problem are (c, fixed columns, other columns, right-hand side): as usual the fixed and
 /// coordinate columns are eliminated from the others in the end.
@@ -27,8 +27,9 @@ public:
     /// `fixed` columns are unknowns too (the offset), `others` are everything after them.
     LostForceColumns(const OutputErrorProblem& problem, Eigen::Index fixed, Eigen::Index others);
 
-    /// To the first sample, for the dynamics of this walk.
-    void start(const CascadeWalk& walk, double speed);
+    /// To the first sample, for the dynamics of this walk; the last column is that of the residuals at the
+    /// lost forces `assumed`.
+    void start(const CascadeWalk& walk, double speed, const std::vector<double>& assumed);
     /// A new row of the problem, its coordinate columns filled in.
     [[nodiscard]] auto nextRow()
     {
@@ -60,6 +61,8 @@ private:
         std::size_t lost = 0; ///< which lost force entered
     };
     void enter(std::size_t lost);
+    void addPrior(std::size_t lost, Eigen::Index coordinate, double unit);
+    [[nodiscard]] double unitOf(std::size_t lost) const;
     void eliminate(Eliminated& event);
     void substituteBack(Solution& solution, SmallMatrix coordinatesSolution) const;
 
@@ -69,7 +72,8 @@ private:
     Eigen::Matrix4d m_reach = Eigen::Matrix4d::Zero(); ///< Q
     Eigen::RowVector4d m_position = Eigen::RowVector4d::Zero();
     Eigen::Matrix<double, 2, 4> m_step = Eigen::Matrix<double, 2, 4>::Zero();
-    double m_speed = 1, m_forceUnit = 1;
+    double m_speed = 1, m_moved = 1; ///< m_moved: the state's answer to a unit of force for one sample
+    const std::vector<double>* m_assumed = nullptr;
     std::ptrdiff_t m_time = 0;
     std::size_t m_next = 0; ///< index in problem.lost of the next lost sample to enter
     std::vector<Eliminated> m_eliminated;

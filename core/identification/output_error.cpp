@@ -23,6 +23,14 @@ namespace {
 /// Above this condition number of the scaled sensitivities, rounding decides what m, b and k are.
 constexpr double largestCondition = 1e8;
 
+/// The noise at which the search for it starts, as a share of the position's size.
+constexpr double firstNoiseShare = 0.1;
+/// Share of the position's size below which noise is rounding.
+constexpr double roundingShare = 1e-12;
+/// Of the logarithm of the noise: a thousandth of it moves nothing that counts.
+constexpr double noiseTolerance = 1e-3, longestNoiseStep = 4;
+constexpr int noiseRounds = 20;
+
 constexpr const char* constantForce = "a constant force does not determine m, b and k together with a free "
                                       "start and offset; squeeze with a force that "
                                       "varies, for instance a pseudo-random binary sequence";
@@ -113,9 +121,11 @@ void describeResiduals(const OutputErrorProblem& problem, const SearchResult& se
     estimate.fit.predictionPercent = estimate.fit.simulationPercent;
     for (const double e : residual)
         estimate.residuals.sse += e * e;
+    if (!problem.lost.empty())
+        estimate.residuals.sse = search.linear.cost * problem.positionScale * problem.positionScale;
     estimate.residuals.sse = std::min(estimate.residuals.sse, std::numeric_limits<double>::max());
     estimate.residuals.degreesOfFreedom =
-        static_cast<double>(problem.measuredRows() - 3 - search.linear.nuisanceRank);
+        static_cast<double>(problem.terms() - 3 - search.linear.nuisanceRank);
     const OutputErrorResiduals tests = testOutputError(problem, search.theta, search.linear.nuisance);
     estimate.residuals.whitenessP = tests.whitenessP;
     estimate.residuals.inputIndependenceP = tests.inputIndependenceP;
@@ -193,16 +203,39 @@ std::optional<SearchResult> findSolution(const OutputErrorProblem& problem, cons
     return tries.best();
 }
 
-/// What lost samples add to the unknowns: a force each, but no more than a fresh state after a gap.
-std::ptrdiff_t unknownForces(const OutputErrorProblem& problem)
+/// The noise that the rows of the lost forces are weighed by is the noise that the residuals then have: a
+/// fixed point, found by the secant rule in its logarithm, from one search to the next.
+std::optional<SearchResult> findSolutionAndNoise(OutputErrorProblem& problem,
+                                                 const OutputErrorOptions& options)
 {
-    std::ptrdiff_t count = 0;
-    std::ptrdiff_t run = 0;
-    for (std::size_t i = 0; i < problem.lost.size(); ++i) {
-        run = i > 0 && problem.lost[i] == problem.lost[i - 1] + 1 ? run + 1 : 1;
-        count += run <= 2 ? 1 : 0;
+    if (problem.lost.empty())
+        return findSolution(problem, options);
+    double squares = 0;
+    for (const double y : problem.position)
+        squares += y * y;
+    const double size = std::sqrt(squares / static_cast<double>(problem.position.size()));
+    problem.noiseDeviation = firstNoiseShare * size;
+    std::optional<SearchResult> found = findSolution(problem, options);
+    double before = 0;
+    double changeBefore = 0;
+    for (int round = 0; round < noiseRounds && found && isSettled(*found); ++round) {
+        const auto degreesOfFreedom = static_cast<double>(problem.terms() - 3 - found->linear.nuisanceRank);
+        const double noise = std::max(std::sqrt(found->linear.cost / degreesOfFreedom), roundingShare * size);
+        const double here = std::log(problem.noiseDeviation);
+        const double change = std::log(noise) - here;
+        if (std::abs(change) < noiseTolerance)
+            break;
+        const double slope = round > 0 ? (change - changeBefore) / (here - before) : 0;
+        const double step =
+            slope < 0 ? std::clamp(-change / slope, -longestNoiseStep, longestNoiseStep) : change;
+        before = here;
+        changeBefore = change;
+        problem.noiseDeviation = std::exp(std::max(here + step, std::log(roundingShare * size)));
+        if (std::log(problem.noiseDeviation) == here)
+            break;
+        found = searchOutputError(problem, found->theta, options.maxIterations);
     }
-    return count;
+    return found;
 }
 
 const char* boundaryMessage(const SearchResult& search)
@@ -228,18 +261,18 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
     if (static_cast<int>(std::min<std::size_t>(force.size(), 100)) <= parameterCount)
         return failed(EstimateStatus::TooFewSamples,
                       "there are fewer samples than output error has unknowns; record for longer");
-    const OutputErrorProblem problem = makeOutputErrorProblem(force, position, options);
+    OutputErrorProblem problem = makeOutputErrorProblem(force, position, options);
     if (problem.rows() <= parameterCount)
         return failed(EstimateStatus::TooFewSamples, "the lag between the channels leaves too few samples");
-    if (problem.measuredRows() <= parameterCount + unknownForces(problem))
+    if (problem.measuredRows() <= std::max<std::ptrdiff_t>(parameterCount, problem.rows() / 2))
         return failed(EstimateStatus::TooFewSamples,
-                      "too many samples are lost; check the connection and record again");
+                      "more than half of the samples are lost; check the connection and record again");
     if (isConstant(problem.position))
         return failed(
             EstimateStatus::NotIdentifiable,
             "the position does not change; check that the fingers hold the object and that the sensor works");
 
-    const std::optional<SearchResult> found = findSolution(problem, options);
+    const std::optional<SearchResult> found = findSolutionAndNoise(problem, options);
     if (!found)
         return failed(EstimateStatus::NotIdentifiable, isConstant(problem.force) ? constantForce : noAnswer);
     const SearchResult& search = *found;

@@ -13,9 +13,6 @@ namespace {
 /// Columns whose angle to the others is below this are taken for dependent: rounding makes it about 1e-15.
 constexpr double dependent = 1e-12;
 
-/// Share of the sensitivities' power below which a change of the linear unknowns leaves the step good.
-constexpr double settledShare = 1e-3;
-
 /// Walks through the measured rows: `use(index)` at each, `advance()` between them.
 template <typename Use, typename Advance>
 void forEachMeasuredRow(const OutputErrorProblem& problem, CascadeWalk& walk, const Use& use,
@@ -171,7 +168,7 @@ Linearization ResponseLinearizer::withoutLosses(const CascadeDynamics& dynamics,
         change.row(2) = elimination.solution.bottomRows<1>();
     out.nuisance = {assumed.x0 + change(0, 3), assumed.v0 + change(1, 3), assumed.offset + change(2, 3), {}};
     out.nuisanceSlope = -change.leftCols<3>();
-    finish(triangle.col(nuisances + 3).squaredNorm() - out.cost, raw, out);
+    finish(elimination.taken.col(3).squaredNorm(), raw, out);
     return out;
 }
 
@@ -181,7 +178,7 @@ Linearization ResponseLinearizer::withLosses(const CascadeDynamics& dynamics, co
         m_force[m_problem.lost[i]] = assumed.lostForces[i];
     CascadeWalk walk(m_problem, m_force, dynamics);
     walk.startAt(assumed.x0, assumed.v0);
-    m_lost.start(walk, dynamics.speed);
+    m_lost.start(walk, dynamics.speed, assumed.lostForces);
     double raw = 0;
     const auto use = [&](std::size_t index) {
         auto row = m_lost.nextRow();
@@ -218,9 +215,9 @@ void ResponseLinearizer::finish(double explained, double raw, Linearization& out
 {
     const double power = out.triangle.squaredNorm();
     out.ownShare = raw > 0 ? std::sqrt(responsePower(out.triangle) / raw) : 0;
-    out.settled = explained <= settledShare * power;
+    out.stale = explained > 0 ? std::sqrt(explained / power) : 0;
     out.finite = std::isfinite(out.cost) && out.triangle.allFinite() && out.right.allFinite() &&
-                 out.nuisanceSlope.allFinite() && std::isfinite(out.ownShare) &&
+                 out.nuisanceSlope.allFinite() && std::isfinite(out.ownShare) && std::isfinite(out.stale) &&
                  std::isfinite(out.nuisance.x0 + out.nuisance.v0 + out.nuisance.offset);
 }
 

@@ -39,9 +39,9 @@ struct Linearization {
     /// The share of the response that the linear unknowns cannot imitate: at rounding level for a constant
     /// force.
     double ownShare = 0;
-    /// The sensitivities are those at the linear unknowns that were assumed; true when these are near enough
-    /// to the best ones for the step to be good.
-    bool settled = false;
+    /// The sensitivities are those at the linear unknowns that were assumed: how much the best ones differ in
+    /// what they add to the response, as a share of the sensitivities.
+    double stale = 0;
     /// d (x0, v0, offset, lost forces) / d theta.
     Eigen::MatrixX3d nuisanceSlope;
 

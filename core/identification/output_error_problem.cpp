@@ -2,8 +2,10 @@
 #include "core/identification/output_error_problem.h"
 
 #include "core/identification/fit.h"
+#include "core/identification/lost_force_prior.h"
 
 #include <cmath>
+#include <utility>
 
 namespace gripscope {
 
@@ -58,10 +60,16 @@ OutputErrorProblem makeOutputErrorProblem(const std::vector<double>& force,
     problem.freeOffset = options.freeOffset;
     problem.sampleTime_s = options.sampleTime_s;
     problem.lost = sortedWithin(options.lost, force.size());
-    problem.force = force;
-    fillLost(problem.force, problem.lost);
+    if (problem.lost.empty()) {
+        problem.force = force;
+    } else {
+        LostForcePrior prior = lostForcePrior(force, problem.lost);
+        problem.force = std::move(prior.force);
+        problem.lostForceDeviation = std::move(prior.deviation);
+    }
     problem.forceScale = powerOfTwoScale(problem.force);
     scaleDown(problem.force, problem.forceScale);
+    scaleDown(problem.lostForceDeviation, problem.forceScale);
     problem.position = position;
     fillLost(problem.position, problem.lost);
     if (options.freeOffset) {

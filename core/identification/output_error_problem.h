@@ -17,8 +17,12 @@ namespace gripscope {
 /// `positionShift`. The parameters are the logarithms theta = (ln M, ln B, ln K) of M x'' + B x' + K x = F in
 /// these units.
 struct OutputErrorProblem {
-    std::vector<double> force, position; ///< where nothing was measured, straight between the neighbours
+    std::vector<double> force, position; ///< interpolated where nothing was measured
     std::vector<std::size_t> lost;       ///< sorted indexes where nothing was measured
+    /// Of the lost forces from their interpolation (lost_force_prior.h): each adds the row (lost force -
+    /// interpolation) noise / deviation to the sum of squares.
+    std::vector<double> lostForceDeviation;
+    double noiseDeviation = 0; ///< of the position; to be found along with the parameters
     ForceHold hold = ForceHold::First;
     LagAlignment lag;
     bool freeInitialState = true, freeOffset = true;
@@ -30,6 +34,11 @@ struct OutputErrorProblem {
     [[nodiscard]] std::ptrdiff_t rows() const { return std::max<std::ptrdiff_t>(endRow() - firstRow(), 0); }
     /// Those of them that were measured.
     [[nodiscard]] std::ptrdiff_t measuredRows() const;
+    /// Terms of the sum of squares: the measured rows and, given a noise, one for every lost force.
+    [[nodiscard]] std::ptrdiff_t terms() const
+    {
+        return measuredRows() + (noiseDeviation > 0 ? static_cast<std::ptrdiff_t>(lost.size()) : 0);
+    }
     /// How many of x0, v0, offset are free.
     [[nodiscard]] int nuisanceCount() const { return (freeInitialState ? 2 : 0) + (freeOffset ? 1 : 0); }
 

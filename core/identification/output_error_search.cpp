@@ -27,6 +27,8 @@ constexpr double runaway = 1.0;
 constexpr double undetermined = 3.0;
 /// Gauss-Newton needs 5 to 15 iterations where it converges well.
 constexpr int gaussNewtonIterations = 15;
+/// Linearization::stale above which a second pass is worth its while, and below which the end is the end.
+constexpr double tooStale = 0.01, fresh = 1e-7;
 /// Share of a column that is rounding.
 constexpr double dependent = 1e-15;
 constexpr double smallestDamping = 1e-12, largestDamping = 1e16;
@@ -63,11 +65,15 @@ public:
     {
         while (m_result.linear.finite && m_result.iterations < maxIterations) {
             m_scales = m_scales.cwiseMax(m_result.linear.triangle.colwise().norm().transpose());
-            if (hasArrived())
+            if (hasArrived()) {
+                if (refresh())
+                    continue;
+                m_result.outcome = SearchOutcome::Converged;
                 break;
+            }
             ++m_result.iterations;
             if (isLostInRounding()) {
-                if (polish())
+                if (polish() || refresh())
                     continue;
                 m_result.outcome = SearchOutcome::Converged;
                 break;
@@ -88,7 +94,7 @@ private:
     Linearization settledAt(const Eigen::Vector3d& theta, const ScaledNuisance& assumed)
     {
         Linearization linear = m_linearizer.at(theta, assumed);
-        return linear.finite && !linear.settled ? m_linearizer.at(theta, linear.nuisance) : linear;
+        return linear.finite && linear.stale > tooStale ? m_linearizer.at(theta, linear.nuisance) : linear;
     }
 
     /// Moves there when it lowers the cost.
@@ -98,11 +104,12 @@ private:
         Linearization trial = m_linearizer.at(theta, m_result.linear.nuisanceAfter(step));
         if (!trial.finite || !(trial.cost < m_result.linear.cost))
             return false;
-        if (!trial.settled) {
+        if (trial.stale > tooStale) {
             trial = m_linearizer.at(theta, trial.nuisance);
             if (!trial.finite)
                 return false;
         }
+        m_refreshed = false;
         m_gain = m_result.linear.cost - trial.cost;
         m_result.theta = theta;
         m_result.linear = std::move(trial);
@@ -112,18 +119,28 @@ private:
     [[nodiscard]] double degreesOfFreedom() const
     {
         return static_cast<double>(
-            std::max<std::ptrdiff_t>(m_problem.measuredRows() - 3 - m_result.linear.nuisanceRank, 1));
+            std::max<std::ptrdiff_t>(m_problem.terms() - 3 - m_result.linear.nuisanceRank, 1));
+    }
+
+    /// Sensitivities for the best linear unknowns where those assumed differ; false where they don't.
+    bool refresh()
+    {
+        if (m_refreshed || m_result.linear.stale < fresh)
+            return false;
+        m_refreshed = true;
+        Linearization linear = m_linearizer.at(m_result.theta, m_result.linear.nuisance);
+        if (!linear.finite)
+            return false;
+        m_result.linear = std::move(linear);
+        return true;
     }
 
     /// |right| is the length of the step still to go, in units of the residuals.
     bool hasArrived()
     {
         const double residual = std::sqrt(m_result.linear.cost / degreesOfFreedom());
-        if (m_result.linear.right.norm() >
-            arrived * residual + rounding * std::sqrt(m_size / degreesOfFreedom()))
-            return false;
-        m_result.outcome = SearchOutcome::Converged;
-        return true;
+        return m_result.linear.right.norm() <=
+               arrived * residual + rounding * std::sqrt(m_size / degreesOfFreedom());
     }
 
     /// The step lowers the cost by less than the cost is rounded, which can't be seen any more.
@@ -141,6 +158,7 @@ private:
         Linearization trial = m_linearizer.at(theta, m_result.linear.nuisanceAfter(m_polish));
         if (!trial.finite || !(trial.right.norm() < 0.5 * m_result.linear.right.norm()))
             return false;
+        m_refreshed = false;
         m_result.theta = theta;
         m_result.linear = std::move(trial);
         return true;
@@ -156,8 +174,11 @@ private:
             if (!std::isfinite(longest))
                 continue;
             step *= std::min(1.0, longestStep / std::max(longest, 1e-300));
-            if (!accept(step))
+            if (!accept(step)) {
+                if (refresh())
+                    m_damping /= 10; // the same again
                 continue;
+            }
             m_damping = std::max(m_damping / 10, smallestDamping);
             return !runsAway();
         }
@@ -250,6 +271,7 @@ private:
     Eigen::Vector3d m_scales = Eigen::Vector3d::Zero();
     double m_damping = 1e-3, m_gain = 0;
     int m_idle = 0;
+    bool m_refreshed = false;
 };
 
 } // namespace
