@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/connect_menu.h"
 
+#include "ui/lag_dialog.h"
 #include "ui/workbench.h"
 
 #include <QInputDialog>
@@ -37,6 +38,11 @@ void ConnectMenu::rebuild()
     m_looking->setEnabled(false);
     m_afterFound = addSeparator();
     connect(addAction(tr("Other address…")), &QAction::triggered, this, &ConnectMenu::askForAddress);
+    QAction* lag = addAction(tr("Measure the lag between its channels…"));
+    lag->setObjectName("measureLag");
+    lag->setEnabled(m_workbench->connection().state() == ConnectSession::State::Connected);
+    connect(lag, &QAction::triggered, this,
+            [this] { (new LagDialog(*m_workbench, parentWidget()))->open(); });
     QAction* disconnect = addAction(tr("Disconnect"));
     disconnect->setEnabled(m_workbench->connection().state() != ConnectSession::State::Disconnected);
     connect(disconnect, &QAction::triggered, m_workbench, [this] { m_workbench->connection().disconnect(); });

@@ -23,6 +23,7 @@ struct FakeGripper {
     LinkCounters counters;
     MassDampingStiffness object{0.0396, 43.0, 9990.0};
     double noise_m = 1e-6;
+    double trueLag_s = 0; ///< of the position channel, whatever the identity says
 
     bool opensAtOnce = true;
     bool refusesExcitation = false;
@@ -84,6 +85,7 @@ struct FakeGripper {
         SimulationOptions options;
         options.sampleTime_s = identity.sampleTime_s;
         options.x0 = rest_N / object.k;
+        options.lag_s = trueLag_s;
         const std::vector<double> position = simulate(object, force, options);
         for (int i = 0; i < static_cast<int>(force.size()); ++i) {
             const int inside = i - 50;

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_registry.h"
+#include "tests/ui/workbench_fixture.h"
+#include "ui/lag_dialog.h"
+
+#include <QLabel>
+#include <QPointer>
+#include <QPushButton>
+
+using namespace gripscope;
+using namespace Qt::StringLiterals;
+using gripscope::test::WindowFixture;
+
+/// The wizard for the lag, with the virtual gripper as fast as it can.
+class LagDialogTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aPersonArmsMeasuresAndUsesTheLag()
+    {
+        WindowFixture f(false, u"virtual:?object=A&seed=5&speed=0"_s);
+        auto* dialog = new LagDialog(*f.bench, f.window.get());
+        dialog->open();
+        auto* act = dialog->findChild<QPushButton*>(u"lagAct"_s);
+        auto* outcome = dialog->findChild<QLabel*>(u"lagOutcome"_s);
+        QCOMPARE(act->text(), u"Arm"_s);
+        f.click(act);
+        QTRY_COMPARE_WITH_TIMEOUT(act->text(), u"Squeeze 5 times"_s, 15000);
+        f.click(act);
+        QTRY_COMPARE_WITH_TIMEOUT(act->text(), u"Use this lag"_s, 30000);
+        QVERIFY2(outcome->text().contains(u"s (95 %) later than the force"_s), qPrintable(outcome->text()));
+        QVERIFY(!f.bench->squeezing());
+        f.click(act);
+        QTRY_VERIFY_WITH_TIMEOUT(outcome->text().startsWith(u"In use"_s), 15000);
+        QVERIFY(f.bench->connection().measuringChain().forceLagUncertainty_s > 0);
+    }
+    void stopEndsTheMeasurement()
+    {
+        WindowFixture f(false);
+        auto* dialog = new LagDialog(*f.bench, f.window.get());
+        dialog->open();
+        auto* act = dialog->findChild<QPushButton*>(u"lagAct"_s);
+        f.click(act);
+        QTRY_COMPARE_WITH_TIMEOUT(act->text(), u"Squeeze 5 times"_s, 15000);
+        f.click(act);
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->squeezing(), 15000);
+        f.bench->stop();
+        QTRY_VERIFY_WITH_TIMEOUT(!f.bench->squeezing(), 15000);
+        QVERIFY(!f.bench->connection().armed());
+        QTRY_COMPARE_WITH_TIMEOUT(act->text(), u"Arm"_s, 15000);
+        QCOMPARE(f.bench->connection().measuringChain().forceLagUncertainty_s, 0.0);
+    }
+    void withoutAGripperItSaysWhatToDo()
+    {
+        WindowFixture f(false, {});
+        auto* dialog = new LagDialog(*f.bench, f.window.get());
+        dialog->open();
+        QVERIFY(!dialog->findChild<QPushButton*>(u"lagAct"_s)->isEnabled());
+        QVERIFY(dialog->findChild<QLabel*>(u"lagOutcome"_s)->text().startsWith(u"No gripper is connected"_s));
+    }
+};
+
+GRIPSCOPE_TEST(LagDialogTest)
+#include "lag_dialog_test.moc"
