@@ -205,14 +205,15 @@ std::vector<BudgetLine> discrepancyLines(const Eigen::Vector3d& p,
                                          const std::optional<ModelDiscrepancy>& discrepancy,
                                          const ModelMisfit& misfit)
 {
-    Eigen::Matrix3d relative = misfit.remainder;
     QStringList words;
+    Eigen::Vector3d shift = Eigen::Vector3d::Zero();
     for (const MissingTerm& term : misfit.terms) {
         if (term.id == u"smooth_force"_s)
             continue;
-        relative += rectangular(term.shift);
+        shift += term.shift;
         words.append(u"the residuals ask for %1"_s.arg(term.words));
     }
+    Eigen::Matrix3d relative = misfit.remainder + rectangular(shift);
     if (misfit.remainder.trace() > 0)
         words.append(u"the force explains a part of the residuals that the model does not have"_s);
     // Welch-Satterthwaite within the line.

@@ -29,8 +29,8 @@ struct ModelDiscrepancy {
 };
 
 /// Parts whose probability of agreeing is above this are taken to agree. A true model is charged so seldom
-/// that its intervals grow by about 1 % on average.
-inline constexpr double discrepancyLevel = 0.01;
+/// that its intervals grow by 1 to 2 % on average.
+inline constexpr double discrepancyLevel = 0.003;
 
 /// From estimates of different parts, each with its own covariance. Cochran's Q in three dimensions, theta =
 /// (ln m, ln b, ln k), with Student's correction for estimated variances, against F(3 (K - 1), sum of their

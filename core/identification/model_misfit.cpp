@@ -3,12 +3,14 @@
 
 #include "core/identification/discretization.h"
 #include "core/identification/residual_tests.h"
+#include "core/identification/smooth_force.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <boost/math/distributions/fisher_f.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -19,6 +21,8 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr double roundingShare = 1e-9;
+/// Candidates that are not linear in the force; they come first.
+constexpr std::size_t bentTerms = 4;
 /// What is left of a term's norm when the model's columns are taken out must be more than this, or the term
 /// cannot be told from them.
 constexpr double dependent = 1e-6;
@@ -34,23 +38,11 @@ std::vector<double> responseTo(const std::vector<double>& extra, const Estimate&
     return simulate(*e.parameters, extra, {sampleTime_s, ForceHold::First, 0, 0, 0, 0});
 }
 
-/// Second differences of the natural cubic spline through the samples: (M[n-1] + 4 M[n] + M[n+1]) / 6 =
-/// u[n-1] - 2 u[n] + u[n+1], solved from both sides.
-std::vector<double> splineCurvature(const std::vector<double>& u)
+/// The four shapes, each between -1 and 1, of the force that a term takes up at a position x and velocity v.
+std::array<double, bentTerms> shapesAt(double x, double v)
 {
-    const std::size_t count = u.size();
-    std::vector<double> m(count, 0.0);
-    if (count < 3)
-        return m;
-    std::vector<double> ratio(count, 0.0);
-    for (std::size_t n = 1; n + 1 < count; ++n) {
-        const double pivot = 4 - ratio[n - 1];
-        ratio[n] = 1 / pivot;
-        m[n] = (6 * (u[n - 1] - 2 * u[n] + u[n + 1]) - m[n - 1]) / pivot;
-    }
-    for (std::size_t n = count - 1; n-- > 1;)
-        m[n] -= ratio[n] * m[n + 1];
-    return m;
+    const double sign = v == 0 ? 0.0 : std::copysign(1.0, v);
+    return {x * x * x, x * x, v * std::abs(v), sign};
 }
 
 std::vector<Candidate> candidates(const Estimate& e, const LinearizedRecord& record,
@@ -75,19 +67,14 @@ std::vector<Candidate> candidates(const Estimate& e, const LinearizedRecord& rec
         for (std::size_t i = 0; i < force.size(); ++i) {
             const double x = largestX > 0 ? (e.simulated[i] - x0) / largestX : 0;
             const double v = largestV > 0 ? record.velocity[i] / largestV : 0;
-            const std::array<double, 4> shape{x * x * x, x * x, v * std::abs(v),
-                                              v > 0   ? 1.0
-                                              : v < 0 ? -1.0
-                                                      : 0.0};
-            extra[i] = -size * shape[which];
+            extra[i] = -size * shapesAt(x, v)[which];
         }
         out[which].effect = responseTo(extra, e, options.sampleTime_s);
     }
     if (options.hold == ForceHold::First) {
-        // Between two samples the spline bends away from the chord by a parabola of mean -M / 12.
-        std::vector<double> bend = splineCurvature(force);
-        for (double& value : bend)
-            value /= -12;
+        std::vector<double> bend = straightAsSpline(force);
+        for (std::size_t i = 0; i < bend.size(); ++i)
+            bend[i] -= force[i];
         out.push_back(
             {u"smooth_force"_s, u"a force that is smooth between the samples, not a straight line"_s,
              simulate(*e.parameters, bend, {options.sampleTime_s, options.hold, options.lag_s, 0, 0, 0})});
@@ -189,8 +176,25 @@ FTest fTest(const SmallRegression::Answer& without, const SmallRegression::Answe
     return test;
 }
 
-/// Terms one after the other, the best first, while they are significant.
-std::vector<Eigen::Index> chooseTerms(const SmallRegression& regression, Eigen::Index count)
+/// Power of the position about its mean, in the units of the record's columns.
+double signalPower(const Estimate& e, const LinearizedRecord& record)
+{
+    double mean = 0;
+    for (const std::size_t row : record.rows)
+        mean += e.simulated[row] / record.positionScale / static_cast<double>(record.rows.size());
+    double power = 0;
+    for (const std::size_t row : record.rows) {
+        const double y = e.simulated[row] / record.positionScale - mean;
+        power += y * y;
+    }
+    return power;
+}
+
+/// Terms one after the other, the best first, while they are significant. The first `bent` terms are not
+/// linear in the force and must each explain `leastPower`: what is quadratic in a large misfit looks like
+/// many small terms.
+std::vector<Eigen::Index> chooseTerms(const SmallRegression& regression, Eigen::Index count,
+                                      Eigen::Index bent, double leastPower)
 {
     std::vector<Eigen::Index> chosen;
     const double level = misfitLevel / 2 / static_cast<double>(count);
@@ -204,7 +208,8 @@ std::vector<Eigen::Index> chooseTerms(const SmallRegression& regression, Eigen::
             std::vector<Eigen::Index> more = chosen;
             more.push_back(i);
             const SmallRegression::Answer after = regression.with(more);
-            if (after.rest < bestRest && fTest(before, after).p < level) {
+            const bool enough = i >= bent || before.rest - after.rest >= leastPower;
+            if (enough && after.rest < bestRest && fTest(before, after).p < level) {
                 best = i;
                 bestRest = after.rest;
             }
@@ -252,7 +257,14 @@ ModelMisfit modelMisfit(const Estimate& estimate, const LinearizedRecord& record
     const Eigen::Index nuisances = record.nuisances.cols();
     const SmallRegression regression(data, nuisances, static_cast<Eigen::Index>(known.size()));
     const auto count = static_cast<Eigen::Index>(terms.size());
-    std::vector<Eigen::Index> columns = chooseTerms(regression, count);
+    std::vector<Eigen::Index> everything;
+    for (Eigen::Index i = 0; i < count + static_cast<Eigen::Index>(inputLags.size()); ++i)
+        everything.push_back(i);
+    const double misfit = std::max(regression.with({}).rest - regression.with(everything).rest, 0.0);
+    // The error of linearising in a misfit of share r is of share r^2 of the position; twice that counts.
+    const double leastPower = 4 * misfit * misfit / signalPower(estimate, record);
+    std::vector<Eigen::Index> columns =
+        chooseTerms(regression, count, static_cast<Eigen::Index>(bentTerms), leastPower);
     const SmallRegression::Answer with = regression.with(columns);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const Candidate& term = terms[static_cast<std::size_t>(columns[i])];

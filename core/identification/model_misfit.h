@@ -35,9 +35,10 @@ inline constexpr double misfitLevel = 1e-3;
 
 /// Linear regression of the residuals on what candidate terms add to the position (force that x^3, x^2,
 /// x'|x'| or the sign of x' take up; force that is smooth between the samples where first-order hold has
-/// straight lines: the cubic spline through the samples, to the order T^2), x0, v0, offset and the
-/// sensitivities to m, b and k along. Terms enter one by one by their F test, and each is charged with the
-/// shift it causes in (ln m, ln b, ln k).
+/// straight lines, smooth_force.h), x0, v0, offset and the
+/// sensitivities to m, b and k along. Terms enter one by one by their F test; the shifts of
+/// (ln m, ln b, ln k) that leaving them out caused belong together, since terms that are alike share theirs.
+/// A term that bends must also explain more than the linearisation leaves of the whole misfit.
 ///
 /// What is left is regressed on the force at the lags of residual_tests.h. Where that explains more than
 /// noise would, by the variance ratio F, the misfit is taken to be as large in the three directions of m, b

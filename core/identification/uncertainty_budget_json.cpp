@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/uncertainty_budget_json.h"
+
+#include <array>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QJsonValue number(double value)
+{
+    return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null);
+}
+
+QJsonValue number(const std::optional<double>& value)
+{
+    return value ? number(*value) : QJsonValue(QJsonValue::Null);
+}
+
+QJsonObject byName(const QJsonValue& m, const QJsonValue& b, const QJsonValue& k)
+{
+    return {{u"m"_s, m}, {u"b"_s, b}, {u"k"_s, k}};
+}
+
+QJsonObject byName(const Eigen::Vector3d& values)
+{
+    return byName(number(values(0)), number(values(1)), number(values(2)));
+}
+
+QJsonArray rowsOf(const Eigen::Matrix3d& matrix)
+{
+    QJsonArray rows;
+    for (Eigen::Index i = 0; i < 3; ++i)
+        rows.append(QJsonArray{number(matrix(i, 0)), number(matrix(i, 1)), number(matrix(i, 2))});
+    return rows;
+}
+
+QJsonObject toJson(const CoverageInterval& interval)
+{
+    return {{u"lower"_s, number(interval.lower)},
+            {u"upper"_s, number(interval.upper)},
+            {u"logarithmic"_s, interval.logarithmic},
+            {u"only_upper_bound"_s, interval.onlyUpperBound}};
+}
+
+QJsonObject toJson(const BudgetLine& line)
+{
+    return {{u"id"_s, line.id},
+            {u"message"_s, line.words},
+            {u"type"_s, toString(line.type)},
+            {u"standard_uncertainties"_s, byName(line.standardUncertainties())},
+            {u"covariance"_s, rowsOf(line.covariance)},
+            {u"degrees_of_freedom"_s,
+             line.degreesOfFreedom ? QJsonValue(byName(*line.degreesOfFreedom)) : QJsonValue()},
+            {u"share"_s, byName(line.share)}};
+}
+
+template <typename Member>
+QJsonObject combined(const UncertaintyBudget& budget, Member member)
+{
+    const std::array<CombinedUncertainty, 3>& c = budget.combined;
+    return byName(number(c[0].*member), number(c[1].*member), number(c[2].*member));
+}
+
+} // namespace
+
+QJsonObject toJson(const UncertaintyBudget& budget)
+{
+    QJsonArray lines;
+    for (const BudgetLine& line : budget.lines)
+        lines.append(toJson(line));
+    QJsonObject out{
+        {u"coverage"_s, number(budget.coverage)}, {u"message"_s, budget.message}, {u"lines"_s, lines}};
+    const bool there = budget.parameters.has_value();
+    const auto orNull = [&](const QJsonValue& value) { return there ? value : QJsonValue(); };
+    out[u"parameters"_s] = there ? QJsonValue(byName(budget.parameters->vector())) : QJsonValue();
+    out[u"covariance"_s] = orNull(rowsOf(budget.covariance));
+    out[u"standard_uncertainties"_s] = orNull(combined(budget, &CombinedUncertainty::standardUncertainty));
+    out[u"degrees_of_freedom"_s] = orNull(combined(budget, &CombinedUncertainty::degreesOfFreedom));
+    out[u"coverage_factors"_s] = orNull(combined(budget, &CombinedUncertainty::coverageFactor));
+    out[u"intervals"_s] =
+        orNull(byName(toJson(budget.intervals[0]), toJson(budget.intervals[1]), toJson(budget.intervals[2])));
+    return out;
+}
+
+QJsonObject toJson(const std::vector<DerivedQuantity>& quantities)
+{
+    QJsonObject out;
+    for (const DerivedQuantity& quantity : quantities) {
+        out[quantity.id] =
+            QJsonObject{{u"name"_s, quantity.name},
+                        {u"unit"_s, quantity.unit},
+                        {u"value"_s, number(quantity.value)},
+                        {u"standard_uncertainty"_s, number(quantity.uncertainty.standardUncertainty)},
+                        {u"lower"_s, number(quantity.interval.lower)},
+                        {u"upper"_s, number(quantity.interval.upper)},
+                        {u"degrees_of_freedom"_s, number(quantity.uncertainty.degreesOfFreedom)},
+                        {u"message"_s, quantity.words}};
+    }
+    return out;
+}
+
+} // namespace gripscope
