@@ -96,6 +96,44 @@ Step countStep(double timeSteps, bool hasSequence, std::uint64_t before, std::ui
     return {1, false, true};
 }
 
+double meanOver(const std::vector<double>& values, std::size_t first, std::size_t end)
+{
+    double sum = 0;
+    for (std::size_t i = first; i < end; ++i)
+        sum += values[i];
+    return sum / static_cast<double>(end - first);
+}
+
+/// A sample that is late by half a sample time looks like a loss and leaves all behind it one too early. Ten
+/// samples on either side of each gap tell: their phases differ by less than half a sample, or by a slip.
+/// `clock.time` is the time less the index.
+void takeBackSlips(SampleClock& clock, const std::vector<std::size_t>& starts)
+{
+    constexpr std::size_t reach = 10, fewest = 3;
+    std::size_t stretch = 0;
+    for (std::size_t i = 1; i < clock.index.size(); ++i) {
+        const bool isLast = stretch + 1 == starts.size();
+        if (!isLast && i == starts[stretch + 1]) {
+            ++stretch;
+            continue;
+        }
+        const std::int64_t step = clock.index[i] - clock.index[i - 1];
+        const std::size_t first = starts[stretch];
+        const std::size_t end = isLast ? clock.index.size() : starts[stretch + 1];
+        if (step == 1 || i < first + fewest || i + fewest > end)
+            continue;
+        const double jump = meanOver(clock.time, i, std::min(i + reach, end)) -
+                            meanOver(clock.time, i > first + reach ? i - reach : first, i);
+        const double slip = std::round(jump);
+        if (slip == 0 || static_cast<double>(step) + slip < 1)
+            continue;
+        for (std::size_t j = i; j < clock.index.size(); ++j) {
+            clock.index[j] += static_cast<std::int64_t>(slip);
+            clock.time[j] -= j < end ? slip : 0;
+        }
+    }
+}
+
 /// Samples [first, end) between steps that the clock does not time, with their means.
 struct Stretch {
     std::size_t first = 0, end = 0;
@@ -154,6 +192,17 @@ void fitLines(SampleClock& clock, const std::vector<Stretch>& stretches, double 
     clock.jittered = clock.jitter > smallestJitter && !(largest <= 0.75 * clock.resolution);
 }
 
+void countGaps(SampleClock& clock, std::int64_t acrossBreak)
+{
+    for (std::size_t i = 1; i < clock.index.size(); ++i) {
+        const std::int64_t missing = clock.index[i] - clock.index[i - 1] - 1;
+        if (missing == 0 || (clock.breaks > 0 && missing + 1 == acrossBreak))
+            continue;
+        ++clock.gaps;
+        clock.lost += missing;
+    }
+}
+
 } // namespace
 
 SampleClock readSampleClock(std::span<const double> time_s, std::span<const std::uint64_t> sequence,
@@ -184,13 +233,11 @@ SampleClock readSampleClock(std::span<const double> time_s, std::span<const std:
         clock.time[i] = step.timed ? clock.time[i - 1] + (timeSteps - static_cast<double>(samples)) : 0;
         if (!step.timed)
             starts.push_back(i);
-        if (step.contradicts) {
-            ++clock.breaks;
-            continue;
-        }
-        clock.gaps += samples > 1 ? 1 : 0;
-        clock.lost += samples - 1;
+        clock.breaks += step.contradicts ? 1 : 0;
     }
+    if (sequence.empty())
+        takeBackSlips(clock, starts);
+    countGaps(clock, acrossBreak);
     if (const std::optional<double> lattice = latticeStep(time_s))
         clock.resolution = *lattice / reference_s;
     fitLines(clock, timedStretches(clock, starts), reference_s);

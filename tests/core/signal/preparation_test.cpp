@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 using namespace gripscope;
@@ -307,6 +308,47 @@ private slots:
         for (const std::size_t samples : {1, 2, 3}) {
             const Recording few = slice(plainRecording(ExcitationKind::Prbs, ForceHold::Zero), {0, samples});
             QVERIFY(isUntouched(prepare(few), few));
+        }
+    }
+    void anythingComesOutConsistent()
+    {
+        GaussianNoise random(12);
+        const auto pick = [&random](int below) { return static_cast<int>(below * random.uniform()); };
+        for (int run = 0; run < 400; ++run) {
+            Recording recording;
+            recording.sampleTime_s = std::pow(10.0, pick(13) - 9);
+            if (pick(2) == 0)
+                recording.hold = pick(2) == 0 ? ForceHold::Zero : ForceHold::First;
+            const double forceScale = std::pow(10.0, pick(600) - 300);
+            const double positionScale = std::pow(10.0, pick(600) - 300);
+            const double jitter = pick(3) * 0.2;
+            const int samples = pick(80);
+            double time = pick(1000) - 500;
+            for (int i = 0; i < samples; ++i) {
+                time += pick(8) == 0 ? pick(5000) - 50 : 1;
+                recording.time_s.push_back((time + jitter * random()) * recording.sampleTime_s);
+                recording.force.push_back(forceScale * (pick(3) == 0 ? 0 : pick(3) + random()));
+                recording.position.push_back(positionScale * (pick(4) + 0.1 * random()));
+                recording.sequence.push_back(static_cast<std::uint64_t>(i + pick(3)));
+                recording.status.push_back(
+                    static_cast<std::uint16_t>(pick(5) == 0 ? pick(256) : StatusMoving));
+            }
+            if (pick(2) == 0)
+                recording.sequence.clear();
+            if (pick(2) == 0)
+                recording.status.clear();
+            const PreparedRecord prepared = prepare(recording);
+            const std::size_t points = prepared.force.size();
+            QCOMPARE(prepared.position.size(), points);
+            QCOMPARE(prepared.time_s.size(), points);
+            QVERIFY(std::isfinite(prepared.sampleTime_s) && prepared.sampleTime_s > 0);
+            for (std::size_t n = 0; n < points; ++n)
+                QVERIFY(std::isfinite(prepared.force[n]) && std::isfinite(prepared.position[n]) &&
+                        std::isfinite(prepared.time_s[n]));
+            QVERIFY(std::adjacent_find(prepared.lost.begin(), prepared.lost.end(), std::greater_equal<>()) ==
+                    prepared.lost.end());
+            QVERIFY(prepared.lost.empty() || prepared.lost.back() < points);
+            QVERIFY(prepared.choice.window.first + prepared.choice.window.count <= recording.size());
         }
     }
 };

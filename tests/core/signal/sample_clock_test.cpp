@@ -95,6 +95,17 @@ private slots:
         }
         QCOMPARE(drifting, 0);
     }
+    void aLateSampleIsNoLoss()
+    {
+        // Half a sample time is five deviations of this jitter: it happens some times in a million.
+        Stamps made = stamps(20000, 0, 0.1, 0);
+        for (const std::size_t i : {5u, 3000u, 19990u})
+            made.time_s[i] += 0.45 * nominal_s;
+        const SampleClock clock = readSampleClock(made.time_s, {}, nominal_s);
+        QCOMPARE(clock.lost, std::int64_t(0));
+        QCOMPARE(clock.gaps, std::size_t(0));
+        QVERIFY(clock.index == trueIndex(made));
+    }
     void lostSamplesAreFoundWithAndWithoutNumbers_data()
     {
         QTest::addColumn<double>("drift");
