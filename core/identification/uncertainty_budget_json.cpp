@@ -65,6 +65,22 @@ QJsonObject combined(const UncertaintyBudget& budget, Member member)
     return byName(number(c[0].*member), number(c[1].*member), number(c[2].*member));
 }
 
+QJsonObject toJson(const ComparedModel& model)
+{
+    const std::optional<MassDampingStiffness>& p = model.estimate.parameters;
+    return {{u"id"_s, model.id},
+            {u"message"_s, model.words},
+            {u"parameters"_s, p ? QJsonValue(byName(p->vector())) : QJsonValue()},
+            {u"unknowns"_s, model.parameters},
+            {u"noise_order"_s, model.noiseOrder},
+            {u"log_likelihood"_s, number(model.logLikelihood)},
+            {u"criterion"_s, number(model.criterion)},
+            {u"delta"_s, number(model.delta)},
+            {u"weight"_s, number(model.weight)},
+            {u"change_in_standard_errors"_s, number(model.change)},
+            {u"delay_s"_s, number(model.delay_s)}};
+}
+
 } // namespace
 
 QJsonObject toJson(const UncertaintyBudget& budget)
@@ -101,6 +117,17 @@ QJsonObject toJson(const std::vector<DerivedQuantity>& quantities)
                         {u"message"_s, quantity.words}};
     }
     return out;
+}
+
+QJsonObject toJson(const ModelComparison& comparison)
+{
+    QJsonArray models;
+    for (const ComparedModel& model : comparison.ranked)
+        models.append(toJson(model));
+    return {{u"criterion"_s, comparison.criterion},
+            {u"decisive"_s, comparison.decisive},
+            {u"message"_s, comparison.sentence},
+            {u"models"_s, models}};
 }
 
 } // namespace gripscope

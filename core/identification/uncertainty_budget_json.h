@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/identification/derived_quantities.h"
+#include "core/identification/model_comparison.h"
 #include "core/identification/uncertainty_budget.h"
 
 #include <QJsonArray>
@@ -20,5 +21,10 @@ namespace gripscope {
 /// {"natural_frequency": {"name", "unit", "value", "standard_uncertainty", "lower", "upper",
 ///  "degrees_of_freedom", "message"}, ..}
 [[nodiscard]] QJsonObject toJson(const std::vector<DerivedQuantity>& quantities);
+
+/// {"criterion": "BIC", "decisive", "message", "models": [{"id", "message", "parameters": {m, b, k},
+///  "unknowns", "noise_order", "log_likelihood", "criterion", "delta", "weight", "change_in_standard_errors",
+///  "delay_s"}]}, best first.
+[[nodiscard]] QJsonObject toJson(const ModelComparison& comparison);
 
 } // namespace gripscope

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/model_comparison.h"
+
+#include "core/identification/effect_regression.h"
+#include "core/identification/fit.h"
+#include "core/identification/smooth_force.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// A change of m, b or k that counts, in standard errors.
+constexpr double noticeable = 2;
+
+/// The residuals of the samples that were measured and used: those that every model has.
+std::vector<double> usedResiduals(const Estimate& e, const OutputErrorOptions& options)
+{
+    std::vector<double> out;
+    for (std::size_t i = 0; i < e.residual.size(); ++i) {
+        if (!std::binary_search(options.lost.begin(), options.lost.end(), i))
+            out.push_back(e.residual[i]);
+    }
+    return out;
+}
+
+/// Gaussian log-likelihood of a series under its own autoregressive model, and that model's order.
+struct SeriesLikelihood {
+    double logLikelihood = 0;
+    int order = 0;
+};
+
+/// Yule-Walker by Levinson's recursion; the order, up to 20, by BIC. -N/2 (ln(2 pi s^2) + 1), s^2 the
+/// variance of the innovations: the start of the series counts like the rest of it.
+std::optional<SeriesLikelihood> autoregressiveLikelihood(const std::vector<double>& series)
+{
+    constexpr std::size_t largestOrder = 20;
+    const double scale = powerOfTwoScale(series);
+    const auto count = static_cast<double>(series.size());
+    const std::size_t orders = std::min(largestOrder, series.size() / 10);
+    std::vector<double> r(orders + 1, 0.0);
+    for (std::size_t lag = 0; lag <= orders; ++lag) {
+        for (std::size_t i = lag; i < series.size(); ++i)
+            r[lag] += (series[i] / scale) * (series[i - lag] / scale) / count;
+    }
+    double variance = r[0];
+    if (!(variance > 0))
+        return std::nullopt;
+    double bestVariance = variance;
+    double best = count * std::log(variance);
+    SeriesLikelihood out;
+    std::vector<double> a;
+    for (std::size_t order = 1; order <= orders; ++order) {
+        double reflection = r[order];
+        for (std::size_t i = 0; i < a.size(); ++i)
+            reflection -= a[i] * r[order - 1 - i];
+        reflection /= variance;
+        std::vector<double> next(a);
+        for (std::size_t i = 0; i < a.size(); ++i)
+            next[i] -= reflection * a[a.size() - 1 - i];
+        next.push_back(reflection);
+        a = std::move(next);
+        variance *= 1 - reflection * reflection;
+        if (!(variance > 0))
+            break;
+        const double criterion = count * std::log(variance) + static_cast<double>(order) * std::log(count);
+        if (criterion < best) {
+            best = criterion;
+            bestVariance = variance;
+            out.order = static_cast<int>(order);
+        }
+    }
+    out.logLikelihood =
+        -count / 2 * (std::log(2 * std::numbers::pi * bestVariance) + 1) - count * std::log(scale);
+    return std::isfinite(out.logLikelihood) ? std::optional(out) : std::nullopt;
+}
+
+/// Fills in likelihood and criterion; false when there is nothing to judge.
+bool judge(ComparedModel& model, const OutputErrorOptions& options)
+{
+    const Estimate& e = model.estimate;
+    if (e.status != EstimateStatus::Converged || !e.parameters)
+        return false;
+    const std::vector<double> residuals = usedResiduals(e, options);
+    const std::optional<SeriesLikelihood> series = autoregressiveLikelihood(residuals);
+    if (!series)
+        return false;
+    model.noiseOrder = series->order;
+    model.parameters += 3 + model.noiseOrder + 1 + (e.nuisance.x0 ? 2 : 0) + (e.nuisance.offset ? 1 : 0);
+    model.logLikelihood = series->logLikelihood;
+    model.criterion =
+        -2 * series->logLikelihood + model.parameters * std::log(static_cast<double>(residuals.size()));
+    return std::isfinite(model.criterion);
+}
+
+ComparedModel modelOf(const QString& id, const QString& words, Estimate estimate, int extra = 0)
+{
+    ComparedModel model;
+    model.id = id;
+    model.words = words;
+    model.estimate = std::move(estimate);
+    model.parameters = extra;
+    return model;
+}
+
+/// The delay that explains the residuals of `e` best, to first order, in seconds.
+double delayStep(const Estimate& e, const std::vector<double>& force, const OutputErrorOptions& options)
+{
+    const LinearizedRecord record = linearizedRecord(e, force, options);
+    if (!record.usable())
+        return 0;
+    const std::vector<std::vector<double>> effects{record.velocity};
+    const Eigen::MatrixXd triangle = effectTriangle(record, effects, e.residual, {}).triangle;
+    const Eigen::Index at = record.nuisances.cols() + 3;
+    const double step = triangle(at, at + 1) / triangle(at, at);
+    return std::isfinite(step) ? step : 0;
+}
+
+ComparedModel delayed(const std::vector<double>& force, const std::vector<double>& position,
+                      const OutputErrorOptions& options, const Estimate& linear)
+{
+    constexpr int iterations = 4;
+    OutputErrorOptions moved = options;
+    ComparedModel best = modelOf(u"delay"_s, u"a further delay between force and position"_s, linear, 1);
+    best.delay_s = 0;
+    Estimate at = linear;
+    for (int i = 0; i < iterations; ++i) {
+        // A sample at a time: the response is smooth only between samples.
+        moved.lag_s += std::clamp(delayStep(at, force, moved), -options.sampleTime_s, options.sampleTime_s);
+        moved.start = at.parameters;
+        at = estimateOutputError(force, position, moved);
+        if (at.status != EstimateStatus::Converged)
+            break;
+        if (at.residuals.sse * static_cast<double>(best.estimate.residual.size()) <
+            best.estimate.residuals.sse * static_cast<double>(at.residual.size())) {
+            best.estimate = at;
+            best.delay_s = moved.lag_s - options.lag_s;
+        }
+    }
+    return best;
+}
+
+std::vector<ComparedModel> candidates(const std::vector<double>& force, const std::vector<double>& position,
+                                      const OutputErrorOptions& options, const Estimate& linear,
+                                      const std::optional<Estimate>& cubic)
+{
+    std::vector<ComparedModel> models;
+    models.push_back(modelOf(u"linear"_s, u"mass, spring and damper"_s, linear));
+    if (cubic && cubic->cubic) {
+        const bool stiffens = cubic->cubic->k3 > 0;
+        models.push_back(modelOf(u"cubic_spring"_s,
+                                 stiffens ? u"a stiffening spring"_s : u"a softening spring"_s, *cubic, 1));
+    }
+    OutputErrorOptions other = options;
+    other.start = linear.parameters;
+    other.freeOffset = !options.freeOffset;
+    models.push_back(
+        modelOf(options.freeOffset ? u"without_offset"_s : u"with_offset"_s,
+                options.freeOffset ? u"no offset of the position"_s : u"an offset of the position"_s,
+                estimateOutputError(force, position, other)));
+    models.push_back(delayed(force, position, options, linear));
+    other.freeOffset = options.freeOffset;
+    const bool straight = options.hold == ForceHold::First;
+    other.hold = straight ? ForceHold::Zero : ForceHold::First;
+    models.push_back(modelOf(u"other_hold"_s,
+                             straight ? u"a force that is held from sample to sample"_s
+                                      : u"a force that runs straight from sample to sample"_s,
+                             estimateOutputError(force, position, other)));
+    if (straight) {
+        other.hold = options.hold;
+        models.push_back(modelOf(u"smooth_force"_s, u"a force that is smooth between its samples"_s,
+                                 estimateOutputError(straightAsSpline(force), position, other)));
+    }
+    return models;
+}
+
+/// The smaller standard errors count: a poor model's own are large because it is poor.
+double changeInErrors(const Estimate& linear, const Estimate& other)
+{
+    const std::optional<Eigen::Vector3d> errors = linear.standardErrors();
+    const std::optional<Eigen::Vector3d> others = other.standardErrors();
+    if (!errors || !others)
+        return 0;
+    const Eigen::Vector3d smaller = errors->cwiseMin(*others);
+    const Eigen::Vector3d change = other.parameters->vector() - linear.parameters->vector();
+    const double largest = smaller.minCoeff() > 0 ? change.cwiseAbs().cwiseQuotient(smaller).maxCoeff() : 0.0;
+    return std::isfinite(largest) ? largest : 0;
+}
+
+QString capitalized(QString text)
+{
+    if (!text.isEmpty())
+        text[0] = text[0].toUpper();
+    return text;
+}
+
+void conclude(ModelComparison& comparison)
+{
+    const ComparedModel& best = comparison.ranked.front();
+    const ComparedModel& linear = *comparison.find(u"linear"_s);
+    const bool clear = linear.delta > decisiveDelta;
+    if (!clear) {
+        comparison.sentence = u"The linear model is enough."_s;
+        return;
+    }
+    if (best.change <= noticeable) {
+        comparison.sentence =
+            u"%1 explains this squeeze better, but m, b and k stay within their errors: the "
+            "linear model is enough."_s.arg(capitalized(best.words));
+        return;
+    }
+    comparison.decisive = true;
+    comparison.sentence = u"%1 explains this squeeze better."_s.arg(capitalized(best.words));
+}
+
+} // namespace
+
+const ComparedModel* ModelComparison::find(const QString& id) const
+{
+    const auto found = std::find_if(ranked.begin(), ranked.end(),
+                                    [&](const ComparedModel& model) { return model.id == id; });
+    return found != ranked.end() ? &*found : nullptr;
+}
+
+ModelComparison compareModels(const std::vector<double>& force, const std::vector<double>& position,
+                              const OutputErrorOptions& options, const Estimate& linear,
+                              const std::optional<Estimate>& cubic)
+{
+    ModelComparison comparison;
+    comparison.criterion = u"BIC"_s;
+    if (linear.status != EstimateStatus::Converged || !linear.parameters ||
+        linear.residual.size() != force.size() || force.size() != position.size())
+        return comparison;
+    for (ComparedModel& model : candidates(force, position, options, linear, cubic)) {
+        if (!judge(model, options)) {
+            if (model.id == u"linear"_s)
+                return comparison;
+            continue;
+        }
+        model.change = changeInErrors(linear, model.estimate);
+        comparison.ranked.push_back(std::move(model));
+    }
+    std::stable_sort(
+        comparison.ranked.begin(), comparison.ranked.end(),
+        [](const ComparedModel& a, const ComparedModel& b) { return a.criterion < b.criterion; });
+    double sum = 0;
+    for (ComparedModel& model : comparison.ranked) {
+        model.delta = model.criterion - comparison.ranked.front().criterion;
+        model.weight = std::exp(-model.delta / 2);
+        sum += model.weight;
+    }
+    for (ComparedModel& model : comparison.ranked)
+        model.weight /= sum;
+    conclude(comparison);
+    return comparison;
+}
+
+} // namespace gripscope

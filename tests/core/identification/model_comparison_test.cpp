@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/duffing.h"
+#include "core/identification/model_comparison.h"
+#include "core/identification/uncertainty_budget_json.h"
+#include "tests/core/identification/synthetic.h"
+#include "tests/support/test_registry.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace gripscope;
+using namespace Qt::StringLiterals;
+using test::Synthetic;
+
+namespace {
+
+Synthetic canA()
+{
+    Synthetic synthetic;
+    synthetic.truth = {0.0396, 43, 9990};
+    synthetic.sampleTime_s = 5e-4;
+    synthetic.bit_s = 5e-3;
+    synthetic.peak = 10;
+    synthetic.samples = 500;
+    synthetic.fitPercent = 97;
+    synthetic.hold = ForceHold::First;
+    return synthetic;
+}
+
+ModelComparison compare(const Recording& recording, OutputErrorOptions options, bool cubic = false)
+{
+    options.sampleTime_s = recording.sampleTime_s;
+    const Estimate linear = estimateOutputError(recording.force, recording.position, options);
+    std::optional<Estimate> duffing;
+    if (cubic) {
+        DuffingOptions duffingOptions;
+        duffingOptions.sampleTime_s = recording.sampleTime_s;
+        duffing = estimateDuffing(recording.force, recording.position, duffingOptions);
+    }
+    return compareModels(recording.force, recording.position, options, linear, duffing);
+}
+
+} // namespace
+
+class ModelComparisonTest : public QObject {
+    Q_OBJECT
+private slots:
+    void theTrueLinearModelIsEnough()
+    {
+        // A superfluous parameter gains chi-square with one degree over 2 ln L: to gain 10 + ln N it needs
+        // 16, which happens once in 15,000.
+        Synthetic synthetic = canA();
+        for (int run = 0; run < 25; ++run) {
+            synthetic.seed = static_cast<std::uint64_t>(run) + 1;
+            const ModelComparison found = compare(synthetic.make(), {}, run < 5);
+            QVERIFY2(!found.decisive, qPrintable(found.sentence));
+            QCOMPARE(found.sentence, u"The linear model is enough."_s);
+            double sum = 0;
+            for (const ComparedModel& model : found.ranked)
+                sum += model.weight;
+            QVERIFY(std::abs(sum - 1) < 1e-12);
+            QCOMPARE(found.ranked.front().delta, 0.0);
+        }
+    }
+
+    void aStiffeningSpringIsNamed()
+    {
+        Recording recording = canA().make();
+        recording.position = simulateDuffing({0.0396, 43, 9990}, 1e9, recording.force,
+                                             {recording.sampleTime_s, ForceHold::First, 0, 0, 0, 0});
+        GaussianNoise draw(2);
+        for (double& y : recording.position)
+            y += 1e-5 * draw();
+        const ModelComparison found = compare(recording, {}, true);
+        QVERIFY(found.decisive);
+        QCOMPARE(found.ranked.front().id, u"cubic_spring"_s);
+        QCOMPARE(found.sentence, u"A stiffening spring explains this squeeze better."_s);
+    }
+
+    void aDelayIsNamedAndMeasured()
+    {
+        Synthetic synthetic = canA();
+        synthetic.lag_s = 2e-4;
+        const ModelComparison found = compare(synthetic.make(), {});
+        QVERIFY(found.decisive);
+        const ComparedModel* delay = found.find(u"delay"_s);
+        QVERIFY(delay != nullptr && delay->delay_s);
+        // Its standard error is 5 us here (the bound, one nuisance more).
+        QVERIFY2(std::abs(*delay->delay_s - 2e-4) < 2e-5, qPrintable(QString::number(*delay->delay_s)));
+        QVERIFY(delay->delta < decisiveDelta);
+    }
+
+    void theOtherHoldIsNamed()
+    {
+        Synthetic synthetic = canA();
+        synthetic.fitPercent = 99;
+        OutputErrorOptions held;
+        held.hold = ForceHold::Zero;
+        const ModelComparison found = compare(synthetic.make(), held);
+        QVERIFY(found.decisive);
+        QVERIFY(found.find(u"other_hold"_s)->delta < decisiveDelta);
+    }
+
+    void aMissingOffsetIsNamed()
+    {
+        Synthetic synthetic = canA();
+        synthetic.offset = 2e-3;
+        OutputErrorOptions fixed;
+        fixed.freeOffset = false;
+        const ModelComparison found = compare(synthetic.make(), fixed);
+        QVERIFY(found.decisive);
+        QCOMPARE(found.sentence, u"An offset of the position explains this squeeze better."_s);
+    }
+
+    void nothingToCompareSaysNothing()
+    {
+        const ModelComparison found = compareModels({}, {}, {}, {});
+        QVERIFY(found.ranked.empty());
+        QVERIFY(found.sentence.isEmpty());
+        QVERIFY(toJson(found)[u"models"_s].toArray().isEmpty());
+        const ModelComparison one = compare(canA().make(), {});
+        QVERIFY(toJson(one)[u"models"_s][0][u"criterion"_s].isDouble());
+    }
+};
+
+GRIPSCOPE_TEST(ModelComparisonTest)
+#include "model_comparison_test.moc"
