@@ -105,7 +105,7 @@ private slots:
     void aMissingOffsetIsNamed()
     {
         Synthetic synthetic = canA();
-        synthetic.offset = 2e-3;
+        synthetic.offset = 5e-4; // a share of the travel: with more there is no linear estimate at all
         OutputErrorOptions fixed;
         fixed.freeOffset = false;
         const ModelComparison found = compare(synthetic.make(), fixed);
