@@ -114,6 +114,34 @@ QStringList validityLines(const Validity& validity)
     return lines;
 }
 
+/// The intervals that are shown everywhere, and what makes them so wide.
+QStringList budgetLines(const UncertaintyBudget& budget, const ParameterUnits& units)
+{
+    if (!budget.parameters)
+        return {};
+    QStringList lines{u"  with all that is uncertain (95 %)"_qs};
+    const std::array<QString, 3> names{u"m"_qs, u"b"_qs, u"k"_qs};
+    const std::array<QString, 3> unit{units.m, units.b, units.k};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const CoverageInterval& interval = budget.intervals[i];
+        const auto at = static_cast<Eigen::Index>(i);
+        const auto largest = std::max_element(
+            budget.lines.begin(), budget.lines.end(),
+            [at](const BudgetLine& a, const BudgetLine& b) { return a.share(at) < b.share(at); });
+        const QString shown = unit[i] == u"1"_qs ? QString() : u' ' + unit[i];
+        QString line =
+            interval.onlyUpperBound
+                ? u"    %1  at most %2%3"_qs.arg(names[i], QString::number(interval.upper, 'g', 3), shown)
+                : u"    %1  %2 to %3%4"_qs.arg(names[i], QString::number(interval.lower, 'g', 5),
+                                               QString::number(interval.upper, 'g', 5), shown);
+        if (largest != budget.lines.end())
+            line += u"  (%1 %: %2)"_qs.arg(100 * largest->share(at), 0, 'f', 0)
+                        .arg(QString(largest->id).replace(u'_', u' '));
+        lines << line;
+    }
+    return lines;
+}
+
 } // namespace
 
 QString identificationText(const Identification& identification, const Recording& recording,
@@ -123,6 +151,11 @@ QString identificationText(const Identification& identification, const Recording
     const ParameterUnits units = parameterUnits(recording.forceUnit, recording.positionUnit);
     for (const Estimate& estimate : identification.estimates)
         lines << estimateLines(estimate, units, &estimate == identification.best());
+    lines << budgetLines(identification.budget, units);
+    if (!identification.comparison.sentence.isEmpty())
+        lines << u"  models: "_qs + identification.comparison.sentence;
+    for (const PreparationStep& step : identification.preparation)
+        lines << u"  before: "_qs + step.message;
     lines << validityLines(identification.validity);
     return lines.join(u'\n');
 }

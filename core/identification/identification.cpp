@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/identification.h"
 
+#include "core/identification/assessment.h"
 #include "core/identification/fit.h"
 #include "core/identification/output_error.h"
 #include "core/identification/periodic.h"
@@ -70,6 +71,14 @@ Estimator recommend(const std::vector<Estimate>& estimates)
     return estimates.empty() ? Estimator::OutputError : estimates.back().estimator;
 }
 
+/// Asked for, found, and decisively better than a linear spring.
+bool cubicIsBetter(const Identification& data)
+{
+    const Estimate* const duffing = data.find(Estimator::Duffing);
+    return duffing != nullptr && duffing->status == EstimateStatus::Converged && data.comparison.decisive &&
+           data.comparison.ranked.front().id == QLatin1String("cubic_spring");
+}
+
 } // namespace
 
 const Estimate* Identification::find(Estimator estimator) const
@@ -106,6 +115,13 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     result.recommended = recommend(result.estimates);
     if (result.recommended == Estimator::OutputError && obstacle == nullptr)
         result.otherHoldGain = otherHoldGain(result, record, task);
+    if (options.assess && obstacle == nullptr) {
+        result.comparison = comparisonOf(result, record, task);
+        if (cubicIsBetter(result))
+            result.recommended = Estimator::Duffing;
+        if (const Estimate* const best = result.best())
+            result.budget = budgetOf(*best, record, task);
+    }
     result.preparation = std::move(record.steps);
     result.time_s = std::move(record.time_s);
     result.force = std::move(record.force);

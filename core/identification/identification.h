@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/identification/estimate.h"
+#include "core/identification/model_comparison.h"
+#include "core/identification/uncertainty_budget.h"
 #include "core/identification/validity.h"
 #include "core/signal/preparation.h"
 
@@ -17,6 +19,7 @@ struct IdentificationOptions {
     std::optional<ForceHold> hold; ///< empty: the recording's, else first-order
     InitialState initialState = InitialState::Free;
     bool freeOffset = true; ///< a position offset (OE) or a constant column (ARX)
+    bool assess = true;     ///< budget and comparison of models, too: about as much work again
 };
 
 /// All that was found out about one recording.
@@ -30,6 +33,8 @@ struct Identification {
     /// By how much the other force hold would raise the log-likelihood of output error, correlation between
     /// residuals allowed for; absent when it was not tried. Above 10 the two are told apart.
     std::optional<double> otherHoldGain;
+    UncertaintyBudget budget;                 ///< of the recommended estimate: the intervals to be shown
+    ModelComparison comparison;               ///< of output error with other models
     std::vector<PreparationStep> preparation; ///< what was done to the recording before, and noticed
     /// The window that was used, on a regular grid; at the indexes `lost` nothing was measured and the values
     /// are for plots only.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/identification_json.h"
 
+#include "core/identification/uncertainty_budget_json.h"
 #include "core/signal/units.h"
 
 #include <QJsonArray>
@@ -23,23 +24,45 @@ QJsonValue number(const std::optional<double>& value)
     return value ? number(*value) : QJsonValue(QJsonValue::Null);
 }
 
-QJsonObject byName(const Eigen::Vector3d& values)
+QJsonObject byName(const Eigen::Vector3d& values, std::optional<double> k3)
 {
-    return {{u"m"_s, number(values(0))}, {u"b"_s, number(values(1))}, {u"k"_s, number(values(2))}};
+    QJsonObject object{{u"m"_s, number(values(0))}, {u"b"_s, number(values(1))}, {u"k"_s, number(values(2))}};
+    if (k3)
+        object.insert(u"k3"_s, number(*k3));
+    return object;
 }
 
-QJsonValue toJson(const std::optional<Eigen::Matrix3d>& covariance)
+QJsonValue toJson(const Eigen::MatrixXd& matrix)
 {
-    if (!covariance)
-        return QJsonValue::Null;
     QJsonArray rows;
-    for (Eigen::Index i = 0; i < 3; ++i) {
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
         QJsonArray row;
-        for (Eigen::Index j = 0; j < 3; ++j)
-            row.append(number((*covariance)(i, j)));
+        for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+            row.append(number(matrix(i, j)));
         rows.append(row);
     }
     return rows;
+}
+
+QJsonValue covarianceOf(const Estimate& e)
+{
+    if (e.cubic)
+        return toJson(Eigen::MatrixXd(e.cubic->covariance));
+    return e.covariance ? toJson(Eigen::MatrixXd(*e.covariance)) : QJsonValue();
+}
+
+QJsonValue toJson(const std::optional<AutoregressiveNoise>& noise)
+{
+    if (!noise)
+        return QJsonValue();
+    const auto list = [](const std::vector<double>& values) {
+        QJsonArray array;
+        for (const double value : values)
+            array.append(number(value));
+        return array;
+    };
+    return QJsonObject{{u"autoregressive"_s, list(noise->coefficients)},
+                       {u"innovation_deviation"_s, number(noise->innovationDeviation)}};
 }
 
 QJsonObject toJson(const std::optional<ArxCoefficients>& c)
@@ -57,13 +80,18 @@ QJsonObject toJson(const std::optional<ArxCoefficients>& c)
 QJsonObject toJson(const Estimate& e)
 {
     const std::optional<Eigen::Vector3d> errors = e.standardErrors();
+    std::optional<double> k3, k3Error;
+    if (e.cubic) {
+        k3 = e.cubic->k3;
+        k3Error = std::sqrt(std::max(0.0, e.cubic->covariance(3, 3)));
+    }
     const bool tested = !e.residual.empty();
     return {
         {u"estimator"_s, toString(e.estimator)},
         {u"status"_s, toString(e.status)},
-        {u"parameters"_s, e.parameters ? QJsonValue(byName(e.parameters->vector())) : QJsonValue()},
-        {u"standard_errors"_s, errors ? QJsonValue(byName(*errors)) : QJsonValue()},
-        {u"covariance"_s, toJson(e.covariance)},
+        {u"parameters"_s, e.parameters ? QJsonValue(byName(e.parameters->vector(), k3)) : QJsonValue()},
+        {u"standard_errors"_s, errors ? QJsonValue(byName(*errors, k3Error)) : QJsonValue()},
+        {u"covariance"_s, covarianceOf(e)},
         {u"nuisance"_s, QJsonObject{{u"x0"_s, number(e.nuisance.x0)},
                                     {u"v0"_s, number(e.nuisance.v0)},
                                     {u"offset"_s, number(e.nuisance.offset)}}},
@@ -75,6 +103,7 @@ QJsonObject toJson(const Estimate& e)
                      {u"degrees_of_freedom"_s, tested ? number(e.residuals.degreesOfFreedom) : QJsonValue()},
                      {u"whiteness_p"_s, number(e.residuals.whitenessP)},
                      {u"input_independence_p"_s, number(e.residuals.inputIndependenceP)}}},
+        {u"noise"_s, toJson(e.noise)},
         {u"iterations"_s, e.iterations}};
 }
 
@@ -89,6 +118,18 @@ QJsonObject toJson(const Validity& validity)
                                   {u"message"_s, check.message}});
     }
     return {{u"verdict"_s, toString(validity.verdict)}, {u"checks"_s, checks}};
+}
+
+QJsonArray toJson(const std::vector<PreparationStep>& steps)
+{
+    QJsonArray array;
+    for (const PreparationStep& step : steps)
+        array.append(QJsonObject{{u"id"_s, step.id},
+                                 {u"count"_s, static_cast<qint64>(step.count)},
+                                 {u"value"_s, number(step.value)},
+                                 {u"ok"_s, step.ok},
+                                 {u"message"_s, step.message}});
+    return array;
 }
 
 } // namespace
@@ -111,7 +152,11 @@ QJsonObject toJson(const Identification& identification, const Recording& record
                                                                   {u"k"_s, units.k}}}}},
             {u"estimates"_s, estimates},
             {u"recommended"_s, toString(identification.recommended)},
-            {u"validity"_s, toJson(identification.validity)}};
+            {u"validity"_s, toJson(identification.validity)},
+            {u"budget"_s, toJson(identification.budget)},
+            {u"derived"_s, toJson(derivedFrom(identification.budget))},
+            {u"comparison"_s, toJson(identification.comparison)},
+            {u"preparation"_s, toJson(identification.preparation)}};
 }
 
 } // namespace gripscope

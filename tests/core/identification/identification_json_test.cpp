@@ -44,8 +44,9 @@ private slots:
         recording.forceUnit = u"N"_s;
         recording.positionUnit = u"mm"_s;
         const QJsonObject document = documentOf(recording);
-        QCOMPARE(document.keys(),
-                 sorted({u"file"_s, u"recording"_s, u"estimates"_s, u"recommended"_s, u"validity"_s}));
+        for (const QString& key : {u"file"_s, u"recording"_s, u"estimates"_s, u"recommended"_s, u"validity"_s,
+                                   u"budget"_s, u"derived"_s, u"comparison"_s, u"preparation"_s})
+            QVERIFY2(document.contains(key), qPrintable(key));
         QCOMPARE(document[u"file"].toString(), u"squeeze.csv"_s);
         const QJsonObject about = document[u"recording"].toObject();
         QCOMPARE(about.keys(), sorted({u"samples"_s, u"sample_time_s"_s, u"gaps"_s, u"hold"_s, u"units"_s}));
@@ -54,9 +55,9 @@ private slots:
         QCOMPARE(about[u"units"][u"m"].toString(), u"N s^2/mm"_s);
         QCOMPARE(about[u"units"][u"position"].toString(), u"mm"_s);
         const QJsonObject oe = estimateOf(document, u"oe"_s);
-        QCOMPARE(oe.keys(),
-                 sorted({u"estimator"_s, u"status"_s, u"parameters"_s, u"standard_errors"_s, u"covariance"_s,
-                         u"nuisance"_s, u"coefficients"_s, u"fit"_s, u"residuals"_s, u"iterations"_s}));
+        QCOMPARE(oe.keys(), sorted({u"estimator"_s, u"status"_s, u"parameters"_s, u"standard_errors"_s,
+                                    u"covariance"_s, u"nuisance"_s, u"coefficients"_s, u"fit"_s,
+                                    u"residuals"_s, u"noise"_s, u"iterations"_s}));
         QCOMPARE(oe[u"nuisance"].toObject().keys(), sorted({u"x0"_s, u"v0"_s, u"offset"_s}));
         QCOMPARE(oe[u"coefficients"].toObject().keys(),
                  sorted({u"a1"_s, u"a2"_s, u"b1"_s, u"b2"_s, u"constant"_s}));
@@ -66,6 +67,22 @@ private slots:
         for (const QJsonValue& check : document[u"validity"][u"checks"].toArray())
             QCOMPARE(check.toObject().keys(),
                      sorted({u"id"_s, u"ok"_s, u"value"_s, u"limit"_s, u"message"_s}));
+    }
+    void aCubicSpringIsTheFourthParameter()
+    {
+        Synthetic synthetic;
+        synthetic.fitPercent = 95;
+        const Recording recording = synthetic.make();
+        IdentificationOptions options;
+        options.estimators = {Estimator::Duffing};
+        const Identification found = identify(recording, options);
+        const QJsonObject duffing = estimateOf(toJson(found, recording, u"x"_s), u"duffing"_s);
+        const Estimate& e = *found.find(Estimator::Duffing);
+        QCOMPARE(duffing[u"parameters"].toObject().keys(), sorted({u"m"_s, u"b"_s, u"k"_s, u"k3"_s}));
+        QCOMPARE(duffing[u"parameters"][u"k3"].toDouble(), e.cubic->k3);
+        QCOMPARE(duffing[u"covariance"].toArray().size(), 4);
+        QCOMPARE(duffing[u"covariance"][0][3].toDouble(), e.cubic->covariance(0, 3));
+        QCOMPARE(duffing[u"standard_errors"][u"k3"].toDouble(), std::sqrt(e.cubic->covariance(3, 3)));
     }
     void numbersKeepEveryDigit()
     {
