@@ -2,12 +2,11 @@
 #include "core/identification/model_comparison.h"
 
 #include "core/identification/effect_regression.h"
-#include "core/identification/fit.h"
+#include "core/identification/series_model.h"
 #include "core/identification/smooth_force.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace gripscope {
@@ -30,57 +29,6 @@ std::vector<double> usedResiduals(const Estimate& e, const OutputErrorOptions& o
     return out;
 }
 
-/// Gaussian log-likelihood of a series under its own autoregressive model, and that model's order.
-struct SeriesLikelihood {
-    double logLikelihood = 0;
-    int order = 0;
-};
-
-/// Yule-Walker by Levinson's recursion; the order, up to 20, by BIC. -N/2 (ln(2 pi s^2) + 1), s^2 the
-/// variance of the innovations: the start of the series counts like the rest of it.
-std::optional<SeriesLikelihood> autoregressiveLikelihood(const std::vector<double>& series)
-{
-    constexpr std::size_t largestOrder = 20;
-    const double scale = powerOfTwoScale(series);
-    const auto count = static_cast<double>(series.size());
-    const std::size_t orders = std::min(largestOrder, series.size() / 10);
-    std::vector<double> r(orders + 1, 0.0);
-    for (std::size_t lag = 0; lag <= orders; ++lag) {
-        for (std::size_t i = lag; i < series.size(); ++i)
-            r[lag] += (series[i] / scale) * (series[i - lag] / scale) / count;
-    }
-    double variance = r[0];
-    if (!(variance > 0))
-        return std::nullopt;
-    double bestVariance = variance;
-    double best = count * std::log(variance);
-    SeriesLikelihood out;
-    std::vector<double> a;
-    for (std::size_t order = 1; order <= orders; ++order) {
-        double reflection = r[order];
-        for (std::size_t i = 0; i < a.size(); ++i)
-            reflection -= a[i] * r[order - 1 - i];
-        reflection /= variance;
-        std::vector<double> next(a);
-        for (std::size_t i = 0; i < a.size(); ++i)
-            next[i] -= reflection * a[a.size() - 1 - i];
-        next.push_back(reflection);
-        a = std::move(next);
-        variance *= 1 - reflection * reflection;
-        if (!(variance > 0))
-            break;
-        const double criterion = count * std::log(variance) + static_cast<double>(order) * std::log(count);
-        if (criterion < best) {
-            best = criterion;
-            bestVariance = variance;
-            out.order = static_cast<int>(order);
-        }
-    }
-    out.logLikelihood =
-        -count / 2 * (std::log(2 * std::numbers::pi * bestVariance) + 1) - count * std::log(scale);
-    return std::isfinite(out.logLikelihood) ? std::optional(out) : std::nullopt;
-}
-
 /// Fills in likelihood and criterion; false when there is nothing to judge.
 bool judge(ComparedModel& model, const OutputErrorOptions& options)
 {
@@ -88,10 +36,10 @@ bool judge(ComparedModel& model, const OutputErrorOptions& options)
     if (e.status != EstimateStatus::Converged || !e.parameters)
         return false;
     const std::vector<double> residuals = usedResiduals(e, options);
-    const std::optional<SeriesLikelihood> series = autoregressiveLikelihood(residuals);
+    const std::optional<SeriesModel> series = autoregressiveModel(residuals);
     if (!series)
         return false;
-    model.noiseOrder = series->order;
+    model.noiseOrder = static_cast<int>(series->coefficients.size());
     model.parameters += 3 + model.noiseOrder + 1 + (e.nuisance.x0 ? 2 : 0) + (e.nuisance.offset ? 1 : 0);
     model.logLikelihood = series->logLikelihood;
     model.criterion =

@@ -3,11 +3,9 @@
 
 #include "core/identification/discretization.h"
 #include "core/identification/residual_tests.h"
+#include "core/identification/series_model.h"
+#include "core/identification/small_regression.h"
 #include "core/identification/smooth_force.h"
-
-#include <Eigen/LU>
-#include <Eigen/QR>
-#include <boost/math/distributions/fisher_f.hpp>
 
 #include <algorithm>
 #include <array>
@@ -23,9 +21,6 @@ namespace {
 constexpr double roundingShare = 1e-9;
 /// Candidates that are not linear in the force; they come first.
 constexpr std::size_t bentTerms = 4;
-/// What is left of a term's norm when the model's columns are taken out must be more than this, or the term
-/// cannot be told from them.
-constexpr double dependent = 1e-6;
 
 struct Candidate {
     QString id, words;
@@ -94,100 +89,21 @@ std::vector<std::vector<double>> laggedForces(const std::vector<double>& force)
     return out;
 }
 
-/// The triangle of all columns as a small regression problem of its own.
-class SmallRegression {
-public:
-    SmallRegression(const EffectTriangle& data, Eigen::Index nuisances, Eigen::Index known)
-        : m_triangle(data.triangle), m_rows(data.rows), m_nuisances(nuisances), m_known(known)
-    {
-        for (Eigen::Index i = 0; i < m_triangle.cols(); ++i) {
-            const double norm = m_triangle.col(i).norm();
-            m_norms.push_back(norm > 0 && std::isfinite(norm) ? norm : 1);
-        }
-    }
-    /// Residual sum of squares with the model's columns, `extra` (counted from the first effect) and the last
-    /// `known` effects.
-    struct Answer {
-        double rest = 0;
-        double degreesOfFreedom = 0;
-        double rank = 0;
-        Eigen::VectorXd solution; ///< of nuisances, ln m, ln b, ln k, extra, known
-    };
-    [[nodiscard]] Answer with(const std::vector<Eigen::Index>& extra) const
-    {
-        const Eigen::Index model = m_nuisances + 3;
-        const Eigen::Index own = model + static_cast<Eigen::Index>(extra.size());
-        Eigen::MatrixXd columns(m_triangle.rows(), own + m_known);
-        Eigen::VectorXd scale(columns.cols());
-        for (Eigen::Index i = 0; i < columns.cols(); ++i) {
-            Eigen::Index at = i;
-            if (i >= own)
-                at = m_triangle.cols() - 1 - m_known + i - own;
-            else if (i >= model)
-                at = model + extra[static_cast<std::size_t>(i - model)];
-            scale(i) = 1 / m_norms[static_cast<std::size_t>(at)];
-            columns.col(i) = m_triangle.col(at) * scale(i);
-        }
-        Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-        qr.setThreshold(dependent);
-        const Eigen::VectorXd right = m_triangle.col(m_triangle.cols() - 1);
-        Answer answer;
-        answer.rank = static_cast<double>(qr.rank());
-        const Eigen::VectorXd rotated = qr.householderQ().adjoint() * right;
-        answer.rest = rotated.tail(rotated.size() - qr.rank()).squaredNorm();
-        answer.degreesOfFreedom = m_rows - answer.rank;
-        answer.solution = scale.asDiagonal() * qr.solve(right);
-        return answer;
-    }
-    /// d (ln m, ln b, ln k) by one unit of the column `at`, and s^2 (S'S)^-1 for s = 1.
-    [[nodiscard]] Eigen::Vector3d shiftBy(Eigen::Index at) const
-    {
-        return own().colPivHouseholderQr().solve(m_triangle.block<3, 1>(m_nuisances, m_nuisances + 3 + at));
-    }
-    [[nodiscard]] Eigen::Matrix3d unitCovariance() const
-    {
-        const Eigen::Matrix3d inverse = own().inverse();
-        return inverse * inverse.transpose();
-    }
-
-private:
-    [[nodiscard]] Eigen::Matrix3d own() const { return m_triangle.block<3, 3>(m_nuisances, m_nuisances); }
-    const Eigen::MatrixXd& m_triangle;
-    double m_rows;
-    Eigen::Index m_nuisances, m_known;
-    std::vector<double> m_norms;
-};
-
-struct FTest {
-    double ratio = 0, p = 1, columns = 0;
-};
-FTest fTest(const SmallRegression::Answer& without, const SmallRegression::Answer& with)
-{
-    FTest test;
-    test.columns = with.rank - without.rank;
-    if (test.columns < 1 || with.degreesOfFreedom < 1 || !(with.rest > 0))
-        return test;
-    test.ratio =
-        (std::max(without.rest - with.rest, 0.0) / test.columns) / (with.rest / with.degreesOfFreedom);
-    if (!std::isfinite(test.ratio))
-        return test;
-    const boost::math::fisher_f distribution(test.columns, with.degreesOfFreedom);
-    test.p = boost::math::cdf(boost::math::complement(distribution, test.ratio));
-    return test;
-}
-
-/// Power of the position about its mean, in the units of the record's columns.
-double signalPower(const Estimate& e, const LinearizedRecord& record)
+/// Power of the residuals over that of the model's position about its mean.
+double residualShare(const Estimate& e, const LinearizedRecord& record)
 {
     double mean = 0;
     for (const std::size_t row : record.rows)
         mean += e.simulated[row] / record.positionScale / static_cast<double>(record.rows.size());
     double power = 0;
+    double error = 0;
     for (const std::size_t row : record.rows) {
         const double y = e.simulated[row] / record.positionScale - mean;
+        const double r = e.residual[row] / record.positionScale;
         power += y * y;
+        error += r * r;
     }
-    return power;
+    return power > 0 ? error / power : 0;
 }
 
 /// Terms one after the other, the best first, while they are significant. The first `bent` terms are not
@@ -221,6 +137,17 @@ std::vector<Eigen::Index> chooseTerms(const SmallRegression& regression, Eigen::
     return chosen;
 }
 
+/// Colour of the residuals, which the tests must not take for misfit. What the colour of a misfit hides of
+/// it is small beside the rest.
+std::vector<double> noiseOf(const Estimate& e, const LinearizedRecord& record)
+{
+    std::vector<double> residuals;
+    for (const std::size_t row : record.rows)
+        residuals.push_back(e.residual[row]);
+    const std::optional<SeriesModel> model = autoregressiveModel(residuals);
+    return model ? model->coefficients : std::vector<double>();
+}
+
 bool isRounding(const Estimate& e, const LinearizedRecord& record)
 {
     double error = 0;
@@ -230,6 +157,38 @@ bool isRounding(const Estimate& e, const LinearizedRecord& record)
         size = std::max(size, std::abs(e.simulated[row]));
     }
     return !(error > roundingShare * size);
+}
+
+/// What a bent term must explain, see chooseTerms().
+double leastPowerOfBentTerms(const SmallRegression& regression, Eigen::Index terms, double residualShare)
+{
+    std::vector<Eigen::Index> everything;
+    for (Eigen::Index i = 0; i < terms + static_cast<Eigen::Index>(inputLags.size()); ++i)
+        everything.push_back(i);
+    const double whole = regression.with({}).rest;
+    const double misfit = std::max(whole - regression.with(everything).rest, 0.0);
+    // The error of linearising in a misfit of share r is of share r^2 of the position; twice that counts.
+    return whole > 0 ? 4 * residualShare * misfit * misfit / whole : 0;
+}
+
+/// What past and present force explains beyond the chosen terms.
+void addRemainder(const SmallRegression& regression, std::vector<Eigen::Index> columns, Eigen::Index terms,
+                  ModelMisfit& out)
+{
+    const SmallRegression::Answer without = regression.with(columns);
+    for (std::size_t i = 0; i < inputLags.size(); ++i)
+        columns.push_back(terms + static_cast<Eigen::Index>(i));
+    const SmallRegression::Answer all = regression.with(columns);
+    const FTest test = fTest(without, all);
+    if (test.columns < 1)
+        return;
+    out.remainderP = test.p;
+    const Eigen::Matrix3d covariance =
+        (test.ratio - 1) * all.rest / all.degreesOfFreedom * regression.unitCovariance();
+    if (test.p < misfitLevel / 2 && test.ratio > 1 && covariance.allFinite()) {
+        out.remainder = covariance;
+        out.remainderDegreesOfFreedom = test.columns;
+    }
 }
 
 } // namespace
@@ -249,7 +208,7 @@ ModelMisfit modelMisfit(const Estimate& estimate, const LinearizedRecord& record
     for (std::vector<double>& lagged : laggedForces(force))
         effects.push_back(std::move(lagged));
     effects.insert(effects.end(), known.begin(), known.end());
-    const std::vector<double> noise = estimate.noise ? estimate.noise->coefficients : std::vector<double>();
+    const std::vector<double> noise = noiseOf(estimate, record);
     const EffectTriangle data = effectTriangle(record, effects, estimate.residual, noise);
     if (!data.triangle.allFinite())
         return out;
@@ -257,12 +216,7 @@ ModelMisfit modelMisfit(const Estimate& estimate, const LinearizedRecord& record
     const Eigen::Index nuisances = record.nuisances.cols();
     const SmallRegression regression(data, nuisances, static_cast<Eigen::Index>(known.size()));
     const auto count = static_cast<Eigen::Index>(terms.size());
-    std::vector<Eigen::Index> everything;
-    for (Eigen::Index i = 0; i < count + static_cast<Eigen::Index>(inputLags.size()); ++i)
-        everything.push_back(i);
-    const double misfit = std::max(regression.with({}).rest - regression.with(everything).rest, 0.0);
-    // The error of linearising in a misfit of share r is of share r^2 of the position; twice that counts.
-    const double leastPower = 4 * misfit * misfit / signalPower(estimate, record);
+    const double leastPower = leastPowerOfBentTerms(regression, count, residualShare(estimate, record));
     std::vector<Eigen::Index> columns =
         chooseTerms(regression, count, static_cast<Eigen::Index>(bentTerms), leastPower);
     const SmallRegression::Answer with = regression.with(columns);
@@ -273,19 +227,7 @@ ModelMisfit modelMisfit(const Estimate& estimate, const LinearizedRecord& record
         if (shift.allFinite())
             out.terms.push_back({term.id, term.words, shift});
     }
-    for (std::size_t i = 0; i < inputLags.size(); ++i)
-        columns.push_back(count + static_cast<Eigen::Index>(i));
-    const SmallRegression::Answer all = regression.with(columns);
-    const FTest test = fTest(with, all);
-    if (test.columns < 1)
-        return out;
-    out.remainderP = test.p;
-    const Eigen::Matrix3d covariance =
-        (test.ratio - 1) * all.rest / all.degreesOfFreedom * regression.unitCovariance();
-    if (test.p < misfitLevel / 2 && test.ratio > 1 && covariance.allFinite()) {
-        out.remainder = covariance;
-        out.remainderDegreesOfFreedom = test.columns;
-    }
+    addRemainder(regression, columns, count, out);
     return out;
 }
 

@@ -45,8 +45,8 @@ inline constexpr double misfitLevel = 1e-3;
 /// and k, where the fit has hidden it, as it is on average in the others: covariance (F - 1) s^2 (S'S)^-1.
 ///
 /// `known` are effects that the budget counts already (a lag or a compliance declared with an uncertainty):
-/// what they explain is no misfit. `estimate` has parameters and residuals; where it has a noise model all
-/// rows are whitened by it. Nothing is found in residuals at the size of rounding errors (below 1e-9 of the
+/// what they explain is no misfit. All rows are whitened by the autoregressive model of the residuals
+/// (series_model.h). Nothing is found in residuals at the size of rounding errors (below 1e-9 of the
 /// position).
 [[nodiscard]] ModelMisfit modelMisfit(const Estimate& estimate, const LinearizedRecord& record,
                                       const std::vector<double>& force, const OutputErrorOptions& options,
