@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/recursive_estimator.h"
 
+#include "core/identification/discretization.h"
 #include "core/identification/output_error.h"
 
 #include <algorithm>
@@ -66,7 +67,8 @@ QString toString(RecursiveStatus status)
     return {};
 }
 
-RecursiveEstimator::RecursiveEstimator(const RecursiveOptions& options) : m_options(options)
+RecursiveEstimator::RecursiveEstimator(const RecursiveOptions& options)
+    : m_options(options), m_lag(options.lag_s, options.sampleTime_s), m_delay(m_lag, options.hold)
 {
     m_options.startSamples = std::clamp<std::size_t>(m_options.startSamples, 2 * unknowns, mostStartSamples);
     m_options.keptSamples = std::max(m_options.keptSamples, m_options.startSamples);
@@ -78,24 +80,32 @@ void RecursiveEstimator::update(double force, double position)
 {
     if (!(m_options.sampleTime_s > 0) || !std::isfinite(m_options.sampleTime_s))
         return;
+    if (std::isfinite(force))
+        m_lastForce = force;
     const bool lost = !std::isfinite(force) || !std::isfinite(position);
-    const Sample sample{std::isfinite(force) ? force : m_last.force,
-                        lost ? std::numeric_limits<double>::quiet_NaN() : position};
-    if (!lost && m_samples == 0)
-        m_shift = position;
+    ++m_samples;
+    const std::optional<Sample> sample =
+        m_delay.push(m_lastForce, lost ? std::numeric_limits<double>::quiet_NaN() : position);
+    if (sample)
+        follow(*sample);
+}
+
+void RecursiveEstimator::follow(const Sample& sample)
+{
+    if (m_followed == 0 && std::isfinite(sample.position))
+        m_shift = sample.position;
     if (wholeRecordKept() && m_kept.size() < m_options.keptSamples)
         m_kept.push_back(sample);
     if (m_pass.usable())
-        m_pass.add(m_last.force, sample.force, sample.position - m_shift);
-    m_last = sample;
-    ++m_samples;
-    if (m_samples == m_nextStart && wholeRecordKept())
+        m_pass.add(sample.forces, sample.position - m_shift);
+    ++m_followed;
+    if (m_followed == m_nextStart && wholeRecordKept())
         tryToStart();
     if (m_trial.usable()) {
         read(m_trial, m_hurry ? hurriedReadingSpeed : readingSpeed);
-        if (m_trial.samples() == m_samples)
+        if (m_trial.samples() == m_followed)
             judgeTrial();
-    } else if (m_pass.usable() && m_samples >= m_nextTrial && wholeRecordKept()) {
+    } else if (m_pass.usable() && m_followed >= m_nextTrial && wholeRecordKept()) {
         launchTrial();
     }
 }
@@ -106,7 +116,7 @@ void RecursiveEstimator::read(RecursivePass& pass, std::size_t most) const
     std::size_t at = pass.samples();
     const std::size_t end = std::min(m_kept.size(), at + most);
     for (; at < end; ++at)
-        pass.add(m_kept[at > 0 ? at - 1 : 0].force, m_kept[at].force, m_kept[at].position - m_shift);
+        pass.add(m_kept[at].forces, m_kept[at].position - m_shift);
 }
 
 RecursivePass::Point RecursiveEstimator::inSamples(const Estimate& estimate) const
@@ -115,8 +125,13 @@ RecursivePass::Point RecursiveEstimator::inSamples(const Estimate& estimate) con
     const MassDampingStiffness& p = *estimate.parameters;
     RecursivePass::Point point;
     point.theta << std::log(p.m) - 2 * time, std::log(p.b) - time, std::log(p.k);
-    point.nuisance << estimate.nuisance.x0.value_or(0),
-        estimate.nuisance.v0.value_or(0) * m_options.sampleTime_s,
+    // The batch has its start at the first force's time, a pass at the first position's.
+    const double force = m_kept.front().forces.now;
+    const double end = force + m_lag.rest * (m_kept.front().forces.next - force);
+    const Discretization step = discretize(p, m_lag.rest * m_options.sampleTime_s, m_options.hold);
+    const Eigen::Vector2d start(estimate.nuisance.x0.value_or(0), estimate.nuisance.v0.value_or(0));
+    const Eigen::Vector2d state = step.phi * start + step.gamma0 * force + step.gamma1 * end;
+    point.nuisance << state(0), state(1) * m_options.sampleTime_s,
         estimate.nuisance.offset.value_or(m_shift) - m_shift;
     return point;
 }
@@ -124,18 +139,19 @@ RecursivePass::Point RecursiveEstimator::inSamples(const Estimate& estimate) con
 /// Output error on the samples so far, or on the first of them, unless there is a point that will do.
 void RecursiveEstimator::tryToStart()
 {
-    m_nextStart = m_samples + m_samples / 2;
+    m_nextStart = m_followed + m_followed / 2;
     if (m_pass.usable() && isBelievable(m_pass.solve(0), m_pass.rows()))
         return;
     std::vector<double> force, position;
     for (const Sample& sample : std::span(m_kept).first(std::min(m_kept.size(), mostStartSamples))) {
-        force.push_back(sample.force);
+        force.push_back(sample.forces.now);
         const bool measured = std::isfinite(sample.position);
         position.push_back(measured ? sample.position : (position.empty() ? m_shift : position.back()));
     }
     OutputErrorOptions options;
     options.sampleTime_s = m_options.sampleTime_s;
     options.hold = m_options.hold;
+    options.lag_s = m_lag.rest * m_options.sampleTime_s;
     options.maxIterations = 40;
     options.start = m_options.start;
     Estimate found = estimateOutputError(force, position, options);
@@ -148,17 +164,17 @@ void RecursiveEstimator::tryToStart()
         !(errors->cwiseQuotient(found.parameters->vector()).maxCoeff() < uselessError))
         return;
     m_trial = RecursivePass();
-    m_pass = RecursivePass(inSamples(found), m_options.hold);
+    m_pass = RecursivePass(inSamples(found), m_options.hold, m_lag.rest);
     if (m_pass.usable())
         read(m_pass, m_kept.size());
     m_damping = 0;
-    m_nextTrial = m_samples + 1;
+    m_nextTrial = m_followed + 1;
 }
 
 void RecursiveEstimator::launchTrial()
 {
     // Solving is dearer than counting in; looking now and then is enough.
-    m_nextTrial = m_samples + 8;
+    m_nextTrial = m_followed + 8;
     if (m_pass.rows() <= unknowns)
         return;
     const RecursivePass::Solution solution = m_pass.solve(m_damping);
@@ -170,7 +186,7 @@ void RecursiveEstimator::launchTrial()
     point.theta += cut * solution.step;
     // The start and the offset come along, as far as the problem is linear.
     point.nuisance += cut * solution.nuisanceStep;
-    m_trial = RecursivePass(point, m_options.hold);
+    m_trial = RecursivePass(point, m_options.hold, m_lag.rest);
     m_hurry = m_damping > 0 || !isBelievable(solution, m_pass.rows());
 }
 
@@ -187,7 +203,7 @@ void RecursiveEstimator::judgeTrial()
         m_damping = std::min(std::max(m_damping * 10, firstDamping), largestDamping);
     }
     m_trial = RecursivePass();
-    m_nextTrial = m_samples + 1;
+    m_nextTrial = m_followed + 1;
 }
 
 RecursiveState RecursiveEstimator::state() const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/identification/estimate.h"
+#include "core/identification/lag_delay.h"
 #include "core/identification/recursive_pass.h"
 
 #include <optional>
@@ -12,6 +13,7 @@ namespace gripscope {
 struct RecursiveOptions {
     double sampleTime_s = 0;
     ForceHold hold = ForceHold::First;
+    double lag_s = 0; ///< how much later the position channel samples than the force channel
     std::optional<MassDampingStiffness> start; ///< empty: found from the data
     /// Output error is tried on this many samples, and on half as many again each time it does not determine
     /// m, b and k.
@@ -33,8 +35,8 @@ struct RecursiveState {
     std::size_t samples = 0;                        ///< seen, lost ones included
     std::optional<MassDampingStiffness> parameters; ///< channel units; absent while waiting
     std::optional<Eigen::Matrix3d> covariance;      ///< of m, b, k; absent unless following
-    Nuisance nuisance;                              ///< x0, v0, offset
-    double noiseDeviation = 0;                      ///< of the residuals, position's unit
+    Nuisance nuisance;         ///< x0, v0, offset; x0 and v0 at the first position's time
+    double noiseDeviation = 0; ///< of the residuals, position's unit
 };
 
 /// Output error (output_error.h) that follows a squeeze sample by sample: m, b, k with free x0, v0 and
@@ -60,26 +62,28 @@ public:
     [[nodiscard]] RecursiveState state() const;
 
 private:
-    struct Sample {
-        double force, position;
-    };
+    using Sample = LagDelay::Sample;
+    void follow(const Sample& sample);
     void tryToStart();
     void read(RecursivePass& pass, std::size_t most) const;
     void launchTrial();
     void judgeTrial();
-    [[nodiscard]] bool wholeRecordKept() const { return m_samples == m_kept.size(); }
+    [[nodiscard]] bool wholeRecordKept() const { return m_followed == m_kept.size(); }
     [[nodiscard]] RecursivePass::Point inSamples(const Estimate& estimate) const;
 
     RecursiveOptions m_options;
+    LagAlignment m_lag;
+    LagDelay m_delay;
+    double m_lastForce = 0;
     std::vector<Sample> m_kept;
-    std::size_t m_samples = 0;
-    double m_shift = 0; ///< the first position: what is left of it is small
-    Sample m_last{0, 0};
-    RecursivePass m_pass;  ///< up to date, at the best point so far; not usable before the start
-    RecursivePass m_trial; ///< on its way from the first sample; not usable when there is none
+    std::size_t m_samples = 0;  ///< that came
+    std::size_t m_followed = 0; ///< that came out of the delay
+    double m_shift = 0;         ///< the first position: what is left of it is small
+    RecursivePass m_pass;       ///< up to date, at the best point so far; not usable before the start
+    RecursivePass m_trial;      ///< on its way from the first sample; not usable when there is none
     double m_damping = 0;
     bool m_hurry = false;                         ///< the trial is needed soon
-    std::size_t m_nextStart = 0, m_nextTrial = 0; ///< numbers of samples
+    std::size_t m_nextStart = 0, m_nextTrial = 0; ///< of m_followed
 };
 
 } // namespace gripscope

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/recursive_pass.h"
 
+#include "core/identification/exact_step.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +15,7 @@ constexpr double dependent = 1e-13;
 
 } // namespace
 
-RecursivePass::RecursivePass(const Point& point, ForceHold hold) : m_point(point)
+RecursivePass::RecursivePass(const Point& point, ForceHold hold, double rest) : m_point(point)
 {
     const double stiffness = std::exp(point.theta(2) - point.theta(0));
     const double damping = std::exp(point.theta(1) - point.theta(0));
@@ -29,14 +31,32 @@ RecursivePass::RecursivePass(const Point& point, ForceHold hold) : m_point(point
     a(1, 0) = a(3, 2) = -stiffness / speed;
     a(1, 1) = a(3, 3) = -damping;
     a(3, 0) = speed;
-    m_step = exactStep<4>(a, Eigen::Vector4d(0, 1 / speed, 0, 0), hold);
-    m_step.gamma0 *= compliance;
-    m_step.gamma1 *= compliance;
+    // From one position's time to the next: to the force's sample in between, and on.
+    const auto over = [&](double part) {
+        return exactStep<4>(a * part, Eigen::Vector4d(0, part / speed, 0, 0), hold);
+    };
+    const ExactStep<4> first = over(1 - rest);
+    if (rest > 0) {
+        const ExactStep<4> second = over(rest);
+        m_phi = second.phi * first.phi;
+        m_byForce.col(0) = second.phi * first.gamma0;
+        m_byForce.col(1) = second.phi * first.gamma1 + second.gamma0;
+        if (hold == ForceHold::First) { // the parts begin and end between two samples
+            m_byForce.col(1) += rest * m_byForce.col(0) + (1 - rest) * second.gamma1;
+            m_byForce.col(0) *= 1 - rest;
+            m_byForce.col(2) = rest * second.gamma1;
+        }
+    } else {
+        m_phi = first.phi;
+        m_byForce.col(0) = first.gamma0;
+        m_byForce.col(1) = first.gamma1;
+    }
+    m_byForce *= compliance;
     m_stiffnessFactor = -stiffness / (speed * speed);
     m_dampingFactor = -damping / speed;
     m_velocityFactor = 1 / speed;
     m_state << point.nuisance(0), point.nuisance(1) / speed, 0, 0;
-    m_usable = m_step.phi.allFinite() && m_step.gamma0.allFinite() && m_step.gamma1.allFinite();
+    m_usable = m_phi.allFinite() && m_byForce.allFinite();
 }
 
 RecursivePass::Solution RecursivePass::solve(double damping) const

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/identification/exact_step.h"
 #include "core/signal/recording.h"
 
 #include <Eigen/Core>
@@ -33,7 +32,8 @@ public:
     };
 
     RecursivePass() = default;
-    RecursivePass(const Point& point, ForceHold hold);
+    /// `rest`: positions are sampled this share of a sample later than forces, from 0 to below 1.
+    RecursivePass(const Point& point, ForceHold hold, double rest);
 
     /// False: the point is outside the range of numbers, and nothing may be added.
     [[nodiscard]] bool usable() const { return m_usable; }
@@ -41,12 +41,15 @@ public:
     [[nodiscard]] std::size_t samples() const { return m_samples; }
     [[nodiscard]] std::size_t rows() const { return m_rows; }
 
-    /// The next sample: the force at its time and the one before it. A position that is not a number was not
-    /// measured and adds no row.
-    void add(double forceBefore, double force, double position)
+    /// The forces at a sample and the ones around it.
+    struct Forces {
+        double before, now, next; ///< `next` counts with a lag and a first-order hold only
+    };
+    /// The next sample. A position that is not a number was not measured and adds no row.
+    void add(const Forces& forces, double position)
     {
         if (m_samples > 0)
-            advance(forceBefore, force);
+            advance(forces);
         ++m_samples;
         if (position == position)
             addRow(position);
@@ -60,20 +63,20 @@ private:
     /// Offset, theta, residual.
     static constexpr std::size_t columns = 5, products = columns * (columns + 1) / 2;
 
-    void advance(double forceBefore, double force)
+    void advance(const Forces& forces)
     {
         // phi is [[a, 0], [c, a]]: x does not hear of its sensitivities. Written out in scalars: a state that
         // is stored in halves and loaded whole makes the processor wait.
         const double x = m_state(0), v = m_state(1), w = m_state(2), u = m_state(3);
-        const auto& p = m_step.phi;
-        const auto& g0 = m_step.gamma0;
-        const auto& g1 = m_step.gamma1;
-        m_state(0) = p(0, 0) * x + p(0, 1) * v + (g0(0) * forceBefore + g1(0) * force);
-        m_state(1) = p(1, 0) * x + p(1, 1) * v + (g0(1) * forceBefore + g1(1) * force);
-        m_state(2) =
-            (p(2, 0) * x + p(2, 1) * v) + (p(2, 2) * w + p(2, 3) * u) + (g0(2) * forceBefore + g1(2) * force);
-        m_state(3) =
-            (p(3, 0) * x + p(3, 1) * v) + (p(3, 2) * w + p(3, 3) * u) + (g0(3) * forceBefore + g1(3) * force);
+        const auto& p = m_phi;
+        const auto pushed = [&](Eigen::Index i) {
+            return m_byForce(i, 0) * forces.before + m_byForce(i, 1) * forces.now +
+                   m_byForce(i, 2) * forces.next;
+        };
+        m_state(0) = p(0, 0) * x + p(0, 1) * v + pushed(0);
+        m_state(1) = p(1, 0) * x + p(1, 1) * v + pushed(1);
+        m_state(2) = (p(2, 0) * x + p(2, 1) * v) + (p(2, 2) * w + p(2, 3) * u) + pushed(2);
+        m_state(3) = (p(3, 0) * x + p(3, 1) * v) + (p(3, 2) * w + p(3, 3) * u) + pushed(3);
         // Zero is faster than the denormal numbers these end in.
         constexpr double vanishing = 1e-150;
         if (!(std::abs(m_state(0)) + std::abs(m_state(2)) > vanishing))
@@ -120,7 +123,8 @@ private:
 
     Point m_point;
     bool m_usable = false;
-    ExactStep<4> m_step;
+    Eigen::Matrix4d m_phi = Eigen::Matrix4d::Identity();
+    Eigen::Matrix<double, 4, 3> m_byForce = Eigen::Matrix<double, 4, 3>::Zero(); ///< a column each of Forces
     double m_stiffnessFactor = 0, m_dampingFactor = 0, m_velocityFactor = 1;
     Eigen::Vector4d m_state =
         Eigen::Vector4d::Zero();     ///< x, x'/speed, w speed^2, w' speed; m w'' + b w' + k w = x

@@ -36,6 +36,7 @@ RecursiveOptions optionsFor(const Recording& recording)
     RecursiveOptions options;
     options.sampleTime_s = recording.sampleTime_s;
     options.hold = *recording.hold;
+    options.lag_s = recording.forceLag_s;
     return options;
 }
 
@@ -52,6 +53,7 @@ Estimate batch(const Recording& recording)
     OutputErrorOptions options;
     options.sampleTime_s = recording.sampleTime_s;
     options.hold = *recording.hold;
+    options.lag_s = recording.forceLag_s;
     return estimateOutputError(recording.force, recording.position, options);
 }
 
@@ -100,6 +102,35 @@ private slots:
                                  std::sqrt(whole.residuals.sse / whole.residuals.degreesOfFreedom) -
                              1) < 0.01);
         }
+    }
+    void aLagBetweenTheChannelsIsFollowed_data()
+    {
+        QTest::addColumn<bool>("held");
+        QTest::addColumn<double>("samples");
+        for (const bool held : {true, false}) {
+            for (const double samples : {0.4, 1.0, 2.7, -0.3, -2.0})
+                QTest::addRow("%g samples, held %d", samples, held) << held << samples;
+        }
+    }
+    void aLagBetweenTheChannelsIsFollowed()
+    {
+        QFETCH(bool, held);
+        QFETCH(double, samples);
+        Synthetic synthetic = squeeze(held ? ForceHold::Zero : ForceHold::First, 90, 7);
+        synthetic.lag_s = samples * synthetic.sampleTime_s;
+        const Recording recording = synthetic.make();
+        const RecursiveState state = followed(recording, optionsFor(recording)).state();
+        const Estimate whole = batch(recording);
+        QVERIFY(state.status == RecursiveStatus::Following);
+        const Eigen::Vector3d apart =
+            (state.parameters->vector() - whole.parameters->vector()).cwiseQuotient(*whole.standardErrors());
+        QVERIFY2(apart.cwiseAbs().maxCoeff() < fractionOfAnError,
+                 qPrintable(QString::number(apart.cwiseAbs().maxCoeff())));
+        // Without noise both are exact.
+        synthetic.fitPercent = 100;
+        const Recording clean = synthetic.make();
+        const RecursiveState exact = followed(clean, optionsFor(clean)).state();
+        QVERIFY(test::relativeDifference(*exact.parameters, synthetic.truth) < 1e-6);
     }
     void aStartThatIsWrongByTenTimesChangesNothing_data()
     {
@@ -282,6 +313,15 @@ private slots:
                     QVERIFY(allFinite(estimator.state()));
                 }
             }
+        }
+        for (const double lag_s : {1e300, -1e300, nan, 1e6, -1e6}) {
+            RecursiveOptions options;
+            options.sampleTime_s = 0.01;
+            options.lag_s = lag_s;
+            RecursiveEstimator estimator(options);
+            for (int i = 0; i < 200; ++i)
+                estimator.update(noise(), noise());
+            QVERIFY(allFinite(estimator.state()));
         }
         for (const double sampleTime_s : {0.0, -1.0, nan, infinity}) {
             RecursiveOptions options;
