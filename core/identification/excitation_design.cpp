@@ -23,6 +23,8 @@ constexpr std::size_t mostRuns = 200;
 constexpr double shortestUsefulRun = 0.25;
 constexpr int sweeps = 30;
 constexpr std::size_t leastSamples = 20, mostSamples = 200'000;
+/// As many as the periodic estimator needs.
+constexpr std::size_t inverseRepeatPeriods = 4;
 /// Different sequences of a kind; the best is kept.
 constexpr std::uint64_t sequences = 6;
 
@@ -101,8 +103,8 @@ private:
         case DesignKind::Chirp:
             return made(ExcitationKind::Chirp, bit_s, samples, seed);
         case DesignKind::InverseRepeat: {
-            // Two periods, each a sequence and its negative: even harmonics are empty.
-            const std::size_t half = std::max<std::size_t>(samples / 4, 1);
+            // Each period a sequence and its negative: even harmonics are empty.
+            const std::size_t half = std::max<std::size_t>(samples / (2 * inverseRepeatPeriods), 1);
             const std::vector<double> sequence = made(ExcitationKind::Prbs, bit_s, half, seed);
             std::vector<double> all(samples);
             for (std::size_t i = 0; i < samples; ++i)

@@ -71,7 +71,7 @@ struct ExcitationDesign {
 /// position noise, and searches a binary signal that is best for it: sign flips of short runs, one after the
 /// other, as long as they help (coordinate exchange, Meyer and Nachtsheim 1995), from several starts; a local
 /// optimum. PRBS over bit lengths of 0.5 to 4 over the natural frequency, inverse-repeat binary sequences in
-/// two periods, multisines, chirps, a white binary sequence and a step stand beside it. The bias was held
+/// four periods, multisines, chirps, a white binary sequence and a step stand beside it. The bias was held
 /// long enough for the object to rest. Deterministic.
 [[nodiscard]] Expected<ExcitationDesign> designExcitation(const DesignOptions& options);
 
