@@ -95,6 +95,8 @@ private slots:
             QTest::addRow("jitter, %s", name.constData()) << 0.1 << 0.0 << 0.0 << int(hold);
             QTest::addRow("drift, %s", name.constData()) << 0.0 << 0.01 << 0.0 << int(hold);
             QTest::addRow("1 %% lost, %s", name.constData()) << 0.0 << 0.0 << 0.01 << int(hold);
+            QTest::addRow("20 %% lost, %s", name.constData()) << 0.0 << 0.0 << 0.2 << int(hold);
+            QTest::addRow("all of it, %s", name.constData()) << 0.05 << 0.005 << 0.05 << int(hold);
         }
     }
     void jitteredDriftingAndLossyRecordsGiveTrueErrors()
@@ -125,6 +127,7 @@ private slots:
     {
         QTest::addColumn<bool>("losesContact");
         QTest::newRow("in contact throughout") << false;
+        QTest::newRow("contact lost twice") << true;
     }
     void aWholeSqueezeIsIdentified()
     {
