@@ -145,6 +145,19 @@ private slots:
         QVERIFY2(found.status == LagStatus::Measured, qPrintable(found.message));
         QVERIFY(std::abs(found.lag_s - 4.1e-3) < 5 * found.standardError_s);
     }
+    void lostSamplesAreLeftOut()
+    {
+        Recording recording = calibrationSqueeze(2e-4, 97).make();
+        LagEstimationOptions options;
+        options.sampleTime_s = recording.sampleTime_s;
+        options.hold = ForceHold::Zero;
+        options.lost = {40, 41, 42, 200, 333};
+        for (const std::size_t index : options.lost)
+            recording.force[index] = recording.position[index] = 1e3;
+        const LagEstimate found = estimateLag(recording.force, recording.position, options);
+        QVERIFY2(found.hasValue(), qPrintable(found.message));
+        QVERIFY(std::abs(found.lag_s - 2e-4) < 5 * found.standardError_s);
+    }
     void nonsenseGivesWords()
     {
         const Recording recording = calibrationSqueeze(0, 95).make();
