@@ -67,8 +67,8 @@ struct PeriodicResult {
 ///  cost
 ///    where this is larger than noise explains (p < 0.01; said in the message). Noise may have any colour
 ///    that is smooth over a few harmonics.
-/// Needs at least 4 whole periods: 2 more than noise covariances of 2 x 2 would, so that the variance of an
-/// estimate weighted with them exists. Cost is linear in lines and bins, n log n for the transform.
+/// Needs at least 4 whole periods: 3 would give a covariance of both noises, 4 an estimate weighted with it
+/// that has a variance; 6 and more are better. Cost is linear in lines and bins, n log n for the transform.
 ///
 /// All numbers must be finite, force and position equally long, the sample time positive. `simulated` is the
 /// response to the measured force from the best start and offset, `residual` its error: drift and all, so

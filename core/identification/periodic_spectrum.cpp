@@ -19,13 +19,15 @@ constexpr std::size_t mostBeside = 24;
 /// Five degrees of freedom at the least: the variance of an estimate weighted with them must exist (over 2).
 constexpr std::size_t fewestBeside = 8;
 /// How far the bins may lie from the harmonic, as a share of its frequency: noise that falls with the square
-/// of the frequency differs by a factor of 9 over this range.
-constexpr double reach = 0.5;
+/// of the frequency differs by a factor of 25 over this range, which makes the intervals of what rests on the
+/// lowest harmonic a tenth too wide; half of it would leave too few bins there.
+constexpr double reach = 2.0 / 3;
 /// A trend leaks 1 / q, which a straight line follows to 1 % where the bins reach less than a third of q.
 constexpr double trendReach = 3;
 
 constexpr double smallestAmplitude = 0.01;
-/// Power over the noise's variance: noise alone exceeds it once in 10,000 harmonics.
+/// Power over the noise's variance: noise alone exceeds it in one of 3,000 harmonics with five degrees of
+/// freedom, in far fewer with more.
 constexpr double smallestPower = 20;
 constexpr std::size_t mostLines = 20'000;
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/identification.h"
 #include "core/identification/periodic.h"
+#include "core/identification/periodic_json.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
+#include <QJsonArray>
 #include <QTest>
 
 #include <limits>
@@ -228,6 +230,11 @@ private slots:
         const std::complex<double> wanted = 1.0 / std::complex(truth.k - truth.m * w * w, w * truth.b);
         QVERIFY(std::abs(line.response - wanted) < 0.015 * std::abs(wanted) + 5 * line.deviation);
         QVERIFY(line.deviation > 0 && line.deviation < 0.1 * std::abs(wanted));
+        const QJsonObject json = toJson(*result.diagnostics);
+        QCOMPARE(json[u"period_samples"].toInteger(), 504);
+        QCOMPARE(json[u"noise"][u"force"].toDouble(), result.diagnostics->forceNoise);
+        QCOMPARE(json[u"lines"].toArray().size(), qsizetype(result.diagnostics->lines.size()));
+        QCOMPARE(json[u"lines"].toArray().first()[u"real"].toDouble(), line.response.real());
     }
 
     void whatCannotBeEstimatedIsSaid()
