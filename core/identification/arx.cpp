@@ -2,12 +2,13 @@
 #include "core/identification/arx.h"
 
 #include "core/identification/arx_mapping.h"
+#include "core/identification/column_elimination.h"
 #include "core/identification/fit.h"
 #include "core/identification/lag_alignment.h"
 #include "core/identification/residual_tests.h"
 #include "core/identification/tall_qr.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -38,16 +39,26 @@ struct Regression {
     [[nodiscard]] Eigen::Index columns() const { return 2 + numeratorTerms + (constant ? 1 : 0); }
     [[nodiscard]] std::size_t rows() const { return force.size() < 2 ? 0 : force.size() - 2; }
 
-    template <typename Row>
-    void fillRow(std::size_t t, Row&& row) const
+    /// The samples from `first` on, as a column.
+    [[nodiscard]] static Eigen::Map<const Eigen::VectorXd> column(const std::vector<double>& values,
+                                                                  std::size_t first, Eigen::Index count)
     {
-        row(0) = -position[t - 1];
-        row(1) = -position[t - 2];
-        row(2) = force[t - 1];
+        return {values.data() + first, count};
+    }
+    /// Rows t, t + 1, ... of the regressors (y with the other sign), then the right-hand side in the last
+    /// column.
+    template <typename Rows>
+    void fill(std::size_t t, Rows&& rows) const
+    {
+        const Eigen::Index count = rows.rows();
+        rows.col(0) = column(position, t - 1, count);
+        rows.col(1) = column(position, t - 2, count);
+        rows.col(2) = column(force, t - 1, count);
         if (numeratorTerms == 2)
-            row(3) = force[t - 2];
+            rows.col(3) = column(force, t - 2, count);
         if (constant)
-            row(columns() - 1) = 1;
+            rows.col(columns() - 1).setOnes();
+        rows.col(rows.cols() - 1) = column(position, t, count);
     }
     [[nodiscard]] double predict(std::size_t t, double y1, double y2, const Eigen::VectorXd& c) const
     {
@@ -57,6 +68,21 @@ struct Regression {
         return constant ? y + c(columns() - 1) : y;
     }
 };
+
+/// Division by a power of two, which is exact as a product too unless its inverse is out of range.
+std::vector<double> scaledDown(std::span<const double> values, double scale)
+{
+    std::vector<double> scaled(values.size());
+    const auto count = static_cast<Eigen::Index>(values.size());
+    const Eigen::Map<const Eigen::VectorXd> from(values.data(), count);
+    Eigen::Map<Eigen::VectorXd> to(scaled.data(), count);
+    const double factor = 1 / scale;
+    if (std::isfinite(factor))
+        to = from * factor;
+    else
+        to = from / scale;
+    return scaled;
+}
 
 Regression makeRegression(const std::vector<double>& force, const std::vector<double>& position,
                           const ArxOptions& options)
@@ -74,46 +100,82 @@ Regression makeRegression(const std::vector<double>& force, const std::vector<do
     const std::span<const double> y = std::span(position).subspan(shift < 0 ? skip : 0, count);
     regression.forceScale = powerOfTwoScale(u);
     regression.positionScale = powerOfTwoScale(y);
-    for (std::size_t t = 0; t < count; ++t) {
-        const double before = t > 0 ? u[t - 1] / regression.forceScale : 0;
-        const double now = u[t] / regression.forceScale;
-        regression.force.push_back(options.estimator == Estimator::ArxMeanForce ? (now + before) / 2 : now);
-        regression.position.push_back(y[t] / regression.positionScale);
+    regression.force = scaledDown(u, regression.forceScale);
+    regression.position = scaledDown(y, regression.positionScale);
+    if (options.estimator == Estimator::ArxMeanForce) {
+        for (std::size_t t = count; t-- > 0;)
+            regression.force[t] = (regression.force[t] + (t > 0 ? regression.force[t - 1] : 0)) / 2;
     }
     return regression;
 }
 
-/// Coefficients, condition and (R'R)^-1 of the scaled regression.
+/// Coefficients and (R'R)^-1 of the scaled regression; none when its columns are dependent.
 struct Solution {
-    double condition = std::numeric_limits<double>::infinity();
-    std::optional<double> inputIndependenceP;
     Eigen::VectorXd coefficients;
     Eigen::MatrixXd inverse;
 };
 
+/// The inverse of a triangle, whose columns are scaled first; empty when its condition is too large. The
+/// Frobenius norms bound the condition number from above, by a factor of at most the number of columns.
+SmallMatrix invertTriangle(const SmallMatrix& triangle)
+{
+    SmallMatrix scaled = triangle;
+    Eigen::Array<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, largestSmallMatrix> norms =
+        triangle.colwise().norm();
+    if (!norms.allFinite() || !(norms.minCoeff() > 0))
+        return {};
+    scaled.array().rowwise() /= norms;
+    const Eigen::Index n = triangle.cols();
+    SmallMatrix inverse = SmallMatrix::Zero(n, n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+        for (Eigen::Index i = j; i >= 0; --i) {
+            const double right =
+                (i == j ? 1.0 : 0.0) -
+                scaled.row(i).segment(i + 1, j - i).dot(inverse.col(j).segment(i + 1, j - i));
+            inverse(i, j) = right / scaled(i, i);
+        }
+    }
+    if (!(scaled.norm() * inverse.norm() < largestCondition))
+        return {};
+    return (inverse.array().colwise() / norms.transpose()).matrix();
+}
+
 Solution solve(const Regression& regression)
+{
+    const Eigen::Index n = regression.columns();
+    TallQr qr(n + 1);
+    for (std::size_t t = 2; t < regression.position.size();) {
+        auto rows = qr.nextRows(static_cast<Eigen::Index>(regression.position.size() - t));
+        regression.fill(t, rows);
+        t += static_cast<std::size_t>(rows.rows());
+    }
+    const SmallMatrix triangle = qr.triangle();
+    const SmallMatrix inverse = invertTriangle(triangle.topLeftCorner(n, n));
+    Solution solution;
+    if (inverse.size() == 0)
+        return solution;
+    solution.coefficients = inverse * triangle.col(n).head(n);
+    solution.coefficients.head<2>() *= -1;
+    solution.inverse = inverse * inverse.transpose();
+    solution.inverse.topRows<2>() *= -1;
+    solution.inverse.leftCols<2>() *= -1;
+    return solution;
+}
+
+/// The test of the residuals on past force.
+std::optional<double> inputIndependence(const Regression& regression)
 {
     const Eigen::Index n = regression.columns();
     constexpr auto extra = static_cast<Eigen::Index>(inputLags.size());
     TallQr qr(n + extra + 1);
-    for (std::size_t t = 2; t < regression.position.size(); ++t) {
-        auto row = qr.nextRow();
-        regression.fillRow(t, row);
-        row.segment<extra>(n) = laggedInputs(regression.force, t);
-        row(n + extra) = regression.position[t];
+    for (std::size_t t = 2; t < regression.position.size();) {
+        auto rows = qr.nextRows(static_cast<Eigen::Index>(regression.position.size() - t));
+        regression.fill(t, rows);
+        for (Eigen::Index i = 0; i < rows.rows(); ++i)
+            rows.row(i).segment<extra>(n) = laggedInputs(regression.force, t + static_cast<std::size_t>(i));
+        t += static_cast<std::size_t>(rows.rows());
     }
-    const Eigen::MatrixXd triangle = qr.triangle();
-    const Eigen::MatrixXd left = triangle.topLeftCorner(n, n);
-    Solution solution;
-    solution.inputIndependenceP = extraColumnsP(triangle, extra, static_cast<double>(regression.rows()));
-    solution.condition = scaledConditionNumber(left);
-    if (!(solution.condition < largestCondition))
-        return solution;
-    const auto upper = left.triangularView<Eigen::Upper>();
-    solution.coefficients = upper.solve(triangle.col(n + extra).head(n));
-    const Eigen::MatrixXd inverse = upper.solve(Eigen::MatrixXd::Identity(n, n));
-    solution.inverse = inverse * inverse.transpose();
-    return solution;
+    return extraColumnsP(qr.triangle(), extra, static_cast<double>(regression.rows()));
 }
 
 ArxCoefficients inChannelUnits(const Regression& regression, const Eigen::VectorXd& c)
@@ -202,6 +264,19 @@ void mapToParameters(const Regression& regression, const Solution& solution, con
 
 } // namespace
 
+std::optional<ArxCoefficients> arxCoefficients(const std::vector<double>& force,
+                                               const std::vector<double>& position, const ArxOptions& options)
+{
+    const Regression regression = makeRegression(force, position, options);
+    if (static_cast<Eigen::Index>(regression.rows()) <= regression.columns())
+        return std::nullopt;
+    const Solution solution = solve(regression);
+    if (solution.coefficients.size() == 0)
+        return std::nullopt;
+    const ArxCoefficients coefficients = inChannelUnits(regression, solution.coefficients);
+    return isFinite(coefficients) ? std::optional(coefficients) : std::nullopt;
+}
+
 Estimate estimateArx(const std::vector<double>& force, const std::vector<double>& position,
                      const ArxOptions& options)
 {
@@ -229,7 +304,7 @@ Estimate estimateArx(const std::vector<double>& force, const std::vector<double>
     }
     describeModel(regression, solution.coefficients, estimate);
     if (estimate.residuals.whitenessP)
-        estimate.residuals.inputIndependenceP = solution.inputIndependenceP;
+        estimate.residuals.inputIndependenceP = inputIndependence(regression);
     mapToParameters(regression, solution, options, estimate);
     return estimate;
 }

@@ -29,4 +29,10 @@ struct ArxOptions {
 [[nodiscard]] Estimate estimateArx(const std::vector<double>& force, const std::vector<double>& position,
                                    const ArxOptions& options);
 
+/// The least squares alone, without fits, tests and covariance; nothing where estimateArx() has no
+/// coefficients.
+[[nodiscard]] std::optional<ArxCoefficients> arxCoefficients(const std::vector<double>& force,
+                                                             const std::vector<double>& position,
+                                                             const ArxOptions& options);
+
 } // namespace gripscope

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/fit.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,9 +31,12 @@ std::optional<double> fitPercent(std::span<const double> measured, std::span<con
 
 double powerOfTwoScale(std::span<const double> values)
 {
-    double largest = 0;
-    for (const double value : values)
-        largest = std::max(largest, std::abs(value));
+    if (values.empty())
+        return 1;
+    const double largest =
+        Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size()))
+            .abs()
+            .maxCoeff();
     if (!(largest > 0) || !std::isfinite(largest))
         return 1;
     return std::ldexp(1.0, std::ilogb(largest));

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+
 namespace gripscope {
 
 /// The triangle R of the QR decomposition of a matrix with few columns and any number of rows, which come one
@@ -25,6 +27,15 @@ public:
         if (m_used == blockRows)
             fold();
         return m_block.row(m_used++);
+    }
+    /// Storage of the next rows, at most `atMost` of them; fill all of them.
+    [[nodiscard]] auto nextRows(Eigen::Index atMost)
+    {
+        if (m_used == blockRows)
+            fold();
+        const Eigen::Index first = m_used;
+        m_used = std::min(blockRows, first + atMost);
+        return m_block.middleRows(first, m_used - first);
     }
     /// columns x columns, upper triangular; the signs of its rows mean nothing. Folds the rows so far.
     [[nodiscard]] const Eigen::MatrixXd& triangle();

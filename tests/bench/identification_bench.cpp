@@ -9,6 +9,8 @@
 #include "core/signal/recording_csv.h"
 
 #include <benchmark/benchmark.h>
+#include <cstdlib>
+#include <fstream>
 
 using namespace gripscope;
 
@@ -52,6 +54,20 @@ void outputError(benchmark::State& state)
     state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
+/// 5 % of the samples lost.
+void outputErrorWithLosses(benchmark::State& state)
+{
+    const Recording recording = squeeze(static_cast<std::size_t>(state.range(0)));
+    OutputErrorOptions options;
+    options.sampleTime_s = recording.sampleTime_s;
+    options.hold = ForceHold::Zero;
+    for (std::size_t t = 7; t < recording.size(); t += 20)
+        options.lost.push_back(t);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(estimateOutputError(recording.force, recording.position, options));
+    state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
 void arx(benchmark::State& state)
 {
     const Recording recording = squeeze(static_cast<std::size_t>(state.range(0)));
@@ -59,6 +75,24 @@ void arx(benchmark::State& state)
     options.sampleTime_s = recording.sampleTime_s;
     for (auto _ : state)
         benchmark::DoNotOptimize(estimateArx(recording.force, recording.position, options));
+    state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+/// The least squares alone, without a constant, as the peers do it; run.sh has the record written for them.
+void arxCoefficients(benchmark::State& state)
+{
+    const Recording recording = squeeze(static_cast<std::size_t>(state.range(0)));
+    if (const char* const file = std::getenv("GRIPSCOPE_PEER_RECORD")) {
+        std::ofstream out(file);
+        out.precision(17);
+        for (std::size_t i = 0; i < recording.size(); ++i)
+            out << recording.force[i] << ',' << recording.position[i] << '\n';
+    }
+    ArxOptions options;
+    options.sampleTime_s = recording.sampleTime_s;
+    options.freeOffset = false;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(gripscope::arxCoefficients(recording.force, recording.position, options));
     state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
@@ -71,8 +105,10 @@ void readCsv(benchmark::State& state)
 }
 
 BENCHMARK(identifyEverything)->Arg(400)->Arg(2000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
-BENCHMARK(outputError)->Arg(400)->Arg(2000)->Arg(100000)->Unit(benchmark::kMillisecond);
-BENCHMARK(arx)->Arg(400)->Arg(2000)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK(outputError)->Arg(1000)->Arg(2000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
+BENCHMARK(outputErrorWithLosses)->Arg(1000)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK(arx)->Arg(400)->Arg(2000)->Arg(100000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(arxCoefficients)->Arg(2000)->Unit(benchmark::kMicrosecond);
 BENCHMARK(readCsv)->Arg(2000)->Arg(1000000)->Unit(benchmark::kMillisecond);
 
 } // namespace
