@@ -5,7 +5,7 @@
 #include "core/identification/duffing_start.h"
 #include "core/identification/fit.h"
 #include "core/identification/output_error.h"
-#include "core/identification/residual_tests.h"
+#include "core/identification/scaled_residuals.h"
 #include "core/identification/tall_qr.h"
 
 #include <Eigen/LU>
@@ -30,7 +30,6 @@ constexpr std::size_t firstPart = 8000;
 /// the positions where there is no noise.
 constexpr double toleratedShift = 0.01, toleratedError = 1e-9;
 constexpr int mostSubsteps = 256;
-constexpr double roundingShare = 1e-9;
 
 Estimate failed(EstimateStatus status, const char* message)
 {
@@ -41,41 +40,29 @@ Estimate failed(EstimateStatus status, const char* message)
     return estimate;
 }
 
-bool isConstant(const std::vector<double>& values)
+/// The same record for a linear spring.
+OutputErrorOptions linearOptions(const DuffingOptions& options)
 {
-    return std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); });
+    OutputErrorOptions linear;
+    linear.sampleTime_s = options.sampleTime_s;
+    linear.hold = options.hold;
+    linear.lag_s = options.lag_s;
+    linear.freeInitialState = options.freeInitialState;
+    linear.freeOffset = options.freeOffset;
+    return linear;
 }
 
 DuffingProblem scaledProblem(const std::vector<double>& force, const std::vector<double>& position,
                              const DuffingOptions& options)
 {
-    DuffingProblem problem;
-    problem.hold = options.hold;
-    problem.lag = LagAlignment(options.lag_s, options.sampleTime_s);
-    problem.freeInitialState = options.freeInitialState;
-    problem.freeOffset = options.freeOffset;
-    problem.sampleTime_s = options.sampleTime_s;
-    problem.forceScale = powerOfTwoScale(force);
-    for (const double value : force)
-        problem.force.push_back(value / problem.forceScale);
-    problem.position = position;
-    if (options.freeOffset) {
-        // A free offset takes any constant up; without the largest part of it less is lost to rounding.
-        problem.positionShift = position.front();
-        for (double& value : problem.position)
-            value -= problem.positionShift;
-    }
-    problem.positionScale = powerOfTwoScale(problem.position);
-    for (double& value : problem.position)
-        value /= problem.positionScale;
-    return problem;
+    return {makeOutputErrorProblem(force, position, linearOptions(options)), 1};
 }
 
 DuffingPoint pointFrom(const DuffingProblem& problem, const MassDampingStiffness& parameters, double k3,
                        const Nuisance& nuisance)
 {
     DuffingPoint point;
-    point.theta = toTheta(problem, parameters);
+    point.theta = problem.toTheta(parameters);
     point.cubic = k3 / cubicUnit(problem);
     point.x0 = nuisance.x0.value_or(0) / problem.positionScale;
     point.v0 = nuisance.v0.value_or(0) * problem.sampleTime_s / problem.positionScale;
@@ -90,13 +77,7 @@ std::vector<DuffingPoint> knownStarts(const DuffingProblem& problem, const std::
 {
     if (options.start)
         return {pointFrom(problem, *options.start, options.startCubic, {})};
-    OutputErrorOptions linear;
-    linear.sampleTime_s = options.sampleTime_s;
-    linear.hold = options.hold;
-    linear.lag_s = options.lag_s;
-    linear.freeInitialState = options.freeInitialState;
-    linear.freeOffset = options.freeOffset;
-    const Estimate estimate = estimateOutputError(force, position, linear);
+    const Estimate estimate = estimateOutputError(force, position, linearOptions(options));
     if (!estimate.parameters)
         return {};
     return {pointFrom(problem, *estimate.parameters, 0, estimate.nuisance)};
@@ -215,75 +196,17 @@ std::optional<Eigen::Matrix4d> covarianceOf(const DuffingSearchResult& search, c
     return covariance.allFinite() ? std::optional(covariance) : std::nullopt;
 }
 
-/// The tests of the residuals, fitted parameters accounted for by their sensitivities.
-void testResiduals(const DuffingProblem& problem, const DuffingSearchResult& search, ResidualSummary& summary)
-{
-    double power = 0;
-    for (const double y : problem.position)
-        power += y * y;
-    if (!(search.linear.cost > roundingShare * roundingShare * power))
-        return;
-    const DuffingRows rows = duffingRows(problem, search.point);
-    const Eigen::Index model = problem.unknowns();
-    constexpr auto extra = static_cast<Eigen::Index>(inputLags.size());
-    TallQr qr(model + extra + 1);
-    for (std::ptrdiff_t i = 0; i < problem.rows(); ++i) {
-        const std::ptrdiff_t at = std::max<std::ptrdiff_t>(problem.firstRow() + i + problem.lag.samples, 0);
-        auto row = qr.nextRow();
-        row.head(model) = rows.sensitivities.row(i);
-        row.segment<extra>(model) = laggedInputs(problem.force, static_cast<std::size_t>(at));
-        row(model + extra) = rows.residuals[static_cast<std::size_t>(i)];
-    }
-    const Eigen::MatrixXd triangle = qr.triangle();
-    summary.whitenessP = ljungBoxP(rows.residuals, 0);
-    summary.inputIndependenceP = extraColumnsP(triangle, extra, static_cast<double>(problem.rows()));
-    const Eigen::Index nuisances = problem.nuisanceCount();
-    Eigen::MatrixXd own = rows.sensitivities.rightCols<4>();
-    if (nuisances > 0) {
-        const Eigen::MatrixXd explained =
-            Eigen::MatrixXd(triangle.topLeftCorner(nuisances, nuisances))
-                .colPivHouseholderQr()
-                .solve(Eigen::MatrixXd(triangle.block(0, nuisances, nuisances, 4)));
-        own -= rows.sensitivities.leftCols(nuisances) * explained;
-    }
-    summary.errorInflation = errorInflation(own, rows.residuals);
-}
-
-Nuisance nuisanceInChannelUnits(const DuffingProblem& problem, const DuffingPoint& point)
-{
-    Nuisance nuisance;
-    if (problem.freeInitialState) {
-        nuisance.x0 = point.x0 * problem.positionScale;
-        nuisance.v0 = point.v0 * problem.positionScale / problem.sampleTime_s;
-    }
-    if (problem.freeOffset)
-        nuisance.offset = point.offset * problem.positionScale + problem.positionShift;
-    return nuisance;
-}
-
 /// Model output, residuals, fits and their tests at the solution.
-void describeResiduals(const DuffingProblem& problem, const DuffingSearchResult& search,
-                       const std::vector<double>& position, Estimate& estimate)
+void describe(const DuffingProblem& problem, const DuffingSearchResult& search,
+              const std::vector<double>& position, Estimate& estimate)
 {
     estimate.simulated = positionsAt(problem, search.point);
     estimate.simulated.resize(position.size());
-    estimate.residual.resize(position.size());
-    for (std::size_t i = 0; i < position.size(); ++i) {
-        double& simulated = estimate.simulated[i];
-        simulated = simulated * problem.positionScale + problem.positionShift;
-        estimate.residual[i] = position[i] - simulated;
-    }
-    const auto first = static_cast<std::size_t>(problem.firstRow());
-    const auto rows = static_cast<std::size_t>(problem.rows());
-    estimate.fit.simulationPercent =
-        fitPercent(std::span(position).subspan(first, rows),
-                   std::span<const double>(estimate.simulated).subspan(first, rows));
-    estimate.fit.predictionPercent = estimate.fit.simulationPercent;
-    for (const double e : std::span<const double>(estimate.residual).subspan(first, rows))
-        estimate.residuals.sse += e * e;
-    estimate.residuals.sse = std::min(estimate.residuals.sse, std::numeric_limits<double>::max());
+    for (double& x : estimate.simulated)
+        x = x * problem.positionScale + problem.positionShift;
     estimate.residuals.degreesOfFreedom = search.degreesOfFreedom(problem);
-    testResiduals(problem, search, estimate.residuals);
+    const DuffingRows rows = duffingRows(problem, search.point);
+    describeResiduals(problem, position, rows.sensitivities, rows.residuals, estimate);
 }
 
 const char* boundaryMessage(const DuffingSearchResult& search)
@@ -323,7 +246,7 @@ std::optional<Estimate> obstacle(const std::vector<double>& force, const std::ve
 Estimate inChannelUnits(const DuffingProblem& problem, const DuffingSearchResult& search,
                         const std::vector<double>& position)
 {
-    const MassDampingStiffness parameters = toChannelUnits(problem, search.point.theta);
+    const MassDampingStiffness parameters = problem.toChannelUnits(search.point.theta);
     const Eigen::Vector3d p = parameters.vector();
     const double k3 = search.point.cubic * cubicUnit(problem);
     const auto covariance =
@@ -337,8 +260,9 @@ Estimate inChannelUnits(const DuffingProblem& problem, const DuffingSearchResult
     estimate.parameters = parameters;
     estimate.covariance = covariance->topLeftCorner<3, 3>();
     estimate.cubic = CubicSpring{k3, *covariance};
-    estimate.nuisance = nuisanceInChannelUnits(problem, search.point);
-    describeResiduals(problem, search, position, estimate);
+    estimate.nuisance =
+        nuisanceInChannelUnits(problem, search.point.x0, search.point.v0, search.point.offset);
+    describe(problem, search, position, estimate);
     return estimate;
 }
 

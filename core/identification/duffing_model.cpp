@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/duffing_model.h"
 
+#include "core/identification/column_elimination.h"
 #include "core/identification/duffing_step.h"
 #include "core/identification/tall_qr.h"
-
-#include <Eigen/QR>
 
 #include <cmath>
 
@@ -12,8 +11,7 @@ namespace gripscope {
 
 namespace {
 
-/// Nuisance columns whose angle to the others is below this are taken for dependent: rounding makes it about
-/// 1e-15.
+/// A nuisance column of which less than this is left beside the others does not count: rounding.
 constexpr double dependent = 1e-12;
 /// Positions are about 1; a motion that goes this far has left the well of a softening spring.
 constexpr double outOfBounds = 1e6;
@@ -210,39 +208,7 @@ void fillRow(const DuffingProblem& problem, const Motion& motion, Row&& row)
         row(at++) = motion.dx[i];
 }
 
-/// The nuisance columns scaled and taken out of the others.
-void projectNuisances(Eigen::Index count, DuffingLinearization& out)
-{
-    if (count == 0) {
-        out.projected = out.triangle;
-        return;
-    }
-    Eigen::MatrixXd nuisances = out.triangle.leftCols(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const double norm = nuisances.col(i).norm();
-        nuisances.col(i) *= norm > 0 ? 1 / norm : 0;
-    }
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(nuisances);
-    qr.setThreshold(dependent);
-    out.nuisanceRank = static_cast<int>(qr.rank());
-    const Eigen::MatrixXd rotated = qr.householderQ().adjoint() * out.triangle.rightCols<4>();
-    out.projected = rotated.bottomRows(rotated.rows() - out.nuisanceRank);
-}
-
 } // namespace
-
-std::ptrdiff_t DuffingProblem::firstRow() const
-{
-    return std::max<std::ptrdiff_t>(-lag.samples, 0);
-}
-
-std::ptrdiff_t DuffingProblem::endRow() const
-{
-    const auto count = static_cast<std::ptrdiff_t>(force.size());
-    // Within the last step a straight force would need the sample after it.
-    const std::ptrdiff_t unknown = lag.rest > 0 && hold == ForceHold::First ? 1 : 0;
-    return std::min(count - lag.samples - unknown, count);
-}
 
 bool DuffingPoint::finite() const
 {
@@ -263,21 +229,6 @@ DuffingPoint DuffingPoint::moved(const DuffingProblem& problem, const Eigen::Vec
     to.theta += step.segment<3>(at);
     to.cubic += step(at + 3);
     return to;
-}
-
-MassDampingStiffness toChannelUnits(const DuffingProblem& problem, const Eigen::Vector3d& theta)
-{
-    const double scale = problem.forceScale / problem.positionScale;
-    return {std::exp(theta(0)) * problem.sampleTime_s * problem.sampleTime_s * scale,
-            std::exp(theta(1)) * problem.sampleTime_s * scale, std::exp(theta(2)) * scale};
-}
-
-Eigen::Vector3d toTheta(const DuffingProblem& problem, const MassDampingStiffness& parameters)
-{
-    const double scale = std::log(problem.forceScale / problem.positionScale);
-    const double time = std::log(problem.sampleTime_s);
-    return {std::log(parameters.m) - 2 * time - scale, std::log(parameters.b) - time - scale,
-            std::log(parameters.k) - scale};
 }
 
 double cubicUnit(const DuffingProblem& problem)
@@ -304,7 +255,9 @@ DuffingLinearization linearize(const DuffingProblem& problem, const DuffingPoint
         return out;
     out.triangle = triangle.topLeftCorner(unknowns, unknowns);
     out.residual = triangle.col(unknowns).head(unknowns);
-    projectNuisances(problem.nuisanceCount(), out);
+    const ColumnElimination elimination = eliminateColumns(out.triangle, problem.nuisanceCount(), dependent);
+    out.projected = elimination.rest;
+    out.nuisanceRank = static_cast<int>(elimination.rank);
     out.finite = true;
     return out;
 }

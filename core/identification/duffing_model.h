@@ -1,32 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/identification/estimate.h"
-#include "core/identification/lag_alignment.h"
+#include "core/identification/scaled_record.h"
 
 #include <Eigen/Core>
 
-#include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace gripscope {
 
-/// The problem of the cubic spring in units of its own: time in samples, force and position divided by a
-/// power of two near their largest value, position less `positionShift`.
-struct DuffingProblem {
-    std::vector<double> force, position;
-    ForceHold hold = ForceHold::First;
-    LagAlignment lag;
-    bool freeInitialState = true, freeOffset = true;
-    double sampleTime_s = 1, forceScale = 1, positionScale = 1, positionShift = 0;
+/// The problem of the cubic spring: the record, and how finely the motion is integrated.
+struct DuffingProblem : ScaledRecord {
     int substeps = 1; ///< steps of the integration a sample
 
-    /// Rows whose position lies within the time the force is known: [firstRow, endRow).
-    [[nodiscard]] std::ptrdiff_t firstRow() const;
-    [[nodiscard]] std::ptrdiff_t endRow() const;
-    [[nodiscard]] std::ptrdiff_t rows() const { return std::max<std::ptrdiff_t>(endRow() - firstRow(), 0); }
-    /// How many of x0, v0, offset are free.
-    [[nodiscard]] int nuisanceCount() const { return (freeInitialState ? 2 : 0) + (freeOffset ? 1 : 0); }
     [[nodiscard]] int unknowns() const { return nuisanceCount() + 4; }
 };
 
@@ -42,9 +29,6 @@ struct DuffingPoint {
     [[nodiscard]] DuffingPoint moved(const DuffingProblem& problem, const Eigen::VectorXd& step) const;
 };
 
-[[nodiscard]] MassDampingStiffness toChannelUnits(const DuffingProblem& problem,
-                                                  const Eigen::Vector3d& theta);
-[[nodiscard]] Eigen::Vector3d toTheta(const DuffingProblem& problem, const MassDampingStiffness& parameters);
 /// What K3 = 1 is in channel units.
 [[nodiscard]] double cubicUnit(const DuffingProblem& problem);
 

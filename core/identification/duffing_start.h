@@ -18,7 +18,4 @@ namespace gripscope {
 [[nodiscard]] std::vector<DuffingPoint> duffingStarts(const DuffingProblem& problem,
                                                       const std::vector<DuffingPoint>& others);
 
-/// The sum of squares of the positions, less their mean where the offset is free.
-[[nodiscard]] double positionEnergy(const DuffingProblem& problem);
-
 } // namespace gripscope

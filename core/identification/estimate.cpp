@@ -44,11 +44,11 @@ bool isImplemented(Estimator estimator)
     case Estimator::Arx:
     case Estimator::ArxMeanForce:
     case Estimator::Arx221:
+    case Estimator::InstrumentalVariables:
     case Estimator::OutputError:
     case Estimator::Duffing:
     case Estimator::Periodic:
         return true;
-    case Estimator::InstrumentalVariables:
         break;
     }
     return false;

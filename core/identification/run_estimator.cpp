@@ -3,6 +3,7 @@
 
 #include "core/identification/arx.h"
 #include "core/identification/duffing.h"
+#include "core/identification/instrumental_variables.h"
 #include "core/identification/periodic.h"
 
 namespace gripscope {
@@ -47,6 +48,9 @@ Estimate onStretch(Estimator estimator, const PreparedRecord& record, const Stre
     case Estimator::Arx221:
         return estimateArx(s.force, s.position,
                            {estimator, record.sampleTime_s, record.forceLag_s, s.task.freeOffset});
+    case Estimator::InstrumentalVariables:
+        return estimateInstrumentalVariables(
+            s.force, s.position, continuousOptions<InstrumentalVariablesOptions>(record, s.task));
     case Estimator::Duffing:
         return estimateDuffing(s.force, s.position, continuousOptions<DuffingOptions>(record, s.task));
     case Estimator::Periodic: {
@@ -57,8 +61,7 @@ Estimate onStretch(Estimator estimator, const PreparedRecord& record, const Stre
         options.period = s.task.period;
         return estimatePeriodic(s.force, s.position, options);
     }
-    case Estimator::OutputError:
-    case Estimator::InstrumentalVariables:
+    case Estimator::OutputError: // takes the whole record
         break;
     }
     Estimate none;

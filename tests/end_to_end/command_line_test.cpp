@@ -106,9 +106,6 @@ private slots:
         m_work.write(u"r.csv"_s, "u,y\n1,2\n2,3\n");
         QTest::newRow("calibrate") << QStringList{u"calibrate"_s, u"points.csv"_s, u"--degree"_s, u"2"_s};
         QTest::newRow("study") << QStringList{u"study"_s, u"recognition"_s};
-        for (const QString& estimator : {u"iv"_s})
-            QTest::newRow(qPrintable(estimator))
-                << QStringList{u"identify"_s, u"--estimator"_s, estimator, u"r.csv"_s};
         for (const QString& method : {u"som"_s, u"gmm"_s})
             QTest::newRow(qPrintable(method))
                 << QStringList{u"cluster"_s, u"table.csv"_s, u"--method"_s, method};

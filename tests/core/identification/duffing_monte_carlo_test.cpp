@@ -29,7 +29,7 @@ Eigen::Vector4d bound(const Synthetic& truth, double k3, const std::vector<doubl
     problem.sampleTime_s = truth.sampleTime_s;
     problem.substeps = 8;
     const DuffingPoint point{truth.x0, truth.v0 * truth.sampleTime_s, truth.offset,
-                             toTheta(problem, truth.truth), k3};
+                             problem.toTheta(truth.truth), k3};
     const Eigen::MatrixXd j = duffingRows(problem, point).sensitivities;
     const Eigen::MatrixXd inverse = (j.transpose() * j).inverse();
     return deviation * inverse.diagonal().tail<4>().cwiseSqrt();

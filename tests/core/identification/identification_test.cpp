@@ -123,17 +123,6 @@ private slots:
         QCOMPARE(found.position.size(), std::size_t(300));
         QVERIFY(relativeDifference(*found.best()->parameters, synthetic.truth) < 1e-8);
     }
-    void whatIsNotBuiltYetIsNotApplicable()
-    {
-        IdentificationOptions options;
-        options.estimators = {Estimator::InstrumentalVariables};
-        const Identification found = identify(Synthetic().make(), options);
-        for (const Estimate& e : found.estimates) {
-            QCOMPARE(toString(e.status), u"not_applicable"_s);
-            QVERIFY(!e.parameters && !isImplemented(e.estimator));
-        }
-        QCOMPARE(toString(found.validity.verdict), u"invalid"_s);
-    }
     void noEstimatorsIsAnAnswerToo()
     {
         IdentificationOptions options;

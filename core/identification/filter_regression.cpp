@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/filter_regression.h"
+
+#include "core/identification/column_elimination.h"
+#include "core/identification/second_order_filter.h"
+#include "core/identification/tall_qr.h"
+
+#include <cmath>
+
+namespace gripscope {
+
+namespace {
+
+/// A column of which less than this is left beside the others is dependent on them.
+constexpr double dependent = 1e-14;
+
+/// Position and force at the same time index, the lag rounded to whole samples.
+struct AlignedSamples {
+    const ScaledRecord& record;
+    std::ptrdiff_t shift, count;
+
+    explicit AlignedSamples(const ScaledRecord& r)
+        : record(r), shift(r.lag.samples + (r.lag.rest >= 0.5 ? 1 : 0)),
+          count(static_cast<std::ptrdiff_t>(r.force.size()) - std::abs(shift))
+    {
+    }
+    [[nodiscard]] double force(std::ptrdiff_t t) const
+    {
+        return record.force[static_cast<std::size_t>(t + std::max<std::ptrdiff_t>(shift, 0))];
+    }
+    [[nodiscard]] double position(std::ptrdiff_t t) const
+    {
+        return record.position[static_cast<std::size_t>(t + std::max<std::ptrdiff_t>(-shift, 0))];
+    }
+};
+
+/// Which column holds which power of y; negative: none.
+struct PowerColumns {
+    std::array<Eigen::Index, 4> column{-1, 2, -1, -1};
+    Eigen::Index count = 5;
+
+    PowerColumns(bool constant, bool cubic)
+    {
+        if (constant)
+            column[0] = count++;
+        if (cubic)
+            column[3] = count++;
+        if (constant && cubic)
+            column[2] = count++;
+    }
+};
+
+} // namespace
+
+std::optional<FilterRegression> filterRegression(const ScaledRecord& record, double bandwidth, bool cubic)
+{
+    const AlignedSamples samples(record);
+    const double squared = bandwidth * bandwidth;
+    SecondOrderFilter force(squared, 2 * bandwidth, record.hold);
+    std::array<SecondOrderFilter, 3> powers;
+    powers.fill(SecondOrderFilter(squared, 2 * bandwidth, ForceHold::First));
+    const PowerColumns columns(record.freeOffset, cubic);
+    TallQr qr(columns.count + 1);
+    for (std::ptrdiff_t t = 0; t < samples.count; ++t) {
+        const double y = samples.position(t);
+        const double decay = std::exp(-bandwidth * static_cast<double>(t));
+        auto row = qr.nextRow();
+        row.head<5>() << powers[0].curvature(y), powers[0].slope(), powers[0].value(), decay,
+            decay * bandwidth * static_cast<double>(t);
+        if (columns.column[0] >= 0)
+            row(columns.column[0]) = 1;
+        for (std::size_t power = 2; power < 4; ++power) {
+            if (columns.column[power] >= 0)
+                row(columns.column[power]) = powers[power - 1].value();
+        }
+        row(columns.count) = force.value();
+        const std::ptrdiff_t after = std::min(t + 1, samples.count - 1);
+        const double next = samples.position(after);
+        force.advance(samples.force(t), samples.force(after));
+        powers[0].advance(y, next);
+        if (cubic) {
+            powers[1].advance(y * y, next * next);
+            powers[2].advance(y * y * y, next * next * next);
+        }
+    }
+    const Eigen::MatrixXd& triangle = qr.triangle();
+    if (!triangle.allFinite())
+        return std::nullopt;
+    const Eigen::VectorXd c = eliminateColumns(triangle, columns.count, dependent).solution.col(0);
+    if (!c.allFinite())
+        return std::nullopt;
+    FilterRegression regression{c(0), c(1), {}};
+    for (std::size_t power = 0; power < 4; ++power) {
+        if (columns.column[power] >= 0)
+            regression.spring[power] = c(columns.column[power]);
+    }
+    return regression;
+}
+
+} // namespace gripscope
