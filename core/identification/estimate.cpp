@@ -49,7 +49,6 @@ bool isImplemented(Estimator estimator)
     case Estimator::Duffing:
     case Estimator::Periodic:
         return true;
-        break;
     }
     return false;
 }

@@ -49,8 +49,8 @@ Estimate onStretch(Estimator estimator, const PreparedRecord& record, const Stre
         return estimateArx(s.force, s.position,
                            {estimator, record.sampleTime_s, record.forceLag_s, s.task.freeOffset});
     case Estimator::InstrumentalVariables:
-        return estimateInstrumentalVariables(
-            s.force, s.position, continuousOptions<InstrumentalVariablesOptions>(record, s.task));
+        return estimateInstrumentalVariables(s.force, s.position,
+                                             continuousOptions<InstrumentalVariablesOptions>(record, s.task));
     case Estimator::Duffing:
         return estimateDuffing(s.force, s.position, continuousOptions<DuffingOptions>(record, s.task));
     case Estimator::Periodic: {
