@@ -2,6 +2,7 @@
 #include "core/identification/efficiency_study.h"
 
 #include "core/identification/arx.h"
+#include "core/identification/instrumental_variables.h"
 #include "core/identification/output_error.h"
 #include "core/signal/gaussian.h"
 
@@ -39,7 +40,12 @@ Estimate estimateWith(Estimator estimator, const EfficiencySetting& setting, con
         options.hold = ForceHold::Zero;
         return estimateOutputError(force, position, options);
     }
-    case Estimator::InstrumentalVariables:
+    case Estimator::InstrumentalVariables: {
+        InstrumentalVariablesOptions options;
+        options.sampleTime_s = setting.sampleTime_s;
+        options.hold = ForceHold::Zero;
+        return estimateInstrumentalVariables(force, position, options);
+    }
     case Estimator::Duffing:
     case Estimator::Periodic:
         break;
@@ -252,7 +258,8 @@ PooledEfficiency pool(const std::vector<SettingEfficiency>& rows, Estimator esti
 
 std::vector<Estimator> studiedEstimators()
 {
-    return {Estimator::Arx, Estimator::ArxMeanForce, Estimator::Arx221, Estimator::OutputError};
+    return {Estimator::Arx, Estimator::ArxMeanForce, Estimator::Arx221, Estimator::InstrumentalVariables,
+            Estimator::OutputError};
 }
 
 EfficiencyStudy studyEfficiency(const EfficiencyOptions& options)
