@@ -105,6 +105,38 @@ private slots:
         QVERIFY(lines[0].contains(QStringLiteral("m (kg)")));
         QCOMPARE(lines[2].section(u'\t', 1, 1).toDouble(), found.find(Estimator::OutputError)->parameters->m);
     }
+    void aCubicSpringHasItsRoomInTheTable()
+    {
+        Identification found = test::identifiedCanA();
+        Estimate cubic = *found.find(Estimator::OutputError);
+        cubic.estimator = Estimator::Duffing;
+        cubic.cubic.emplace();
+        cubic.cubic->k3 = 3.8; // N/mm^3
+        cubic.cubic->covariance(3, 3) = 0.01;
+        found.estimates.push_back(cubic);
+        EstimateTableModel model;
+        model.setIdentification(found, QStringLiteral("N"), QStringLiteral("mm"));
+        const int row = model.rowOf(Estimator::Duffing);
+        QCOMPARE(model.index(row, 0).data(EstimateTableModel::CubicRole).toString(),
+                 QString::fromUtf8("k3 = 3.8 ± 0.2\u00A0N/mm³")); // 1.96 times 0.1
+        QVERIFY(!model.index(0, 0).data(EstimateTableModel::CubicRole).isValid());
+        const QStringList lines = model.toTsv().split(u'\n');
+        QVERIFY(lines[0].endsWith(QString::fromUtf8("\tk3 (N/m³)\tk3 95 % half width (N/m³)")));
+        QVERIFY(std::abs(lines[row + 1].section(u'\t', -2, -2).toDouble() / 3.8e9 - 1) < 1e-12);
+    }
+    void smallNumbersWithoutAPrefixGetAPower()
+    {
+        Identification found = test::identifiedCanA();
+        for (Estimate& estimate : found.estimates)
+            estimate.parameters = MassDampingStiffness{5.08e-6, 2.2e-4, 0.97};
+        EstimateTableModel model;
+        model.setIdentification(found, QStringLiteral("1"), QStringLiteral("1"));
+        const int mass = int(EstimateTableModel::Column::Mass);
+        QCOMPARE(model.headerData(mass, Qt::Horizontal, Qt::DisplayRole).toString(),
+                 QString::fromUtf8("m\n×10⁻⁶"));
+        QVERIFY(std::abs(model.index(0, mass).data(EstimateTableModel::SortRole).toDouble() - 5.08) < 1e-9);
+        QCOMPARE(model.headerData(mass + 2, Qt::Horizontal, Qt::DisplayRole).toString(), QStringLiteral("k"));
+    }
     void derivedQuantitiesFollowFromTheParameters()
     {
         Estimate estimate;

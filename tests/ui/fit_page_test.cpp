@@ -126,6 +126,9 @@ private slots:
         fixture.bench.setFitSubject({QStringLiteral("flat"), flat, identify(flat)});
         QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
         QVERIFY(allText(page).contains(QStringLiteral("Measurement not valid")));
+        // What failed is in view without a click.
+        const auto* tabs = page.findChild<QTabWidget*>();
+        QVERIFY(tabs->tabText(tabs->currentIndex()).startsWith(QStringLiteral("Checks (")));
     }
     void numbersAreCopiedTabSeparated()
     {
@@ -139,6 +142,23 @@ private slots:
         for (const char* block : {"\n\nquantity\tvalue", "\n\ncorrelation\tm\tb\tk\nm\t1\t",
                                   "\nwhiteness (Ljung-Box)\t0.", "\nexcitation\tyes\t", "\nverdict\tvalid"})
             QVERIFY2(text.contains(QLatin1String(block)), block);
+    }
+    void theTableIsCopiedByItsKey()
+    {
+        test::PageFixture fixture;
+        FitPage page(fixture.bench);
+        page.resize(1200, 800);
+        page.show();
+        page.prepareTour();
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        page.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&page));
+        auto* table = page.findChild<QTableView*>();
+        table->setFocus();
+        QGuiApplication::clipboard()->clear();
+        QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
+        const QString text = QGuiApplication::clipboard()->text();
+        QVERIFY(text.startsWith(QStringLiteral("estimator\t")) && text.contains(QStringLiteral("\noe\t")));
     }
     void everyPlotAndNumberIsSaved()
     {

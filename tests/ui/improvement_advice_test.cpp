@@ -86,6 +86,13 @@ private slots:
         Identification identification = test::identifiedCanA();
         identification.validity.verdict = ValidityVerdict::Valid;
         QVERIFY(!improvementAdvice(identification).isEmpty());
+        identification.validity.verdict = ValidityVerdict::Suspect;
+        ValidityCheck notWhite;
+        notWhite.id = QStringLiteral("residual_whiteness");
+        notWhite.ok = false;
+        identification.validity.checks.push_back(notWhite);
+        QVERIFY(
+            improvementAdvice(identification).first().contains(QStringLiteral("longer squeeze will not")));
         identification.validity.verdict = ValidityVerdict::Invalid;
         QVERIFY(improvementAdvice(identification).isEmpty());
         QVERIFY(improvementAdvice(Identification{}).isEmpty());

@@ -62,7 +62,7 @@ class PlotExportTest : public QObject {
         auto plot = std::make_unique<TimePlot>();
         plot->resize(500, 200);
         plot->setTitle(QStringLiteral("Force (N)"));
-        plot->setExportNames(QStringLiteral("Force"), QStringLiteral("force"));
+        plot->setExportNames(QStringLiteral("Force"), QStringLiteral("force"), QStringLiteral("Time (s)"));
         std::vector<double> x, y;
         for (int i = 0; i < 400; ++i) {
             x.push_back(0.01 * i);
@@ -123,6 +123,7 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(plot.get()));
         const QByteArray svg = toSvg(*plot);
         QVERIFY(svg.contains("Force (N)"));
+        QVERIFY(svg.contains("Time (s)")); // which the screen leaves to the plot below
         QVERIFY(!svg.contains("<image"));
         const QList<QPointF> points = linePoints(svg);
         QVERIFY(points.size() > 20);

@@ -89,8 +89,8 @@ FitPlots::FitPlots(QWidget* parent)
     m_cross->setHorizontalTitle(tr("Lag (ms)"));
     m_auto->setTitle(tr("Residual autocorrelation"), tr("Autocorrelation"));
     m_cross->setTitle(tr("Residuals against force"), tr("Against force"));
-    m_response->setExportNames(tr("Position"), QStringLiteral("position"));
-    m_force->setExportNames(tr("Force"), QStringLiteral("force"));
+    m_response->setExportNames(tr("Position"), QStringLiteral("position"), tr("Time (s)"));
+    m_force->setExportNames(tr("Force"), QStringLiteral("force"), tr("Time (s)"));
     m_residuals->setExportNames(tr("Residuals"), QStringLiteral("residuals"));
     m_auto->setExportNames(tr("Residual autocorrelation"), QStringLiteral("autocorrelation"));
     m_cross->setExportNames(tr("Residuals against force"), QStringLiteral("cross-correlation"));

@@ -78,10 +78,11 @@ void PlotFrame::describe()
     viewport()->update();
 }
 
-void PlotFrame::setExportNames(const QString& plot, const QString& file)
+void PlotFrame::setExportNames(const QString& plot, const QString& file, const QString& axis)
 {
     m_plotName = plot;
     m_fileName = file;
+    m_pictureAxis = axis;
 }
 
 QSize PlotFrame::pictureSize() const
@@ -92,6 +93,10 @@ QSize PlotFrame::pictureSize() const
 void PlotFrame::paintPicture(QPainter& painter)
 {
     m_inPicture = true;
+    const bool ownAxis = m_horizontalTitle.isEmpty() && !m_pictureAxis.isEmpty();
+    if (ownAxis)
+        setHorizontalTitle(m_pictureAxis);
+    chart()->layout()->activate();
     const QList<QAbstractSeries*> series = chart()->series();
     for (QAbstractSeries* one : series)
         one->setVisible(false); // painted below, cut off without a clip
@@ -99,8 +104,10 @@ void PlotFrame::paintPicture(QPainter& painter)
     render(&painter, all, all);
     for (QAbstractSeries* one : series)
         one->setVisible(true);
-    m_inPicture = false;
     paintSeries(painter, *chart());
+    if (ownAxis)
+        setHorizontalTitle({});
+    m_inPicture = false;
 }
 
 void PlotFrame::setHorizontalTitle(const QString& title)
@@ -243,8 +250,9 @@ double PlotFrame::paintTitle(QPainter* painter, const QRectF& line) const
 {
     const ThemeTokens& tokens = Theme::instance().tokens();
     const QFont strong = Theme::font(metrics::fontSmall, true), plain = Theme::font(metrics::fontSmall);
+    const QFont& found = m_findingDoubtful ? strong : plain;
     const double findingWidth =
-        m_finding.isEmpty() ? 0 : QFontMetricsF(plain).horizontalAdvance(m_finding) + 6;
+        m_finding.isEmpty() ? 0 : QFontMetricsF(found).horizontalAdvance(m_finding) + 7;
     const auto width = [&](const QString& title) { return QFontMetricsF(strong).horizontalAdvance(title); };
     QString title = m_finding.isEmpty() ? m_title : m_title + u':';
     // Where it is tight the short title; where that is too long, from the edge of the plot's own margin.
@@ -261,7 +269,7 @@ double PlotFrame::paintTitle(QPainter* painter, const QRectF& line) const
     const double end = room.left() + width(title);
     if (m_finding.isEmpty())
         return end;
-    painter->setFont(m_findingDoubtful ? strong : plain);
+    painter->setFont(found);
     painter->setPen(m_findingDoubtful ? tokens.notValid : tokens.secondText);
     painter->drawText(room.adjusted(width(title) + 6, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, m_finding);
     return end + findingWidth;

@@ -38,8 +38,9 @@ public:
     void setFinding(const QString& finding, bool doubtful = false);
     [[nodiscard]] QString finding() const { return m_finding; }
     [[nodiscard]] bool findingDoubtful() const { return m_findingDoubtful; }
-    /// What to call the plot in a menu, and its files.
-    void setExportNames(const QString& plot, const QString& file);
+    /// What to call the plot in a menu, and its files. A picture stands alone: where a plot below shows the
+    /// numbers of the horizontal axis on the screen, it gets its own under `axis`.
+    void setExportNames(const QString& plot, const QString& file, const QString& axis = {});
     /// In front of the numbers of the horizontal axis, short; empty hides those too (a plot below shows
     /// them).
     void setHorizontalTitle(const QString& title);
@@ -105,7 +106,7 @@ private:
     QValueAxis* m_horizontal = nullptr;
     QValueAxis* m_vertical = nullptr;
     QString m_title, m_briefTitle, m_finding, m_horizontalTitle, m_bandName, m_emptyText;
-    QString m_plotName, m_fileName;
+    QString m_plotName, m_fileName, m_pictureAxis;
     bool m_findingDoubtful = false;
     bool m_inPicture = false; ///< no focus frame then
     std::optional<PlotRange> m_band;

@@ -112,7 +112,9 @@ void TimePlot::fitVertical(double leastHalf)
     if (!(high >= low))
         return;
     const double middle = (low + high) / 2;
-    const double half = std::max({(high - low) / 2 * 1.06, leastHalf, std::abs(middle) * 1e-9, 1e-300});
+    // What does not move at all stands in a range that gives its value away.
+    const double least = high > low ? std::abs(middle) * 1e-9 : std::abs(middle) * 0.1;
+    const double half = std::max({(high - low) / 2 * 1.06, leastHalf, least, 1e-300});
     setVertical({middle - half, middle + half});
 }
 

@@ -201,6 +201,11 @@ QStringList improvementAdvice(const Identification& identification)
     const Estimate* best = identification.best();
     if (identification.validity.verdict == ValidityVerdict::Invalid || !best || !best->parameters)
         return {};
+    for (const ValidityCheck& check : identification.validity.checks)
+        if (!check.ok && (check.id == u"residual_whiteness" || check.id == u"input_independence"))
+            return {words(QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
+                                            "What is left is more than noise: a longer squeeze will not help "
+                                            "before the model fits. Compare the models."))};
     const std::optional<Eigen::Vector3d> errors = best->standardErrors();
     const auto derived = derivedQuantities(*best);
     if (!errors || !derived)

@@ -27,7 +27,6 @@ signals:
 
 private:
     void buildTable();
-    void fitTable();
 
     EstimateTableModel* m_model;
     QTableView* m_table;

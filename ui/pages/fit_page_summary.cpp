@@ -5,6 +5,7 @@
 #include "ui/charts/fit_plots.h"
 #include "ui/charts/region_plot.h"
 #include "ui/models/estimate_table_model.h"
+#include "ui/models/shown_unit.h"
 #include "ui/pages/fit_page_checks.h"
 #include "ui/pages/fit_page_estimators.h"
 #include "ui/pages/fit_page_uncertainty.h"
@@ -21,6 +22,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gripscope {
 
@@ -31,6 +33,7 @@ namespace {
 constexpr double quantile975 = 1.959963984540054; // half a 95 % interval in standard errors
 
 constexpr int narrowWidth = 420; // below, the numbers are set smaller
+constexpr int checksTab = 2;
 
 std::optional<double> halfWidth(const std::optional<double>& standardError, double factor = 1)
 {
@@ -151,8 +154,10 @@ void FitSummary::show(const QString& title, const Identification& identification
     const auto failed =
         std::count_if(identification.validity.checks.begin(), identification.validity.checks.end(),
                       [](const ValidityCheck& check) { return !check.ok; });
-    m_tabs->setTabText(2, failed > 0 ? tr("Checks (%1)").arg(failed) : tr("Checks"));
+    m_tabs->setTabText(checksTab, failed > 0 ? tr("Checks (%1)").arg(failed) : tr("Checks"));
     m_uncertainty->setIdentification(identification, forceUnit, positionUnit);
+    if (!identification.best())
+        m_tabs->setCurrentIndex(checksTab); // without an estimate they are all there is to read
 }
 
 void FitSummary::showBest()
@@ -181,12 +186,16 @@ void FitSummary::showBest()
     const double factor = si.value_or(1);
     const ParameterUnits units =
         si ? parameterUnits(u"N"_s, u"m"_s) : parameterUnits(m_forceUnit, m_positionUnit);
-    const auto shown = [](const QString& unit) { return unit == u"1" ? QString() : unit; };
     const auto errors = best->standardErrors();
-    const auto error = [&](int i) { return errors ? halfWidth((*errors)[i], factor) : std::nullopt; };
-    row(tr("Mass m"), formatNumber(best->parameters->m * factor, error(0), shown(units.m)));
-    row(tr("Damping b"), formatNumber(best->parameters->b * factor, error(1), shown(units.b)));
-    row(tr("Stiffness k"), formatNumber(best->parameters->k * factor, error(2), shown(units.k)));
+    const QString names[] = {tr("Mass m"), tr("Damping b"), tr("Stiffness k")};
+    const QString unitNames[] = {units.m, units.b, units.k};
+    for (int i = 0; i < 3; ++i) {
+        const double value = best->parameters->vector()[i] * factor;
+        const ShownUnit shown = shownUnit(unitNames[i], std::abs(value));
+        row(names[i],
+            formatNumber(value * shown.factor,
+                         errors ? halfWidth((*errors)[i], factor * shown.factor) : std::nullopt, shown.unit));
+    }
 }
 
 void FitSummary::resizeEvent(QResizeEvent* event)
