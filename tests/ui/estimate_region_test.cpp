@@ -59,7 +59,6 @@ private slots:
         few.estimates[0].residuals.degreesOfFreedom = 10;
         // F(3, 10) at 95 %: 3.7083.
         QVERIFY(std::abs(std::pow(estimateRegion(few)->radius, 2) - 3 * 3.7083) < 1e-3);
-        QVERIFY(estimateRegion(few, std::nullopt, 1e9)->radius < estimateRegion(few)->radius);
     }
     void theOutlineIsTheShadowOfTheEllipsoid()
     {
@@ -73,12 +72,27 @@ private slots:
             QVERIFY(std::abs(at.dot(information * at) / std::pow(region->radius, 2) - 1) < 1e-9);
         }
     }
-    void anotherCovarianceTakesThePlaceOfTheOwn()
+    void theBudgetsCovarianceTakesThePlaceOfTheOwn()
     {
         const Identification identification = example();
-        const auto wide =
-            estimateRegion(identification, Eigen::Matrix3d(4 * *identification.best()->covariance));
-        QVERIFY(std::abs(wide->extent(0) / estimateRegion(identification)->extent(0) - 2) < 1e-12);
+        UncertaintyBudget budget;
+        budget.parameters = identification.best()->parameters;
+        budget.covariance = 4 * *identification.best()->covariance;
+        const auto wide = estimateRegion(identification, budget);
+        QVERIFY(std::abs(wide->extent(0) / estimateRegion(identification)->extent(0) - 2) < 1e-6);
+        budget.combined[1].degreesOfFreedom = 10; // F(3, 10) at 95 %: 3.7083
+        QVERIFY(std::abs(std::pow(estimateRegion(identification, budget)->radius, 2) - 3 * 3.7083) < 1e-3);
+    }
+    void whatTheEmptyGripperTookMovesNobody()
+    {
+        Identification identification = example();
+        identification.estimates.push_back(estimateOf(Estimator::Arx, 3, 10, 100));
+        UncertaintyBudget budget;
+        budget.parameters = MassDampingStiffness{1, 9, 90}; // of 2, 10, 100 without the gripper
+        budget.covariance = *identification.best()->covariance;
+        const auto region = estimateRegion(identification, budget);
+        QVERIFY(std::abs(region->others[0].percent[0] - 100) < 1e-9); // 1 more, of 1
+        QCOMPARE(region->others[0].percent[1], 0.0);
     }
     void withoutAUsableCovarianceThereIsNone()
     {

@@ -150,6 +150,17 @@ private slots:
         QCOMPARE(table[1].values->at(7), 1000 * identification.position[7]);
         QCOMPARE(plots.residuals()->numbers().at(1).name, QString::fromUtf8("Residuals (µm)"));
     }
+    void whatWasNotMeasuredIsLeftEmptyAndAPartKeepsItsTime()
+    {
+        TimePlot plot;
+        const auto time = shared({0, 1, 2, 3});
+        const auto lost = std::make_shared<const std::vector<std::size_t>>(std::vector<std::size_t>{1});
+        plot.setCurves(
+            {{QString(), CurveRole::MeasuredPosition, time, shared({5, 6, 7, 8}), QStringLiteral("measured"),
+              lost},
+             {QString(), CurveRole::Model, shared({2, 3}), shared({70, 80}), QStringLiteral("model")}});
+        QCOMPARE(toCsv(plot.numbers()), QByteArray("Time (s),measured,model\n0,5,\n1,,\n2,7,70\n3,8,80\n"));
+    }
     void correlationsComeWithLagAndBand()
     {
         FitPlots plots;

@@ -46,9 +46,25 @@ private slots:
         ValidityCheck strict;
         strict.id = QStringLiteral("residual_whiteness");
         strict.limit = 0.05;
+        strict.ok = false;
         identification.validity.checks.push_back(strict);
         QCOMPARE(residualFindings(identification, best).whiteness.words,
                  QStringLiteral("not white, p = 0.020"));
+        QVERIFY(residualFindings(identification, best).whiteness.doubtful);
+    }
+    void whatTheChecksLetPassIsNamedButNotMarked()
+    {
+        Identification identification = withResiduals(0.0001, 0.5);
+        ValidityCheck passed;
+        passed.id = QStringLiteral("residual_whiteness");
+        passed.limit = 0.005;
+        identification.validity.checks.push_back(passed);
+        const Estimate* best = identification.best();
+        QCOMPARE(residualFindings(identification, best).whiteness.words,
+                 QStringLiteral("not white, p < 0.001"));
+        QVERIFY(!residualFindings(identification, best).whiteness.doubtful);
+        // The checks are about the recommended estimate only.
+        QVERIFY(residualFindings(identification, identification.find(Estimator::Arx)).whiteness.doubtful);
     }
     void withoutAModelNothingIsClaimed()
     {

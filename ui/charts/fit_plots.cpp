@@ -144,9 +144,10 @@ void FitPlots::show(const Identification& identification, Estimator estimator, c
     const ChannelScale force = channelScale(forceUnit, largest(identification.force));
     const SharedValues time = scaled(identification.time_s, 1, identification.time_s.front());
 
+    const auto missing = std::make_shared<const std::vector<std::size_t>>(identification.lost);
     std::vector<PlotCurve> curves{{tr("measured"), CurveRole::MeasuredPosition, time,
                                    scaled(identification.position, position.factor),
-                                   position.title(tr("Measured position"))}};
+                                   position.title(tr("Measured position")), missing}};
     if (modelled)
         curves.push_back({tr("model, %1").arg(estimatorName(estimator)), CurveRole::Model,
                           std::make_shared<Values>(partOf(*time, part)),
@@ -155,7 +156,8 @@ void FitPlots::show(const Identification& identification, Estimator estimator, c
     m_response->setTitle(position.title(tr("Position")));
     m_response->setCurves(std::move(curves));
     m_force->setTitle(force.title(tr("Force")));
-    m_force->setCurves({{QString(), CurveRole::Force, time, scaled(identification.force, force.factor)}});
+    m_force->setCurves(
+        {{QString(), CurveRole::Force, time, scaled(identification.force, force.factor), {}, missing}});
 
     const Values residual = estimate ? estimate->residual : Values();
     const ChannelScale small = channelScale(positionUnit, largest(residual));

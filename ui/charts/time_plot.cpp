@@ -44,6 +44,23 @@ std::pair<std::size_t, std::size_t> visiblePart(const std::vector<double>& x, Pl
     return {from > 0 ? from - 1 : 0, std::min(x.size(), to + 1)};
 }
 
+/// The values of a curve in the rows of another one's times; nothing (not a number) where it has none.
+std::shared_ptr<const std::vector<double>> onTime(const PlotCurve& curve, const PlotCurve& times)
+{
+    const bool whole = !curve.missing || curve.missing->empty();
+    if (!curve.x || !curve.y || curve.x->empty() || (whole && curve.x->size() == times.x->size()))
+        return curve.y;
+    const auto first = std::lower_bound(times.x->begin(), times.x->end(), curve.x->front());
+    const auto offset = std::size_t(first - times.x->begin());
+    auto values = std::make_shared<std::vector<double>>(times.x->size(), std::nan(""));
+    for (std::size_t i = 0; i < curve.y->size() && offset + i < values->size(); ++i)
+        (*values)[offset + i] = (*curve.y)[i];
+    for (std::size_t i = 0; !whole && i < curve.missing->size(); ++i)
+        if (offset + (*curve.missing)[i] < values->size())
+            (*values)[offset + (*curve.missing)[i]] = std::nan("");
+    return values;
+}
+
 } // namespace
 
 TimePlot::TimePlot(QWidget* parent) : PlotFrame(parent) {}
@@ -124,7 +141,7 @@ PlotTable TimePlot::numbers() const
     for (const PlotCurve& curve : m_curves) {
         if (table.empty())
             table.push_back({tr("Time (s)"), curve.x});
-        table.push_back({curve.column.isEmpty() ? title() : curve.column, curve.y});
+        table.push_back({curve.column.isEmpty() ? title() : curve.column, onTime(curve, m_curves.front())});
     }
     return table;
 }

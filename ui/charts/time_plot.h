@@ -18,6 +18,8 @@ struct PlotCurve {
     CurveRole role = CurveRole::MeasuredPosition;
     std::shared_ptr<const std::vector<double>> x, y;
     QString column = {}; ///< of an exported table: "Measured position (mm)"
+    /// Indexes at which `y` was not measured; tables leave these fields empty.
+    std::shared_ptr<const std::vector<std::size_t>> missing = {};
 };
 
 /// Curves over time, drawn with at most two points a pixel column whatever their length.
@@ -32,7 +34,7 @@ public:
     [[nodiscard]] int drawnPoints() const;
     /// Fits the vertical range to what is in view; at least `leastHalf` either side of the middle.
     void fitVertical(double leastHalf = 0);
-    /// Time, then a column each curve: all of them, not only what is in view.
+    /// Time (that of the first curve), then a column each curve: everything, not only what is in view.
     [[nodiscard]] PlotTable numbers() const override;
 
 protected:

@@ -39,6 +39,38 @@ bool usable(const Eigen::Matrix3d& covariance)
     return covariance.allFinite();
 }
 
+/// `center` may differ from the estimate's own parameters by what was taken off all estimators alike.
+std::optional<EstimateRegion> regionAround(const Identification& identification, const Estimate& best,
+                                           const Eigen::Vector3d& center, const Eigen::Matrix3d& covariance,
+                                           double degreesOfFreedom)
+{
+    if (!(center.minCoeff() > 0))
+        return std::nullopt;
+    EstimateRegion region;
+    region.estimator = best.estimator;
+    region.covariance = covariance;
+    for (int i = 0; i < 3; ++i) {
+        region.covariance.row(i) *= 100 / center[i];
+        region.covariance.col(i) *= 100 / center[i];
+    }
+    if (!usable(region.covariance))
+        return std::nullopt;
+    region.radius = radiusOf(degreesOfFreedom);
+    for (const Estimate& other : identification.estimates) {
+        if (other.estimator == best.estimator || other.status != EstimateStatus::Converged ||
+            !other.parameters)
+            continue;
+        EstimateRegion::Point point{other.estimator, {}};
+        const Eigen::Vector3d off = other.parameters->vector() - best.parameters->vector();
+        for (int i = 0; i < 3; ++i)
+            point.percent[std::size_t(i)] = 100 * off[i] / center[i];
+        if (std::all_of(point.percent.begin(), point.percent.end(),
+                        [](double value) { return std::isfinite(value); }))
+            region.others.push_back(point);
+    }
+    return region;
+}
+
 } // namespace
 
 double EstimateRegion::correlation(int i, int j) const
@@ -67,38 +99,26 @@ QList<QPointF> EstimateRegion::outline(int horizontal, int vertical, int points)
     return outline;
 }
 
-std::optional<EstimateRegion> estimateRegion(const Identification& identification,
-                                             const std::optional<Eigen::Matrix3d>& covariance,
-                                             double degreesOfFreedom)
+std::optional<EstimateRegion> estimateRegion(const Identification& identification)
 {
     const Estimate* best = identification.best();
-    if (!best || !best->parameters || (!covariance && !best->covariance))
+    if (!best || !best->parameters || !best->covariance)
         return std::nullopt;
-    const Eigen::Vector3d center = best->parameters->vector();
-    if (!(center.minCoeff() > 0))
+    return regionAround(identification, *best, best->parameters->vector(), *best->covariance,
+                        best->residuals.degreesOfFreedom);
+}
+
+std::optional<EstimateRegion> estimateRegion(const Identification& identification,
+                                             const UncertaintyBudget& budget)
+{
+    const Estimate* best = identification.best();
+    if (!best || !best->parameters || !budget.parameters)
         return std::nullopt;
-    EstimateRegion region;
-    region.estimator = best->estimator;
-    region.covariance = covariance ? *covariance : *best->covariance;
-    for (int i = 0; i < 3; ++i) {
-        region.covariance.row(i) *= 100 / center[i];
-        region.covariance.col(i) *= 100 / center[i];
-    }
-    if (!usable(region.covariance))
-        return std::nullopt;
-    region.radius = radiusOf(degreesOfFreedom > 0 ? degreesOfFreedom : best->residuals.degreesOfFreedom);
-    for (const Estimate& other : identification.estimates) {
-        if (other.estimator == best->estimator || other.status != EstimateStatus::Converged ||
-            !other.parameters)
-            continue;
-        EstimateRegion::Point point{other.estimator, {}};
-        for (int i = 0; i < 3; ++i)
-            point.percent[std::size_t(i)] = 100 * (other.parameters->vector()[i] / center[i] - 1);
-        if (std::all_of(point.percent.begin(), point.percent.end(),
-                        [](double value) { return std::isfinite(value); }))
-            region.others.push_back(point);
-    }
-    return region;
+    double degreesOfFreedom = manyDegreesOfFreedom;
+    for (const CombinedUncertainty& one : budget.combined)
+        degreesOfFreedom = std::min(degreesOfFreedom, one.degreesOfFreedom.value_or(degreesOfFreedom));
+    return regionAround(identification, *best, budget.parameters->vector(), budget.covariance,
+                        degreesOfFreedom);
 }
 
 QString correlationWords(const EstimateRegion& region)

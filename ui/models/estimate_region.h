@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/identification/identification.h"
+#include "core/identification/uncertainty_budget.h"
 
 #include <QList>
 #include <QPointF>
@@ -34,14 +35,14 @@ struct EstimateRegion {
     [[nodiscard]] QList<QPointF> outline(int horizontal, int vertical, int points = 96) const;
 };
 
-/// Around the recommended estimate; `covariance` in place of its own where more than noise is known.
-/// `degreesOfFreedom` not above 0: those of the estimate's residuals. Nothing without parameters and a
+/// Around the recommended estimate with its own covariance: noise alone. Nothing without parameters and a
 /// covariance that is positive definite.
-[[nodiscard]] std::optional<EstimateRegion>
-estimateRegion(const Identification& identification,
-               const std::optional<Eigen::Matrix3d>& covariance = std::nullopt, double degreesOfFreedom = 0);
+[[nodiscard]] std::optional<EstimateRegion> estimateRegion(const Identification& identification);
+/// With the budget's covariance, in percent of its parameters (those without the empty gripper).
+[[nodiscard]] std::optional<EstimateRegion> estimateRegion(const Identification& identification,
+                                                           const UncertaintyBudget& budget);
 
-/// The words for three correlation coefficients of size `largest`: what they do to m, b and k.
+/// What the largest of the three correlation coefficients does to m, b and k, in words.
 [[nodiscard]] QString correlationWords(const EstimateRegion& region);
 
 } // namespace gripscope

@@ -83,6 +83,28 @@ QString checkName(const QString& id)
         {u"physical_range"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Physical range")},
         {u"fit"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Fit")},
         {u"calibration"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Calibration")},
+        {u"linearity"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Straight spring")},
+        {u"feedback"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Force feedback")},
+        {u"quantisation"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Steps of the channels")},
+    };
+    const char* name = names.value(id, nullptr);
+    return name ? words(name) : id;
+}
+
+QString preparationName(const QString& id)
+{
+    static const QHash<QString, const char*> names{
+        {u"unusable"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Not usable")},
+        {u"contact"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Contact")},
+        {u"clock_drift"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Clock drift")},
+        {u"clock_jitter"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Clock jitter")},
+        {u"clock_break"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Clock jumps")},
+        {u"samples_lost"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Lost samples")},
+        {u"window_cut"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Window")},
+        {u"contact_loss"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Contact lost")},
+        {u"saturation"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Saturation")},
+        {u"quantization"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Steps of the channels")},
+        {u"frame_compliance"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Give of the frame")},
     };
     const char* name = names.value(id, nullptr);
     return name ? words(name) : id;

@@ -16,5 +16,7 @@ namespace gripscope {
 
 /// The name of a validity check for people.
 [[nodiscard]] QString checkName(const QString& id);
+/// The name of a step of the preparation for people.
+[[nodiscard]] QString preparationName(const QString& id);
 
 } // namespace gripscope

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/fit_numbers.h"
 
+#include "core/identification/derived_quantities.h"
+#include "ui/models/budget_table_model.h"
+#include "ui/models/comparison_table_model.h"
 #include "ui/models/derived_quantities.h"
 #include "ui/models/estimate_table_model.h"
+#include "ui/models/shown_budget.h"
 
 #include <QLocale>
 #include <QStringList>
@@ -42,6 +46,15 @@ QString derivedBlock(const Estimate& estimate)
            line({u"damping ratio"_s, full(derived->dampingRatio), half(derived->dampingRatioError), {}});
 }
 
+QString derivedBlock(const UncertaintyBudget& budget)
+{
+    QString text = u'\n' + line({u"quantity"_s, u"value"_s, u"95 % from"_s, u"95 % to"_s, u"unit"_s});
+    for (const DerivedQuantity& one : derivedFrom(budget))
+        text +=
+            line({one.name, full(one.value), full(one.interval.lower), full(one.interval.upper), one.unit});
+    return text;
+}
+
 QString correlationBlock(const Estimate& estimate)
 {
     const std::optional<Eigen::Vector3d> errors = estimate.standardErrors();
@@ -74,6 +87,13 @@ QString checkBlock(const Validity& validity)
     return text + line({u"verdict"_s, toString(validity.verdict)});
 }
 
+QString budgetBlock(const UncertaintyBudget& budget, const QString& forceUnit, const QString& positionUnit)
+{
+    BudgetTableModel table;
+    table.setBudget(budget, forceUnit, positionUnit);
+    return u'\n' + table.toTsv();
+}
+
 } // namespace
 
 QString fitNumbers(const Identification& identification, const QString& forceUnit,
@@ -82,8 +102,17 @@ QString fitNumbers(const Identification& identification, const QString& forceUni
     EstimateTableModel estimates;
     estimates.setIdentification(identification, forceUnit, positionUnit);
     QString text = estimates.toTsv();
+    const UncertaintyBudget* budget = shownBudget(identification);
     if (const Estimate* best = identification.best())
-        text += derivedBlock(*best) + correlationBlock(*best) + residualBlock(*best);
+        text += (budget ? derivedBlock(*budget) : derivedBlock(*best)) + correlationBlock(*best) +
+                residualBlock(*best);
+    if (budget)
+        text += budgetBlock(*budget, forceUnit, positionUnit);
+    if (!identification.comparison.ranked.empty()) {
+        ComparisonTableModel models;
+        models.setComparison(identification.comparison);
+        text += u'\n' + models.toTsv();
+    }
     return text + checkBlock(identification.validity);
 }
 

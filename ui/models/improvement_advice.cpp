@@ -2,6 +2,7 @@
 #include "ui/models/improvement_advice.h"
 
 #include "ui/models/derived_quantities.h"
+#include "ui/models/shown_budget.h"
 
 #include <QCoreApplication>
 #include <QHash>
@@ -202,7 +203,8 @@ QStringList improvementAdvice(const Identification& identification)
     if (identification.validity.verdict == ValidityVerdict::Invalid || !best || !best->parameters)
         return {};
     for (const ValidityCheck& check : identification.validity.checks)
-        if (!check.ok && (check.id == u"residual_whiteness" || check.id == u"input_independence"))
+        if (!check.ok && (check.id == u"residual_whiteness" || check.id == u"input_independence" ||
+                          check.id == u"linearity"))
             return {words(QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
                                             "What is left is more than noise: a longer squeeze will not help "
                                             "before the model fits. Compare the models."))};
@@ -214,6 +216,13 @@ QStringList improvementAdvice(const Identification& identification)
     facts.naturalFrequency_Hz = derived->naturalFrequency_Hz;
     for (int i = 0; i < 3; ++i)
         facts.relativeHalfWidths[std::size_t(i)] = quantile975 * (*errors)[i] / best->parameters->vector()[i];
+    if (const UncertaintyBudget* budget = shownBudget(identification)) {
+        for (std::size_t i = 0; i < 3; ++i)
+            facts.relativeHalfWidths[i] = (budget->intervals[i].upper - budget->intervals[i].lower) / 2 /
+                                          budget->parameters->vector()[Eigen::Index(i)];
+        for (const BudgetLine& line : budget->lines)
+            facts.shares.push_back({line.id, {line.share[0], line.share[1], line.share[2]}});
+    }
     return improvementAdvice(facts);
 }
 

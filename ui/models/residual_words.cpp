@@ -19,20 +19,23 @@ QString words(const char* text)
     return QCoreApplication::translate("gripscope::ResidualWords", text);
 }
 
-double levelOf(const Identification& identification, const QString& check)
+const ValidityCheck* findCheck(const Identification& identification, const QString& id)
 {
-    for (const ValidityCheck& one : identification.validity.checks)
-        if (one.id == check && one.limit && *one.limit > 0 && *one.limit < 1)
-            return *one.limit;
-    return usualLevel;
+    for (const ValidityCheck& check : identification.validity.checks)
+        if (check.id == id)
+            return &check;
+    return nullptr;
 }
 
-ResidualFinding finding(std::optional<double> p, double level, const QString& good, const QString& bad)
+ResidualFinding finding(std::optional<double> p, const ValidityCheck* check, bool recommended,
+                        const QString& good, const QString& bad)
 {
     if (!p || !std::isfinite(*p))
         return {};
-    const bool doubtful = *p < level;
-    return {u"%1, %2"_s.arg(doubtful ? bad : good, pValueText(*p)), doubtful};
+    const bool stated = check && check->limit && *check->limit > 0 && *check->limit < 1;
+    const bool rejected = *p < (stated ? *check->limit : usualLevel);
+    const bool passed = recommended && check && check->ok;
+    return {u"%1, %2"_s.arg(rejected ? bad : good, pValueText(*p)), rejected && !passed};
 }
 
 } // namespace
@@ -51,11 +54,14 @@ ResidualFindings residualFindings(const Identification& identification, const Es
     if (!estimate || estimate->residual.empty())
         return {};
     const ResidualSummary& residuals = estimate->residuals;
-    return {finding(residuals.whitenessP, levelOf(identification, u"residual_whiteness"_s),
+    const bool recommended = estimate->estimator == identification.recommended;
+    const bool modelled = estimate->noise && !estimate->noise->coefficients.empty();
+    return {finding(residuals.whitenessP, findCheck(identification, u"residual_whiteness"_s), recommended,
                     words(QT_TRANSLATE_NOOP("gripscope::ResidualWords", "white")),
-                    words(QT_TRANSLATE_NOOP("gripscope::ResidualWords", "not white"))),
-            finding(residuals.inputIndependenceP, levelOf(identification, u"input_independence"_s),
-                    words(QT_TRANSLATE_NOOP("gripscope::ResidualWords", "independent")),
+                    modelled ? words(QT_TRANSLATE_NOOP("gripscope::ResidualWords", "modelled, not white"))
+                             : words(QT_TRANSLATE_NOOP("gripscope::ResidualWords", "not white"))),
+            finding(residuals.inputIndependenceP, findCheck(identification, u"input_independence"_s),
+                    recommended, words(QT_TRANSLATE_NOOP("gripscope::ResidualWords", "independent")),
                     words(QT_TRANSLATE_NOOP("gripscope::ResidualWords", "dependent")))};
 }
 

@@ -63,16 +63,14 @@ QString sentence(QString text)
     return text.endsWith(u'.') ? text : text + u'.';
 }
 
-QWidget* checkRow(const ValidityCheck& check)
+QWidget* findingRow(CheckSign sign, const QString& name, const QString& message)
 {
     auto* row = new QWidget;
     auto* line = new QHBoxLayout(row);
     line->setContentsMargins(0, 4, 0, 4);
     line->setSpacing(metrics::step);
-    const CheckSign sign = check.ok ? CheckSign::Pass : check.decisive ? CheckSign::Fail : CheckSign::Warning;
     line->addWidget(new CheckSignLabel(sign), 0, Qt::AlignTop);
-    auto* text = makeLabel(
-        u"<b>%1.</b> %2"_s.arg(checkName(check.id).toHtmlEscaped(), sentence(check.message).toHtmlEscaped()));
+    auto* text = makeLabel(u"<b>%1.</b> %2"_s.arg(name.toHtmlEscaped(), sentence(message).toHtmlEscaped()));
     text->setWordWrap(true);
     text->setTextFormat(Qt::RichText);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -115,7 +113,7 @@ CheckList::CheckList(QWidget* parent) : QWidget(parent), m_rows(new QVBoxLayout(
     setSpacing(m_rows, 0, 0);
 }
 
-void CheckList::setValidity(const Validity& validity)
+void CheckList::setFindings(const Validity& validity, const std::vector<PreparationStep>& preparation)
 {
     while (QLayoutItem* item = m_rows->takeAt(0)) {
         delete item->widget();
@@ -124,7 +122,18 @@ void CheckList::setValidity(const Validity& validity)
     for (const bool ok : {false, true})
         for (const ValidityCheck& check : validity.checks)
             if (check.ok == ok)
-                m_rows->addWidget(checkRow(check));
+                m_rows->addWidget(findingRow(ok               ? CheckSign::Pass
+                                             : check.decisive ? CheckSign::Fail
+                                                              : CheckSign::Warning,
+                                             checkName(check.id), check.message));
+    if (!preparation.empty()) {
+        auto* head = makeLabel(tr("Before the estimate"), "strong");
+        head->setContentsMargins(0, metrics::step, 0, metrics::insideControl);
+        m_rows->addWidget(head);
+    }
+    for (const PreparationStep& step : preparation)
+        m_rows->addWidget(findingRow(step.ok ? CheckSign::Pass : CheckSign::Warning, preparationName(step.id),
+                                     step.message));
     m_rows->addStretch();
 }
 

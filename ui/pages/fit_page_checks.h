@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/identification/validity.h"
+#include "core/signal/preparation.h"
 
 #include <QWidget>
 
@@ -39,12 +40,12 @@ private:
     QLabel* m_words;
 };
 
-/// Every check with what was found; those that failed first.
+/// Every check with what was found, those that failed first; then what was done to the recording before.
 class CheckList : public QWidget {
     Q_OBJECT
 public:
     explicit CheckList(QWidget* parent = nullptr);
-    void setValidity(const Validity& validity);
+    void setFindings(const Validity& validity, const std::vector<PreparationStep>& preparation);
 
 private:
     QVBoxLayout* m_rows;

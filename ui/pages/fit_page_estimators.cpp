@@ -22,9 +22,6 @@ EstimatorPanel::EstimatorPanel(QWidget* parent)
     setSpacing(column, 0, metrics::step);
     buildTable();
     m_note->setWordWrap(true);
-    m_note->setText(
-        tr("ARX predicts one step ahead from the last two measured positions. With noise that reads high "
-           "even when m, b and k are far off: a good ARX prediction fit says nothing about them."));
     column->addWidget(m_table);
     column->addWidget(m_note);
     column->addStretch();
@@ -49,8 +46,17 @@ void EstimatorPanel::setIdentification(const Identification& identification, con
                                        const QString& positionUnit)
 {
     m_model->setIdentification(identification, forceUnit, positionUnit);
-    m_note->setVisible(identification.find(Estimator::Arx) || identification.find(Estimator::ArxMeanForce) ||
-                       identification.find(Estimator::Arx221));
+    QStringList notes;
+    if (identification.budget.parameters)
+        notes << tr("The error bars here are those of noise alone; the intervals above count everything that "
+                    "is known (see Uncertainty).");
+    if (identification.find(Estimator::Arx) || identification.find(Estimator::ArxMeanForce) ||
+        identification.find(Estimator::Arx221))
+        notes << tr(
+            "ARX predicts one step ahead from the last two measured positions. With noise that reads "
+            "high even when m, b and k are far off: a good ARX prediction fit says nothing about them.");
+    m_note->setText(notes.join(u"\n\n"_s));
+    m_note->setVisible(!notes.isEmpty());
     fitPanelTable(m_table);
     if (const Estimate* best = identification.best())
         m_table->selectRow(m_model->rowOf(best->estimator));

@@ -5,9 +5,12 @@
 #include "ui/charts/fit_plots.h"
 #include "ui/charts/region_plot.h"
 #include "ui/models/estimate_table_model.h"
+#include "ui/models/interval_text.h"
+#include "ui/models/shown_budget.h"
 #include "ui/models/shown_unit.h"
 #include "ui/pages/fit_page_checks.h"
 #include "ui/pages/fit_page_estimators.h"
+#include "ui/pages/fit_page_models.h"
 #include "ui/pages/fit_page_uncertainty.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
@@ -22,6 +25,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gripscope {
@@ -35,21 +39,42 @@ constexpr double quantile975 = 1.959963984540054; // half a 95 % interval in sta
 constexpr int narrowWidth = 420; // below, the numbers are set smaller
 constexpr int checksTab = 2;
 
-std::optional<double> halfWidth(const std::optional<double>& standardError, double factor = 1)
-{
-    return standardError ? std::optional(*standardError * quantile975 * factor) : std::nullopt;
-}
-
 /// "9.98 ± 0.05 kN/m (95 %)", the last part small.
-QString withInterval(const FormattedNumber& number)
+QString withCoverage(const QString& number)
 {
-    if (number.error.isEmpty())
-        return number.text().toHtmlEscaped();
     const ThemeTokens& tokens = Theme::instance().tokens();
     return u"%1 <span style='font-size:%2px; font-weight:400; color:%3'>(95 %)</span>"_s
-        .arg(number.text().toHtmlEscaped())
+        .arg(number.toHtmlEscaped())
         .arg(metrics::fontSmall)
         .arg(tokens.secondText.name());
+}
+
+struct ShownValue {
+    QString text;
+    bool hasInterval = false;
+};
+
+/// m, b or k (0, 1, 2) with its interval: the budget's where there is one, else from noise alone.
+ShownValue shownValue(const Identification& identification, const Estimate& best, int parameter,
+                      const QString& forceUnit, const QString& positionUnit)
+{
+    const std::optional<double> si = siFactor(forceUnit, positionUnit);
+    const ParameterUnits units =
+        si ? parameterUnits(u"N"_s, u"m"_s) : parameterUnits(forceUnit, positionUnit);
+    const UncertaintyBudget* budget = shownBudget(identification);
+    const double raw = (budget ? *budget->parameters : *best.parameters).vector()[parameter];
+    const QString unit = std::array{units.m, units.b, units.k}[std::size_t(parameter)];
+    const ShownUnit shown = shownUnit(unit, std::abs(raw * si.value_or(1)));
+    const double factor = si.value_or(1) * shown.factor;
+    if (budget) {
+        CoverageInterval interval = budget->intervals[std::size_t(parameter)];
+        interval.lower *= factor;
+        interval.upper *= factor;
+        return {intervalText(raw * factor, interval, shown.unit), true};
+    }
+    const auto errors = best.standardErrors();
+    const auto half = errors ? std::optional((*errors)[parameter] * quantile975 * factor) : std::nullopt;
+    return {formatNumber(raw * factor, half, shown.unit).text(), half.has_value()};
 }
 
 } // namespace
@@ -58,7 +83,7 @@ FitSummary::FitSummary(QWidget* parent)
     : QWidget(parent), m_title(new ElidedLabel), m_verdict(new ValidityLine), m_facts(new ElidedLabel),
       m_best(new QGridLayout), m_tabs(new QTabWidget), m_estimators(new EstimatorPanel),
       m_region(new RegionPlot), m_regionWords(makeLabel({}, "second")), m_checks(new CheckList),
-      m_uncertainty(new UncertaintyPanel)
+      m_uncertainty(new UncertaintyPanel), m_models(new ModelPanel)
 {
     auto* column = new QVBoxLayout(this);
     setSpacing(column, 0, 0);
@@ -98,7 +123,7 @@ void FitSummary::buildTabs()
     m_tabs->tabBar()->setDrawBase(false);
     m_tabs->tabBar()->setExpanding(true);
     m_tabs->tabBar()->setAccessibleName(tr("Details of the fit"));
-    m_tabs->tabBar()->setStyleSheet(u"QTabBar::tab { padding: 0 8px; }"_s); // five in a third of the window
+    m_tabs->tabBar()->setStyleSheet(u"QTabBar::tab { padding: 0 4px; }"_s); // five in a third of the window
     auto* region = new QWidget;
     auto* column = new QVBoxLayout(region);
     setSpacing(column, metrics::step, metrics::insideControl);
@@ -109,6 +134,7 @@ void FitSummary::buildTabs()
     m_tabs->addTab(region, tr("Region")); // a picture takes the room there is, it does not scroll
     addTab(m_checks, tr("Checks"));
     addTab(m_uncertainty, tr("Uncertainty"));
+    addTab(m_models, tr("Models"));
 }
 
 void FitSummary::addTab(QWidget* body, const QString& title)
@@ -147,15 +173,17 @@ void FitSummary::show(const QString& title, const Identification& identification
     m_verdict->setVerdict(identification.validity.verdict);
     showBest();
     m_estimators->setIdentification(identification, forceUnit, positionUnit);
-    m_region->setRegion(estimateRegion(identification));
+    const UncertaintyBudget* budget = shownBudget(identification);
+    m_region->setRegion(budget ? estimateRegion(identification, *budget) : estimateRegion(identification));
     m_regionWords->setText(m_region->region() ? correlationWords(*m_region->region()) : QString());
     m_regionWords->setVisible(m_region->region().has_value());
-    m_checks->setValidity(identification.validity);
+    m_checks->setFindings(identification.validity, identification.preparation);
     const auto failed =
         std::count_if(identification.validity.checks.begin(), identification.validity.checks.end(),
                       [](const ValidityCheck& check) { return !check.ok; });
     m_tabs->setTabText(checksTab, failed > 0 ? tr("Checks (%1)").arg(failed) : tr("Checks"));
     m_uncertainty->setIdentification(identification, forceUnit, positionUnit);
+    m_models->setComparison(identification.comparison);
     if (!identification.best())
         m_tabs->setCurrentIndex(checksTab); // without an estimate they are all there is to read
 }
@@ -171,30 +199,18 @@ void FitSummary::showBest()
         m_best->addWidget(makeLabel(tr("No estimate"), "heading"), m_best->rowCount(), 0, 1, 2);
         return;
     }
-    const bool narrow = width() < narrowWidth;
-    const auto row = [this, narrow](const QString& name, const FormattedNumber& number) {
+    const char* look = width() < narrowWidth ? "heading" : "number";
+    const QString names[] = {tr("Mass m"), tr("Damping b"), tr("Stiffness k")};
+    for (int i = 0; i < 3; ++i) {
+        const ShownValue shown = shownValue(m_identification, *best, i, m_forceUnit, m_positionUnit);
         const int at = m_best->rowCount();
-        auto* label = makeLabel(name, "second");
-        auto* value = makeLabel(withInterval(number), narrow ? "heading" : "number");
+        auto* value =
+            makeLabel(shown.hasInterval ? withCoverage(shown.text) : shown.text.toHtmlEscaped(), look);
         value->setTextFormat(Qt::RichText);
         value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-        value->setAccessibleName(u"%1: %2"_s.arg(name, number.text()));
-        m_best->addWidget(label, at, 0, Qt::AlignBaseline);
+        value->setAccessibleName(u"%1: %2"_s.arg(names[i], shown.text));
+        m_best->addWidget(makeLabel(names[i], "second"), at, 0, Qt::AlignBaseline);
         m_best->addWidget(value, at, 1, Qt::AlignBaseline);
-    };
-    const std::optional<double> si = siFactor(m_forceUnit, m_positionUnit);
-    const double factor = si.value_or(1);
-    const ParameterUnits units =
-        si ? parameterUnits(u"N"_s, u"m"_s) : parameterUnits(m_forceUnit, m_positionUnit);
-    const auto errors = best->standardErrors();
-    const QString names[] = {tr("Mass m"), tr("Damping b"), tr("Stiffness k")};
-    const QString unitNames[] = {units.m, units.b, units.k};
-    for (int i = 0; i < 3; ++i) {
-        const double value = best->parameters->vector()[i] * factor;
-        const ShownUnit shown = shownUnit(unitNames[i], std::abs(value));
-        row(names[i],
-            formatNumber(value * shown.factor,
-                         errors ? halfWidth((*errors)[i], factor * shown.factor) : std::nullopt, shown.unit));
     }
 }
 

@@ -15,13 +15,14 @@ class CheckList;
 class ElidedLabel;
 class EstimateTableModel;
 class EstimatorPanel;
+class ModelPanel;
 class RegionPlot;
 class UncertaintyPanel;
 class ValidityLine;
 
 /// The right third of the Fit page. Always in view: what was squeezed, the verdict on the measurement, m, b
 /// and k with their error bars. Behind tabs: the estimators against each other, the joint region, the checks,
-/// what the uncertainty is made of.
+/// what the uncertainty is made of, other models.
 class FitSummary : public QWidget {
     Q_OBJECT
 public:
@@ -57,6 +58,7 @@ private:
     QLabel* m_regionWords;
     CheckList* m_checks;
     UncertaintyPanel* m_uncertainty;
+    ModelPanel* m_models;
 };
 
 } // namespace gripscope

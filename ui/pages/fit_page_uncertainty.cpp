@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/fit_page_uncertainty.h"
 
+#include "core/identification/derived_quantities.h"
 #include "ui/models/derived_quantities.h"
 #include "ui/models/improvement_advice.h"
+#include "ui/models/interval_text.h"
+#include "ui/models/shown_budget.h"
+#include "ui/pages/fit_page_budget.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_format.h"
@@ -18,16 +22,47 @@ namespace {
 
 constexpr double quantile975 = 1.959963984540054; // half a 95 % interval in standard errors
 
-std::optional<double> halfWidth(const std::optional<double>& standardError)
+struct DerivedRow {
+    QString name, text;
+    bool number = true; ///< else words in place of one
+};
+
+std::vector<DerivedRow> rowsOf(const std::vector<DerivedQuantity>& quantities)
 {
-    return standardError ? std::optional(*standardError * quantile975) : std::nullopt;
+    std::vector<DerivedRow> rows;
+    for (const DerivedQuantity& one : quantities) {
+        QString name = one.name;
+        if (!name.isEmpty())
+            name[0] = name[0].toUpper();
+        const QString unit = one.unit == u"1" ? QString() : one.unit;
+        rows.push_back({name, one.value ? intervalText(*one.value, one.interval, unit) : one.words,
+                        one.value.has_value()});
+    }
+    return rows;
+}
+
+/// From noise alone, without a budget.
+std::vector<DerivedRow> rowsOf(const Estimate& estimate)
+{
+    const auto derived = derivedQuantities(estimate);
+    if (!derived)
+        return {};
+    const auto text = [](double value, const std::optional<double>& error, const QString& unit) {
+        return formatNumber(value, error ? std::optional(*error * quantile975) : std::nullopt, unit).text();
+    };
+    return {
+        {UncertaintyPanel::tr("Natural frequency"),
+         text(derived->naturalFrequency_Hz, derived->naturalFrequencyError_Hz, u"Hz"_s)},
+        {UncertaintyPanel::tr("Damping ratio"), text(derived->dampingRatio, derived->dampingRatioError, {})}};
 }
 
 } // namespace
 
 UncertaintyPanel::UncertaintyPanel(QWidget* parent)
     : QWidget(parent), m_adviceHead(makeLabel(tr("What would make it better"), "strong")),
-      m_advice(makeLabel({})), m_derivedHead(makeLabel(tr("What follows from m, b and k (95 %)"), "strong")),
+      m_advice(makeLabel({})), m_budgetHead(makeLabel(tr("What the error bars are made of"), "strong")),
+      m_budget(new BudgetPanel),
+      m_derivedHead(makeLabel(tr("What follows from m, b and k (95 %)"), "strong")),
       m_derived(new QGridLayout)
 {
     auto* column = new QVBoxLayout(this);
@@ -39,14 +74,18 @@ UncertaintyPanel::UncertaintyPanel(QWidget* parent)
     m_derived->setColumnStretch(1, 1);
     column->addWidget(m_adviceHead);
     column->addWidget(m_advice);
+    column->addWidget(m_budgetHead);
+    column->addWidget(m_budget);
     column->addWidget(m_derivedHead);
     column->addLayout(m_derived);
     column->addStretch();
 }
 
-void UncertaintyPanel::setIdentification(const Identification& identification, const QString&, const QString&)
+void UncertaintyPanel::setIdentification(const Identification& identification, const QString& forceUnit,
+                                         const QString& positionUnit)
 {
     showAdvice(identification);
+    showBudget(identification, forceUnit, positionUnit);
     showDerived(identification);
 }
 
@@ -60,28 +99,38 @@ void UncertaintyPanel::showAdvice(const Identification& identification)
     m_advice->setText(advice);
 }
 
+void UncertaintyPanel::showBudget(const Identification& identification, const QString& forceUnit,
+                                  const QString& positionUnit)
+{
+    const UncertaintyBudget& budget = identification.budget;
+    const bool any = budget.parameters || !budget.message.isEmpty();
+    m_budgetHead->setVisible(any);
+    m_budget->setVisible(any);
+    m_budget->setBudget(budget, forceUnit, positionUnit);
+}
+
 void UncertaintyPanel::showDerived(const Identification& identification)
 {
     while (QLayoutItem* item = m_derived->takeAt(0)) {
         delete item->widget();
         delete item;
     }
-    const Estimate* best = identification.best();
-    const auto derived = best ? derivedQuantities(*best) : std::nullopt;
-    m_derivedHead->setVisible(derived.has_value());
-    if (!derived)
-        return;
-    const auto row = [this](const QString& name, const FormattedNumber& number) {
+    std::vector<DerivedRow> rows;
+    if (const UncertaintyBudget* budget = shownBudget(identification))
+        rows = rowsOf(derivedFrom(*budget));
+    else if (const Estimate* best = identification.best())
+        rows = rowsOf(*best);
+    m_derivedHead->setVisible(!rows.empty());
+    for (const DerivedRow& row : rows) {
         const int at = m_derived->rowCount();
-        auto* value = makeLabel(number.text(), "strong");
-        value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        value->setAccessibleName(u"%1: %2"_s.arg(name, number.text()));
-        m_derived->addWidget(makeLabel(name, "second"), at, 0, Qt::AlignBaseline);
-        m_derived->addWidget(value, at, 1, Qt::AlignBaseline);
-    };
-    row(tr("Natural frequency"),
-        formatNumber(derived->naturalFrequency_Hz, halfWidth(derived->naturalFrequencyError_Hz), u"Hz"_s));
-    row(tr("Damping ratio"), formatNumber(derived->dampingRatio, halfWidth(derived->dampingRatioError), {}));
+        auto* name = makeLabel(row.name, "second");
+        auto* text = makeLabel(row.text, row.number ? "strong" : "");
+        text->setWordWrap(!row.number);
+        text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        text->setAccessibleName(u"%1: %2"_s.arg(row.name, row.text));
+        m_derived->addWidget(name, at, 0, row.number ? Qt::AlignBaseline : Qt::AlignTop);
+        m_derived->addWidget(text, at, 1, row.number ? Qt::AlignBaseline : Qt::AlignTop);
+    }
 }
 
 } // namespace gripscope

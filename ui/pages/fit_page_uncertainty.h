@@ -10,7 +10,10 @@ class QLabel;
 
 namespace gripscope {
 
-/// What the error bars are worth: what would make them better, what else follows from m, b and k.
+class BudgetPanel;
+
+/// What the error bars are worth: what would make them better, what they are made of, what else follows from
+/// m, b and k.
 class UncertaintyPanel : public QWidget {
     Q_OBJECT
 public:
@@ -21,10 +24,14 @@ public:
 
 private:
     void showAdvice(const Identification& identification);
+    void showBudget(const Identification& identification, const QString& forceUnit,
+                    const QString& positionUnit);
     void showDerived(const Identification& identification);
 
     QLabel* m_adviceHead;
     QLabel* m_advice;
+    QLabel* m_budgetHead;
+    BudgetPanel* m_budget;
     QLabel* m_derivedHead;
     QGridLayout* m_derived;
 };

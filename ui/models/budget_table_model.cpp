@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/budget_table_model.h"
+
+#include "core/signal/units.h"
+#include "ui/models/shown_unit.h"
+
+#include <QCoreApplication>
+#include <QHash>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+void BudgetTableModel::setBudget(const UncertaintyBudget& budget, const QString& forceUnit,
+                                 const QString& positionUnit)
+{
+    beginResetModel();
+    m_rows.clear();
+    const std::optional<double> si = siFactor(forceUnit, positionUnit);
+    const double factor = si.value_or(1);
+    const ParameterUnits units =
+        si ? parameterUnits(u"N"_s, u"m"_s) : parameterUnits(forceUnit, positionUnit);
+    m_units = {units.m, units.b, units.k};
+    for (const BudgetLine& line : budget.lines) {
+        Row row{line.id, effectName(line.id), line.words, false, {}, {}};
+        const Eigen::Vector3d uncertainties = line.standardUncertainties() * factor;
+        for (int i = 0; i < 3; ++i) {
+            row.uncertainties[std::size_t(i)] = uncertainties[i];
+            row.shares[std::size_t(i)] = line.share[i];
+        }
+        m_rows.push_back(std::move(row));
+    }
+    if (budget.parameters) {
+        Row combined{u"combined"_s, tr("Combined"), tr("standard uncertainty"), true, {}, {}};
+        const QString coverage = QString::number(std::lround(100 * budget.coverage));
+        Row expanded{
+            u"expanded"_s, tr("Expanded"), tr("half of the %1 % interval").arg(coverage), true, {}, {}};
+        const Eigen::Vector3d values = budget.parameters->vector() * factor;
+        for (std::size_t i = 0; i < 3; ++i) {
+            combined.uncertainties[i] = budget.combined[i].standardUncertainty * factor;
+            expanded.uncertainties[i] = (budget.intervals[i].upper - budget.intervals[i].lower) / 2 * factor;
+            const ShownUnit shown = shownUnit(m_units[i], std::abs(values[Eigen::Index(i)]));
+            m_shownUnits[i] = shown.unit;
+            m_factors[i] = shown.factor;
+        }
+        m_rows.push_back(std::move(combined));
+        m_rows.push_back(std::move(expanded));
+    }
+    endResetModel();
+}
+
+void BudgetTableModel::clear()
+{
+    beginResetModel();
+    m_rows.clear();
+    endResetModel();
+}
+
+int BudgetTableModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : int(m_rows.size());
+}
+
+int BudgetTableModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : columns;
+}
+
+QVariant BudgetTableModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid() || index.row() >= int(m_rows.size()))
+        return {};
+    const Row& row = m_rows[std::size_t(index.row())];
+    if (role == WordsRole)
+        return row.words;
+    if (role == SumRole)
+        return row.sum;
+    if (role == Qt::ToolTipRole)
+        return row.words;
+    if (Column(index.column()) == Column::Effect)
+        return role == Qt::DisplayRole ? QVariant(row.name) : QVariant();
+    const auto at = std::size_t(index.column() - int(Column::Mass));
+    if (role == ShareRole)
+        return row.sum ? QVariant() : QVariant(row.shares[at]);
+    if (role == Qt::DisplayRole || role == SortRole)
+        return row.uncertainties[at] * m_factors[at];
+    return {};
+}
+
+QVariant BudgetTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || section < 0 || section >= columns)
+        return {};
+    const bool effect = Column(section) == Column::Effect;
+    if (role == Qt::TextAlignmentRole)
+        return QVariant::fromValue(
+            Qt::Alignment(Qt::AlignVCenter | (effect ? Qt::AlignLeft : Qt::AlignRight)));
+    if (role == Qt::ToolTipRole && !effect)
+        return tr("Standard uncertainty; the bar is the effect's share of the variance");
+    if (role != Qt::DisplayRole)
+        return {};
+    if (effect)
+        return tr("Effect");
+    const auto at = std::size_t(section - int(Column::Mass));
+    const QString name = u"u(%1)"_s.arg(u"mbk"_s[qsizetype(at)]);
+    return m_shownUnits[at].isEmpty() ? name : name + u'\n' + m_shownUnits[at];
+}
+
+QString BudgetTableModel::toTsv() const
+{
+    const auto full = [](double value) {
+        return std::isfinite(value) ? QString::number(value, 'g', QLocale::FloatingPointShortest) : QString();
+    };
+    const QString names = u"mbk"_s;
+    QStringList header{u"effect"_s};
+    for (std::size_t i = 0; i < 3; ++i)
+        header << u"u(%1)"_s.arg(names[qsizetype(i)]) +
+                      (m_units[i] == u"1" ? QString() : u" (%1)"_s.arg(m_units[i]));
+    for (const QChar name : names)
+        header << u"share of the variance of %1"_s.arg(name);
+    QString text = header.join(u'\t') + u'\n';
+    for (const Row& row : m_rows) {
+        QStringList cells{row.id};
+        for (const double value : row.uncertainties)
+            cells << full(value);
+        for (const double value : row.shares)
+            cells << (row.sum ? QString() : full(value));
+        text += cells.join(u'\t') + u'\n';
+    }
+    return text;
+}
+
+QString effectName(const QString& id)
+{
+    static const QHash<QString, const char*> names{
+        {u"noise"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Noise")},
+        {u"position_noise"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Position noise")},
+        {u"force_noise"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Force noise")},
+        {u"lag"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Lag of the channels")},
+        {u"hold"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Force between samples")},
+        {u"calibration"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Calibration")},
+        {u"frame_compliance"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Give of the frame")},
+        {u"baseline"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Empty gripper")},
+        {u"model_discrepancy"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Model")},
+    };
+    const char* name = names.value(id, nullptr);
+    return name ? QCoreApplication::translate("gripscope::BudgetTableModel", name) : id;
+}
+
+} // namespace gripscope
