@@ -59,9 +59,16 @@ struct ResidualSummary {
     double degreesOfFreedom = 0;
     std::optional<double> whitenessP;         ///< Ljung-Box
     std::optional<double> inputIndependenceP; ///< F test of past and present input on the residuals
-    /// How many times larger the worst standard error is when the correlation between residuals is counted;
-    /// output error only. A residual that is not white matters as far as this is above 1.
+    /// How many times larger the worst standard error became because the noise model was counted; output
+    /// error only, as all that follows.
     std::optional<double> errorInflation;
+    std::optional<double> innovationWhitenessP; ///< Ljung-Box on what the noise model leaves
+    /// The size of what the input explains of the residuals, and future input, in standard errors of a
+    /// typical parameter: the root of F.
+    std::optional<double> inputMisfit, feedbackP, feedbackMisfit;
+    /// Test of a spring that is not straight (x^2 and x^3); by what share m, b or k moves, at the most, when
+    /// such a spring is fitted too, and how many standard errors that is.
+    std::optional<double> linearityP, linearityShift, linearityShiftInErrors;
 };
 
 /// A cubic spring: m x'' + b x' + k x + k3 x^3 = F, x measured from the offset. Only `duffing` has one.
@@ -70,10 +77,14 @@ struct CubicSpring {
     Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero(); ///< of (m, b, k, k3)
 };
 
-/// Residuals that are not white: e[t] = sum_i coefficients[i-1] e[t-i] + w[t], w white.
+/// Residuals that are not white: e[t] = sum_i coefficients[i-1] e[t-i] + w[t] + sum_j movingAverage[j-1]
+/// w[t-j], w white.
 struct AutoregressiveNoise {
-    std::vector<double> coefficients; ///< empty: white
-    double innovationDeviation = 0;   ///< standard deviation of w, in the position's unit
+    std::vector<double> coefficients;  ///< empty: white
+    std::vector<double> movingAverage; ///< empty unless noise of the force channel was found
+    double innovationDeviation = 0;    ///< standard deviation of w, in the position's unit
+    /// Standard deviation of white noise in the measured force, in its unit, where that is what was found.
+    std::optional<double> forceDeviation;
 };
 
 /// One estimator's answer to one window. `parameters` is empty for every status but Converged and, where a

@@ -127,9 +127,17 @@ void describeResiduals(const OutputErrorProblem& problem, const SearchResult& se
     estimate.residuals.degreesOfFreedom =
         static_cast<double>(problem.terms() - 3 - search.linear.nuisanceRank);
     const OutputErrorResiduals tests = testOutputError(problem, search.theta, search.linear.nuisance);
-    estimate.residuals.whitenessP = tests.whitenessP;
-    estimate.residuals.inputIndependenceP = tests.inputIndependenceP;
-    estimate.residuals.errorInflation = tests.errorInflation;
+    ResidualSummary summary = tests.summary;
+    summary.sse = estimate.residuals.sse;
+    summary.degreesOfFreedom = estimate.residuals.degreesOfFreedom;
+    estimate.residuals = summary;
+    estimate.noise = tests.noise;
+    if (tests.logCovariance) {
+        const Eigen::Vector3d p = estimate.parameters->vector();
+        const Eigen::Matrix3d covariance = p.asDiagonal() * *tests.logCovariance * p.asDiagonal();
+        if (covariance.allFinite())
+            estimate.covariance = covariance;
+    }
 }
 
 /// s^2 (J'J)^-1 in channel units: d theta_i = d p_i / p_i.
@@ -300,7 +308,8 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
         search.outcome == SearchOutcome::Converged ? EstimateStatus::Converged : EstimateStatus::NotConverged;
     estimate.message = search.outcome == SearchOutcome::Converged ? "converged" : "the search did not settle";
     describeResiduals(problem, search, force, position, options, estimate);
-    estimate.covariance = covarianceOf(search, parameters, estimate.residuals.degreesOfFreedom);
+    if (!estimate.covariance)
+        estimate.covariance = covarianceOf(search, parameters, estimate.residuals.degreesOfFreedom);
     return estimate;
 }
 

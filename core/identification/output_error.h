@@ -27,7 +27,9 @@ struct OutputErrorOptions {
 /// with exact sensitivities; x0, v0 and offset, which enter linearly, are solved for at every step. Under
 /// white Gaussian position noise and known force this is the maximum-likelihood estimate: it reaches the
 /// Cramer-Rao bound, and `covariance` = s^2 (J'J)^-1 is that bound with s^2 = SSE / (N - p), p counting m, b,
-/// k and every free nuisance (Ljung, System Identification, ch. 7 and 9).
+/// k and every free nuisance (Ljung, System Identification, ch. 7 and 9). Where the residuals are certainly
+/// not white (residual_noise.h) the estimate stays and `covariance` is (J'J)^-1 J'CJ (J'J)^-1 with C from the
+/// noise model in `noise`.
 ///
 /// All numbers must be finite, force and position equally long, the sample time positive. Statuses:
 /// Converged; NotConverged with the last iterate; TooFewSamples when N <= p; NotIdentifiable with words when

@@ -1,60 +1,247 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/output_error_residuals.h"
 
+#include "core/identification/discretization.h"
+#include "core/identification/noise_model.h"
+#include "core/identification/orthonormal_rows.h"
+#include "core/identification/residual_noise.h"
 #include "core/identification/residual_tests.h"
-#include "core/identification/tall_qr.h"
 
-#include <Eigen/QR>
-
+#include <algorithm>
 #include <cmath>
 
 namespace gripscope {
 
 namespace {
+
 constexpr double roundingShare = 1e-9;
+
+/// Lost samples are a regressor each: with more than this (columns squared times samples) judging would take
+/// longer than estimating.
+constexpr double mostWork = 1e8;
+
+MassDampingStiffness scaledParameters(const Eigen::Vector3d& theta)
+{
+    return {std::exp(theta(0)), std::exp(theta(1)), std::exp(theta(2))};
 }
+
+/// The linearised problem, a column a sample of the grid; samples without a measurement are zero.
+struct Linearized {
+    Eigen::MatrixXd sensitivities; ///< lost forces, x0, v0, offset, then ln M, ln B, ln K
+    Eigen::RowVectorXd residual, position;
+    std::vector<bool> measured;
+
+    Linearized(const OutputErrorProblem& problem, const Eigen::Vector3d& theta,
+               const ScaledNuisance& nuisance)
+        : residual(Eigen::RowVectorXd::Zero(problem.rows())), position(residual),
+          measured(static_cast<std::size_t>(problem.rows()), false)
+    {
+        const auto lost = static_cast<Eigen::Index>(problem.lost.size());
+        const Eigen::Index own = problem.nuisanceCount() + 3;
+        const std::ptrdiff_t first = problem.firstRow();
+        sensitivities = Eigen::MatrixXd::Zero(lost + own, problem.rows());
+        forEachLinearizedRow(problem, theta, nuisance, [&](std::ptrdiff_t t, const Eigen::RowVectorXd& row) {
+            sensitivities.col(t - first).tail(own) = row.head(own).transpose();
+            residual(t - first) = row(own);
+            position(t - first) = problem.position[static_cast<std::size_t>(t)];
+            measured[static_cast<std::size_t>(t - first)] = true;
+        });
+        if (lost > 0)
+            fillLostForces(problem, theta);
+    }
+    [[nodiscard]] bool isRounding() const
+    {
+        return !(residual.norm() > roundingShare * position.norm()) || !sensitivities.allFinite();
+    }
+    void blank(Eigen::MatrixXd& rows) const
+    {
+        for (std::size_t t = 0; t < measured.size(); ++t) {
+            if (!measured[t])
+                rows.col(static_cast<Eigen::Index>(t)).setZero();
+        }
+    }
+
+private:
+    /// The answer to a unit of force at a lost sample is the same for all of them, shifted.
+    void fillLostForces(const OutputErrorProblem& problem, const Eigen::Vector3d& theta)
+    {
+        std::vector<double> pulse(problem.force.size() + 2, 0.0);
+        pulse[1] = 1; // a straight force begins to rise a sample earlier
+        const std::vector<double> answer =
+            simulate(scaledParameters(theta), pulse, {1, problem.hold, problem.lag.rest, 0, 0, 0});
+        for (std::size_t i = 0; i < problem.lost.size(); ++i) {
+            const std::ptrdiff_t shift =
+                problem.firstRow() + problem.lag.samples + 1 - static_cast<std::ptrdiff_t>(problem.lost[i]);
+            for (std::ptrdiff_t t = std::max<std::ptrdiff_t>(-shift, 0); t < problem.rows(); ++t) {
+                if (static_cast<std::size_t>(t + shift) < answer.size())
+                    sensitivities(static_cast<Eigen::Index>(i), t) =
+                        answer[static_cast<std::size_t>(t + shift)];
+            }
+        }
+        blank(sensitivities);
+    }
+};
+
+std::span<const double> asSpan(const Eigen::RowVectorXd& row)
+{
+    return {row.data(), static_cast<std::size_t>(row.size())};
+}
+
+/// How (ln M, ln B, ln K) come from the coordinates in the basis; nothing when one of them adds nothing to
+/// the others.
+std::optional<Eigen::MatrixXd> gainsOf(const OrthonormalRows& rows, Eigen::Index parameters)
+{
+    const Eigen::Index rank = rows.factor.rows();
+    if (rank < 3 || rows.kept[static_cast<std::size_t>(rank - 3)] != parameters - 3)
+        return std::nullopt;
+    Eigen::MatrixXd gains = Eigen::MatrixXd::Identity(rank, rank);
+    rows.factor.transpose().triangularView<Eigen::Upper>().solveInPlace(gains);
+    gains = gains.bottomRows(3).eval();
+    return gains.allFinite() ? std::optional(std::move(gains)) : std::nullopt;
+}
+
+/// Answers of the object to x^2 and x^3, x the modelled position from its mean: what a spring that is not
+/// straight adds to the position, to first order.
+Eigen::MatrixXd springRows(const Eigen::Vector3d& theta, const Linearized& data)
+{
+    Eigen::RowVectorXd x = data.position - data.residual;
+    x.array() -= x.mean();
+    const double largest = x.cwiseAbs().maxCoeff();
+    Eigen::MatrixXd rows(2, x.size());
+    std::vector<double> force(static_cast<std::size_t>(x.size()));
+    for (int power = 2; power <= 3; ++power) {
+        for (std::size_t t = 0; t < force.size(); ++t)
+            force[t] = std::pow(largest > 0 ? x(static_cast<Eigen::Index>(t)) / largest : 0, power);
+        const std::vector<double> answer =
+            simulate(scaledParameters(theta), force, {1, ForceHold::First, 0, 0, 0, 0});
+        rows.row(power - 2) = Eigen::Map<const Eigen::RowVectorXd>(answer.data(), x.size());
+    }
+    return rows;
+}
+
+/// The change of ln M, ln B, ln K when the extra regressors are fitted too.
+Eigen::Vector3d shiftBy(const OrthonormalRows& extra, const Eigen::RowVectorXd& residual,
+                        const Eigen::MatrixXd& gains)
+{
+    const Eigen::VectorXd coordinates = extra.basis * residual.transpose();
+    const Eigen::VectorXd amounts =
+        extra.factor.transpose().triangularView<Eigen::Upper>().solve(coordinates);
+    return -gains * (extra.against.transpose() * amounts);
+}
+
+/// The tests of input, feedback and spring on rows whose noise is white.
+class RegressionTests {
+public:
+    RegressionTests(const OutputErrorProblem& problem, const Eigen::Vector3d& theta, const Linearized& data,
+                    const AutoregressiveNoise& noise, const Eigen::Matrix3d& covariance)
+        : m_problem(problem), m_data(data), m_noise(noise), m_theta(theta), m_covariance(covariance),
+          m_residual(whitened(Eigen::MatrixXd(data.residual), noise)),
+          m_model(orthonormalize(whitened(data.sensitivities, noise), {}))
+    {
+    }
+    void run(int fittedNumbers, ResidualSummary& summary) const
+    {
+        summary.innovationWhitenessP = summary.whitenessP;
+        if (fittedNumbers > 0) {
+            const Eigen::RowVectorXd left =
+                m_residual - (m_residual * m_model.basis.transpose()) * m_model.basis;
+            summary.innovationWhitenessP = ljungBoxP(asSpan(left), fittedNumbers, m_model.basis);
+        }
+        testInput(summary);
+        testSpring(summary);
+    }
+
+private:
+    [[nodiscard]] OrthonormalRows news(Eigen::MatrixXd rows, const Eigen::MatrixXd& model) const
+    {
+        m_data.blank(rows);
+        return orthonormalize(whitened(rows, m_noise), model);
+    }
+    void testInput(ResidualSummary& summary) const
+    {
+        const std::ptrdiff_t first = m_problem.firstRow() + m_problem.lag.samples;
+        const OrthonormalRows past =
+            news(pastInputs(m_problem.force, first, m_problem.rows()), m_model.basis);
+        if (const auto test = testExplained(m_residual, m_model.basis, past.basis)) {
+            summary.inputIndependenceP = test->p;
+            summary.inputMisfit = std::sqrt(test->f);
+        }
+        Eigen::MatrixXd both(m_model.basis.rows() + past.basis.rows(), m_residual.size());
+        both << m_model.basis, past.basis;
+        const OrthonormalRows future = news(futureInputs(m_problem.force, first, m_problem.rows()), both);
+        if (const auto test = testExplained(m_residual, both, future.basis)) {
+            summary.feedbackP = test->p;
+            summary.feedbackMisfit = std::sqrt(test->f);
+        }
+    }
+    void testSpring(ResidualSummary& summary) const
+    {
+        const std::optional<Eigen::MatrixXd> gains = gainsOf(m_model, m_data.sensitivities.rows());
+        const OrthonormalRows spring = news(springRows(m_theta, m_data), m_model.basis);
+        const auto test = testExplained(m_residual, m_model.basis, spring.basis);
+        if (!gains || !test)
+            return;
+        const Eigen::Vector3d shift = shiftBy(spring, m_residual, *gains).cwiseAbs();
+        const double largest = shift.maxCoeff();
+        const Eigen::Vector3d errors = m_covariance.diagonal().cwiseSqrt();
+        const double inErrors = shift.cwiseQuotient(errors).maxCoeff();
+        if (!std::isfinite(largest) || !std::isfinite(inErrors))
+            return;
+        summary.linearityP = test->p;
+        summary.linearityShift = largest;
+        summary.linearityShiftInErrors = inErrors;
+    }
+
+    const OutputErrorProblem& m_problem;
+    const Linearized& m_data;
+    AutoregressiveNoise m_noise;
+    Eigen::Vector3d m_theta;
+    Eigen::Matrix3d m_covariance;
+    Eigen::RowVectorXd m_residual;
+    OrthonormalRows m_model;
+};
+
+AutoregressiveNoise inChannelUnits(const OutputErrorProblem& problem, AutoregressiveNoise noise)
+{
+    noise.innovationDeviation *= problem.positionScale;
+    if (noise.forceDeviation)
+        *noise.forceDeviation *= problem.forceScale;
+    return noise;
+}
+
+} // namespace
 
 OutputErrorResiduals testOutputError(const OutputErrorProblem& problem, const Eigen::Vector3d& theta,
                                      const ScaledNuisance& nuisance)
 {
-    const Eigen::Index nuisances = problem.nuisanceCount();
-    const Eigen::Index model = nuisances + 3;
-    constexpr auto extra = static_cast<Eigen::Index>(inputLags.size());
-    const std::ptrdiff_t first = problem.firstRow();
-    std::vector<double> residuals;
-    residuals.reserve(static_cast<std::size_t>(problem.rows()));
-    Eigen::MatrixXd sensitivities(problem.rows(), model);
-    TallQr qr(model + extra + 1);
-    double power = 0;
-    double errorPower = 0;
-    forEachLinearizedRow(problem, theta, nuisance, [&](std::ptrdiff_t t, const Eigen::RowVectorXd& linear) {
-        const double e = linear(model);
-        const double y = problem.position[static_cast<std::size_t>(t)];
-        power += y * y;
-        errorPower += e * e;
-        residuals.push_back(e);
-        sensitivities.row(t - first) = linear.head(model);
-        const std::ptrdiff_t at = std::max<std::ptrdiff_t>(t + problem.lag.samples, 0);
-        auto row = qr.nextRow();
-        row.head(model) = linear.head(model);
-        row.segment<extra>(model) = laggedInputs(problem.force, static_cast<std::size_t>(at));
-        row(model + extra) = e;
-    });
     OutputErrorResiduals out;
-    if (!(errorPower > roundingShare * roundingShare * power))
+    const auto columns = static_cast<double>(problem.lost.size() + 6);
+    if (!problem.lost.empty() && columns * columns * static_cast<double>(problem.rows()) > mostWork)
         return out;
-    const Eigen::MatrixXd triangle = qr.triangle();
-    out.whitenessP = ljungBoxP(residuals, 0);
-    out.inputIndependenceP = extraColumnsP(triangle, extra, static_cast<double>(problem.rows()));
-    Eigen::MatrixXd own = sensitivities.rightCols(3);
-    if (nuisances > 0) {
-        const Eigen::MatrixXd explained =
-            triangle.topLeftCorner(nuisances, nuisances)
-                .colPivHouseholderQr()
-                .solve(Eigen::MatrixXd(triangle.block(0, nuisances, nuisances, 3)));
-        own -= sensitivities.leftCols(nuisances) * explained;
+    const Linearized data(problem, theta, nuisance);
+    const OrthonormalRows model = orthonormalize(data.sensitivities, {});
+    const std::optional<Eigen::MatrixXd> gains = gainsOf(model, data.sensitivities.rows());
+    const auto free = static_cast<double>(std::count(data.measured.begin(), data.measured.end(), true) -
+                                          static_cast<std::ptrdiff_t>(model.basis.rows()));
+    if (data.isRounding() || !gains || free < 1)
+        return out;
+    const std::span<const double> residual = asSpan(data.residual);
+    out.summary.whitenessP = ljungBoxP(residual, 0, model.basis);
+    const double variance = data.residual.squaredNorm() / free;
+    const Eigen::Matrix3d white = variance * (*gains * gains->transpose());
+    const std::optional<ResidualNoise> found =
+        findResidualNoise(residual, model.basis, *gains,
+                          forceResponse(scaledParameters(theta), 1, problem.hold), out.summary.whitenessP);
+    out.summary.errorInflation = 1;
+    if (found) {
+        out.noise = inChannelUnits(problem, found->noise);
+        out.logCovariance = found->covariance;
+        out.summary.errorInflation =
+            std::sqrt(found->covariance.diagonal().cwiseQuotient(white.diagonal()).maxCoeff());
     }
-    out.errorInflation = errorInflation(own, residuals);
+    const RegressionTests tests(problem, theta, data, found ? found->noise : AutoregressiveNoise(),
+                                found ? found->covariance : white);
+    tests.run(found ? found->fittedNumbers : 0, out.summary);
     return out;
 }
 

@@ -5,13 +5,19 @@
 
 namespace gripscope {
 
-/// What the residuals of output error say about the model.
+/// What the residuals of output error say about the model and about its errors.
 struct OutputErrorResiduals {
-    std::optional<double> whitenessP, inputIndependenceP, errorInflation;
+    ResidualSummary summary; ///< but for sse and degrees of freedom
+    /// Where the residuals are not white: the noise, in channel units, and the covariance of (ln m, ln b, ln
+    /// k) under it.
+    std::optional<AutoregressiveNoise> noise;
+    std::optional<Eigen::Matrix3d> logCovariance;
 };
 
-/// The tests of residual_tests.h at a solution. All absent when the residuals are rounding errors (below 1e-9
-/// of the position's size), which are neither white nor noise.
+/// The noise model of residual_noise.h and the tests of residual_tests.h at a solution; where a noise model
+/// was found, the tests of input, feedback and spring are made on whitened rows. Everything absent when the
+/// residuals are rounding errors (below 1e-9 of the position's size), which are neither white nor
+/// noise, or when more samples were lost than can be judged in a time like that of the estimate.
 [[nodiscard]] OutputErrorResiduals testOutputError(const OutputErrorProblem& problem,
                                                    const Eigen::Vector3d& theta,
                                                    const ScaledNuisance& nuisance);

@@ -10,63 +10,137 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace gripscope {
 
 namespace {
 
 constexpr std::size_t largestLag = 20;
+constexpr std::size_t inflationLags = 50;
+/// Share of a column's norm below which what is left of it after the projection is rounding.
+constexpr double dependent = 1e-8;
+/// With more residuals than this, what the parameters take out of the autocorrelations is far below their
+/// scatter.
+constexpr std::size_t largestCorrected = 20000;
+
 /// Forty residuals a lag: with fewer the tail of Q is heavier than the chi-square's (with ten, 0.5 %
 /// becomes 1.1 %).
 std::size_t ljungBoxLags(std::size_t residuals)
 {
     return std::clamp<std::size_t>(residuals / 40, std::min<std::size_t>(3, residuals / 5), largestLag);
 }
-constexpr std::size_t inflationLags = 50;
-/// Share of a column's norm below which what is left of it after the projection is rounding.
-constexpr double dependent = 1e-8;
 
-/// c_k = sum e[i] e[i - k] for k = 0..lags, of the residuals less their mean, in scaled units.
-std::vector<double> autocovariances(std::span<const double> residuals, std::size_t lags)
+/// r_k for k = 0..lags, freed of what the regression took out; empty when the residuals do not vary. Without
+/// a regression the mean is taken out.
+std::vector<double> autocorrelations(std::span<const double> residuals, std::size_t lags,
+                                     const Eigen::MatrixXd& basis)
 {
+    const auto count = static_cast<Eigen::Index>(residuals.size());
     const double scale = powerOfTwoScale(residuals);
-    std::vector<double> e(residuals.size());
-    double mean = 0;
-    for (std::size_t i = 0; i < e.size(); ++i) {
-        e[i] = residuals[i] / scale;
-        mean += e[i] / static_cast<double>(e.size());
-    }
-    for (double& value : e)
-        value -= mean;
-    std::vector<double> c(lags + 1, 0.0);
+    Eigen::VectorXd e = Eigen::Map<const Eigen::VectorXd>(residuals.data(), count) / scale;
+    const bool regression = basis.cols() == count && count > basis.rows();
+    if (!regression)
+        e.array() -= e.mean();
+    const double power = e.squaredNorm();
+    if (!(power > 0) || !std::isfinite(power))
+        return {};
+    const bool corrected = regression && residuals.size() <= largestCorrected;
+    const double share =
+        static_cast<double>(count - (regression ? basis.rows() : 0)) / static_cast<double>(count);
+    std::vector<double> r;
     for (std::size_t lag = 0; lag <= lags; ++lag) {
-        for (std::size_t i = lag; i < e.size(); ++i)
-            c[lag] += e[i] * e[i - lag];
+        const Eigen::Index rest = count - static_cast<Eigen::Index>(lag);
+        double value = e.head(rest).dot(e.tail(rest)) / power * (corrected ? share : 1);
+        if (corrected)
+            value +=
+                basis.leftCols(rest).cwiseProduct(basis.rightCols(rest)).sum() / static_cast<double>(count);
+        r.push_back(value);
     }
-    return c;
+    return r;
 }
 
 } // namespace
 
-std::optional<double> ljungBoxP(std::span<const double> residuals, int fittedLags)
+std::optional<double> ljungBoxP(std::span<const double> residuals, int fittedLags,
+                                const Eigen::MatrixXd& basis)
 {
-    const std::size_t lags = ljungBoxLags(residuals.size());
-    const int degreesOfFreedom = static_cast<int>(lags) - fittedLags;
-    if (degreesOfFreedom < 1)
+    const std::size_t tested = ljungBoxLags(residuals.size());
+    const std::size_t lags = tested + static_cast<std::size_t>(std::max(fittedLags, 0));
+    if (tested < 1 || lags + 5 > residuals.size())
         return std::nullopt;
-    const std::vector<double> c = autocovariances(residuals, lags);
-    if (!(c[0] > 0) || !std::isfinite(c[0]))
+    const std::vector<double> r = autocorrelations(residuals, lags, basis);
+    if (r.empty())
         return std::nullopt;
     const auto count = static_cast<double>(residuals.size());
     double q = 0;
-    for (std::size_t lag = 1; lag <= lags; ++lag) {
-        const double r = c[lag] / c[0];
-        q += r * r / (count - static_cast<double>(lag));
-    }
+    for (std::size_t lag = 1; lag <= lags; ++lag)
+        q += r[lag] * r[lag] / (count - static_cast<double>(lag));
     q *= count * (count + 2);
-    const boost::math::chi_squared distribution(degreesOfFreedom);
+    const boost::math::chi_squared distribution(static_cast<double>(tested));
     return boost::math::cdf(boost::math::complement(distribution, q));
+}
+
+std::optional<double> noiseScore(std::span<const double> residuals, const Eigen::MatrixXd& basis,
+                                 const std::vector<double>& shape)
+{
+    if (shape.size() < 2 || residuals.size() < 4 * shape.size())
+        return std::nullopt;
+    const std::vector<double> r = autocorrelations(residuals, shape.size() - 1, basis);
+    if (r.empty())
+        return std::nullopt;
+    double sum = 0;
+    double power = 0;
+    for (std::size_t lag = 1; lag < shape.size(); ++lag) {
+        sum += shape[lag] * r[lag];
+        power += shape[lag] * shape[lag];
+    }
+    const double score = sum * std::sqrt(static_cast<double>(residuals.size()) / power);
+    return std::isfinite(score) ? std::optional(score) : std::nullopt;
+}
+
+Eigen::MatrixXd pastInputs(std::span<const double> input, std::ptrdiff_t first, std::ptrdiff_t count)
+{
+    Eigen::MatrixXd rows(static_cast<Eigen::Index>(inputLags.size()), count);
+    const auto last = static_cast<std::ptrdiff_t>(input.size()) - 1;
+    for (std::ptrdiff_t t = 0; t < count; ++t) {
+        for (std::size_t i = 0; i < inputLags.size(); ++i) {
+            const std::ptrdiff_t at = first + t - static_cast<std::ptrdiff_t>(inputLags[i]);
+            rows(static_cast<Eigen::Index>(i), t) =
+                input[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at, 0, last))];
+        }
+    }
+    return rows;
+}
+
+Eigen::MatrixXd futureInputs(std::span<const double> input, std::ptrdiff_t first, std::ptrdiff_t count)
+{
+    Eigen::MatrixXd rows(static_cast<Eigen::Index>(inputLeads.size()), count);
+    const auto last = static_cast<std::ptrdiff_t>(input.size()) - 1;
+    for (std::ptrdiff_t t = 0; t < count; ++t) {
+        for (std::size_t i = 0; i < inputLeads.size(); ++i) {
+            const std::ptrdiff_t at = first + t + static_cast<std::ptrdiff_t>(inputLeads[i]);
+            rows(static_cast<Eigen::Index>(i), t) =
+                input[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at, 0, last))];
+        }
+    }
+    return rows;
+}
+
+std::optional<ExplainedTest> testExplained(const Eigen::RowVectorXd& residuals, const Eigen::MatrixXd& model,
+                                           const Eigen::MatrixXd& extra)
+{
+    const Eigen::Index rank = extra.rows();
+    const auto free = static_cast<double>(residuals.size() - model.rows() - rank);
+    if (rank < 1 || free < 1)
+        return std::nullopt;
+    const double explained = (extra * residuals.transpose()).squaredNorm();
+    const double fitted = model.rows() > 0 ? (model * residuals.transpose()).squaredNorm() : 0;
+    const double rest = residuals.squaredNorm() - fitted - explained;
+    const double f = (explained / static_cast<double>(rank)) / (rest / free);
+    if (!(rest > 0) || !std::isfinite(f))
+        return std::nullopt;
+    const boost::math::fisher_f distribution(static_cast<double>(rank), free);
+    return ExplainedTest{boost::math::cdf(boost::math::complement(distribution, f)), f};
 }
 
 Eigen::RowVector<double, inputLags.size()> laggedInputs(std::span<const double> input, std::size_t t)
@@ -108,8 +182,8 @@ std::optional<double> errorInflation(const Eigen::MatrixXd& sensitivities, std::
     const std::size_t lags = std::min(inflationLags, residuals.size() / 10);
     if (lags < 1 || rows != static_cast<Eigen::Index>(residuals.size()))
         return std::nullopt;
-    const std::vector<double> c = autocovariances(residuals, lags);
-    if (!(c[0] > 0))
+    const std::vector<double> r = autocorrelations(residuals, lags, {});
+    if (r.empty())
         return std::nullopt;
     const Eigen::MatrixXd information = sensitivities.transpose() * sensitivities;
     Eigen::MatrixXd spread = information;
@@ -118,7 +192,7 @@ std::optional<double> errorInflation(const Eigen::MatrixXd& sensitivities, std::
         const double taper = 1 - static_cast<double>(lag) / static_cast<double>(lags + 1);
         const Eigen::MatrixXd product =
             sensitivities.bottomRows(rows - shift).transpose() * sensitivities.topRows(rows - shift);
-        spread += taper * c[lag] / c[0] * (product + product.transpose());
+        spread += taper * r[lag] * (product + product.transpose());
     }
     const Eigen::MatrixXd inverse = information.inverse();
     const Eigen::VectorXd ratio =

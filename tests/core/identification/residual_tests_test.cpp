@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/orthonormal_rows.h"
 #include "core/identification/residual_tests.h"
 #include "core/identification/tall_qr.h"
 #include "core/signal/gaussian.h"
@@ -29,6 +30,17 @@ std::vector<double> correlatedNoise(std::size_t count, double r, std::uint64_t s
     for (std::size_t t = 1; t < count; ++t)
         e[t] += r * e[t - 1];
     return e;
+}
+
+/// Orthonormal cosines of 0 to 5 half periods.
+Eigen::MatrixXd slowBasis(int count)
+{
+    Eigen::MatrixXd rows(6, count);
+    for (int i = 0; i < 6; ++i) {
+        for (int t = 0; t < count; ++t)
+            rows(i, t) = std::cos(i * 3.14159265358979 * (t + 0.5) / count);
+    }
+    return orthonormalize(rows, {}).basis;
 }
 
 /// True when `alarms` out of `runs` is what a rate of `rate` gives, but for once in 10,000.
@@ -74,6 +86,73 @@ private slots:
             alarms += *ljungBoxP(whiteNoise(std::size_t(count), std::uint64_t(run)), 0) < 0.05 ? 1 : 0;
         QVERIFY2(isRate(alarms, runs, 0.05), qPrintable(QString::number(alarms)));
     }
+    void residualsOfARegressionAlarmAtTheStatedRate_data()
+    {
+        QTest::addColumn<int>("count");
+        QTest::addColumn<int>("runs");
+        for (const auto& [count, runs] : {std::pair(100, 1500), std::pair(400, 1000), std::pair(10000, 150)})
+            QTest::addRow("%d residuals", count) << count << runs;
+    }
+    void residualsOfARegressionAlarmAtTheStatedRate()
+    {
+        // Six slow regressors, as output error has, take the low frequencies out of the noise.
+        QFETCH(int, count);
+        QFETCH(int, runs);
+        const Eigen::MatrixXd basis = slowBasis(count);
+        int alarms = 0;
+        for (int run = 0; run < runs; ++run) {
+            const std::vector<double> e = whiteNoise(std::size_t(count), std::uint64_t(run) + 7000);
+            const Eigen::Map<const Eigen::RowVectorXd> row(e.data(), count);
+            const Eigen::RowVectorXd left = row - (row * basis.transpose()) * basis;
+            alarms += *ljungBoxP({left.data(), e.size()}, 0, basis) < 0.05 ? 1 : 0;
+        }
+        QVERIFY2(isRate(alarms, runs, 0.05), qPrintable(QString::number(alarms)));
+    }
+    void aShareOfSlowNoiseRaisesTheScore()
+    {
+        const Eigen::MatrixXd basis = slowBasis(1000);
+        const std::vector<double> shape{1, 0.9, 0.81, 0.729, 0.656, 0.59};
+        double ofWhite = 0;
+        double ofSlow = 0;
+        for (std::uint64_t seed = 0; seed < 40; ++seed) {
+            ofWhite += *noiseScore(whiteNoise(1000, seed), basis, shape) / 40;
+            std::vector<double> e = correlatedNoise(1000, 0.9, seed);
+            const std::vector<double> white = whiteNoise(1000, seed + 500);
+            for (std::size_t t = 0; t < e.size(); ++t)
+                e[t] = 0.2 * e[t] + white[t];
+            ofSlow += *noiseScore(e, basis, shape) / 40;
+        }
+        // The mean of 40 standard normal scores scatters by 0.16; the correction is right to first order.
+        QVERIFY(std::abs(ofWhite) < 0.8);
+        QVERIFY(ofSlow > 3);
+    }
+    void regressorsThatExplainNothingAlarmAtTheStatedRate()
+    {
+        const Eigen::MatrixXd basis = slowBasis(200);
+        constexpr int runs = 1000;
+        int alarms = 0;
+        for (int run = 0; run < runs; ++run) {
+            const std::vector<double> u = whiteNoise(200, 2 * std::uint64_t(run));
+            const std::vector<double> e = whiteNoise(200, 2 * std::uint64_t(run) + 1);
+            const OrthonormalRows extra = orthonormalize(futureInputs(u, 0, 200), basis);
+            const auto test =
+                testExplained(Eigen::Map<const Eigen::RowVectorXd>(e.data(), 200), basis, extra.basis);
+            alarms += test->p < 0.05 ? 1 : 0;
+        }
+        QVERIFY2(isRate(alarms, runs, 0.05), qPrintable(QString::number(alarms)));
+    }
+    void pastAndFutureInputStopAtTheRecordsEnds()
+    {
+        const std::vector<double> u{5, 6, 7, 8};
+        const Eigen::MatrixXd past = pastInputs(u, 0, 4);
+        QCOMPARE(past(1, 0), 5.0);
+        QCOMPARE(past(1, 3), 7.0);
+        QCOMPARE(past(7, 3), 5.0);
+        const Eigen::MatrixXd future = futureInputs(u, 0, 4);
+        QCOMPARE(future(0, 0), 6.0);
+        QCOMPARE(future(0, 3), 8.0);
+        QCOMPARE(future(3, 0), 8.0);
+    }
     void correlatedNoiseIsFound()
     {
         for (std::uint64_t seed = 0; seed < 20; ++seed)
@@ -94,7 +173,7 @@ private slots:
         QVERIFY(!ljungBoxP(std::vector<double>{}, 0));
         QVERIFY(!ljungBoxP(std::vector<double>{1, 2, 1, 2}, 0));
         QVERIFY(!ljungBoxP(std::vector<double>(100, 0.0), 0));
-        QVERIFY(!ljungBoxP(whiteNoise(14, 1), 2)); // no degree of freedom left
+        QVERIFY(!ljungBoxP(whiteNoise(8, 1), 3)); // more lags than residuals can answer
     }
     void independentResidualsAlarmAtTheStatedRate()
     {

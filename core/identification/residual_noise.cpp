@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/residual_noise.h"
+
+#include "core/identification/noise_model.h"
+#include "core/identification/residual_tests.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace gripscope {
+
+namespace {
+
+constexpr double certainColourP = 0.001;
+/// Twice the gain in log-likelihood: 7.88 is the 99.5 % point of chi-square(1), whose half is the law here.
+constexpr double certainForceNoise = 7.88;
+/// Below these nobody needs to look further: one record in ten with white noise passes on to the likelihoods.
+constexpr double suspiciousP = 0.05;
+constexpr double suspiciousScore = 1.6;
+constexpr std::size_t scoreLags = 20;
+
+/// Autocorrelation of what white noise of the force does to the position.
+std::vector<double> responseShape(const ForceResponse& g, std::size_t count)
+{
+    std::vector<double> h(count);
+    for (std::size_t t = 0; t < count; ++t)
+        h[t] = (t < 3 ? g.b[t] : 0.0) - (t > 0 ? g.a[1] * h[t - 1] : 0.0) - (t > 1 ? g.a[2] * h[t - 2] : 0.0);
+    std::vector<double> shape;
+    for (std::size_t lag = 0; lag <= std::min(scoreLags, count / 5); ++lag) {
+        double sum = 0;
+        for (std::size_t t = lag; t < count; ++t)
+            sum += h[t] * h[t - lag];
+        shape.push_back(sum);
+    }
+    for (std::size_t lag = shape.size(); lag-- > 0;)
+        shape[lag] = shape[0] > 0 ? shape[lag] / shape[0] : 0;
+    return shape;
+}
+
+bool isSuspicious(std::span<const double> residuals, const Eigen::MatrixXd& basis,
+                  const ForceResponse& response, std::optional<double> whitenessP)
+{
+    if (whitenessP && *whitenessP < suspiciousP)
+        return true;
+    constexpr std::size_t memory = 2000;
+    const std::vector<double> shape = responseShape(response, std::min(residuals.size(), memory));
+    return noiseScore(residuals, basis, shape).value_or(0) > suspiciousScore;
+}
+
+/// Symmetric, finite, with variances above zero.
+std::optional<Eigen::Matrix3d> usable(const Eigen::Matrix3d& covariance)
+{
+    if (!covariance.allFinite() || !(covariance.diagonal().minCoeff() > 0))
+        return std::nullopt;
+    return 0.5 * (covariance + covariance.transpose());
+}
+
+} // namespace
+
+std::optional<ResidualNoise> findResidualNoise(std::span<const double> residuals,
+                                               const Eigen::MatrixXd& basis, const Eigen::MatrixXd& gains,
+                                               const ForceResponse& response,
+                                               std::optional<double> whitenessP)
+{
+    if (!whitenessP || !isSuspicious(residuals, basis, response, whitenessP))
+        return std::nullopt;
+    const double logCount = std::log(static_cast<double>(residuals.size()));
+    ResidualNoise found;
+    Eigen::Vector3d expansion = Eigen::Vector3d::Ones();
+    double best = 0;
+    const bool coloured = *whitenessP < certainColourP;
+    if (coloured) {
+        const AutoregressiveNoise noise = fitAutoregressiveNoise(residuals, basis);
+        const auto order = static_cast<double>(noise.coefficients.size());
+        const double gain = 2 * restrictedGain(residuals, basis, noise) - order * logCount;
+        if (order > 0 && gain > best) {
+            best = gain;
+            found.noise = noise;
+            found.fittedNumbers = static_cast<int>(noise.coefficients.size());
+        }
+    }
+    const std::optional<ForceNoiseFit> force = fitForceNoise(residuals, basis, gains, response);
+    if (force && 2 * force->gain - logCount > best && (coloured || 2 * force->gain > certainForceNoise)) {
+        best = 2 * force->gain - logCount;
+        found.noise = force->noise;
+        found.fittedNumbers = 1;
+        expansion = force->expansion;
+    }
+    if (best <= 0)
+        return std::nullopt;
+    const Eigen::MatrixXd scaled = expansion.asDiagonal() * gains;
+    const std::optional<Eigen::Matrix3d> covariance =
+        usable(scaled * spreadUnderNoise(basis, found.noise) * scaled.transpose());
+    if (!covariance)
+        return std::nullopt;
+    found.covariance = *covariance;
+    return found;
+}
+
+} // namespace gripscope
