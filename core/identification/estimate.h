@@ -62,7 +62,8 @@ struct ResidualSummary {
     /// How many times larger the worst standard error became because the noise model was counted; output
     /// error only, as all that follows.
     std::optional<double> errorInflation;
-    std::optional<double> innovationWhitenessP; ///< Ljung-Box on what the noise model leaves
+    /// Ljung-Box on what the noise model leaves, and what counting that would do to the errors once more.
+    std::optional<double> innovationWhitenessP, innovationInflation;
     /// The size of what the input explains of the residuals, and future input, in standard errors of a
     /// typical parameter: the root of F.
     std::optional<double> inputMisfit, feedbackP, feedbackMisfit;

@@ -22,24 +22,6 @@ Estimate notApplicable(Estimator estimator, const char* message)
     return estimate;
 }
 
-/// N/2 ln(SSE / SSE of the other hold), N counted as far as the residuals are independent.
-std::optional<double> otherHoldGain(const Identification& data, const PreparedRecord& record,
-                                    const EstimatorTask& task)
-{
-    const Estimate* const estimate = data.find(Estimator::OutputError);
-    if (estimate == nullptr || estimate->status != EstimateStatus::Converged ||
-        !estimate->residuals.whitenessP)
-        return std::nullopt;
-    const std::optional<double> other = sseUnderOtherHold(
-        record.force, record.position, outputErrorOptions(record, task), *estimate->parameters);
-    if (!other || !(*other > 0))
-        return std::nullopt;
-    const double inflation = std::max(estimate->residuals.errorInflation.value_or(1), 1.0);
-    const double independent = estimate->residuals.degreesOfFreedom / (inflation * inflation);
-    const double gain = independent / 2 * std::log(estimate->residuals.sse / *other);
-    return std::isfinite(gain) ? std::optional(gain) : std::nullopt;
-}
-
 /// What keeps every estimator from starting, or nothing.
 const char* unusable(const PreparedRecord& record)
 {
@@ -113,8 +95,11 @@ Identification identify(const Recording& recording, const IdentificationOptions&
         result.estimates.push_back(obstacle != nullptr ? notApplicable(estimator, obstacle)
                                                        : runEstimator(estimator, record, task));
     result.recommended = recommend(result.estimates);
-    if (result.recommended == Estimator::OutputError && obstacle == nullptr)
-        result.otherHoldGain = otherHoldGain(result, record, task);
+    const Estimate* const outputError = result.find(Estimator::OutputError);
+    if (outputError != nullptr && obstacle == nullptr)
+        result.holdEvidence =
+            weighHolds(record.force, record.position, outputErrorOptions(record, task), *outputError,
+                       recording.chain.forceLagUncertainty_s);
     if (options.assess && obstacle == nullptr) {
         result.comparison = comparisonOf(result, record, task);
         if (cubicIsBetter(result))

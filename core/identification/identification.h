@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/identification/estimate.h"
+#include "core/identification/hold_evidence.h"
 #include "core/identification/model_comparison.h"
 #include "core/identification/uncertainty_budget.h"
 #include "core/identification/validity.h"
@@ -30,9 +31,8 @@ struct Identification {
     std::vector<Estimate> estimates; ///< in the order asked for
     Estimator recommended = Estimator::OutputError;
     Validity validity;
-    /// By how much the other force hold would raise the log-likelihood of output error, correlation between
-    /// residuals allowed for; absent when it was not tried. Above 10 the two are told apart.
-    std::optional<double> otherHoldGain;
+    /// What output error says about the force hold.
+    HoldEvidence holdEvidence;
     UncertaintyBudget budget;                 ///< of the recommended estimate: the intervals to be shown
     ModelComparison comparison;               ///< of output error with other models
     std::vector<PreparationStep> preparation; ///< what was done to the recording before, and noticed

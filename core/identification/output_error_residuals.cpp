@@ -107,14 +107,17 @@ Eigen::MatrixXd springRows(const Eigen::Vector3d& theta, const Linearized& data)
     Eigen::RowVectorXd x = data.position - data.residual;
     x.array() -= x.mean();
     const double largest = x.cwiseAbs().maxCoeff();
+    if (largest > 0)
+        x /= largest;
     Eigen::MatrixXd rows(2, x.size());
     std::vector<double> force(static_cast<std::size_t>(x.size()));
-    for (int power = 2; power <= 3; ++power) {
-        for (std::size_t t = 0; t < force.size(); ++t)
-            force[t] = std::pow(largest > 0 ? x(static_cast<Eigen::Index>(t)) / largest : 0, power);
+    Eigen::RowVectorXd power = x;
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+        power.array() *= x.array();
+        std::copy(power.begin(), power.end(), force.begin());
         const std::vector<double> answer =
             simulate(scaledParameters(theta), force, {1, ForceHold::First, 0, 0, 0, 0});
-        rows.row(power - 2) = Eigen::Map<const Eigen::RowVectorXd>(answer.data(), x.size());
+        rows.row(i) = Eigen::Map<const Eigen::RowVectorXd>(answer.data(), x.size());
     }
     return rows;
 }
@@ -142,10 +145,12 @@ public:
     void run(int fittedNumbers, ResidualSummary& summary) const
     {
         summary.innovationWhitenessP = summary.whitenessP;
-        if (fittedNumbers > 0) {
+        if (fittedNumbers > 0 && m_model.basis.rows() >= 3) {
             const Eigen::RowVectorXd left =
                 m_residual - (m_residual * m_model.basis.transpose()) * m_model.basis;
             summary.innovationWhitenessP = ljungBoxP(asSpan(left), fittedNumbers, m_model.basis);
+            const Eigen::MatrixXd own = m_model.basis.bottomRows(3).transpose();
+            summary.innovationInflation = errorInflation(own, asSpan(left));
         }
         testInput(summary);
         testSpring(summary);

@@ -13,7 +13,7 @@ enum class ValidityVerdict { Valid, Suspect, Invalid };
 [[nodiscard]] QString toString(ValidityVerdict verdict);
 
 /// One check: `id` is one of the contract's (samples_lost, saturation, excitation, residual_whiteness,
-/// input_independence, hold, convergence, physical_range, fit, calibration).
+/// input_independence, hold, convergence, physical_range, fit, calibration), `linearity` or `feedback`.
 struct ValidityCheck {
     QString id;
     bool ok = true;

@@ -17,15 +17,18 @@ constexpr double largestShareLost = 0.25;
 constexpr double largestSaturatedShare = 0.01;
 /// The relative standard error above which m or k counts as not excited.
 constexpr double largestRelativeError = 0.5;
-/// The two residual tests share a false-alarm rate of 1 %.
-constexpr double smallestResidualP = 0.005;
+/// The four tests with a p-value share a false-alarm rate of 1 % (Sidak 1967): 1 - (1 - 0.01)^(1/4). That the
+/// effect must count too, and that the hold is accused in 0.5 % at the most, keeps all of them below 2 %.
+constexpr double smallestP = 0.00251;
 /// Residuals below this percentage of the position's spread change m, b and k by a few percent at the most,
 /// whatever they are: position steps (quantisation) are never white where sensor noise is small.
 constexpr double negligibleRemainder = 1;
-/// Correlation between residuals matters when it makes a standard error this much larger.
+/// Correlation that no noise model counts matters when it makes a standard error this much larger.
 constexpr double largestInflation = 1.5;
-/// Log-likelihood by which the other hold must be better to be told apart.
-constexpr double clearHoldGain = 10;
+/// An effect counts from the half width of a 95 % interval, in standard errors ...
+constexpr double halfWidth = 1.96;
+/// ... and from this share of m, b or k: long records tell smaller ones that nobody would miss.
+constexpr double negligibleShift = 0.005;
 /// Below this simulation fit the model explains less than three quarters of the variance.
 constexpr double smallestFitPercent = 50;
 
@@ -117,8 +120,8 @@ ValidityCheck residualTest(const QString& id, std::optional<double> p, bool matt
     ValidityCheck check;
     check.id = id;
     check.value = p;
-    check.limit = smallestResidualP;
-    const bool found = p && *p < smallestResidualP;
+    check.limit = smallestP;
+    const bool found = p && *p < smallestP;
     check.ok = !found || !matters;
     if (!p)
         check.message = u"not judged: there is nothing to test"_s;
@@ -132,24 +135,68 @@ bool remainderMatters(const Estimate& estimate)
     return 100 - estimate.fit.predictionPercent.value_or(0) >= negligibleRemainder;
 }
 
+QString noiseWords(const AutoregressiveNoise& noise, double inflation)
+{
+    const QString errors =
+        u"; counted in the errors, which are up to %1 times as large"_s.arg(inflation, 0, 'g', 2);
+    if (noise.forceDeviation)
+        return u"the force is measured with noise of %1 (standard deviation)"_s.arg(*noise.forceDeviation, 0,
+                                                                                    'g', 2) +
+               errors;
+    return u"the residuals are not white: a noise model of order %1 describes them"_s.arg(
+               noise.coefficients.size()) +
+           errors;
+}
+
 ValidityCheck residualWhiteness(const Estimate& estimate)
 {
-    const double inflation = estimate.residuals.errorInflation.value_or(largestInflation);
-    const bool matters = remainderMatters(estimate) && inflation >= largestInflation;
+    const ResidualSummary& residuals = estimate.residuals;
+    // What a noise model counts is in the errors already; what it leaves is not.
+    const bool modelled = estimate.noise.has_value();
+    const std::optional<double> p = modelled ? residuals.innovationWhitenessP : residuals.whitenessP;
+    const double inflation =
+        (modelled ? residuals.innovationInflation : residuals.errorInflation).value_or(largestInflation);
     return residualTest(
-        u"residual_whiteness"_s, estimate.residuals.whitenessP, matters,
-        u"the residuals look like white noise"_s,
-        u"the residuals are not white: something besides sensor noise is in the position, and the "
-        "errors shown are too small"_s);
+        u"residual_whiteness"_s, p, remainderMatters(estimate) && inflation >= largestInflation,
+        modelled ? noiseWords(*estimate.noise, residuals.errorInflation.value_or(1))
+                 : u"the residuals look like white noise"_s,
+        u"the residuals are not white%1: something besides sensor noise is in the position, and the errors "
+        "shown are too small. Check for a loose grip, vibration and drift"_s.arg(
+            modelled ? u", and no noise model describes them"_s : QString()));
 }
 
 ValidityCheck inputIndependence(const Estimate& estimate)
 {
+    const bool matters = estimate.residuals.inputMisfit.value_or(halfWidth) >= halfWidth;
     return residualTest(
-        u"input_independence"_s, estimate.residuals.inputIndependenceP, remainderMatters(estimate),
+        u"input_independence"_s, estimate.residuals.inputIndependenceP, remainderMatters(estimate) && matters,
         u"the residuals do not depend on the force"_s,
         u"the residuals depend on the force: the object is not just a mass, a spring and a damper at "
-        "this force, or the hold or the lag is wrong"_s);
+        "this force, or the hold or the lag is wrong. Check these, and compare with duffing"_s);
+}
+
+ValidityCheck linearity(const Estimate& estimate)
+{
+    const ResidualSummary& residuals = estimate.residuals;
+    const double shift = residuals.linearityShift.value_or(0);
+    const bool matters =
+        residuals.linearityShiftInErrors.value_or(0) >= halfWidth && shift >= negligibleShift;
+    return residualTest(u"linearity"_s, residuals.linearityP, matters,
+                        u"the spring is straight at this force"_s,
+                        u"the spring is not straight: with a curved one m, b or k moves by up to %1 %, %2 "
+                        u"standard errors. Use "
+                        "duffing, or squeeze with a smaller peak"_s.arg(100 * shift, 0, 'g', 2)
+                            .arg(residuals.linearityShiftInErrors.value_or(0), 0, 'g', 2));
+}
+
+ValidityCheck feedback(const Estimate& estimate)
+{
+    const bool matters = estimate.residuals.feedbackMisfit.value_or(0) >= halfWidth;
+    return residualTest(u"feedback"_s, estimate.residuals.feedbackP, remainderMatters(estimate) && matters,
+                        u"the force does not answer to the position"_s,
+                        u"the force answers to disturbances of the position, as under feedback: m, b and k "
+                        u"are biased. Squeeze "
+                        "with a repeated excitation and use periodic, or control the force less stiffly"_s);
 }
 
 ValidityCheck hold(const Identification& data, const Recording& recording,
@@ -157,21 +204,26 @@ ValidityCheck hold(const Identification& data, const Recording& recording,
 {
     ValidityCheck check;
     check.id = u"hold"_s;
-    check.value = data.otherHoldGain;
-    check.limit = clearHoldGain;
-    check.ok = !check.value || *check.value <= clearHoldGain;
+    check.value = data.holdEvidence.gain;
+    check.limit = data.holdEvidence.limit();
+    const HoldVerdict verdict = data.holdEvidence.verdict();
+    check.ok = verdict != HoldVerdict::Contradicts;
     const QString name = toString(data.hold);
     const QString other = toString(data.hold == ForceHold::Zero ? ForceHold::First : ForceHold::Zero);
     if (!check.ok)
         check.message =
             u"the position fits the force hold %1 clearly better than %2, which was used: m and b are off. "
             "Name the right hold, or check the lag between the channels."_s.arg(other, name);
+    else if (verdict == HoldVerdict::Agrees)
+        check.message = u"the position agrees with the force hold %1 and not with %2"_s.arg(name, other);
     else if (options.hold)
         check.message = u"the force hold %1 was asked for"_s.arg(name);
     else if (recording.hold)
         check.message = u"the force hold %1 is the recording's own"_s.arg(name);
     else
         check.message = u"the recording names no force hold; %1 was assumed"_s.arg(name);
+    if (verdict == HoldVerdict::Ambiguous)
+        check.message += u"; this record cannot tell it from %1"_s.arg(other);
     return check;
 }
 
@@ -254,7 +306,9 @@ std::vector<ValidityCheck> checkValidity(const Identification& identification, c
             convergence(estimate),
             physicalRange(estimate, identification.sampleTime_s),
             fitCheck(estimate),
-            calibration()};
+            calibration(),
+            linearity(estimate),
+            feedback(estimate)};
 }
 
 } // namespace gripscope

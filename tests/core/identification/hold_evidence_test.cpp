@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/hold_evidence.h"
+#include "tests/core/identification/synthetic.h"
+#include "tests/support/test_registry.h"
+
+#include <QTest>
+#include <boost/math/distributions/binomial.hpp>
+
+#include <limits>
+
+using namespace gripscope;
+using test::Synthetic;
+
+namespace {
+
+ForceHold otherThan(ForceHold hold)
+{
+    return hold == ForceHold::Zero ? ForceHold::First : ForceHold::Zero;
+}
+
+HoldEvidence weigh(const Recording& recording, ForceHold declared, double lagUncertainty_s = 0)
+{
+    OutputErrorOptions options;
+    options.sampleTime_s = recording.sampleTime_s;
+    options.hold = declared;
+    options.lag_s = recording.forceLag_s;
+    const Estimate oe = estimateOutputError(recording.force, recording.position, options);
+    return weighHolds(recording.force, recording.position, options, oe, lagUncertainty_s);
+}
+
+/// wn T = 0.1 at 0.05 s: the holds differ in about the noise of a 92 to 96 % fit (science of 400 samples).
+Synthetic object(double fitPercent, ForceHold hold, std::uint64_t seed)
+{
+    Synthetic synthetic;
+    synthetic.truth = {0.04, 2 * 0.5 * 2 * 0.04, 4 * 0.04};
+    synthetic.hold = hold;
+    synthetic.fitPercent = fitPercent;
+    synthetic.seed = seed;
+    return synthetic;
+}
+
+constexpr int runs = 120;
+
+} // namespace
+
+class HoldEvidenceTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aWrongHoldIsFoundWhereItCanBeToldARightOneIsLeftAlone_data()
+    {
+        QTest::addColumn<double>("fit");
+        QTest::addColumn<bool>("held");
+        for (const double fit : {88.0, 94.0, 97.0}) {
+            QTest::addRow("%g %%, held", fit) << fit << true;
+            QTest::addRow("%g %%, straight", fit) << fit << false;
+        }
+    }
+    void aWrongHoldIsFoundWhereItCanBeToldARightOneIsLeftAlone()
+    {
+        QFETCH(double, fit);
+        QFETCH(bool, held);
+        const ForceHold truth = held ? ForceHold::Zero : ForceHold::First;
+        int tellable = 0;
+        int found = 0;
+        int accused = 0;
+        for (int run = 0; run < runs; ++run) {
+            const Recording recording = object(fit, truth, std::uint64_t(run) + 1).make();
+            const HoldEvidence right = weigh(recording, truth);
+            const HoldEvidence wrong = weigh(recording, otherThan(truth));
+            QVERIFY(right.gain && wrong.gain);
+            accused += right.verdict() == HoldVerdict::Contradicts ? 1 : 0;
+            if (wrong.expectedGain > 10) {
+                ++tellable;
+                found += wrong.verdict() == HoldVerdict::Contradicts ? 1 : 0;
+            }
+        }
+        // Asked for: at most 2 % false alarms, at least 95 % found; the binomial law's 99.9 % points.
+        const boost::math::binomial alarms(runs, 0.02);
+        QVERIFY2(accused <= boost::math::quantile(boost::math::complement(alarms, 1e-3)),
+                 qPrintable(QString::number(accused)));
+        if (fit > 95)
+            QVERIFY2(tellable > runs * 0.9, qPrintable(QString::number(tellable)));
+        if (tellable > 0) {
+            const boost::math::binomial power(tellable, 0.95);
+            QVERIFY2(found >= boost::math::quantile(power, 1e-3),
+                     qPrintable(QStringLiteral("%1 of %2").arg(found).arg(tellable)));
+        }
+    }
+    void theGainIsAsExpected()
+    {
+        // Mean -E for the right hold, scatter sqrt(2 E): with E about 20, the mean of 120 gains is known to
+        // 0.6.
+        double gain = 0;
+        double expected = 0;
+        for (int run = 0; run < runs; ++run) {
+            const HoldEvidence e =
+                weigh(object(94, ForceHold::Zero, std::uint64_t(run) + 1).make(), ForceHold::Zero);
+            gain += *e.gain / runs;
+            expected += e.expectedGain / runs;
+        }
+        QVERIFY2(std::abs(gain + expected) < 4 * std::sqrt(2 * expected / runs),
+                 qPrintable(QStringLiteral("%1 for -%2").arg(gain).arg(expected)));
+    }
+    void aLagKnownToHalfASampleTellsNothing()
+    {
+        const Recording recording = object(97, ForceHold::Zero, 1).make();
+        const HoldEvidence known = weigh(recording, ForceHold::Zero);
+        const HoldEvidence vague = weigh(recording, ForceHold::Zero, 0.025);
+        QVERIFY(known.verdict() == HoldVerdict::Agrees);
+        QVERIFY2(vague.expectedGain < 0.1 * known.expectedGain,
+                 qPrintable(QString::number(vague.expectedGain)));
+        QVERIFY(weigh(recording, ForceHold::First, 0.025).verdict() == HoldVerdict::Ambiguous);
+        QVERIFY(vague.otherParameters);
+    }
+    void squeezesAddUpUntilItIsSettled()
+    {
+        std::vector<HoldEvidence> right;
+        std::vector<HoldEvidence> wrong;
+        for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+            const Recording recording = object(85, ForceHold::Zero, seed).make();
+            right.push_back(weigh(recording, ForceHold::Zero));
+            wrong.push_back(weigh(recording, ForceHold::First));
+        }
+        QVERIFY(wrong.front().verdict() == HoldVerdict::Ambiguous);
+        const HoldEvidence all = combine(wrong);
+        QCOMPARE(all.squeezes, 40);
+        QVERIFY(all.verdict() == HoldVerdict::Contradicts);
+        QVERIFY(all.otherProbability() > 0.99);
+        QVERIFY(combine(right).verdict() == HoldVerdict::Agrees);
+        QVERIFY(combine({}).verdict() == HoldVerdict::NotJudged);
+        QCOMPARE(combine({}).otherProbability(), 0.5);
+    }
+    void scaleDoesNotMatter()
+    {
+        const Recording recording = object(94, ForceHold::Zero, 3).make();
+        const HoldEvidence plain = weigh(recording, ForceHold::First);
+        for (const double scale : {1e-6, 1e6}) {
+            Recording scaled = recording;
+            for (double& u : scaled.force)
+                u *= scale;
+            for (double& y : scaled.position)
+                y /= scale;
+            QVERIFY(std::abs(*weigh(scaled, ForceHold::First).gain / *plain.gain - 1) < 1e-4);
+        }
+    }
+    void nothingIsJudgedWithoutAnEstimate()
+    {
+        OutputErrorOptions options;
+        options.sampleTime_s = 0.05;
+        QVERIFY(weighHolds({}, {}, options, Estimate(), 0).verdict() == HoldVerdict::NotJudged);
+        const std::vector<double> constant(50, 1.0);
+        QVERIFY(!weighHolds(constant, constant, options, estimateOutputError(constant, constant, options), 0)
+                     .gain);
+    }
+    void noNoiseGivesFiniteNumbers()
+    {
+        const HoldEvidence e = weigh(object(100, ForceHold::Zero, 1).make(), ForceHold::Zero);
+        QVERIFY(e.gain && std::isfinite(*e.gain) && std::isfinite(e.expectedGain));
+        QVERIFY(e.verdict() == HoldVerdict::Agrees);
+    }
+};
+
+GRIPSCOPE_TEST(HoldEvidenceTest)
+#include "hold_evidence_test.moc"
