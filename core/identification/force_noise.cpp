@@ -225,7 +225,7 @@ ForceResponse forceResponse(const MassDampingStiffness& parameters, double sampl
     // x = C adj(z - phi) (gamma0 + gamma1 z) / det(z - phi) f
     const auto lowOrder = [&](const Eigen::Vector2d& g) { return phi(0, 1) * g(1) - phi(1, 1) * g(0); };
     ForceResponse response;
-    response.a = {1, -phi.trace(), phi.determinant()};
+    response.a = {1, -phi.trace(), phi(0, 0) * phi(1, 1) - phi(0, 1) * phi(1, 0)};
     response.b = {step.gamma1(0), step.gamma0(0) + lowOrder(step.gamma1), lowOrder(step.gamma0)};
     return response;
 }

@@ -9,6 +9,7 @@
 #include "core/identification/validity_checks.h"
 
 #include <cmath>
+#include <utility>
 
 namespace gripscope {
 

@@ -130,18 +130,6 @@ Eigen::MatrixXd forward(const Eigen::MatrixXd& z, Eigen::Index count, const std:
     return y.rightCols(count);
 }
 
-/// The model's own autocovariances: those it was fitted to as far as its order goes, its recursion beyond.
-std::vector<double> continued(const Candidate& model, const std::vector<double>& fitted)
-{
-    std::vector<double> c = fitted;
-    for (std::size_t lag = model.coefficients.size() + 1; lag < c.size(); ++lag) {
-        c[lag] = 0;
-        for (std::size_t i = 0; i < model.coefficients.size(); ++i)
-            c[lag] += model.coefficients[i] * c[lag - 1 - i];
-    }
-    return c;
-}
-
 /// What the residuals' autocovariances are expected to lose to the parameters when `model` is true:
 /// (E sum r[t] r[t - k] - (N - k) gamma[k]) / N with E r r' = (I - QQ') C (I - QQ').
 std::vector<double> lostToParameters(const Candidate& model, const Eigen::MatrixXd& basis, std::size_t lags)
