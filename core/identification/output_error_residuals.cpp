@@ -122,6 +122,30 @@ Eigen::MatrixXd springRows(const Eigen::Vector3d& theta, const Linearized& data)
     return rows;
 }
 
+/// A start or an offset that was taken for none though the position has it: the residuals then hold its free
+/// response, which is no noise.
+bool lacksNuisance(const OutputErrorProblem& problem, const Eigen::Vector3d& theta, const Linearized& data,
+                   const Eigen::MatrixXd& model)
+{
+    constexpr double certain = 0.001;
+    const Eigen::Index missing = (problem.freeInitialState ? 0 : 2) + (problem.freeOffset ? 0 : 1);
+    if (missing == 0)
+        return false;
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Ones(missing, data.residual.size());
+    if (!problem.freeInitialState) {
+        const std::vector<double> rest(static_cast<std::size_t>(rows.cols()), 0.0);
+        for (Eigen::Index i = 0; i < 2; ++i) {
+            const double x0 = i == 0 ? 1 : 0;
+            const std::vector<double> answer =
+                simulate(scaledParameters(theta), rest, {1, problem.hold, 0, x0, 1 - x0, 0});
+            rows.row(i) = Eigen::Map<const Eigen::RowVectorXd>(answer.data(), rows.cols());
+        }
+    }
+    data.blank(rows);
+    const auto test = testExplained(data.residual, model, orthonormalize(rows, model).basis);
+    return test && test->p < certain;
+}
+
 /// The change of ln M, ln B, ln K when the extra regressors are fitted too.
 Eigen::Vector3d shiftBy(const OrthonormalRows& extra, const Eigen::RowVectorXd& residual,
                         const Eigen::MatrixXd& gains)
@@ -234,10 +258,14 @@ OutputErrorResiduals testOutputError(const OutputErrorProblem& problem, const Ei
     out.summary.whitenessP = ljungBoxP(residual, 0, model.basis);
     const double variance = data.residual.squaredNorm() / free;
     const Eigen::Matrix3d white = variance * (*gains * gains->transpose());
-    const std::optional<ResidualNoise> found =
-        findResidualNoise(residual, model.basis, *gains,
-                          forceResponse(scaledParameters(theta), 1, problem.hold), out.summary.whitenessP);
-    out.summary.errorInflation = 1;
+    const bool incomplete = lacksNuisance(problem, theta, data, model.basis);
+    std::optional<ResidualNoise> found;
+    if (!incomplete) {
+        found = findResidualNoise(residual, model.basis, *gains,
+                                  forceResponse(scaledParameters(theta), 1, problem.hold),
+                                  out.summary.whitenessP);
+        out.summary.errorInflation = 1;
+    }
     if (found) {
         out.noise = inChannelUnits(problem, found->noise);
         out.logCovariance = found->covariance;

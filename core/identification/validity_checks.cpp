@@ -25,6 +25,8 @@ constexpr double smallestP = 0.00251;
 constexpr double negligibleRemainder = 1;
 /// Correlation that no noise model counts matters when it makes a standard error this much larger.
 constexpr double largestInflation = 1.5;
+/// Where a noise model was found, what it leaves must be small beside it: more than this is another model.
+constexpr double largestInnovationInflation = 1.1;
 /// An effect counts from the half width of a 95 % interval, in standard errors ...
 constexpr double halfWidth = 1.96;
 /// ... and from this share of m, b or k: long records tell smaller ones that nobody would miss.
@@ -154,10 +156,11 @@ ValidityCheck residualWhiteness(const Estimate& estimate)
     // What a noise model counts is in the errors already; what it leaves is not.
     const bool modelled = estimate.noise.has_value();
     const std::optional<double> p = modelled ? residuals.innovationWhitenessP : residuals.whitenessP;
-    const double inflation =
-        (modelled ? residuals.innovationInflation : residuals.errorInflation).value_or(largestInflation);
+    const bool matters =
+        modelled ? residuals.innovationInflation.value_or(largestInflation) >= largestInnovationInflation
+                 : residuals.errorInflation.value_or(largestInflation) >= largestInflation;
     return residualTest(
-        u"residual_whiteness"_s, p, remainderMatters(estimate) && inflation >= largestInflation,
+        u"residual_whiteness"_s, p, remainderMatters(estimate) && matters,
         modelled ? noiseWords(*estimate.noise, residuals.errorInflation.value_or(1))
                  : u"the residuals look like white noise"_s,
         u"the residuals are not white%1: something besides sensor noise is in the position, and the errors "
@@ -191,7 +194,9 @@ ValidityCheck linearity(const Estimate& estimate)
 
 ValidityCheck feedback(const Estimate& estimate)
 {
-    const bool matters = estimate.residuals.feedbackMisfit.value_or(0) >= halfWidth;
+    // What the model misses of the past force shows in the future force too, where that is smooth.
+    const double misfit = estimate.residuals.feedbackMisfit.value_or(0);
+    const bool matters = misfit >= halfWidth && misfit >= estimate.residuals.inputMisfit.value_or(0);
     return residualTest(u"feedback"_s, estimate.residuals.feedbackP, remainderMatters(estimate) && matters,
                         u"the force does not answer to the position"_s,
                         u"the force answers to disturbances of the position, as under feedback: m, b and k "

@@ -230,7 +230,7 @@ private slots:
         QFETCH(double, fit);
         QFETCH(int, samples);
         QFETCH(double, forceNoise);
-        constexpr int runs = 150;
+        constexpr int runs = 100;
         int accused = 0;
         for (int run = 0; run < runs; ++run) {
             Synthetic synthetic;
@@ -260,7 +260,7 @@ private slots:
             std::vector<double> disturbance(recording.size(), 0.0);
             for (std::size_t t = 1; t < recording.size(); ++t) {
                 disturbance[t] = 0.9 * disturbance[t - 1] + 2e-5 * noise();
-                recording.force[t] -= 3000 * disturbance[t - 1];
+                recording.force[t] -= 40000 * disturbance[t - 1];
             }
             recording.position =
                 simulate(synthetic.truth, recording.force, {0.0005, synthetic.hold, 0, 0, 0, 0});
