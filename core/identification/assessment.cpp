@@ -45,9 +45,12 @@ ModelDiscrepancy windowDiscrepancy(const PreparedRecord& record, const Estimator
     });
 }
 
-UncertaintyBudget budgetOf(const Estimate& estimate, const PreparedRecord& record, const EstimatorTask& task)
+UncertaintyBudget budgetOf(const Estimate& estimate, const PreparedRecord& record, const EstimatorTask& task,
+                           const HoldEvidence& holds)
 {
     BudgetOptions options;
+    if (holds.verdict() == HoldVerdict::Ambiguous && holds.otherParameters)
+        options.hold = HoldAmbiguity{*holds.otherParameters, holds.otherProbability()};
     options.discrepancy = windowDiscrepancy(record, task, estimate);
     return uncertaintyBudget(estimate, record.force, record.position, outputErrorOptions(record, task),
                              record.chain, options);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/identification/hold_evidence.h"
 #include "core/identification/model_comparison.h"
 #include "core/identification/run_estimator.h"
 #include "core/identification/uncertainty_budget.h"
@@ -18,7 +19,7 @@ struct Identification;
 /// one it was, and what the windows disagree by. Without parameters and covariance: a budget that says why
 /// there is none.
 [[nodiscard]] UncertaintyBudget budgetOf(const Estimate& estimate, const PreparedRecord& record,
-                                         const EstimatorTask& task);
+                                         const EstimatorTask& task, const HoldEvidence& holds);
 
 /// Output error of the record against other models; a cubic spring is tried where no sample is lost and the
 /// record is short enough for it to be quick. Empty without a converged output-error estimate.

@@ -98,15 +98,14 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     result.recommended = recommend(result.estimates);
     const Estimate* const outputError = result.find(Estimator::OutputError);
     if (outputError != nullptr && obstacle == nullptr)
-        result.holdEvidence =
-            weighHolds(record.force, record.position, outputErrorOptions(record, task), *outputError,
-                       recording.chain.forceLagUncertainty_s);
+        result.holdEvidence = weighHolds(record.force, record.position, outputErrorOptions(record, task),
+                                         *outputError, recording.chain.forceLagUncertainty_s);
     if (options.assess && obstacle == nullptr) {
         result.comparison = comparisonOf(result, record, task);
         if (cubicIsBetter(result))
             result.recommended = Estimator::Duffing;
         if (const Estimate* const best = result.best())
-            result.budget = budgetOf(*best, record, task);
+            result.budget = budgetOf(*best, record, task, result.holdEvidence);
     }
     result.preparation = std::move(record.steps);
     result.time_s = std::move(record.time_s);

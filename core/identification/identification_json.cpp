@@ -62,7 +62,9 @@ QJsonValue toJson(const std::optional<AutoregressiveNoise>& noise)
         return array;
     };
     return QJsonObject{{u"autoregressive"_s, list(noise->coefficients)},
-                       {u"innovation_deviation"_s, number(noise->innovationDeviation)}};
+                       {u"moving_average"_s, list(noise->movingAverage)},
+                       {u"innovation_deviation"_s, number(noise->innovationDeviation)},
+                       {u"force_deviation"_s, number(noise->forceDeviation)}};
 }
 
 QJsonObject toJson(const std::optional<ArxCoefficients>& c)
@@ -132,6 +134,16 @@ QJsonArray toJson(const std::vector<PreparationStep>& steps)
     return array;
 }
 
+QJsonObject toJson(const HoldEvidence& hold)
+{
+    const bool judged = hold.gain.has_value();
+    return {{u"gain"_s, number(hold.gain)},
+            {u"expected_gain"_s, judged ? number(hold.expectedGain) : QJsonValue()},
+            {u"limit"_s, judged ? number(hold.limit()) : QJsonValue()},
+            {u"other_parameters"_s,
+             hold.otherParameters ? QJsonValue(byName(hold.otherParameters->vector(), {})) : QJsonValue()}};
+}
+
 } // namespace
 
 QJsonObject toJson(const Identification& identification, const Recording& recording, const QString& file)
@@ -156,6 +168,7 @@ QJsonObject toJson(const Identification& identification, const Recording& record
             {u"budget"_s, toJson(identification.budget)},
             {u"derived"_s, toJson(derivedFrom(identification.budget))},
             {u"comparison"_s, toJson(identification.comparison)},
+            {u"hold"_s, toJson(identification.holdEvidence)},
             {u"preparation"_s, toJson(identification.preparation)}};
 }
 
