@@ -10,11 +10,12 @@ namespace {
 constexpr std::uint64_t longestLoss = 100;
 } // namespace
 
-void LiveEstimate::reset(double sampleTime_s, ForceHold hold)
+void LiveEstimate::reset(double sampleTime_s, ForceHold hold, double forceLag_s)
 {
     *this = {};
     m_options.sampleTime_s = sampleTime_s;
     m_options.hold = hold;
+    m_options.lag_s = forceLag_s;
 }
 
 void LiveEstimate::append(const std::vector<Sample>& samples)

@@ -13,7 +13,9 @@ namespace gripscope {
 class LiveEstimate {
 public:
     /// Another gripper: forgets everything.
-    void reset(double sampleTime_s, ForceHold hold);
+    void reset(double sampleTime_s, ForceHold hold, double forceLag_s);
+    /// The lag that was measured of this gripper; holds from the next squeeze on.
+    void setForceLag(double forceLag_s) { m_options.lag_s = forceLag_s; }
     void append(const std::vector<Sample>& samples);
 
     [[nodiscard]] bool following() const { return m_moving; }

@@ -194,6 +194,7 @@ void Workbench::runInPool(std::function<void()> work)
 void Workbench::tick()
 {
     d->connection.poll();
+    d->estimate.setForceLag(d->connection.forceLag_s());
     noticeConnection();
     noticeEnrollment();
     noticeInspection();
@@ -211,7 +212,7 @@ void Workbench::noticeConnection()
         if (opened) {
             const GripperIdentity identity = d->connection.identity();
             d->history.reset(identity.sampleTime_s);
-            d->estimate.reset(identity.sampleTime_s, identity.hold);
+            d->estimate.reset(identity.sampleTime_s, identity.hold, d->connection.forceLag_s());
             applyMeasuringChain(now.serial);
         }
         emit connectionChanged();

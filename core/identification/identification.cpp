@@ -8,6 +8,7 @@
 #include "core/identification/run_estimator.h"
 #include "core/identification/validity_checks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -62,6 +63,23 @@ bool cubicIsBetter(const Identification& data)
            data.comparison.ranked.front().id == QLatin1String("cubic_spring");
 }
 
+bool failed(const std::vector<ValidityCheck>& checks, const QString& id)
+{
+    return std::any_of(checks.begin(), checks.end(),
+                       [&](const ValidityCheck& check) { return check.id == id && !check.ok; });
+}
+
+/// The estimator that the checks on the recommended one ask for instead, where it was run and found
+/// something.
+Estimator reconsidered(const Identification& data)
+{
+    const Estimate* const periodic = data.find(Estimator::Periodic);
+    if (periodic != nullptr && periodic->status == EstimateStatus::Converged &&
+        failed(data.validity.checks, QStringLiteral("feedback")))
+        return Estimator::Periodic;
+    return cubicIsBetter(data) ? Estimator::Duffing : data.recommended;
+}
+
 } // namespace
 
 const Estimate* Identification::find(Estimator estimator) const
@@ -83,7 +101,7 @@ Identification identify(const Recording& recording, const IdentificationOptions&
 {
     PreparationOptions preparation;
     preparation.hold = options.hold;
-    PreparedRecord record = prepare(recording, preparation);
+    const PreparedRecord record = prepare(recording, preparation);
     Identification result;
     result.choice = record.choice;
     result.hold = options.hold.value_or(recording.hold.value_or(ForceHold::First));
@@ -100,20 +118,21 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     if (outputError != nullptr && obstacle == nullptr)
         result.holdEvidence = weighHolds(record.force, record.position, outputErrorOptions(record, task),
                                          *outputError, recording.chain.forceLagUncertainty_s);
-    if (options.assess && obstacle == nullptr) {
+    result.preparation = record.steps;
+    result.time_s = record.time_s;
+    result.force = record.force;
+    result.position = record.position;
+    result.lost = record.lost;
+    if (options.assess && obstacle == nullptr)
         result.comparison = comparisonOf(result, record, task);
-        if (cubicIsBetter(result))
-            result.recommended = Estimator::Duffing;
-        if (const Estimate* const best = result.best())
-            result.budget = budgetOf(*best, record, task, result.holdEvidence);
-    }
-    result.preparation = std::move(record.steps);
-    result.time_s = std::move(record.time_s);
-    result.force = std::move(record.force);
-    result.position = std::move(record.position);
-    result.lost = std::move(record.lost);
     result.validity.checks = checkValidity(result, recording, options);
+    if (const Estimator better = reconsidered(result); better != result.recommended) {
+        result.recommended = better;
+        result.validity.checks = checkValidity(result, recording, options);
+    }
     result.validity.verdict = overallVerdict(result.validity.checks);
+    if (const Estimate* const best = result.best(); best != nullptr && options.assess)
+        result.budget = budgetOf(*best, record, task, result.holdEvidence);
     return result;
 }
 

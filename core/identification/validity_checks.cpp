@@ -85,6 +85,22 @@ ValidityCheck saturation(const Identification& data, const Recording& recording)
     return check;
 }
 
+/// What the preparation could not mend.
+ValidityCheck preparation(const Identification& data)
+{
+    ValidityCheck check;
+    check.id = u"preparation"_s;
+    check.limit = 0;
+    QStringList doubts;
+    for (const PreparationStep& step : data.preparation)
+        if (!step.ok)
+            doubts << step.message;
+    check.value = static_cast<double>(doubts.size());
+    check.ok = doubts.isEmpty();
+    check.message = check.ok ? u"nothing in the recording was beyond mending"_s : doubts.join(u' ');
+    return check;
+}
+
 ValidityCheck excitation(const Estimate& estimate)
 {
     ValidityCheck check;
@@ -313,7 +329,8 @@ std::vector<ValidityCheck> checkValidity(const Identification& identification, c
             fitCheck(estimate),
             calibration(),
             linearity(estimate),
-            feedback(estimate)};
+            feedback(estimate),
+            preparation(identification)};
 }
 
 } // namespace gripscope

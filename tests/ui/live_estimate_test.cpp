@@ -36,7 +36,7 @@ std::vector<Sample> squeeze(std::size_t loseEvery = 0)
 LiveEstimate after(const std::vector<Sample>& samples)
 {
     LiveEstimate live;
-    live.reset(0.0005, ForceHold::Zero);
+    live.reset(0.0005, ForceHold::Zero, 0);
     live.append(samples);
     return live;
 }
@@ -84,7 +84,7 @@ private slots:
         live.append(samples);
         QVERIFY(live.following());
         QCOMPARE(live.state()->samples, std::size_t(10));
-        live.reset(0.001, ForceHold::First);
+        live.reset(0.001, ForceHold::First, 0);
         QVERIFY(!live.state());
     }
 };
