@@ -74,7 +74,7 @@ private:
 
 /// Calls `use(row, columns)` for every row of the linearised problem, columns being x0, v0, offset (those
 /// that are free), ln M, ln B, ln K and the residual. Lost rows do not appear, and lost forces are no
-/// columns: output_error_sensitivities.h takes their share out.
+/// columns: response_sensitivities.h takes their share out.
 void forEachLinearizedRow(const OutputErrorProblem& problem, const Eigen::Vector3d& theta,
                           const ScaledNuisance& nuisance,
                           const std::function<void(std::ptrdiff_t, const Eigen::RowVectorXd&)>& use);

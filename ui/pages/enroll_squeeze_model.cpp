@@ -35,7 +35,7 @@ EnrollSqueezeModel::Row EnrollSqueezeModel::makeRow(const EnrollSqueeze& squeeze
     if (!best)
         return row;
     const ParameterTexts texts =
-        parameterTexts(*best, squeeze.recording.forceUnit, squeeze.recording.positionUnit);
+        parameterTexts(squeeze.identification, squeeze.recording.forceUnit, squeeze.recording.positionUnit);
     row.stiffness = texts.k;
     row.damping = texts.b;
     row.mass = texts.m;

@@ -199,7 +199,7 @@ void EnrollSqueezePanel::refreshLast()
     m_lastNumbers->setVisible(best != nullptr);
     if (best) {
         const ParameterTexts texts =
-            parameterTexts(*best, last.recording.forceUnit, last.recording.positionUnit);
+            parameterTexts(last.identification, last.recording.forceUnit, last.recording.positionUnit);
         m_lastNumbers->setText(tr("k  %1\nb  %2\nm  %3").arg(texts.k.text(), texts.b.text(), texts.m.text()));
     }
     m_lastWords->setText(last.decision == EnrollSqueeze::Decision::Rejected

@@ -313,7 +313,8 @@ void InspectPage::showNumbers()
         d->map->setPart(std::nullopt, std::nullopt);
     } else {
         const Recording& recording = result->recording;
-        const ParameterTexts texts = parameterTexts(*best, recording.forceUnit, recording.positionUnit);
+        const ParameterTexts texts =
+            parameterTexts(result->identification, recording.forceUnit, recording.positionUnit);
         // Numbers of a measurement that is not valid are not the part's: they step back.
         for (QLabel* label : {d->m, d->b, d->k})
             label->setEnabled(result->outcome != InspectionOutcome::NotValid);

@@ -48,4 +48,19 @@ ParameterTexts parameterTexts(const Estimate& estimate, const QString& forceUnit
     return parameterTexts(*estimate.parameters, estimate.standardErrors(), forceUnit, positionUnit);
 }
 
+ParameterTexts parameterTexts(const Identification& identification, const QString& forceUnit,
+                              const QString& positionUnit)
+{
+    const UncertaintyBudget& budget = identification.budget;
+    if (!budget.parameters) {
+        const Estimate* const best = identification.best();
+        return parameterTexts(best != nullptr ? *best : Estimate(), forceUnit, positionUnit);
+    }
+    Eigen::Vector3d halfWidths;
+    for (std::size_t i = 0; i < budget.combined.size(); ++i)
+        halfWidths(static_cast<Eigen::Index>(i)) =
+            budget.combined[i].coverageFactor * budget.combined[i].standardUncertainty;
+    return parameterTextsWithin(*budget.parameters, halfWidths, forceUnit, positionUnit);
+}
+
 } // namespace gripscope

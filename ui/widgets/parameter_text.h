@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/identification/estimate.h"
+#include "core/identification/identification.h"
 #include "ui/widgets/number_format.h"
 
 namespace gripscope {
@@ -11,6 +11,10 @@ namespace gripscope {
 struct ParameterTexts {
     FormattedNumber m, b, k;
 };
+/// With the intervals of the uncertainty budget, which count all that is uncertain; without a budget, those
+/// of the recommended estimate's noise.
+[[nodiscard]] ParameterTexts parameterTexts(const Identification& identification, const QString& forceUnit,
+                                            const QString& positionUnit);
 [[nodiscard]] ParameterTexts parameterTexts(const Estimate& estimate, const QString& forceUnit,
                                             const QString& positionUnit);
 /// The same from the numbers alone; `standardErrors` may be absent.
