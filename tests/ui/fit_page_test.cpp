@@ -53,6 +53,15 @@ QByteArray contents(const QDir& folder, const QString& name)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
+/// The page has other tables too.
+QTableView* estimatorTable(const FitPage& page)
+{
+    for (auto* table : page.findChildren<QTableView*>())
+        if (qobject_cast<EstimateTableModel*>(table->model()))
+            return table;
+    qFatal("there is no table of estimators");
+}
+
 } // namespace
 
 class FitPageTest : public QObject {
@@ -87,7 +96,7 @@ private slots:
         FitPage page(fixture.bench);
         page.prepareTour();
         QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
-        auto* table = page.findChild<QTableView*>();
+        auto* table = estimatorTable(page);
         const auto* model = page.findChild<EstimateTableModel*>();
         const auto* plots = page.findChild<FitPlots*>();
         table->selectRow(model->rowOf(Estimator::Arx));
@@ -141,7 +150,7 @@ private slots:
         QVERIFY(text.startsWith(QStringLiteral("estimator\tm (kg)")));
         for (const char* block : {"\n\nquantity\tvalue", "\n\ncorrelation\tm\tb\tk\nm\t1\t",
                                   "\nwhiteness (Ljung-Box)\t0.", "\nexcitation\tyes\t", "\nverdict\tvalid"})
-            QVERIFY2(text.contains(QLatin1String(block)), block);
+            QVERIFY2(text.contains(QLatin1String(block)), qPrintable(text.mid(text.indexOf(QStringLiteral("correlation")), 400)));
     }
     void theTableIsCopiedByItsKey()
     {
@@ -153,7 +162,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
         page.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&page));
-        auto* table = page.findChild<QTableView*>();
+        auto* table = estimatorTable(page);
         table->setFocus();
         QGuiApplication::clipboard()->clear();
         QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
@@ -243,7 +252,8 @@ private slots:
         page.prepareTour();
         QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
         QVERIFY(page.minimumSizeHint().width() <= 928);
-        QVERIFY(page.minimumSizeHint().height() <= 520);
+        QVERIFY2(page.minimumSizeHint().height() <= 520,
+                 qPrintable(QString::number(page.minimumSizeHint().height())));
         auto* tabs = page.findChild<QTabWidget*>();
         for (int i = 0; i < tabs->count(); ++i) {
             tabs->setCurrentIndex(i);

@@ -131,7 +131,7 @@ void InspectPageTest::aStrangerIsUnknown()
 
 void InspectPageTest::lostReportsAreNotTheParts()
 {
-    WindowFixture f(true, u"virtual:?object=A&seed=8&fault=loss:0.02"_s);
+    WindowFixture f(true, u"virtual:?object=A&seed=8&fault=loss:0.4"_s);
     f.window->showPage(u"inspect"_s);
     f.click(f.find<QPushButton>("inspectArmButton"));
     squeezeBySpace(f);

@@ -107,6 +107,7 @@ void PlotFrame::paintPicture(QPainter& painter)
     paintSeries(painter, *chart());
     if (ownAxis)
         setHorizontalTitle({});
+    chart()->layout()->activate(); // before the screen is painted again
     m_inPicture = false;
 }
 

@@ -64,7 +64,7 @@ QString correlationBlock(const Estimate& estimate)
     for (int i = 0; i < 3; ++i) {
         QStringList cells{QString(u"mbk"_s[i])};
         for (int j = 0; j < 3; ++j)
-            cells << full((*estimate.covariance)(i, j) / (*errors)[i] / (*errors)[j]);
+            cells << full(i == j ? 1.0 : (*estimate.covariance)(i, j) / (*errors)[i] / (*errors)[j]);
         text += line(cells);
     }
     return text;
