@@ -150,7 +150,8 @@ private slots:
         QVERIFY(text.startsWith(QStringLiteral("estimator\tm (kg)")));
         for (const char* block : {"\n\nquantity\tvalue", "\n\ncorrelation\tm\tb\tk\nm\t1\t",
                                   "\nwhiteness (Ljung-Box)\t0.", "\nexcitation\tyes\t", "\nverdict\tvalid"})
-            QVERIFY2(text.contains(QLatin1String(block)), qPrintable(text.mid(text.indexOf(QStringLiteral("correlation")), 400)));
+            QVERIFY2(text.contains(QLatin1String(block)),
+                     qPrintable(text.mid(text.indexOf(QStringLiteral("correlation")), 400)));
     }
     void theTableIsCopiedByItsKey()
     {
