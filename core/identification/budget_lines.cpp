@@ -52,6 +52,7 @@ Eigen::Vector3d relativeShift(const Eigen::Vector3d& p, const Eigen::Vector3d& o
 /// the position: the model's impulse response g runs through the projected sensitivities backwards.
 struct ForceNoiseEffect {
     Eigen::Matrix3d relative = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d whiteRelative = Eigen::Matrix3d::Zero(); ///< of unit white noise of the position itself
     double positionVariance = 0;
 };
 ForceNoiseEffect forceNoiseEffect(const Estimate& e, const LinearizedRecord& record,
@@ -85,6 +86,7 @@ ForceNoiseEffect forceNoiseEffect(const Estimate& e, const LinearizedRecord& rec
             answered(static_cast<Eigen::Index>(t), i) = filtered[t];
     }
     out.relative = answered.transpose() * answered;
+    out.whiteRelative = influence.transpose() * influence;
     return out;
 }
 
@@ -115,14 +117,12 @@ std::vector<BudgetLine> noiseLines(const Estimate& estimate, const LinearizedRec
                                     EvaluationType::B, p, variance * unit.relative);
     const double residual = estimate.residuals.sse / degreesOfFreedom;
     const double explained = variance * unit.positionVariance;
-    if (!force.covariance.allFinite() || !(residual > 0))
+    if (!force.covariance.allFinite() || !unit.whiteRelative.allFinite() || !(residual > 0))
         return {noise};
-    if (!coloured)
-        noise.covariance *= std::clamp(1 - explained / residual, 0.0, 1.0);
-    else // What is left of a coloured whole is not known better than by its diagonal.
-        noise.covariance = (noise.covariance - force.covariance).diagonal().cwiseMax(0.0).asDiagonal();
-    noise.id = u"position_noise"_s;
-    return {noise, force};
+    BudgetLine position = lineOf(u"position_noise"_s, u"white noise of the position"_s, EvaluationType::A, p,
+                                 std::max(residual - explained, 0.0) * unit.whiteRelative);
+    position.degreesOfFreedom = Eigen::Vector3d::Constant(degreesOfFreedom);
+    return {position, force};
 }
 
 std::vector<BudgetLine> effectLines(const Eigen::Vector3d& p, const LinearizedRecord& record,

@@ -25,6 +25,7 @@ Identification identifyByOutputError(const Recording& recording)
 {
     IdentificationOptions options;
     options.estimators = {Estimator::OutputError};
+    options.assess = false; // the checks need no budget
     return identify(recording, options);
 }
 
@@ -64,7 +65,8 @@ private slots:
         const QStringList ids{u"samples_lost"_s,       u"saturation"_s,         u"excitation"_s,
                               u"residual_whiteness"_s, u"input_independence"_s, u"hold"_s,
                               u"convergence"_s,        u"physical_range"_s,     u"fit"_s,
-                              u"calibration"_s,        u"linearity"_s,          u"feedback"_s};
+                              u"calibration"_s,        u"linearity"_s,          u"feedback"_s,
+                              u"preparation"_s};
         for (const bool good : {true, false}) {
             QStringList got;
             for (const ValidityCheck& c : identify(good ? siCan().make() : Recording()).validity.checks) {
