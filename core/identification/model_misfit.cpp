@@ -203,6 +203,7 @@ ModelMisfit modelMisfit(const Estimate& estimate, const LinearizedRecord& record
         return out;
     const std::vector<Candidate> terms = candidates(estimate, record, force, options);
     std::vector<std::vector<double>> effects;
+    effects.reserve(terms.size());
     for (const Candidate& term : terms)
         effects.push_back(term.effect);
     for (std::vector<double>& lagged : laggedForces(force))
