@@ -94,7 +94,8 @@ FitPage::FitPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d(std
     d->stack->addWidget(buildEmpty());
     d->stack->addWidget(halves);
     auto* column = new QVBoxLayout(this);
-    setSpacing(column, 2 * metrics::step, metrics::step + 4);
+    setSpacing(column, 2 * metrics::step, metrics::step);
+    column->setContentsMargins(2 * metrics::step, metrics::step, 2 * metrics::step, metrics::step);
     column->addWidget(buildBar());
     column->addWidget(d->stack, 1);
 

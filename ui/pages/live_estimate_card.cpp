@@ -23,7 +23,7 @@ LiveEstimateCard::LiveEstimateCard(QWidget* parent) : QFrame(parent)
         pair->setSpacing(0);
         pair->addWidget(makeLabel(name, "caption", this));
         QLabel* value = makeLabel(u"–"_s, "strong", this);
-        value->setMinimumWidth(150);
+        value->setMinimumWidth(120);
         value->setAccessibleName(name);
         pair->addWidget(value);
         row->addLayout(pair);
@@ -32,10 +32,10 @@ LiveEstimateCard::LiveEstimateCard(QWidget* parent) : QFrame(parent)
     m_values = {add(tr("Mass")), add(tr("Damping")), add(tr("Stiffness"))};
     m_samples = add(tr("Samples"));
     m_samples->setMinimumWidth(64);
-    row->addStretch(1);
     m_what = makeLabel({}, "second", this);
+    m_what->setWordWrap(true);
     m_what->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    row->addWidget(m_what);
+    row->addWidget(m_what, 1);
 }
 
 void LiveEstimateCard::show(const std::optional<RecursiveState>& state, bool following,
