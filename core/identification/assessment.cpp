@@ -12,24 +12,6 @@ namespace {
 /// A Duffing search takes some microseconds a sample and iteration: a second for this many.
 constexpr std::size_t longestCubic = 100'000;
 
-PreparedRecord windowOf(const PreparedRecord& record, Window window)
-{
-    PreparedRecord part;
-    part.sampleTime_s = record.sampleTime_s;
-    part.hold = record.hold;
-    part.forceLag_s = record.forceLag_s;
-    const auto cut = [&](const std::vector<double>& all) {
-        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(window.first);
-        return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(window.count));
-    };
-    part.force = cut(record.force);
-    part.position = cut(record.position);
-    for (const std::size_t index : record.lost)
-        if (index >= window.first && index < window.first + window.count)
-            part.lost.push_back(index - window.first);
-    return part;
-}
-
 } // namespace
 
 ModelDiscrepancy windowDiscrepancy(const PreparedRecord& record, const EstimatorTask& task,

@@ -4,6 +4,7 @@
 #include "core/identification/duffing_search.h"
 #include "core/identification/duffing_start.h"
 #include "core/identification/fit.h"
+#include "core/identification/identifiability.h"
 #include "core/identification/output_error.h"
 #include "core/identification/scaled_residuals.h"
 #include "core/identification/tall_qr.h"
@@ -19,11 +20,6 @@ namespace gripscope {
 
 namespace {
 
-/// Above this condition number of the scaled sensitivities, rounding decides what the parameters are.
-constexpr double largestCondition = 1e8;
-/// A start that leaves more than this share of the position's energy unexplained (a fit below 50 %) is not
-/// trusted alone.
-constexpr double poorShare = 0.25;
 /// Of longer records a first part is enough to find the way.
 constexpr std::size_t firstPart = 8000;
 /// Largest shift of a parameter by the integration, in standard errors; and the integration's error beside
@@ -33,11 +29,7 @@ constexpr int mostSubsteps = 256;
 
 Estimate failed(EstimateStatus status, const char* message)
 {
-    Estimate estimate;
-    estimate.estimator = Estimator::Duffing;
-    estimate.status = status;
-    estimate.message = message;
-    return estimate;
+    return statusOnly(Estimator::Duffing, status, message);
 }
 
 /// The same record for a linear spring.
@@ -231,9 +223,7 @@ std::optional<Estimate> obstacle(const std::vector<double>& force, const std::ve
     if (problem.rows() <= problem.unknowns())
         return failed(EstimateStatus::TooFewSamples, "the lag between the channels leaves too few samples");
     if (isConstant(position))
-        return failed(
-            EstimateStatus::NotIdentifiable,
-            "the position does not change; check that the fingers hold the object and that the sensor works");
+        return failed(EstimateStatus::NotIdentifiable, constantPosition);
     if (isConstant(force) && problem.freeInitialState)
         return failed(
             EstimateStatus::NotIdentifiable,
@@ -286,8 +276,7 @@ Estimate estimateDuffing(const std::vector<double>& force, const std::vector<dou
     const std::vector<DuffingPoint> starts = startsFor(problem, force, position, options);
     std::optional<DuffingSearchResult> search = searchFrom(problem, starts, options.maxIterations);
     if (!search || search->outcome == DuffingOutcome::Lost)
-        return failed(EstimateStatus::NotIdentifiable,
-                      "the position does not answer the force; check the grip and which column is which");
+        return failed(EstimateStatus::NotIdentifiable, noAnswer);
     if (isSettled(*search))
         settleIntegration(problem, *search, options.maxIterations);
     Estimate estimate = failed(EstimateStatus::NotIdentifiable, "");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/duffing_search.h"
 
+#include "core/identification/scaled_record.h"
+
 #include <Eigen/LU>
 #include <Eigen/QR>
 
@@ -23,14 +25,6 @@ constexpr double runaway = 1.0;
 /// Standard error of a logarithm (a factor of 20) above which a parameter cannot be told from zero.
 constexpr double undetermined = 3.0;
 constexpr double smallestDamping = 1e-12, largestDamping = 1e16;
-
-double squaredSize(const DuffingProblem& problem)
-{
-    double sum = 0;
-    for (const double y : problem.position)
-        sum += y * y;
-    return sum;
-}
 
 /// min |R d - c|^2 + damping |D d|^2.
 Eigen::VectorXd dampedStep(const DuffingLinearization& linear, const Eigen::VectorXd& scales, double damping)

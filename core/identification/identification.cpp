@@ -3,6 +3,7 @@
 
 #include "core/identification/assessment.h"
 #include "core/identification/fit.h"
+#include "core/identification/identifiability.h"
 #include "core/identification/output_error.h"
 #include "core/identification/periodic.h"
 #include "core/identification/run_estimator.h"
@@ -15,14 +16,6 @@
 namespace gripscope {
 
 namespace {
-
-Estimate notApplicable(Estimator estimator, const char* message)
-{
-    Estimate estimate;
-    estimate.estimator = estimator;
-    estimate.message = message;
-    return estimate;
-}
 
 /// What keeps every estimator from starting, or nothing.
 const char* unusable(const PreparedRecord& record)
@@ -111,8 +104,9 @@ Identification identify(const Recording& recording, const IdentificationOptions&
 
     const char* const obstacle = unusable(record);
     for (const Estimator estimator : options.estimators)
-        result.estimates.push_back(obstacle != nullptr ? notApplicable(estimator, obstacle)
-                                                       : runEstimator(estimator, record, task));
+        result.estimates.push_back(obstacle != nullptr
+                                       ? statusOnly(estimator, EstimateStatus::NotApplicable, obstacle)
+                                       : runEstimator(estimator, record, task));
     result.recommended = recommend(result.estimates);
     const Estimate* const outputError = result.find(Estimator::OutputError);
     if (outputError != nullptr && obstacle == nullptr)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/identification_json.h"
 
+#include "core/identification/json_number.h"
 #include "core/identification/uncertainty_budget_json.h"
 #include "core/signal/units.h"
 
@@ -14,21 +15,12 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QJsonValue number(double value)
-{
-    return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null);
-}
-
-QJsonValue number(const std::optional<double>& value)
-{
-    return value ? number(*value) : QJsonValue(QJsonValue::Null);
-}
-
 QJsonObject byName(const Eigen::Vector3d& values, std::optional<double> k3)
 {
-    QJsonObject object{{u"m"_s, number(values(0))}, {u"b"_s, number(values(1))}, {u"k"_s, number(values(2))}};
+    QJsonObject object{
+        {u"m"_s, jsonNumber(values(0))}, {u"b"_s, jsonNumber(values(1))}, {u"k"_s, jsonNumber(values(2))}};
     if (k3)
-        object.insert(u"k3"_s, number(*k3));
+        object.insert(u"k3"_s, jsonNumber(*k3));
     return object;
 }
 
@@ -38,7 +30,7 @@ QJsonValue toJson(const Eigen::MatrixXd& matrix)
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
         QJsonArray row;
         for (Eigen::Index j = 0; j < matrix.cols(); ++j)
-            row.append(number(matrix(i, j)));
+            row.append(jsonNumber(matrix(i, j)));
         rows.append(row);
     }
     return rows;
@@ -58,19 +50,19 @@ QJsonValue toJson(const std::optional<AutoregressiveNoise>& noise)
     const auto list = [](const std::vector<double>& values) {
         QJsonArray array;
         for (const double value : values)
-            array.append(number(value));
+            array.append(jsonNumber(value));
         return array;
     };
     return QJsonObject{{u"autoregressive"_s, list(noise->coefficients)},
                        {u"moving_average"_s, list(noise->movingAverage)},
-                       {u"innovation_deviation"_s, number(noise->innovationDeviation)},
-                       {u"force_deviation"_s, number(noise->forceDeviation)}};
+                       {u"innovation_deviation"_s, jsonNumber(noise->innovationDeviation)},
+                       {u"force_deviation"_s, jsonNumber(noise->forceDeviation)}};
 }
 
 QJsonObject toJson(const std::optional<ArxCoefficients>& c)
 {
     const auto optional = [&](auto member) {
-        return c ? number(std::optional<double>((*c).*member)) : QJsonValue();
+        return c ? jsonNumber(std::optional<double>((*c).*member)) : QJsonValue();
     };
     return {{u"a1"_s, optional(&ArxCoefficients::a1)},
             {u"a2"_s, optional(&ArxCoefficients::a2)},
@@ -88,25 +80,25 @@ QJsonObject toJson(const Estimate& e)
         k3Error = std::sqrt(std::max(0.0, e.cubic->covariance(3, 3)));
     }
     const bool tested = !e.residual.empty();
-    return {
-        {u"estimator"_s, toString(e.estimator)},
-        {u"status"_s, toString(e.status)},
-        {u"parameters"_s, e.parameters ? QJsonValue(byName(e.parameters->vector(), k3)) : QJsonValue()},
-        {u"standard_errors"_s, errors ? QJsonValue(byName(*errors, k3Error)) : QJsonValue()},
-        {u"covariance"_s, covarianceOf(e)},
-        {u"nuisance"_s, QJsonObject{{u"x0"_s, number(e.nuisance.x0)},
-                                    {u"v0"_s, number(e.nuisance.v0)},
-                                    {u"offset"_s, number(e.nuisance.offset)}}},
-        {u"coefficients"_s, toJson(e.coefficients)},
-        {u"fit"_s, QJsonObject{{u"simulation_percent"_s, number(e.fit.simulationPercent)},
-                               {u"prediction_percent"_s, number(e.fit.predictionPercent)}}},
-        {u"residuals"_s,
-         QJsonObject{{u"sse"_s, tested ? number(e.residuals.sse) : QJsonValue()},
-                     {u"degrees_of_freedom"_s, tested ? number(e.residuals.degreesOfFreedom) : QJsonValue()},
-                     {u"whiteness_p"_s, number(e.residuals.whitenessP)},
-                     {u"input_independence_p"_s, number(e.residuals.inputIndependenceP)}}},
-        {u"noise"_s, toJson(e.noise)},
-        {u"iterations"_s, e.iterations}};
+    return {{u"estimator"_s, toString(e.estimator)},
+            {u"status"_s, toString(e.status)},
+            {u"parameters"_s, e.parameters ? QJsonValue(byName(e.parameters->vector(), k3)) : QJsonValue()},
+            {u"standard_errors"_s, errors ? QJsonValue(byName(*errors, k3Error)) : QJsonValue()},
+            {u"covariance"_s, covarianceOf(e)},
+            {u"nuisance"_s, QJsonObject{{u"x0"_s, jsonNumber(e.nuisance.x0)},
+                                        {u"v0"_s, jsonNumber(e.nuisance.v0)},
+                                        {u"offset"_s, jsonNumber(e.nuisance.offset)}}},
+            {u"coefficients"_s, toJson(e.coefficients)},
+            {u"fit"_s, QJsonObject{{u"simulation_percent"_s, jsonNumber(e.fit.simulationPercent)},
+                                   {u"prediction_percent"_s, jsonNumber(e.fit.predictionPercent)}}},
+            {u"residuals"_s,
+             QJsonObject{
+                 {u"sse"_s, tested ? jsonNumber(e.residuals.sse) : QJsonValue()},
+                 {u"degrees_of_freedom"_s, tested ? jsonNumber(e.residuals.degreesOfFreedom) : QJsonValue()},
+                 {u"whiteness_p"_s, jsonNumber(e.residuals.whitenessP)},
+                 {u"input_independence_p"_s, jsonNumber(e.residuals.inputIndependenceP)}}},
+            {u"noise"_s, toJson(e.noise)},
+            {u"iterations"_s, e.iterations}};
 }
 
 QJsonObject toJson(const Validity& validity)
@@ -115,8 +107,8 @@ QJsonObject toJson(const Validity& validity)
     for (const ValidityCheck& check : validity.checks) {
         checks.append(QJsonObject{{u"id"_s, check.id},
                                   {u"ok"_s, check.ok},
-                                  {u"value"_s, number(check.value)},
-                                  {u"limit"_s, number(check.limit)},
+                                  {u"value"_s, jsonNumber(check.value)},
+                                  {u"limit"_s, jsonNumber(check.limit)},
                                   {u"message"_s, check.message}});
     }
     return {{u"verdict"_s, toString(validity.verdict)}, {u"checks"_s, checks}};
@@ -128,7 +120,7 @@ QJsonArray toJson(const std::vector<PreparationStep>& steps)
     for (const PreparationStep& step : steps)
         array.append(QJsonObject{{u"id"_s, step.id},
                                  {u"count"_s, static_cast<qint64>(step.count)},
-                                 {u"value"_s, number(step.value)},
+                                 {u"value"_s, jsonNumber(step.value)},
                                  {u"ok"_s, step.ok},
                                  {u"message"_s, step.message}});
     return array;
@@ -137,9 +129,9 @@ QJsonArray toJson(const std::vector<PreparationStep>& steps)
 QJsonObject toJson(const HoldEvidence& hold)
 {
     const bool judged = hold.gain.has_value();
-    return {{u"gain"_s, number(hold.gain)},
-            {u"expected_gain"_s, judged ? number(hold.expectedGain) : QJsonValue()},
-            {u"limit"_s, judged ? number(hold.limit()) : QJsonValue()},
+    return {{u"gain"_s, jsonNumber(hold.gain)},
+            {u"expected_gain"_s, judged ? jsonNumber(hold.expectedGain) : QJsonValue()},
+            {u"limit"_s, judged ? jsonNumber(hold.limit()) : QJsonValue()},
             {u"other_parameters"_s,
              hold.otherParameters ? QJsonValue(byName(hold.otherParameters->vector(), {})) : QJsonValue()}};
 }
@@ -154,7 +146,7 @@ QJsonObject toJson(const Identification& identification, const Recording& record
         estimates.append(toJson(estimate));
     return {{u"file"_s, file},
             {u"recording"_s, QJsonObject{{u"samples"_s, static_cast<qint64>(recording.size())},
-                                         {u"sample_time_s"_s, number(identification.sampleTime_s)},
+                                         {u"sample_time_s"_s, jsonNumber(identification.sampleTime_s)},
                                          {u"gaps"_s, static_cast<qint64>(identification.choice.gaps)},
                                          {u"hold"_s, toString(identification.hold)},
                                          {u"units"_s, QJsonObject{{u"force"_s, recording.forceUnit},

@@ -2,40 +2,22 @@
 #include "core/identification/instrumental_variables.h"
 
 #include "core/identification/discretization.h"
+#include "core/identification/identifiability.h"
 #include "core/identification/instrumental_variables_search.h"
 #include "core/identification/scaled_residuals.h"
 #include "core/identification/tall_qr.h"
 
 #include <Eigen/LU>
 
-#include <array>
 #include <cmath>
 
 namespace gripscope {
 
 namespace {
 
-/// Above this condition number of the scaled instruments, rounding decides what m, b and k are.
-constexpr double largestCondition = 1e8;
-/// A force whose response differs this little from what a free start and offset can imitate says nothing.
-constexpr double smallestOwnShare = 1e-9;
-/// A solution that leaves more than this share of the position's energy unexplained (a fit below 50 %) is not
-/// trusted before others have been tried.
-constexpr double poorShare = 0.25;
-
-constexpr const char* constantForce = "a constant force does not determine m, b and k together with a free "
-                                      "start and offset; squeeze with a force that varies, for instance a "
-                                      "pseudo-random binary sequence";
-constexpr const char* noAnswer =
-    "the position does not answer the force; check the grip and which column is which";
-
 Estimate failed(EstimateStatus status, const char* message)
 {
-    Estimate estimate;
-    estimate.estimator = Estimator::InstrumentalVariables;
-    estimate.status = status;
-    estimate.message = message;
-    return estimate;
+    return statusOnly(Estimator::InstrumentalVariables, status, message);
 }
 
 OutputErrorOptions reading(const InstrumentalVariablesOptions& options)
@@ -115,20 +97,6 @@ std::optional<Eigen::Matrix3d> covarianceOf(const InstrumentalResult& result,
     return covariance.allFinite() ? std::optional(covariance) : std::nullopt;
 }
 
-const char* boundaryMessage(const InstrumentalResult& result)
-{
-    static constexpr std::array<const char*, 3> toZero{
-        "the mass cannot be told from zero; excite faster, or sample faster",
-        "the damping cannot be told from zero; squeeze longer or with more force",
-        "the stiffness cannot be told from zero; squeeze longer"};
-    static constexpr std::array<const char*, 3> toInfinity{
-        "no finite mass explains the position; check the grip and the sensor",
-        "no finite damping explains the position; check the grip and the sensor",
-        "no finite stiffness explains the position; check the grip and the sensor"};
-    const auto i = static_cast<std::size_t>(result.boundaryIndex);
-    return result.boundaryAtZero ? toZero[i] : toInfinity[i];
-}
-
 /// Simulated in the record's units, where nothing overflows.
 std::vector<double> simulatedPositions(const ScaledRecord& record, const AuxiliaryModel& model)
 {
@@ -181,9 +149,7 @@ Estimate estimateInstrumentalVariables(const std::vector<double>& force, const s
     if (record.rows() <= static_cast<std::ptrdiff_t>(unknowns))
         return failed(EstimateStatus::TooFewSamples, "the lag between the channels leaves too few samples");
     if (isConstant(position))
-        return failed(
-            EstimateStatus::NotIdentifiable,
-            "the position does not change; check that the fingers hold the object and that the sensor works");
+        return failed(EstimateStatus::NotIdentifiable, constantPosition);
     const std::optional<InstrumentalResult> result = findSolution(record, options);
     if (!result)
         return failed(EstimateStatus::NotIdentifiable, isConstant(force) ? constantForce : noAnswer);
@@ -193,7 +159,7 @@ Estimate estimateInstrumentalVariables(const std::vector<double>& force, const s
                                ? constantForce
                                : "this force does not determine m, b and k; squeeze with a richer one";
     else if (result->outcome == InstrumentalOutcome::Boundary)
-        estimate.message = boundaryMessage(*result);
+        estimate.message = boundaryMessage(result->boundaryIndex, result->boundaryAtZero);
     else
         estimate = inChannelUnits(record, *result, position);
     estimate.iterations = result->iterations;

@@ -2,6 +2,8 @@
 #include "core/identification/instrumental_variables_search.h"
 
 #include "core/identification/filter_regression.h"
+#include "core/identification/identifiability.h"
+#include "core/identification/scaled_record.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -28,17 +30,7 @@ constexpr int halvings = 4;
 constexpr double smallestDamping = 1e-12, largestDamping = 1e16;
 /// Less damping than this share of the critical is taken for an error of the first estimate.
 constexpr double leastDamping = 0.01;
-/// A force whose response differs this little from what a free start and offset can imitate says nothing.
-constexpr double smallestOwnShare = 1e-9;
 constexpr std::size_t gridSamples = 2000;
-
-double squaredSize(const ScaledRecord& record)
-{
-    double sum = 0;
-    for (const double y : record.position)
-        sum += y * y;
-    return sum;
-}
 
 class Iteration {
 public:
@@ -227,16 +219,6 @@ struct Candidates {
     }
 };
 
-ScaledRecord firstPart(const ScaledRecord& record)
-{
-    ScaledRecord part = record;
-    if (part.force.size() > gridSamples) {
-        part.force.resize(gridSamples);
-        part.position.resize(gridSamples);
-    }
-    return part;
-}
-
 } // namespace
 
 InstrumentalResult iterateInstruments(const ScaledRecord& record, const Eigen::Vector3d& start,
@@ -259,7 +241,7 @@ std::vector<Eigen::Vector3d> instrumentalStarts(const ScaledRecord& record)
 
 std::vector<Eigen::Vector3d> instrumentalGrid(const ScaledRecord& record)
 {
-    const ScaledRecord part = firstPart(record);
+    const ScaledRecord part = firstSamples(record, gridSamples);
     Candidates candidates{part, {}};
     const double lowest = 0.5 / static_cast<double>(part.force.size());
     for (double frequency = lowest; frequency < 3; frequency *= 1.6) {

@@ -3,25 +3,23 @@
 
 #include "core/identification/discretization.h"
 #include "core/identification/fit.h"
+#include "core/identification/identifiability.h"
 #include "core/identification/output_error_problem.h"
 #include "core/identification/output_error_residuals.h"
 #include "core/identification/output_error_search.h"
 #include "core/identification/output_error_start.h"
+#include "core/identification/scaled_record.h"
 #include "core/identification/tall_qr.h"
 
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 namespace gripscope {
 
 namespace {
-
-/// Above this condition number of the scaled sensitivities, rounding decides what m, b and k are.
-constexpr double largestCondition = 1e8;
 
 /// The noise at which the search for it starts, as a share of the position's size.
 constexpr double firstNoiseShare = 0.1;
@@ -31,36 +29,9 @@ constexpr double roundingShare = 1e-12;
 constexpr double noiseTolerance = 1e-3, longestNoiseStep = 4;
 constexpr int noiseRounds = 20;
 
-constexpr const char* constantForce = "a constant force does not determine m, b and k together with a free "
-                                      "start and offset; squeeze with a force that "
-                                      "varies, for instance a pseudo-random binary sequence";
-constexpr const char* noAnswer =
-    "the position does not answer the force; check the grip and which column is which";
-
 Estimate failed(EstimateStatus status, const char* message)
 {
-    Estimate estimate;
-    estimate.estimator = Estimator::OutputError;
-    estimate.status = status;
-    estimate.message = message;
-    return estimate;
-}
-
-bool isConstant(const std::vector<double>& values)
-{
-    return std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); });
-}
-
-Nuisance nuisanceInChannelUnits(const OutputErrorProblem& problem, const ScaledNuisance& scaled)
-{
-    Nuisance nuisance;
-    if (problem.freeInitialState) {
-        nuisance.x0 = scaled.x0 * problem.positionScale;
-        nuisance.v0 = scaled.v0 * problem.positionScale / problem.sampleTime_s;
-    }
-    if (problem.freeOffset)
-        nuisance.offset = scaled.offset * problem.positionScale + problem.positionShift;
-    return nuisance;
+    return statusOnly(Estimator::OutputError, status, message);
 }
 
 /// The force with the values found for the lost samples.
@@ -246,20 +217,6 @@ std::optional<SearchResult> findSolutionAndNoise(OutputErrorProblem& problem,
     return found;
 }
 
-const char* boundaryMessage(const SearchResult& search)
-{
-    static constexpr std::array<const char*, 3> toZero{
-        "the mass cannot be told from zero; excite faster, or sample faster",
-        "the damping cannot be told from zero; squeeze longer or with more force",
-        "the stiffness cannot be told from zero; squeeze longer"};
-    static constexpr std::array<const char*, 3> toInfinity{
-        "no finite mass explains the position; check the grip and the sensor",
-        "no finite damping explains the position; check the grip and the sensor",
-        "no finite stiffness explains the position; check the grip and the sensor"};
-    const auto i = static_cast<std::size_t>(search.boundaryIndex);
-    return search.boundaryAtZero ? toZero[i] : toInfinity[i];
-}
-
 } // namespace
 
 Estimate estimateOutputError(const std::vector<double>& force, const std::vector<double>& position,
@@ -276,9 +233,7 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
         return failed(EstimateStatus::TooFewSamples,
                       "more than half of the samples are lost; check the connection and record again");
     if (isConstant(problem.position))
-        return failed(
-            EstimateStatus::NotIdentifiable,
-            "the position does not change; check that the fingers hold the object and that the sensor works");
+        return failed(EstimateStatus::NotIdentifiable, constantPosition);
 
     const std::optional<SearchResult> found = findSolutionAndNoise(problem, options);
     if (!found)
@@ -293,7 +248,7 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
         return estimate;
     }
     if (search.outcome == SearchOutcome::Boundary) {
-        estimate.message = boundaryMessage(search);
+        estimate.message = boundaryMessage(search.boundaryIndex, search.boundaryAtZero);
         return estimate;
     }
     const MassDampingStiffness parameters = problem.toChannelUnits(search.theta);
@@ -303,7 +258,8 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
         return estimate;
     }
     estimate.parameters = parameters;
-    estimate.nuisance = nuisanceInChannelUnits(problem, search.linear.nuisance);
+    const ScaledNuisance& solution = search.linear.nuisance;
+    estimate.nuisance = nuisanceInChannelUnits(problem, solution.x0, solution.v0, solution.offset);
     estimate.status =
         search.outcome == SearchOutcome::Converged ? EstimateStatus::Converged : EstimateStatus::NotConverged;
     estimate.message = search.outcome == SearchOutcome::Converged ? "converged" : "the search did not settle";

@@ -2,6 +2,7 @@
 #include "core/identification/output_error_search.h"
 
 #include "core/identification/column_elimination.h"
+#include "core/identification/scaled_record.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -32,14 +33,6 @@ constexpr double tooStale = 0.01, fresh = 1e-7;
 /// Share of a column that is rounding.
 constexpr double dependent = 1e-15;
 constexpr double smallestDamping = 1e-12, largestDamping = 1e16;
-
-double squaredSize(const OutputErrorProblem& problem)
-{
-    double sum = 0;
-    for (const double y : problem.position)
-        sum += y * y;
-    return sum;
-}
 
 /// min |R d - c|^2 + damping |D d|^2.
 Eigen::Vector3d dampedStep(const Eigen::Matrix3d& triangle, const Eigen::Vector3d& right,

@@ -4,6 +4,8 @@
 #include "core/identification/arx_mapping.h"
 #include "core/identification/column_elimination.h"
 #include "core/identification/exact_step.h"
+#include "core/identification/identifiability.h"
+#include "core/identification/scaled_record.h"
 #include "core/identification/tall_qr.h"
 
 #include <algorithm>
@@ -16,15 +18,12 @@ namespace {
 
 /// Bandwidths of the filters in radians a sample.
 constexpr std::array<double, 5> filterBandwidths{0.01, 0.03, 0.1, 0.3, 1.0};
-/// A start that leaves more than this share of the position's energy unexplained (a fit below 50 %) is not
-/// trusted.
-constexpr double poorShare = 0.25;
 /// Share of a column that is rounding.
 constexpr double dependent = 1e-15;
 /// Far below anything that counts, far above denormal numbers and their squares.
 constexpr double gone = 1e-150;
 /// Samples the grid is tried on: enough to rank its coarse points.
-constexpr std::ptrdiff_t gridSamples = 2000;
+constexpr std::size_t gridSamples = 2000;
 
 /// signal / (1 + s/lambda)^2 and its derivatives, from rest, for a signal that is held or straight between
 /// samples.
@@ -181,28 +180,6 @@ struct Candidates {
     }
 };
 
-OutputErrorProblem firstPart(const OutputErrorProblem& problem)
-{
-    OutputErrorProblem part = problem;
-    if (static_cast<std::ptrdiff_t>(part.force.size()) > gridSamples) {
-        part.force.resize(gridSamples);
-        part.position.resize(gridSamples);
-    }
-    return part;
-}
-
-double energy(const OutputErrorProblem& problem)
-{
-    double mean = 0;
-    double squares = 0;
-    for (const double y : problem.position) {
-        mean += y;
-        squares += y * y;
-    }
-    mean /= static_cast<double>(problem.position.size());
-    return squares - (problem.freeOffset ? mean * mean * static_cast<double>(problem.position.size()) : 0);
-}
-
 } // namespace
 
 OutputErrorStarts outputErrorStarts(const OutputErrorProblem& problem)
@@ -213,13 +190,14 @@ OutputErrorStarts outputErrorStarts(const OutputErrorProblem& problem)
         candidates.offer(fromStateVariableFilter(problem, bandwidth));
     OutputErrorStarts starts;
     starts.bestFirst = candidates.bestFirst(2);
-    starts.trusted = !candidates.all.empty() && candidates.all.front().cost <= poorShare * energy(problem);
+    starts.trusted =
+        !candidates.all.empty() && candidates.all.front().cost <= poorShare * positionEnergy(problem);
     return starts;
 }
 
 std::vector<Eigen::Vector3d> outputErrorGrid(const OutputErrorProblem& problem)
 {
-    const OutputErrorProblem part = firstPart(problem);
+    const OutputErrorProblem part = firstSamples(problem, gridSamples);
     Candidates candidates{part, {}};
     const double lowest = 0.5 / static_cast<double>(part.force.size());
     for (double frequency = lowest; frequency < 3; frequency *= 1.6) {

@@ -7,9 +7,6 @@
 
 namespace gripscope {
 
-/// A force whose response differs this little from what a free start and offset can imitate says nothing.
-inline constexpr double smallestOwnShare = 1e-9;
-
 /// Where the output-error search can begin, the candidate whose simulation fits best first.
 struct OutputErrorStarts {
     std::vector<Eigen::Vector3d> bestFirst;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/periodic_json.h"
 
+#include "core/identification/json_number.h"
+
 #include <QJsonArray>
 
 #include <cmath>
@@ -11,17 +13,12 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QJsonValue number(double value)
-{
-    return std::isfinite(value) ? QJsonValue(value) : QJsonValue();
-}
-
 QJsonObject lineJson(const PeriodicLine& line)
 {
-    return {{u"frequency_hz"_s, number(line.frequency_Hz)},
-            {u"real"_s, number(line.response.real())},
-            {u"imaginary"_s, number(line.response.imag())},
-            {u"deviation"_s, number(line.deviation)}};
+    return {{u"frequency_hz"_s, jsonNumber(line.frequency_Hz)},
+            {u"real"_s, jsonNumber(line.response.real())},
+            {u"imaginary"_s, jsonNumber(line.response.imag())},
+            {u"deviation"_s, jsonNumber(line.deviation)}};
 }
 
 } // namespace
@@ -33,15 +30,15 @@ QJsonObject toJson(const PeriodicDiagnostics& diagnostics)
         lines.append(lineJson(one));
     QJsonValue distortion;
     if (diagnostics.distortionPercent && diagnostics.distortionP)
-        distortion = QJsonObject{{u"percent"_s, number(*diagnostics.distortionPercent)},
-                                 {u"p"_s, number(*diagnostics.distortionP)}};
+        distortion = QJsonObject{{u"percent"_s, jsonNumber(*diagnostics.distortionPercent)},
+                                 {u"p"_s, jsonNumber(*diagnostics.distortionP)}};
     return {{u"period_samples"_s, static_cast<qint64>(diagnostics.periodSamples)},
             {u"periods"_s, static_cast<qint64>(diagnostics.periods)},
-            {u"noise"_s, QJsonObject{{u"force"_s, number(diagnostics.forceNoise)},
-                                     {u"position"_s, number(diagnostics.positionNoise)},
-                                     {u"correlation"_s, number(diagnostics.noiseCorrelation)}}},
-            {u"cost"_s,
-             QJsonObject{{u"ratio"_s, number(diagnostics.costRatio)}, {u"p"_s, number(diagnostics.costP)}}},
+            {u"noise"_s, QJsonObject{{u"force"_s, jsonNumber(diagnostics.forceNoise)},
+                                     {u"position"_s, jsonNumber(diagnostics.positionNoise)},
+                                     {u"correlation"_s, jsonNumber(diagnostics.noiseCorrelation)}}},
+            {u"cost"_s, QJsonObject{{u"ratio"_s, jsonNumber(diagnostics.costRatio)},
+                                    {u"p"_s, jsonNumber(diagnostics.costP)}}},
             {u"distortion"_s, distortion},
             {u"lines"_s, lines}};
 }

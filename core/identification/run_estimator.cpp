@@ -10,23 +10,6 @@ namespace gripscope {
 
 namespace {
 
-struct Stretch {
-    Window part;
-    std::vector<double> force, position;
-    EstimatorTask task;
-};
-
-Stretch longestStretch(const PreparedRecord& record, EstimatorTask task)
-{
-    const Window part = longestKnownStretch(record.force.size(), record.lost);
-    const auto cut = [&](const std::vector<double>& all) {
-        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(part.first);
-        return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(part.count));
-    };
-    task.freeInitialState = task.freeInitialState || part.first > 0;
-    return {part, cut(record.force), cut(record.position), task};
-}
-
 /// Options of any estimator of m, b, k in continuous time: they name the same things alike.
 template <typename Options>
 Options continuousOptions(const PreparedRecord& record, const EstimatorTask& task)
@@ -40,34 +23,32 @@ Options continuousOptions(const PreparedRecord& record, const EstimatorTask& tas
     return options;
 }
 
-Estimate onStretch(Estimator estimator, const PreparedRecord& record, const Stretch& s)
+Estimate onRecord(Estimator estimator, const PreparedRecord& record, const EstimatorTask& task)
 {
     switch (estimator) {
     case Estimator::Arx:
     case Estimator::ArxMeanForce:
     case Estimator::Arx221:
-        return estimateArx(s.force, s.position,
-                           {estimator, record.sampleTime_s, record.forceLag_s, s.task.freeOffset});
+        return estimateArx(record.force, record.position,
+                           {estimator, record.sampleTime_s, record.forceLag_s, task.freeOffset});
     case Estimator::InstrumentalVariables:
-        return estimateInstrumentalVariables(s.force, s.position,
-                                             continuousOptions<InstrumentalVariablesOptions>(record, s.task));
+        return estimateInstrumentalVariables(record.force, record.position,
+                                             continuousOptions<InstrumentalVariablesOptions>(record, task));
     case Estimator::Duffing:
-        return estimateDuffing(s.force, s.position, continuousOptions<DuffingOptions>(record, s.task));
+        return estimateDuffing(record.force, record.position,
+                               continuousOptions<DuffingOptions>(record, task));
     case Estimator::Periodic: {
         PeriodicOptions options;
         options.sampleTime_s = record.sampleTime_s;
-        options.hold = s.task.hold;
+        options.hold = task.hold;
         options.lag_s = record.forceLag_s;
-        options.period = s.task.period;
-        return estimatePeriodic(s.force, s.position, options);
+        options.period = task.period;
+        return estimatePeriodic(record.force, record.position, options);
     }
-    case Estimator::OutputError: // takes the whole record
+    case Estimator::OutputError:
         break;
     }
-    Estimate none;
-    none.estimator = estimator;
-    none.message = "this estimator is not part of this version";
-    return none;
+    return estimateOutputError(record.force, record.position, outputErrorOptions(record, task));
 }
 
 } // namespace
@@ -97,15 +78,14 @@ OutputErrorOptions outputErrorOptions(const PreparedRecord& record, const Estima
 
 Estimate runEstimator(Estimator estimator, const PreparedRecord& record, const EstimatorTask& task)
 {
-    if (estimator == Estimator::OutputError) {
-        Estimate estimate =
-            estimateOutputError(record.force, record.position, outputErrorOptions(record, task));
-        estimate.part = {0, record.force.size()};
-        return estimate;
-    }
-    const Stretch stretch = longestStretch(record, task);
-    Estimate estimate = onStretch(estimator, record, stretch);
-    estimate.part = stretch.part;
+    const std::size_t samples = record.force.size();
+    const bool takesLost = estimator == Estimator::OutputError;
+    const Window part = takesLost ? Window{0, samples} : longestKnownStretch(samples, record.lost);
+    EstimatorTask own = task;
+    own.freeInitialState = task.freeInitialState || part.first > 0;
+    Estimate estimate = part.count == samples ? onRecord(estimator, record, own)
+                                              : onRecord(estimator, windowOf(record, part), own);
+    estimate.part = part;
     return estimate;
 }
 

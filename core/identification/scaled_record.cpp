@@ -17,6 +17,14 @@ Nuisance nuisanceInChannelUnits(const ScaledRecord& record, double x0, double v0
     return nuisance;
 }
 
+double squaredSize(const ScaledRecord& record)
+{
+    double sum = 0;
+    for (const double y : record.position)
+        sum += y * y;
+    return sum;
+}
+
 double positionEnergy(const ScaledRecord& record)
 {
     double mean = 0;
@@ -27,6 +35,16 @@ double positionEnergy(const ScaledRecord& record)
     }
     const auto count = static_cast<double>(record.position.size());
     return squares - (record.freeOffset ? mean * mean / count : 0);
+}
+
+ScaledRecord firstSamples(const ScaledRecord& record, std::size_t most)
+{
+    ScaledRecord part = record;
+    if (part.force.size() > most) {
+        part.force.resize(most);
+        part.position.resize(most);
+    }
+    return part;
 }
 
 bool isConstant(const std::vector<double>& values)

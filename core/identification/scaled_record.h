@@ -12,8 +12,13 @@ using ScaledRecord = OutputErrorProblem;
 [[nodiscard]] Nuisance nuisanceInChannelUnits(const ScaledRecord& record, double x0, double v0,
                                               double offset);
 
-/// The sum of squares of the positions, less their mean where the offset is free.
+/// The sum of squares of the positions.
+[[nodiscard]] double squaredSize(const ScaledRecord& record);
+/// The same, less their mean where the offset is free.
 [[nodiscard]] double positionEnergy(const ScaledRecord& record);
+
+/// Its first samples, at most `most`.
+[[nodiscard]] ScaledRecord firstSamples(const ScaledRecord& record, std::size_t most);
 
 [[nodiscard]] bool isConstant(const std::vector<double>& values);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/uncertainty_budget_json.h"
 
+#include "core/identification/json_number.h"
+
 #include <array>
 #include <cmath>
 
@@ -10,16 +12,6 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QJsonValue number(double value)
-{
-    return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null);
-}
-
-QJsonValue number(const std::optional<double>& value)
-{
-    return value ? number(*value) : QJsonValue(QJsonValue::Null);
-}
-
 QJsonObject byName(const QJsonValue& m, const QJsonValue& b, const QJsonValue& k)
 {
     return {{u"m"_s, m}, {u"b"_s, b}, {u"k"_s, k}};
@@ -27,21 +19,21 @@ QJsonObject byName(const QJsonValue& m, const QJsonValue& b, const QJsonValue& k
 
 QJsonObject byName(const Eigen::Vector3d& values)
 {
-    return byName(number(values(0)), number(values(1)), number(values(2)));
+    return byName(jsonNumber(values(0)), jsonNumber(values(1)), jsonNumber(values(2)));
 }
 
 QJsonArray rowsOf(const Eigen::Matrix3d& matrix)
 {
     QJsonArray rows;
     for (Eigen::Index i = 0; i < 3; ++i)
-        rows.append(QJsonArray{number(matrix(i, 0)), number(matrix(i, 1)), number(matrix(i, 2))});
+        rows.append(QJsonArray{jsonNumber(matrix(i, 0)), jsonNumber(matrix(i, 1)), jsonNumber(matrix(i, 2))});
     return rows;
 }
 
 QJsonObject toJson(const CoverageInterval& interval)
 {
-    return {{u"lower"_s, number(interval.lower)},
-            {u"upper"_s, number(interval.upper)},
+    return {{u"lower"_s, jsonNumber(interval.lower)},
+            {u"upper"_s, jsonNumber(interval.upper)},
             {u"logarithmic"_s, interval.logarithmic},
             {u"only_upper_bound"_s, interval.onlyUpperBound}};
 }
@@ -62,7 +54,7 @@ template <typename Member>
 QJsonObject combined(const UncertaintyBudget& budget, Member member)
 {
     const std::array<CombinedUncertainty, 3>& c = budget.combined;
-    return byName(number(c[0].*member), number(c[1].*member), number(c[2].*member));
+    return byName(jsonNumber(c[0].*member), jsonNumber(c[1].*member), jsonNumber(c[2].*member));
 }
 
 QJsonObject toJson(const ComparedModel& model)
@@ -73,12 +65,12 @@ QJsonObject toJson(const ComparedModel& model)
             {u"parameters"_s, p ? QJsonValue(byName(p->vector())) : QJsonValue()},
             {u"unknowns"_s, model.parameters},
             {u"noise_order"_s, model.noiseOrder},
-            {u"log_likelihood"_s, number(model.logLikelihood)},
-            {u"criterion"_s, number(model.criterion)},
-            {u"delta"_s, number(model.delta)},
-            {u"weight"_s, number(model.weight)},
-            {u"change_in_standard_errors"_s, number(model.change)},
-            {u"delay_s"_s, number(model.delay_s)}};
+            {u"log_likelihood"_s, jsonNumber(model.logLikelihood)},
+            {u"criterion"_s, jsonNumber(model.criterion)},
+            {u"delta"_s, jsonNumber(model.delta)},
+            {u"weight"_s, jsonNumber(model.weight)},
+            {u"change_in_standard_errors"_s, jsonNumber(model.change)},
+            {u"delay_s"_s, jsonNumber(model.delay_s)}};
 }
 
 } // namespace
@@ -89,7 +81,7 @@ QJsonObject toJson(const UncertaintyBudget& budget)
     for (const BudgetLine& line : budget.lines)
         lines.append(toJson(line));
     QJsonObject out{
-        {u"coverage"_s, number(budget.coverage)}, {u"message"_s, budget.message}, {u"lines"_s, lines}};
+        {u"coverage"_s, jsonNumber(budget.coverage)}, {u"message"_s, budget.message}, {u"lines"_s, lines}};
     const bool there = budget.parameters.has_value();
     const auto orNull = [&](const QJsonValue& value) { return there ? value : QJsonValue(); };
     out[u"parameters"_s] = there ? QJsonValue(byName(budget.parameters->vector())) : QJsonValue();
@@ -109,11 +101,11 @@ QJsonObject toJson(const std::vector<DerivedQuantity>& quantities)
         out[quantity.id] =
             QJsonObject{{u"name"_s, quantity.name},
                         {u"unit"_s, quantity.unit},
-                        {u"value"_s, number(quantity.value)},
-                        {u"standard_uncertainty"_s, number(quantity.uncertainty.standardUncertainty)},
-                        {u"lower"_s, number(quantity.interval.lower)},
-                        {u"upper"_s, number(quantity.interval.upper)},
-                        {u"degrees_of_freedom"_s, number(quantity.uncertainty.degreesOfFreedom)},
+                        {u"value"_s, jsonNumber(quantity.value)},
+                        {u"standard_uncertainty"_s, jsonNumber(quantity.uncertainty.standardUncertainty)},
+                        {u"lower"_s, jsonNumber(quantity.interval.lower)},
+                        {u"upper"_s, jsonNumber(quantity.interval.upper)},
+                        {u"degrees_of_freedom"_s, jsonNumber(quantity.uncertainty.degreesOfFreedom)},
                         {u"message"_s, quantity.words}};
     }
     return out;

@@ -11,8 +11,6 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// Share of the squeeze that may be lost or left out before the measurement is worth nothing.
-constexpr double largestShareLost = 0.25;
 /// Share of saturated samples above which the measurement is invalid; any saturated sample makes it suspect.
 constexpr double largestSaturatedShare = 0.01;
 /// The relative standard error above which m or k counts as not excited.
@@ -45,7 +43,7 @@ ValidityCheck samplesLost(const Identification& data)
     // What was measured of the squeeze and used, against all of it.
     const double whole = static_cast<double>(choice.eligible) + static_cast<double>(choice.lostSamples);
     const double used = static_cast<double>(data.position.size()) - static_cast<double>(data.lost.size());
-    check.decisive = whole > 0 && 1 - used / whole > largestShareLost;
+    check.decisive = whole > 0 && 1 - used / whole > PreparationOptions().largestLostShare;
     if (check.ok)
         check.message = u"no sample is missing"_s;
     else if (check.decisive)

@@ -156,6 +156,24 @@ const PreparationStep* PreparedRecord::find(const QString& id) const
     return nullptr;
 }
 
+PreparedRecord windowOf(const PreparedRecord& record, Window window)
+{
+    PreparedRecord part;
+    part.sampleTime_s = record.sampleTime_s;
+    part.hold = record.hold;
+    part.forceLag_s = record.forceLag_s;
+    const auto cut = [&](const std::vector<double>& all) {
+        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(window.first);
+        return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(window.count));
+    };
+    part.force = cut(record.force);
+    part.position = cut(record.position);
+    for (const std::size_t index : record.lost)
+        if (index >= window.first && index < window.first + window.count)
+            part.lost.push_back(index - window.first);
+    return part;
+}
+
 PreparedRecord prepare(const Recording& recording, const PreparationOptions& options)
 {
     PreparedRecord prepared;

@@ -37,8 +37,7 @@ struct PreparationStep {
 struct PreparedRecord {
     double sampleTime_s = 0;
     std::vector<double> time_s, force, position;
-    /// Sorted indexes at which nothing can be used; the values there are for plots only. Two and more in a
-    /// row leave the state behind them free.
+    /// Sorted indexes at which nothing can be used; the values there are for plots only.
     std::vector<std::size_t> lost;
     std::optional<ForceHold> hold; ///< as the recording said
     double forceLag_s = 0;
@@ -52,6 +51,9 @@ struct PreparedRecord {
 
     [[nodiscard]] const PreparationStep* find(const QString& id) const;
 };
+
+/// Its samples [first, first + count) alone, without times, chain and steps.
+[[nodiscard]] PreparedRecord windowOf(const PreparedRecord& record, Window window);
 
 /// Takes a recording through, in this order: the samples the device calls the squeeze (StatusMoving), the
 /// phases of contact (findContact), the clock and the lost samples (readSampleClock), where more than

@@ -18,17 +18,7 @@ LiveEstimateCard::LiveEstimateCard(QWidget* parent) : QFrame(parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(16, 8, 16, 8);
     row->setSpacing(24);
-    const auto add = [&](const QString& name) {
-        auto* pair = new QVBoxLayout;
-        pair->setSpacing(0);
-        pair->addWidget(makeLabel(name, "caption", this));
-        QLabel* value = makeLabel(u"–"_s, "strong", this);
-        value->setMinimumWidth(120);
-        value->setAccessibleName(name);
-        pair->addWidget(value);
-        row->addLayout(pair);
-        return value;
-    };
+    const auto add = [&](const QString& name) { return addCaptionedValue(row, name, 120, this); };
     m_values = {add(tr("Mass")), add(tr("Damping")), add(tr("Stiffness"))};
     m_samples = add(tr("Samples"));
     m_samples->setMinimumWidth(64);

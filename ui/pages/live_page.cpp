@@ -148,17 +148,7 @@ void LivePage::buildCounters(QBoxLayout* column)
     auto* row = new QHBoxLayout(card);
     row->setContentsMargins(16, 8, 16, 8);
     row->setSpacing(24);
-    const auto add = [&](const QString& name) {
-        auto* pair = new QVBoxLayout;
-        pair->setSpacing(0);
-        pair->addWidget(makeLabel(name, "caption", card));
-        QLabel* value = makeLabel(u"–"_s, "strong", card);
-        value->setMinimumWidth(88);
-        value->setAccessibleName(name);
-        pair->addWidget(value);
-        row->addLayout(pair);
-        return value;
-    };
+    const auto add = [&](const QString& name) { return addCaptionedValue(row, name, 88, card); };
     d->reports = add(tr("Reports"));
     d->lost = add(tr("Lost samples"));
     d->dropped = add(tr("Dropped"));

@@ -63,4 +63,17 @@ void setSpacing(QBoxLayout* layout, int margin, int spacing)
     layout->setSpacing(spacing);
 }
 
+QLabel* addCaptionedValue(QBoxLayout* row, const QString& caption, int minimumWidth, QWidget* parent)
+{
+    auto* pair = new QVBoxLayout;
+    pair->setSpacing(0);
+    pair->addWidget(makeLabel(caption, "caption", parent));
+    QLabel* value = makeLabel(QStringLiteral("\u2013"), "strong", parent);
+    value->setMinimumWidth(minimumWidth);
+    value->setAccessibleName(caption);
+    pair->addWidget(value);
+    row->addLayout(pair);
+    return value;
+}
+
 } // namespace gripscope

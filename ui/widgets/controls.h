@@ -21,6 +21,10 @@ void setRole(QWidget* widget, const char* role);
 /// A button with an icon of the theme; `role` "" (plain), "primary" or "quiet".
 [[nodiscard]] QPushButton* makeButton(const QString& text, const QString& icon = {}, const char* role = "",
                                       QWidget* parent = nullptr);
+/// A caption and under it a value in strong type ("–" at first), at the end of `row`; gives the value's
+/// label.
+[[nodiscard]] QLabel* addCaptionedValue(QBoxLayout* row, const QString& caption, int minimumWidth,
+                                        QWidget* parent);
 /// Margins and spacing in steps of the theme.
 void setSpacing(QBoxLayout* layout, int margin, int spacing);
 

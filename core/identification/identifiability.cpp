@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/identifiability.h"
+
+#include <array>
+
+namespace gripscope {
+
+const char* boundaryMessage(int parameter, bool atZero)
+{
+    static constexpr std::array<const char*, 3> toZero{
+        "the mass cannot be told from zero; excite faster, or sample faster",
+        "the damping cannot be told from zero; squeeze longer or with more force",
+        "the stiffness cannot be told from zero; squeeze longer"};
+    static constexpr std::array<const char*, 3> toInfinity{
+        "no finite mass explains the position; check the grip and the sensor",
+        "no finite damping explains the position; check the grip and the sensor",
+        "no finite stiffness explains the position; check the grip and the sensor"};
+    const auto i = static_cast<std::size_t>(parameter);
+    return atZero ? toZero[i] : toInfinity[i];
+}
+
+Estimate statusOnly(Estimator estimator, EstimateStatus status, const char* message)
+{
+    Estimate estimate;
+    estimate.estimator = estimator;
+    estimate.status = status;
+    estimate.message = message;
+    return estimate;
+}
+
+} // namespace gripscope
