@@ -39,7 +39,8 @@ if shutil.which("octave-cli"):
     pkg load control; d = csvread('{record}'); data = iddata(d(:,2), d(:,1), 1);
     arx(data, 'na', 2, 'nb', 1); times = zeros(1, 30);
     for i = 1:30, tic; model = arx(data, 'na', 2, 'nb', 1); times(i) = toc; end
-    [num, den] = filtdata(model, 'v'); printf('%.1f %.15g %.15g %.15g\\n', 1e6 * median(times), den(2), den(3), num(2));
+    [num, den] = filtdata(model(1, 1)); % input 2 of its model is the noise
+    printf('%.1f %.15g %.15g %.15g\\n', 1e6 * median(times), den{{1}}(2), den{{1}}(3), num{{1}}(2));
     """
     found = subprocess.run(["octave-cli", "--no-gui", "--eval", program], capture_output=True, text=True)
     if found.returncode == 0:
