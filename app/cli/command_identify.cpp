@@ -7,7 +7,6 @@
 #include "core/identification/identification_json.h"
 
 #include <algorithm>
-#include <array>
 
 namespace gripscope::cli {
 
@@ -15,36 +14,29 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr std::array allEstimators{
-    Estimator::Arx,         Estimator::ArxMeanForce, Estimator::Arx221,  Estimator::InstrumentalVariables,
-    Estimator::OutputError, Estimator::Duffing,      Estimator::Periodic};
-
-QStringList implementedNames()
+QStringList estimatorNames()
 {
     QStringList names;
     for (const Estimator estimator : allEstimators)
-        if (isImplemented(estimator))
-            names << toString(estimator);
+        names << toString(estimator);
     return names;
 }
 
 Expected<std::vector<Estimator>> estimators(const QStringList& list)
 {
     std::vector<Estimator> found;
-    const QStringList names = list.contains(u"all"_qs) ? implementedNames() : list;
+    const QStringList names = list.contains(u"all"_qs) ? estimatorNames() : list;
     for (const QString& name : names) {
         const std::optional<Estimator> estimator = estimatorFromString(name);
         if (!estimator)
             return failure(ErrorCode::Usage, {u"There is no estimator \"%1\"; choose from %2, or all."_qs.arg(
-                                                 name, implementedNames().join(u", "_qs))});
-        if (!isImplemented(*estimator))
-            return failure(ErrorCode::NotSupportedYet, {u"The estimator "_qs + name});
+                                                 name, estimatorNames().join(u", "_qs))});
         if (std::find(found.begin(), found.end(), *estimator) == found.end())
             found.push_back(*estimator);
     }
     if (found.empty())
         return failure(ErrorCode::Usage, {u"--estimator names none; choose from %1, or all."_qs.arg(
-                                             implementedNames().join(u", "_qs))});
+                                             estimatorNames().join(u", "_qs))});
     return found;
 }
 
@@ -75,7 +67,7 @@ int runIdentify(const QStringList& arguments)
                      u"FILE..."_qs);
     line.option(u"estimator"_qs, u"LIST"_qs,
                 u"Estimators, separated by commas: %1; all means every one of these."_qs.arg(
-                    implementedNames().join(u", "_qs)),
+                    estimatorNames().join(u", "_qs)),
                 u"arx,oe"_qs);
     addReadingOptions(line);
     if (const std::optional<int> exit = line.parse(arguments))

@@ -38,21 +38,6 @@ std::optional<Estimator> estimatorFromString(const QString& text)
     return std::nullopt;
 }
 
-bool isImplemented(Estimator estimator)
-{
-    switch (estimator) {
-    case Estimator::Arx:
-    case Estimator::ArxMeanForce:
-    case Estimator::Arx221:
-    case Estimator::InstrumentalVariables:
-    case Estimator::OutputError:
-    case Estimator::Duffing:
-    case Estimator::Periodic:
-        return true;
-    }
-    return false;
-}
-
 QString toString(EstimateStatus status)
 {
     switch (status) {

@@ -15,10 +15,14 @@ namespace gripscope {
 
 enum class Estimator { Arx, ArxMeanForce, Arx221, InstrumentalVariables, OutputError, Duffing, Periodic };
 
+/// Every one of them, in that order.
+inline constexpr std::array allEstimators{
+    Estimator::Arx,         Estimator::ArxMeanForce, Estimator::Arx221,  Estimator::InstrumentalVariables,
+    Estimator::OutputError, Estimator::Duffing,      Estimator::Periodic};
+
 /// "arx", "arx-mean-force", "arx221", "iv", "oe", "duffing", "periodic".
 [[nodiscard]] QString toString(Estimator estimator);
 [[nodiscard]] std::optional<Estimator> estimatorFromString(const QString& text);
-[[nodiscard]] bool isImplemented(Estimator estimator);
 
 enum class EstimateStatus {
     Converged,

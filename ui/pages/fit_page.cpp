@@ -28,6 +28,9 @@
 #include <QStackedWidget>
 #include <QUrl>
 
+#include <algorithm>
+#include <iterator>
+
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
@@ -49,21 +52,19 @@ struct FitPage::Private {
 
 namespace {
 
-std::vector<Estimator> implementedEstimators()
+/// Every one, output error at the head of the table.
+std::vector<Estimator> everyEstimator()
 {
-    std::vector<Estimator> result;
-    for (const Estimator estimator :
-         {Estimator::OutputError, Estimator::Arx, Estimator::ArxMeanForce, Estimator::Arx221,
-          Estimator::InstrumentalVariables, Estimator::Duffing, Estimator::Periodic})
-        if (isImplemented(estimator))
-            result.push_back(estimator);
+    std::vector<Estimator> result(allEstimators.begin(), allEstimators.end());
+    const auto outputError = std::find(result.begin(), result.end(), Estimator::OutputError);
+    std::rotate(result.begin(), outputError, std::next(outputError));
     return result;
 }
 
 Identification identifyByAll(const Recording& recording)
 {
     IdentificationOptions options;
-    options.estimators = implementedEstimators();
+    options.estimators = everyEstimator();
     return identify(recording, options);
 }
 
@@ -210,7 +211,7 @@ void FitPage::takeSubject()
     ++d->generation;
     d->identifying = false;
     showSubject();
-    if (d->subject->identification.estimates.size() < implementedEstimators().size())
+    if (d->subject->identification.estimates.size() < allEstimators.size())
         runAllEstimators();
 }
 
