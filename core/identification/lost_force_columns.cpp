@@ -9,6 +9,8 @@ namespace {
 
 /// Share of its column below which what is left of it is rounding.
 constexpr double dependent = 1e-12;
+/// Of what a coordinate reaches: less is what the reflections round, which must not pass for an unknown.
+constexpr double reachRounding = 1e-14;
 
 /// The reflection that makes rows (first, end) of the column zero, on all columns.
 template <typename Matrix>
@@ -38,7 +40,8 @@ LostForceColumns::LostForceColumns(const OutputErrorProblem& problem, Eigen::Ind
 {
 }
 
-void LostForceColumns::start(const CascadeWalk& walk, double speed, const std::vector<double>& assumed)
+void LostForceColumns::start(const CascadeWalk& walk, double speed, const std::vector<double>& assumed,
+                             bool freeStart)
 {
     const CascadeStep& step = walk.step();
     const CascadeStep& part = walk.part();
@@ -49,7 +52,7 @@ void LostForceColumns::start(const CascadeWalk& walk, double speed, const std::v
     m_speed = speed;
     m_assumed = &assumed;
     m_reach.setZero();
-    if (m_problem.freeInitialState)
+    if (freeStart)
         m_reach(0, 0) = m_reach(1, 1) = 1;
     m_eliminated.clear();
     m_qr.clear();
@@ -101,8 +104,11 @@ void LostForceColumns::enter(std::size_t lost)
     Eigen::Matrix<double, 4, 7> work;
     work.leftCols<3>() = m_reach.topRows<3>().transpose();
     work.rightCols<4>().setIdentity();
+    const Eigen::RowVector3d sizes = work.leftCols<3>().colwise().norm();
     for (Eigen::Index i = 0; i < 3; ++i)
         reflectRows(work, i, 4, i);
+    for (Eigen::Index i = 0; i < 3; ++i)
+        work.col(i) = (work.col(i).array().abs() > reachRounding * sizes(i)).select(work.col(i), 0.0).eval();
     event.turn = work.rightCols<4>().transpose();
     m_reach.setZero();
     m_reach.topRows<3>() = work.leftCols<3>().transpose();
@@ -124,14 +130,24 @@ void LostForceColumns::eliminate(Eliminated& event)
     reflectRows(rows, 0, coordinates, 3);
     event.observed = std::abs(rows(0, 3)) > dependent * std::sqrt(size);
     event.row = rows.row(0);
-    const Eigen::Index first = event.observed ? 1 : 0;
     rows.col(3).setZero();
-    if (event.observed)
-        rows.row(0).setZero();
-    for (Eigen::Index i = 0; i + first < coordinates && i < 3; ++i)
-        reflectRows(rows, first + i, coordinates, i);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        // Of a coordinate nothing is known of there are only rounding errors, which must not look like a row.
+        if (rows.col(i).norm() <= dependent * std::sqrt(size))
+            rows.col(i).setZero();
+    }
+    // Echelon form, each row at its own column: what a row says of the others then never hides behind a
+    // diagonal that is zero.
     triangle.topRows<coordinates>().setZero();
-    triangle.topRows(coordinates - first) = rows.bottomRows(coordinates - first);
+    Eigen::Index next = event.observed ? 1 : 0;
+    for (Eigen::Index i = 0; i < 3 && next < coordinates; ++i) {
+        reflectRows(rows, next, coordinates, i);
+        if (std::abs(rows(next, i)) > dependent * std::sqrt(size)) {
+            triangle.row(i) = rows.row(next);
+            ++next;
+        }
+        rows.col(i).setZero();
+    }
 }
 
 LostForceColumns::Solution LostForceColumns::solve()
@@ -185,6 +201,30 @@ void LostForceColumns::substituteBack(Solution& solution, SmallMatrix c) const
             ++lost;
         }
     }
+}
+
+Eigen::MatrixXd withoutLostForces(const OutputErrorProblem& problem, const Eigen::Vector3d& theta,
+                                  const std::vector<double>& assumed, const Eigen::MatrixXd& series)
+{
+    const CascadeDynamics dynamics(theta);
+    const CascadeWalk walk(problem, problem.force, dynamics);
+    LostForceColumns columns(problem, 0, series.rows());
+    columns.start(walk, dynamics.speed, assumed, false);
+    Eigen::MatrixXd left(series.rows(), problem.measuredRows());
+    Eigen::Index count = 0;
+    auto lost = problem.lost.begin();
+    for (std::ptrdiff_t t = -problem.lag.samples; t < problem.endRow(); ++t) {
+        while (lost != problem.lost.end() && static_cast<std::ptrdiff_t>(*lost) < t)
+            ++lost;
+        const bool measured = lost == problem.lost.end() || static_cast<std::ptrdiff_t>(*lost) != t;
+        if (measured && t >= problem.firstRow()) {
+            columns.foldPriors();
+            columns.nextRow().tail(series.rows()) = series.col(t - problem.firstRow()).transpose();
+            left.col(count++) = columns.takeOut();
+        }
+        columns.advance();
+    }
+    return left;
 }
 
 } // namespace gripscope

@@ -29,7 +29,7 @@ public:
 
     /// To the first sample, for the dynamics of this walk; the last column is that of the residuals at the
     /// lost forces `assumed`.
-    void start(const CascadeWalk& walk, double speed, const std::vector<double>& assumed);
+    void start(const CascadeWalk& walk, double speed, const std::vector<double>& assumed, bool freeStart);
     /// A new row of the problem, its coordinate columns filled in.
     [[nodiscard]] auto nextRow()
     {
@@ -38,7 +38,11 @@ public:
         return row;
     }
     void advance();
-    [[nodiscard]] TallQr& qr() { return m_qr; }
+    /// Instead of leaving the row to solve(): what all that was taken out, as far as the rows before tell it,
+    /// leaves of the row's other columns.
+    [[nodiscard]] auto takeOut() { return m_qr.takeOut(coordinates + m_fixed); }
+    /// Folds the rows of the priors, which must not wait for the next row when that is to be taken out.
+    void foldPriors() { (void)m_qr.triangle(); }
 
     /// What start, lost forces and fixed columns explain of the other columns.
     struct Solution {
@@ -78,5 +82,15 @@ private:
     std::size_t m_next = 0; ///< index in problem.lost of the next lost sample to enter
     std::vector<Eliminated> m_eliminated;
 };
+
+/// What the measured samples of `series` keep when the lost forces are taken out of them, sample by sample,
+/// as far as their priors and the samples before tell them. A row a regressor (at most 16), the last one the
+/// residual at the lost forces `assumed`; a column a sample from firstRow() to endRow() there, a measured one
+/// in the result. This is an orthogonal change of the rows: the least-squares problem that is left is the
+/// same, and noise that was white stays so, however many forces were lost.
+[[nodiscard]] Eigen::MatrixXd withoutLostForces(const OutputErrorProblem& problem,
+                                                const Eigen::Vector3d& theta,
+                                                const std::vector<double>& assumed,
+                                                const Eigen::MatrixXd& series);
 
 } // namespace gripscope

@@ -63,6 +63,11 @@ double cubic(const std::vector<double>& f, Gap gap, std::size_t inside)
 struct ErrorLaw {
     double constant = 0, slope = 0, mean = 0;
     std::size_t count = 0;
+    /// A variance that was never seen: that of the force over one more than the places tried.
+    double least = 0;
+    /// How much larger the variance of a gap's mean error is than if its errors were independent: 1 to the
+    /// gap's length, where they all go the same way.
+    double likeness = 1;
 };
 
 /// Sums for the law of one kind of interpolation.
@@ -73,14 +78,24 @@ public:
         const double e = error * error;
         const double d = difference * difference;
         ++m_count;
+        m_sum += error;
         m_e += e;
         m_d += d;
         m_dd += d * d;
         m_ed += e * d;
     }
-    [[nodiscard]] ErrorLaw law(double forceVariance) const
+    /// After the last error of a place.
+    void endPlace()
+    {
+        m_together += m_sum * m_sum;
+        m_sum = 0;
+    }
+    [[nodiscard]] ErrorLaw law(double forceVariance, std::size_t length) const
     {
         ErrorLaw law;
+        law.least = forceVariance * static_cast<double>(length) / static_cast<double>(m_count + length);
+        law.likeness = m_e > 0 ? std::clamp(m_together / m_e, 1.0, static_cast<double>(length))
+                               : static_cast<double>(length);
         law.count = m_count;
         law.constant = law.mean = forceVariance;
         if (m_count == 0)
@@ -94,12 +109,11 @@ public:
             law.constant = 0;
             law.slope = m_d > 0 ? m_e / m_d : 0;
         }
-        law.constant = std::max(law.constant, forceVariance / (n + 1));
         return law;
     }
 
 private:
-    double m_e = 0, m_d = 0, m_dd = 0, m_ed = 0;
+    double m_e = 0, m_d = 0, m_dd = 0, m_ed = 0, m_sum = 0, m_together = 0;
     std::size_t m_count = 0;
 };
 
@@ -126,10 +140,9 @@ public:
         for (const Gap& gap : gapsOf(lost)) {
             const bool open = gap.first == 0 || gap.first + gap.length == m_force.size();
             for (std::size_t inside = 1; inside <= gap.length; ++inside) {
-                double variance = 2 * m_variance;
+                double variance = 2 * m_variance * static_cast<double>(gap.length);
                 prior.force[gap.first + inside - 1] =
                     open ? nearest(gap) : interpolate(gap, inside, variance);
-                variance *= static_cast<double>(gap.length);
                 prior.deviation.push_back(std::max(std::sqrt(variance), m_least));
             }
         }
@@ -175,7 +188,7 @@ private:
             hasTwoOnEitherSide(gap) && laws.cubic.count > 0 && laws.cubic.mean < laws.straight.mean;
         const ErrorLaw& law = byCubic ? laws.cubic : laws.straight;
         const double difference = m_force[gap.first + gap.length] - m_force[gap.first - 1];
-        variance = law.constant + law.slope * difference * difference;
+        variance = std::max(law.likeness * (law.constant + law.slope * difference * difference), law.least);
         return byCubic ? cubic(m_force, gap, inside) : straight(m_force, gap, inside);
     }
 
@@ -186,23 +199,34 @@ private:
             return known->second;
         ErrorSums byLine;
         ErrorSums byCubic;
-        const std::size_t width = length + 4;
+        const std::size_t width = length + 2;
         const std::size_t places = m_force.size() >= width ? m_force.size() - width + 1 : 0;
         const std::size_t stride = std::max<std::size_t>(places / mostPlaces, 1);
         for (std::size_t start = 0; start < places; start += stride) {
             const auto begin = m_isLost.begin() + static_cast<std::ptrdiff_t>(start);
-            if (std::find(begin, begin + static_cast<std::ptrdiff_t>(width), true) !=
-                begin + static_cast<std::ptrdiff_t>(width))
-                continue;
-            const Gap gap{start + 2, length};
-            const double difference = m_force[gap.first + length] - m_force[gap.first - 1];
-            for (std::size_t inside = 1; inside <= length; ++inside) {
-                const double truth = m_force[gap.first + inside - 1];
-                byLine.add(truth - straight(m_force, gap, inside), difference);
-                byCubic.add(truth - cubic(m_force, gap, inside), difference);
-            }
+            const auto end = begin + static_cast<std::ptrdiff_t>(width);
+            if (std::find(begin, end, true) == end)
+                tryGap({start + 1, length}, byLine, byCubic);
         }
-        return m_laws.emplace(length, GapLaws{byLine.law(m_variance), byCubic.law(m_variance)}).first->second;
+        return m_laws
+            .emplace(length, GapLaws{byLine.law(m_variance, length), byCubic.law(m_variance, length)})
+            .first->second;
+    }
+
+    /// Lays it over measured samples.
+    void tryGap(const Gap& gap, ErrorSums& byLine, ErrorSums& byCubic) const
+    {
+        const bool tryCubic = hasTwoOnEitherSide(gap);
+        const double difference = m_force[gap.first + gap.length] - m_force[gap.first - 1];
+        for (std::size_t inside = 1; inside <= gap.length; ++inside) {
+            const double truth = m_force[gap.first + inside - 1];
+            byLine.add(truth - straight(m_force, gap, inside), difference);
+            if (tryCubic)
+                byCubic.add(truth - cubic(m_force, gap, inside), difference);
+        }
+        byLine.endPlace();
+        if (tryCubic)
+            byCubic.endPlace();
     }
 
     std::vector<double> m_force;

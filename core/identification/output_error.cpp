@@ -269,18 +269,4 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
     return estimate;
 }
 
-std::optional<double> sseUnderOtherHold(const std::vector<double>& force, const std::vector<double>& position,
-                                        const OutputErrorOptions& options, const MassDampingStiffness& found)
-{
-    OutputErrorOptions other = options;
-    other.hold = options.hold == ForceHold::Zero ? ForceHold::First : ForceHold::Zero;
-    const OutputErrorProblem problem = makeOutputErrorProblem(force, position, other);
-    // A few iterations will do: the two optima are close, and a cost that is a little high is on the safe
-    // side.
-    constexpr int iterations = 10;
-    const SearchResult search = searchOutputError(problem, problem.toTheta(found), iterations);
-    const double sse = search.linear.cost * problem.positionScale * problem.positionScale;
-    return search.linear.finite && std::isfinite(sse) ? std::optional(sse) : std::nullopt;
-}
-
 } // namespace gripscope

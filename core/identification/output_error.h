@@ -39,11 +39,4 @@ struct OutputErrorOptions {
                                            const std::vector<double>& position,
                                            const OutputErrorOptions& options);
 
-/// The smallest sum of squared residuals under the other hold, searched from `found`; nothing when there is
-/// none. In channel units; for the question which hold a recording has.
-[[nodiscard]] std::optional<double> sseUnderOtherHold(const std::vector<double>& force,
-                                                      const std::vector<double>& position,
-                                                      const OutputErrorOptions& options,
-                                                      const MassDampingStiffness& found);
-
 } // namespace gripscope

@@ -178,7 +178,7 @@ Linearization ResponseLinearizer::withLosses(const CascadeDynamics& dynamics, co
         m_force[m_problem.lost[i]] = assumed.lostForces[i];
     CascadeWalk walk(m_problem, m_force, dynamics);
     walk.startAt(assumed.x0, assumed.v0);
-    m_lost.start(walk, dynamics.speed, assumed.lostForces);
+    m_lost.start(walk, dynamics.speed, assumed.lostForces, m_problem.freeInitialState);
     double raw = 0;
     const auto use = [&](std::size_t index) {
         auto row = m_lost.nextRow();

@@ -4,83 +4,17 @@
 #include "core/identification/discretization.h"
 #include "core/identification/noise_model.h"
 #include "core/identification/orthonormal_rows.h"
+#include "core/identification/output_error_rows.h"
 #include "core/identification/residual_noise.h"
 #include "core/identification/residual_tests.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gripscope {
 
 namespace {
-
-constexpr double roundingShare = 1e-9;
-
-/// Lost samples are a regressor each: with more than this (columns squared times samples) judging would take
-/// longer than estimating.
-constexpr double mostWork = 1e8;
-
-MassDampingStiffness scaledParameters(const Eigen::Vector3d& theta)
-{
-    return {std::exp(theta(0)), std::exp(theta(1)), std::exp(theta(2))};
-}
-
-/// The linearised problem, a column a sample of the grid; samples without a measurement are zero.
-struct Linearized {
-    Eigen::MatrixXd sensitivities; ///< lost forces, x0, v0, offset, then ln M, ln B, ln K
-    Eigen::RowVectorXd residual, position;
-    std::vector<bool> measured;
-
-    Linearized(const OutputErrorProblem& problem, const Eigen::Vector3d& theta,
-               const ScaledNuisance& nuisance)
-        : residual(Eigen::RowVectorXd::Zero(problem.rows())), position(residual),
-          measured(static_cast<std::size_t>(problem.rows()), false)
-    {
-        const auto lost = static_cast<Eigen::Index>(problem.lost.size());
-        const Eigen::Index own = problem.nuisanceCount() + 3;
-        const std::ptrdiff_t first = problem.firstRow();
-        sensitivities = Eigen::MatrixXd::Zero(lost + own, problem.rows());
-        forEachLinearizedRow(problem, theta, nuisance, [&](std::ptrdiff_t t, const Eigen::RowVectorXd& row) {
-            sensitivities.col(t - first).tail(own) = row.head(own).transpose();
-            residual(t - first) = row(own);
-            position(t - first) = problem.position[static_cast<std::size_t>(t)];
-            measured[static_cast<std::size_t>(t - first)] = true;
-        });
-        if (lost > 0)
-            fillLostForces(problem, theta);
-    }
-    [[nodiscard]] bool isRounding() const
-    {
-        return !(residual.norm() > roundingShare * position.norm()) || !sensitivities.allFinite();
-    }
-    void blank(Eigen::MatrixXd& rows) const
-    {
-        for (std::size_t t = 0; t < measured.size(); ++t) {
-            if (!measured[t])
-                rows.col(static_cast<Eigen::Index>(t)).setZero();
-        }
-    }
-
-private:
-    /// The answer to a unit of force at a lost sample is the same for all of them, shifted.
-    void fillLostForces(const OutputErrorProblem& problem, const Eigen::Vector3d& theta)
-    {
-        std::vector<double> pulse(problem.force.size() + 2, 0.0);
-        pulse[1] = 1; // a straight force begins to rise a sample earlier
-        const std::vector<double> answer =
-            simulate(scaledParameters(theta), pulse, {1, problem.hold, problem.lag.rest, 0, 0, 0});
-        for (std::size_t i = 0; i < problem.lost.size(); ++i) {
-            const std::ptrdiff_t shift =
-                problem.firstRow() + problem.lag.samples + 1 - static_cast<std::ptrdiff_t>(problem.lost[i]);
-            for (std::ptrdiff_t t = std::max<std::ptrdiff_t>(-shift, 0); t < problem.rows(); ++t) {
-                if (static_cast<std::size_t>(t + shift) < answer.size())
-                    sensitivities(static_cast<Eigen::Index>(i), t) =
-                        answer[static_cast<std::size_t>(t + shift)];
-            }
-        }
-        blank(sensitivities);
-    }
-};
 
 std::span<const double> asSpan(const Eigen::RowVectorXd& row)
 {
@@ -102,9 +36,9 @@ std::optional<Eigen::MatrixXd> gainsOf(const OrthonormalRows& rows, Eigen::Index
 
 /// Answers of the object to x^2 and x^3, x the modelled position from its mean: what a spring that is not
 /// straight adds to the position, to first order.
-Eigen::MatrixXd springRows(const Eigen::Vector3d& theta, const Linearized& data)
+Eigen::MatrixXd springRows(const Eigen::Vector3d& theta, const OutputErrorRows& data)
 {
-    Eigen::RowVectorXd x = data.position - data.residual;
+    Eigen::RowVectorXd x = data.modelled();
     x.array() -= x.mean();
     const double largest = x.cwiseAbs().maxCoeff();
     if (largest > 0)
@@ -124,14 +58,14 @@ Eigen::MatrixXd springRows(const Eigen::Vector3d& theta, const Linearized& data)
 
 /// A start or an offset that was taken for none though the position has it: the residuals then hold its free
 /// response, which is no noise.
-bool lacksNuisance(const OutputErrorProblem& problem, const Eigen::Vector3d& theta, const Linearized& data,
-                   const Eigen::MatrixXd& model)
+bool lacksNuisance(const OutputErrorProblem& problem, const Eigen::Vector3d& theta,
+                   const OutputErrorRows& data, const Eigen::MatrixXd& model)
 {
     constexpr double certain = 0.001;
     const Eigen::Index missing = (problem.freeInitialState ? 0 : 2) + (problem.freeOffset ? 0 : 1);
     if (missing == 0)
         return false;
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Ones(missing, data.residual.size());
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Ones(missing, problem.rows());
     if (!problem.freeInitialState) {
         const std::vector<double> rest(static_cast<std::size_t>(rows.cols()), 0.0);
         for (Eigen::Index i = 0; i < 2; ++i) {
@@ -141,8 +75,8 @@ bool lacksNuisance(const OutputErrorProblem& problem, const Eigen::Vector3d& the
             rows.row(i) = Eigen::Map<const Eigen::RowVectorXd>(answer.data(), rows.cols());
         }
     }
-    data.blank(rows);
-    const auto test = testExplained(data.residual, model, orthonormalize(rows, model).basis);
+    const OrthonormalRows extra = orthonormalize(data.rowsOf(std::move(rows)), model);
+    const auto test = testExplained(data.residual(), model, extra.basis);
     return test && test->p < certain;
 }
 
@@ -159,11 +93,12 @@ Eigen::Vector3d shiftBy(const OrthonormalRows& extra, const Eigen::RowVectorXd& 
 /// The tests of input, feedback and spring on rows whose noise is white.
 class RegressionTests {
 public:
-    RegressionTests(const OutputErrorProblem& problem, const Eigen::Vector3d& theta, const Linearized& data,
-                    const AutoregressiveNoise& noise, const Eigen::Matrix3d& covariance)
+    RegressionTests(const OutputErrorProblem& problem, const Eigen::Vector3d& theta,
+                    const OutputErrorRows& data, const AutoregressiveNoise& noise,
+                    const Eigen::Matrix3d& covariance)
         : m_problem(problem), m_data(data), m_noise(noise), m_theta(theta), m_covariance(covariance),
-          m_residual(whitened(Eigen::MatrixXd(data.residual), noise)),
-          m_model(orthonormalize(whitened(data.sensitivities, noise), {}))
+          m_residual(whitened(Eigen::MatrixXd(data.residual()), noise)),
+          m_model(orthonormalize(whitened(data.sensitivities(), noise), {}))
     {
     }
     void run(int fittedNumbers, ResidualSummary& summary) const
@@ -183,8 +118,7 @@ public:
 private:
     [[nodiscard]] OrthonormalRows news(Eigen::MatrixXd rows, const Eigen::MatrixXd& model) const
     {
-        m_data.blank(rows);
-        return orthonormalize(whitened(rows, m_noise), model);
+        return orthonormalize(whitened(m_data.rowsOf(std::move(rows)), m_noise), model);
     }
     void testInput(ResidualSummary& summary) const
     {
@@ -205,7 +139,7 @@ private:
     }
     void testSpring(ResidualSummary& summary) const
     {
-        const std::optional<Eigen::MatrixXd> gains = gainsOf(m_model, m_data.sensitivities.rows());
+        const std::optional<Eigen::MatrixXd> gains = gainsOf(m_model, m_data.sensitivities().rows());
         const OrthonormalRows spring = news(springRows(m_theta, m_data), m_model.basis);
         const auto test = testExplained(m_residual, m_model.basis, spring.basis);
         if (!gains || !test)
@@ -222,7 +156,7 @@ private:
     }
 
     const OutputErrorProblem& m_problem;
-    const Linearized& m_data;
+    const OutputErrorRows& m_data;
     AutoregressiveNoise m_noise;
     Eigen::Vector3d m_theta;
     Eigen::Matrix3d m_covariance;
@@ -244,19 +178,15 @@ OutputErrorResiduals testOutputError(const OutputErrorProblem& problem, const Ei
                                      const ScaledNuisance& nuisance)
 {
     OutputErrorResiduals out;
-    const auto columns = static_cast<double>(problem.lost.size() + 6);
-    if (!problem.lost.empty() && columns * columns * static_cast<double>(problem.rows()) > mostWork)
-        return out;
-    const Linearized data(problem, theta, nuisance);
-    const OrthonormalRows model = orthonormalize(data.sensitivities, {});
-    const std::optional<Eigen::MatrixXd> gains = gainsOf(model, data.sensitivities.rows());
-    const auto free = static_cast<double>(std::count(data.measured.begin(), data.measured.end(), true) -
-                                          static_cast<std::ptrdiff_t>(model.basis.rows()));
+    const OutputErrorRows data(problem, theta, nuisance);
+    const OrthonormalRows model = orthonormalize(data.sensitivities(), {});
+    const std::optional<Eigen::MatrixXd> gains = gainsOf(model, data.sensitivities().rows());
+    const auto free = static_cast<double>(data.residual().size() - model.basis.rows());
     if (data.isRounding() || !gains || free < 1)
         return out;
-    const std::span<const double> residual = asSpan(data.residual);
+    const std::span<const double> residual = asSpan(data.residual());
     out.summary.whitenessP = ljungBoxP(residual, 0, model.basis);
-    const double variance = data.residual.squaredNorm() / free;
+    const double variance = data.residual().squaredNorm() / free;
     const Eigen::Matrix3d white = variance * (*gains * gains->transpose());
     const bool incomplete = lacksNuisance(problem, theta, data, model.basis);
     std::optional<ResidualNoise> found;

@@ -15,10 +15,11 @@ struct OutputErrorResiduals {
 };
 
 /// The noise model of residual_noise.h and the tests of residual_tests.h at a solution; where a noise model
-/// was found, the tests of input, feedback and spring are made on whitened rows. No noise model where a start
-/// or an offset that was fixed at zero is certainly there: what is left of it is no noise. Everything absent
-/// when the residuals are rounding errors (below 1e-9 of the position's size), which are neither white nor
-/// noise, or when more samples were lost than can be judged in a time like that of the estimate.
+/// was found, the tests of input, feedback and spring are made on whitened rows. Where samples were lost all
+/// of it is done on the rows that are left when the lost forces are taken out (output_error_rows.h):
+/// residuals at and next to a lost sample are not white, those rows are. No noise model where a start or an
+/// offset that was fixed at zero is certainly there: what is left of it is no noise. Everything absent when
+/// the residuals are rounding errors (below 1e-9 of the position's size), which are neither white nor noise.
 [[nodiscard]] OutputErrorResiduals testOutputError(const OutputErrorProblem& problem,
                                                    const Eigen::Vector3d& theta,
                                                    const ScaledNuisance& nuisance);

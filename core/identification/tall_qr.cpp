@@ -47,17 +47,6 @@ void TallQr::fold()
     m_used = 0;
 }
 
-double TallQr::foldForResidual()
-{
-    const Eigen::Index last = m_triangle.cols() - 1;
-    for (Eigen::Index column = 0; column < last; ++column)
-        reflect(column);
-    const double residual = m_block(0, last);
-    reflect(last);
-    m_used = 0;
-    return residual;
-}
-
 const Eigen::MatrixXd& TallQr::triangle()
 {
     fold();

@@ -41,10 +41,17 @@ public:
     [[nodiscard]] const Eigen::MatrixXd& triangle();
     /// The same for a change of the columns' meaning between two rows; must be left upper triangular.
     [[nodiscard]] Eigen::MatrixXd& changeTriangle();
-    /// Folds the rows so far, of which there must be one, and returns what is left of its last column when
-    /// all other columns are taken out: the recursive residual (Brown, Durbin and Evans 1975), of variance
-    /// s^2 for every row when the rows' errors have it.
-    double foldForResidual();
+    /// Folds only the first `columns` of the one row that is there, and returns what the rows before leave of
+    /// its other columns: recursive residuals (Brown, Durbin and Evans 1975), which are uncorrelated and of
+    /// variance s^2 when the rows' errors are, and nothing when the row was needed to determine a column.
+    /// Valid until the next row.
+    [[nodiscard]] auto takeOut(Eigen::Index columns)
+    {
+        for (Eigen::Index column = 0; column < columns; ++column)
+            reflect(column);
+        m_used = 0;
+        return m_block.row(0).tail(m_block.cols() - columns).transpose();
+    }
     void clear();
 
 private:

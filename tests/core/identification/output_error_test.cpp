@@ -361,13 +361,10 @@ private slots:
         const Recording recording = synthetic.make();
         const OutputErrorOptions options = optionsFor(recording, true, true);
         const Estimate e = estimateOutputError(recording.force, recording.position, options);
-        const std::optional<double> other =
-            sseUnderOtherHold(recording.force, recording.position, options, *e.parameters);
-        QVERIFY(other && *other > e.residuals.sse);
         OutputErrorOptions wrong = options;
         wrong.hold = ForceHold::First;
         const Estimate direct = estimateOutputError(recording.force, recording.position, wrong);
-        QVERIFY(std::abs(*other / direct.residuals.sse - 1) < 1e-3);
+        QVERIFY(direct.residuals.sse > e.residuals.sse);
     }
 };
 

@@ -35,6 +35,28 @@ private slots:
         const Eigen::MatrixXd gram = matrix.transpose() * matrix;
         QVERIFY((r.transpose() * r - gram).norm() < 1e-13 * gram.norm());
     }
+    void whatIsTakenOutOfRowsLeavesTheResidualsPower()
+    {
+        // Recursive residuals: no row is left of those that determine the columns, and the squares of the
+        // others add up to those of the regression's residuals.
+        GaussianNoise noise(6);
+        constexpr int rows = 30;
+        Eigen::MatrixXd matrix(rows, 4);
+        TallQr qr(4);
+        Eigen::Matrix2d left = Eigen::Matrix2d::Zero();
+        for (int i = 0; i < rows; ++i) {
+            for (int j = 0; j < 4; ++j)
+                matrix(i, j) = noise();
+            qr.nextRow() = matrix.row(i);
+            const Eigen::Vector2d rest = qr.takeOut(2);
+            QVERIFY(i > 1 || rest.norm() < 1e-14);
+            left += rest * rest.transpose();
+        }
+        const Eigen::MatrixXd regressors = matrix.leftCols(2);
+        const Eigen::MatrixXd others = matrix.rightCols(2);
+        const Eigen::MatrixXd rest = others - regressors * regressors.householderQr().solve(others);
+        QVERIFY((left - rest.transpose() * rest).norm() < 1e-13 * left.norm());
+    }
     void nothingIsSquared()
     {
         // Two columns that differ by 1e-10: the normal equations would see no difference.
