@@ -5,6 +5,7 @@
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
 #include "core/identification/identification_json.h"
+#include "core/identification/validation_records.h"
 
 #include <algorithm>
 
@@ -40,8 +41,14 @@ Expected<std::vector<Estimator>> estimators(const QStringList& list)
     return found;
 }
 
+/// The squeeze that every estimate is held against, where one was named.
+struct OtherSqueeze {
+    QString file;
+    Recording recording;
+};
+
 Exit identifyFile(const QString& file, const CsvReadOptions& reading, const IdentificationOptions& options,
-                  bool json)
+                  const std::optional<OtherSqueeze>& other, bool json)
 {
     const Expected<Recording> recording = readRecordingCsv(file, reading);
     if (!recording) {
@@ -50,7 +57,10 @@ Exit identifyFile(const QString& file, const CsvReadOptions& reading, const Iden
             printJson(errorDocument(file, recording.error()));
         return exitFor(recording.error());
     }
-    const Identification identification = identify(*recording, options);
+    Identification identification = identify(*recording, options);
+    if (const Estimate* best = identification.best(); best != nullptr && other)
+        identification.validation =
+            validateOnRecording(*best, *recording, other->recording, other->file, options);
     if (json)
         printJson(toJson(identification, *recording, file));
     else
@@ -69,6 +79,9 @@ int runIdentify(const QStringList& arguments)
                 u"Estimators, separated by commas: %1; all means every one of these."_qs.arg(
                     estimatorNames().join(u", "_qs)),
                 u"arx,oe"_qs);
+    line.option(u"validate"_qs, u"OTHER.csv"_qs,
+                u"Another squeeze, to hold the estimate against: only its start and offset are fitted anew. "
+                u"Without it the first 60 % of each record are held against the rest."_qs);
     addReadingOptions(line);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
@@ -80,10 +93,17 @@ int runIdentify(const QStringList& arguments)
     if (!chosen)
         return fail(chosen.error());
     options.estimators = *chosen;
+    std::optional<OtherSqueeze> other;
+    if (const QString file = line.text(u"validate"_qs); !file.isEmpty()) {
+        Expected<Recording> recording = readRecordingCsv(file, reading);
+        if (!recording)
+            return fail(recording.error(), line.isSet(u"json"_qs));
+        other = OtherSqueeze{file, std::move(*recording)};
+    }
 
     ExitCode exit;
     for (const QString& file : line.files())
-        exit.add(identifyFile(file, reading, options, line.isSet(u"json"_qs)));
+        exit.add(identifyFile(file, reading, options, other, line.isSet(u"json"_qs)));
     return exit.value();
 }
 

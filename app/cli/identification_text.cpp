@@ -142,6 +142,22 @@ QStringList budgetLines(const UncertaintyBudget& budget, const ParameterUnits& u
     return lines;
 }
 
+/// How the model does on data it was not found from.
+QStringList validationLines(const Validation& validation)
+{
+    if (validation.message.isEmpty())
+        return {};
+    const QString where = validation.source == ValidationSource::OtherRecording
+                              ? u"against "_qs + validation.name
+                              : u"first 60 % against the rest"_qs;
+    QString fits;
+    if (validation.fit.simulationPercent)
+        fits = u"fit %1 % simulation, "_qs.arg(fixed(validation.fit.simulationPercent, 2));
+    if (validation.expectedPercent)
+        fits += u"%1 % expected; "_qs.arg(fixed(validation.expectedPercent, 2));
+    return {u"  validation, %1: %2%3"_qs.arg(where, fits, validation.message)};
+}
+
 } // namespace
 
 QString identificationText(const Identification& identification, const Recording& recording,
@@ -154,6 +170,7 @@ QString identificationText(const Identification& identification, const Recording
     lines << budgetLines(identification.budget, units);
     if (!identification.comparison.sentence.isEmpty())
         lines << u"  models: "_qs + identification.comparison.sentence;
+    lines << validationLines(identification.validation);
     for (const PreparationStep& step : identification.preparation)
         lines << u"  before: "_qs + step.message;
     lines << validityLines(identification.validity);

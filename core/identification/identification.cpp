@@ -5,8 +5,8 @@
 #include "core/identification/fit.h"
 #include "core/identification/identifiability.h"
 #include "core/identification/output_error.h"
-#include "core/identification/periodic.h"
 #include "core/identification/run_estimator.h"
+#include "core/identification/validation_records.h"
 #include "core/identification/validity_checks.h"
 
 #include <algorithm>
@@ -104,9 +104,11 @@ Identification identify(const Recording& recording, const IdentificationOptions&
 
     const char* const obstacle = unusable(record);
     for (const Estimator estimator : options.estimators)
-        result.estimates.push_back(obstacle != nullptr
-                                       ? statusOnly(estimator, EstimateStatus::NotApplicable, obstacle)
-                                       : runEstimator(estimator, record, task));
+        result.estimates.push_back(
+            obstacle != nullptr
+                ? statusOnly(estimator, EstimateStatus::NotApplicable, obstacle)
+                : runEstimator(estimator, record, task,
+                               estimator == Estimator::Periodic ? &result.repetition : nullptr));
     result.recommended = recommend(result.estimates);
     const Estimate* const outputError = result.find(Estimator::OutputError);
     if (outputError != nullptr && obstacle == nullptr)
@@ -125,8 +127,10 @@ Identification identify(const Recording& recording, const IdentificationOptions&
         result.validity.checks = checkValidity(result, recording, options);
     }
     result.validity.verdict = overallVerdict(result.validity.checks);
-    if (const Estimate* const best = result.best(); best != nullptr && options.assess)
+    if (const Estimate* const best = result.best(); best != nullptr && options.assess) {
         result.budget = budgetOf(*best, record, task, result.holdEvidence);
+        result.validation = validateOnSecondWindow(best->estimator, record, task);
+    }
     return result;
 }
 

@@ -4,7 +4,9 @@
 #include "core/identification/estimate.h"
 #include "core/identification/hold_evidence.h"
 #include "core/identification/model_comparison.h"
+#include "core/identification/periodic.h"
 #include "core/identification/uncertainty_budget.h"
+#include "core/identification/validation.h"
 #include "core/identification/validity.h"
 #include "core/signal/preparation.h"
 
@@ -20,7 +22,7 @@ struct IdentificationOptions {
     std::optional<ForceHold> hold; ///< empty: the recording's, else first-order
     InitialState initialState = InitialState::Free;
     bool freeOffset = true; ///< a position offset (OE) or a constant column (ARX)
-    bool assess = true;     ///< budget and comparison of models, too: about as much work again
+    bool assess = true;     ///< budget, comparison of models and validation, too: about as much work again
 };
 
 /// All that was found out about one recording.
@@ -33,8 +35,12 @@ struct Identification {
     Validity validity;
     /// What output error says about the force hold.
     HoldEvidence holdEvidence;
-    UncertaintyBudget budget;                 ///< of the recommended estimate: the intervals to be shown
-    ModelComparison comparison;               ///< of output error with other models
+    UncertaintyBudget budget;   ///< of the recommended estimate: the intervals to be shown
+    ModelComparison comparison; ///< of output error with other models
+    /// The recommended estimator on the first part of the record, held against the rest.
+    Validation validation;
+    /// What the periods of a repeating force tell; where `periodic` was asked for and found parameters.
+    std::optional<PeriodicDiagnostics> repetition;
     std::vector<PreparationStep> preparation; ///< what was done to the recording before, and noticed
     /// The window that was used, on a regular grid; at the indexes `lost` nothing was measured and the values
     /// are for plots only.

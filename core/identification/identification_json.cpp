@@ -2,7 +2,9 @@
 #include "core/identification/identification_json.h"
 
 #include "core/identification/json_number.h"
+#include "core/identification/periodic_json.h"
 #include "core/identification/uncertainty_budget_json.h"
+#include "core/identification/validation_json.h"
 #include "core/signal/units.h"
 
 #include <QJsonArray>
@@ -142,8 +144,14 @@ QJsonObject toJson(const Identification& identification, const Recording& record
 {
     const ParameterUnits units = parameterUnits(recording.forceUnit, recording.positionUnit);
     QJsonArray estimates;
-    for (const Estimate& estimate : identification.estimates)
-        estimates.append(toJson(estimate));
+    for (const Estimate& estimate : identification.estimates) {
+        QJsonObject object = toJson(estimate);
+        if (estimate.estimator == Estimator::Periodic)
+            object.insert(u"repetition"_s, identification.repetition
+                                               ? QJsonValue(toJson(*identification.repetition))
+                                               : QJsonValue());
+        estimates.append(object);
+    }
     return {{u"file"_s, file},
             {u"recording"_s, QJsonObject{{u"samples"_s, static_cast<qint64>(recording.size())},
                                          {u"sample_time_s"_s, jsonNumber(identification.sampleTime_s)},
@@ -160,6 +168,7 @@ QJsonObject toJson(const Identification& identification, const Recording& record
             {u"budget"_s, toJson(identification.budget)},
             {u"derived"_s, toJson(derivedFrom(identification.budget))},
             {u"comparison"_s, toJson(identification.comparison)},
+            {u"validation"_s, toJson(identification.validation)},
             {u"hold"_s, toJson(identification.holdEvidence)},
             {u"preparation"_s, toJson(identification.preparation)}};
 }

@@ -40,6 +40,9 @@ struct PeriodicDiagnostics {
     /// and the magnitude of its correlation between the channels, 0 to 1. A correlation says that the force
     /// answers to the position (or both to one disturbance).
     double forceNoise = 0, positionNoise = 0, noiseCorrelation = 0;
+    /// What a straight line through the periods rises by over the window, channel units: the drift that was
+    /// taken out first.
+    double forceDrift = 0, positionDrift = 0;
     /// V / (lines - 3/2), 1 in expectation, and the p-value of so much or more: misfit that the noise does
     /// not explain. A small p has inflated the covariance by `costRatio`.
     double costRatio = 1, costP = 1;

@@ -133,6 +133,9 @@ PeriodicDiagnostics periodicDiagnostics(const PeriodicProblem& problem, const Pe
     describeNoise(problem, out);
     out.forceNoise *= forceScale;
     out.positionNoise *= positionScale;
+    const auto samples = static_cast<double>(problem.spectrum.samples);
+    out.forceDrift = problem.spectrum.forceSlope * samples * forceScale;
+    out.positionDrift = problem.spectrum.positionSlope * samples * positionScale;
     out.costRatio = search.cost.value / (static_cast<double>(problem.lines.size()) - 1.5);
     out.costP = periodicCostP(problem, search.cost.value);
     describeDistortion(problem, search, out);

@@ -37,6 +37,8 @@ QJsonObject toJson(const PeriodicDiagnostics& diagnostics)
             {u"noise"_s, QJsonObject{{u"force"_s, jsonNumber(diagnostics.forceNoise)},
                                      {u"position"_s, jsonNumber(diagnostics.positionNoise)},
                                      {u"correlation"_s, jsonNumber(diagnostics.noiseCorrelation)}}},
+            {u"drift"_s, QJsonObject{{u"force"_s, jsonNumber(diagnostics.forceDrift)},
+                                     {u"position"_s, jsonNumber(diagnostics.positionDrift)}}},
             {u"cost"_s, QJsonObject{{u"ratio"_s, jsonNumber(diagnostics.costRatio)},
                                     {u"p"_s, jsonNumber(diagnostics.costP)}}},
             {u"distortion"_s, distortion},

@@ -8,8 +8,8 @@
 namespace gripscope {
 
 /// {"period_samples": .., "periods": .., "noise": {"force": .., "position": .., "correlation": ..},
-///  "cost": {"ratio": .., "p": ..}, "distortion": {"percent": .., "p": ..},
-///  "lines": [{"frequency_hz": .., "real": .., "imaginary": .., "deviation": ..}]}, channel units.
+///  "drift": {"force": .., "position": ..}, "cost": {"ratio": .., "p": ..}, "distortion": {"percent": ..,
+///  "p": ..}, "lines": [{"frequency_hz": .., "real": .., "imaginary": .., "deviation": ..}]}, channel units.
 ///  `distortion`
 /// is null where there are no empty harmonics; a number that is not finite is null.
 [[nodiscard]] QJsonObject toJson(const PeriodicDiagnostics& diagnostics);

@@ -47,9 +47,8 @@ double slopeBetweenPeriods(std::span<const double> values, std::size_t periods)
     return sum / static_cast<double>(period) / static_cast<double>(between);
 }
 
-std::vector<std::complex<double>> bins(std::span<const double> values, std::size_t periods)
+std::vector<std::complex<double>> binsWithout(double slope, std::span<const double> values)
 {
-    const double slope = slopeBetweenPeriods(values, periods);
     const double middle = static_cast<double>(values.size() - 1) / 2;
     double mean = 0;
     for (const double value : values)
@@ -89,7 +88,14 @@ double PeriodicSpectrum::radiansPerSample(std::size_t bin) const
 PeriodicSpectrum periodicSpectrum(std::span<const double> force, std::span<const double> position,
                                   std::size_t periods)
 {
-    return {force.size(), periods, bins(force, periods), bins(position, periods)};
+    PeriodicSpectrum spectrum;
+    spectrum.samples = force.size();
+    spectrum.periods = periods;
+    spectrum.forceSlope = slopeBetweenPeriods(force, periods);
+    spectrum.positionSlope = slopeBetweenPeriods(position, periods);
+    spectrum.force = binsWithout(spectrum.forceSlope, force);
+    spectrum.position = binsWithout(spectrum.positionSlope, position);
+    return spectrum;
 }
 
 Eigen::VectorXcd LocalFit::gather(std::span<const std::complex<double>> bins) const

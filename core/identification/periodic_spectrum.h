@@ -18,6 +18,7 @@ struct PeriodicSpectrum {
     std::size_t samples = 0;
     std::size_t periods = 0;                           ///< P
     std::vector<std::complex<double>> force, position; ///< bins 0..samples / 2, divided by sqrt(samples)
+    double forceSlope = 0, positionSlope = 0;          ///< of the straight lines taken out, a sample
 
     [[nodiscard]] double radiansPerSample(std::size_t bin) const;
 };

@@ -4,7 +4,8 @@
 #include "core/identification/arx.h"
 #include "core/identification/duffing.h"
 #include "core/identification/instrumental_variables.h"
-#include "core/identification/periodic.h"
+
+#include <utility>
 
 namespace gripscope {
 
@@ -23,7 +24,8 @@ Options continuousOptions(const PreparedRecord& record, const EstimatorTask& tas
     return options;
 }
 
-Estimate onRecord(Estimator estimator, const PreparedRecord& record, const EstimatorTask& task)
+Estimate onRecord(Estimator estimator, const PreparedRecord& record, const EstimatorTask& task,
+                  std::optional<PeriodicDiagnostics>* repetition)
 {
     switch (estimator) {
     case Estimator::Arx:
@@ -43,7 +45,10 @@ Estimate onRecord(Estimator estimator, const PreparedRecord& record, const Estim
         options.hold = task.hold;
         options.lag_s = record.forceLag_s;
         options.period = task.period;
-        return estimatePeriodic(record.force, record.position, options);
+        PeriodicResult result = analysePeriodic(record.force, record.position, options);
+        if (repetition != nullptr)
+            *repetition = std::move(result.diagnostics);
+        return result.estimate;
     }
     case Estimator::OutputError:
         break;
@@ -76,16 +81,19 @@ OutputErrorOptions outputErrorOptions(const PreparedRecord& record, const Estima
     return options;
 }
 
-Estimate runEstimator(Estimator estimator, const PreparedRecord& record, const EstimatorTask& task)
+Estimate runEstimator(Estimator estimator, const PreparedRecord& record, const EstimatorTask& task,
+                      std::optional<PeriodicDiagnostics>* repetition)
 {
     const std::size_t samples = record.force.size();
     const bool takesLost = estimator == Estimator::OutputError;
     const Window part = takesLost ? Window{0, samples} : longestKnownStretch(samples, record.lost);
     EstimatorTask own = task;
     own.freeInitialState = task.freeInitialState || part.first > 0;
-    Estimate estimate = part.count == samples ? onRecord(estimator, record, own)
-                                              : onRecord(estimator, windowOf(record, part), own);
+    Estimate estimate = part.count == samples ? onRecord(estimator, record, own, repetition)
+                                              : onRecord(estimator, windowOf(record, part), own, repetition);
     estimate.part = part;
+    if (repetition != nullptr && *repetition)
+        (*repetition)->window.first += part.first;
     return estimate;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/identification/estimate.h"
 #include "core/identification/output_error.h"
+#include "core/identification/periodic.h"
 #include "core/signal/preparation.h"
 
 namespace gripscope {
@@ -17,9 +18,10 @@ struct EstimatorTask {
 
 /// One estimator on a prepared record. Output error takes lost samples as unknown forces; the others get the
 /// longest stretch without any, said in Estimate::part, with a free initial state where that does not begin
-/// the record.
+/// the record. What `periodic` tells besides goes to `repetition`, its window in samples of the record.
 [[nodiscard]] Estimate runEstimator(Estimator estimator, const PreparedRecord& record,
-                                    const EstimatorTask& task);
+                                    const EstimatorTask& task,
+                                    std::optional<PeriodicDiagnostics>* repetition = nullptr);
 
 /// What output error is asked for by that.
 [[nodiscard]] OutputErrorOptions outputErrorOptions(const PreparedRecord& record, const EstimatorTask& task);

@@ -53,6 +53,31 @@ private:
     }
 
 private slots:
+    void anEstimateIsHeldAgainstAnotherSqueeze()
+    {
+        const auto squeeze = [this](const QString& file, const QString& object, const QString& seed) {
+            return m_work
+                .cli({u"simulate"_s, u"--object"_s, object, u"--noise-sd"_s, u"0.3"_s, u"--seed"_s, seed,
+                      u"-o"_s, file})
+                .exit;
+        };
+        QCOMPARE(squeeze(u"one.csv"_s, u"0.04,0.137,0.1"_s, u"1"_s), 0);
+        QCOMPARE(squeeze(u"same.csv"_s, u"0.04,0.137,0.1"_s, u"2"_s), 0);
+        QCOMPARE(squeeze(u"other.csv"_s, u"0.04,0.137,0.15"_s, u"3"_s), 0);
+        const auto against = [this](const QStringList& option) {
+            return m_work.cli(QStringList{u"identify"_s, u"--json"_s, u"one.csv"_s} + option)
+                .json()[u"validation"]
+                .toObject();
+        };
+        const QJsonObject alone = against({});
+        QCOMPARE(alone[u"on"].toString(), u"second_window"_s);
+        QCOMPARE(alone[u"validated_on"][u"first"].toInt(), 240);
+        const QJsonObject same = against({u"--validate"_s, u"same.csv"_s});
+        QCOMPARE(same[u"file"].toString(), u"same.csv"_s);
+        QVERIFY(same[u"as_expected"].toBool());
+        QVERIFY(!against({u"--validate"_s, u"other.csv"_s})[u"as_expected"].toBool(true));
+        QCOMPARE(m_work.cli({u"identify"_s, u"one.csv"_s, u"--validate"_s, u"none.csv"_s}).exit, 3);
+    }
     void theDocumentHasTheShapeThatIsPromised()
     {
         QCOMPARE(m_work

@@ -44,8 +44,9 @@ private slots:
         recording.forceUnit = u"N"_s;
         recording.positionUnit = u"mm"_s;
         const QJsonObject document = documentOf(recording);
-        for (const QString& key : {u"file"_s, u"recording"_s, u"estimates"_s, u"recommended"_s, u"validity"_s,
-                                   u"budget"_s, u"derived"_s, u"comparison"_s, u"preparation"_s})
+        for (const QString& key :
+             {u"file"_s, u"recording"_s, u"estimates"_s, u"recommended"_s, u"validity"_s, u"budget"_s,
+              u"derived"_s, u"comparison"_s, u"validation"_s, u"preparation"_s})
             QVERIFY2(document.contains(key), qPrintable(key));
         QCOMPARE(document[u"file"].toString(), u"squeeze.csv"_s);
         const QJsonObject about = document[u"recording"].toObject();

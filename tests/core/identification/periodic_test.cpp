@@ -52,6 +52,34 @@ bool isFinite(const Estimate& e)
 class PeriodicTest : public QObject {
     Q_OBJECT
 private slots:
+    void theDriftThatWasTakenOutIsTold()
+    {
+        // A straight line that rises by 0.5 over the 1984 samples: what the periods differ by, exactly.
+        Recording recording = periodicSqueeze().make();
+        double size = 0;
+        for (std::size_t t = 0; t < recording.size(); ++t) {
+            recording.position[t] += 0.5 * static_cast<double>(t) / static_cast<double>(recording.size());
+            size = std::max(size, std::abs(recording.position[t]));
+        }
+        const PeriodicResult result =
+            analysePeriodic(recording.force, recording.position, optionsFor(recording));
+        QVERIFY(result.diagnostics);
+        const double share = static_cast<double>(result.diagnostics->window.count) / 1984;
+        // The start's transient is nearly over when the second period begins.
+        QVERIFY(std::abs(result.diagnostics->positionDrift - 0.5 * share) < 1e-3 * size);
+        QVERIFY(std::abs(result.diagnostics->forceDrift) < 1e-9);
+        QVERIFY(toJson(*result.diagnostics)[u"drift"_s][u"position"].isDouble());
+    }
+    void identifyKeepsWhatRepetitionTells()
+    {
+        IdentificationOptions options;
+        options.estimators = {Estimator::Periodic};
+        options.assess = false;
+        const Identification found = identify(periodicSqueeze().make(), options);
+        QVERIFY(found.repetition);
+        QCOMPARE(found.repetition->periodSamples, std::size_t{248});
+        QVERIFY(!identify(Synthetic().make(), options).repetition);
+    }
     void aRecordWithoutNoiseGivesTheTruth_data()
     {
         QTest::addColumn<bool>("straight");

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/validation.h"
+
+#include "core/identification/fit.h"
+#include "core/identification/given_model.h"
+#include "core/identification/noise_model.h"
+#include "core/identification/orthonormal_rows.h"
+#include "core/identification/residual_tests.h"
+#include "core/identification/run_estimator.h"
+
+#include <Eigen/Cholesky>
+#include <boost/math/distributions/fisher_f.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// Residuals below this share of the position are rounding, which no test speaks about.
+constexpr double roundingShare = 1e-9;
+/// Ljung-Box below this: certainly not white.
+constexpr double certainlyColoured = 0.001;
+/// The tests need some samples besides the unknowns.
+constexpr std::size_t fewestSamples = 30;
+/// A step in the logarithms that a linearisation is still good for (a factor of two).
+constexpr double longestChange = 0.7;
+
+std::span<const double> asSpan(const Eigen::RowVectorXd& row)
+{
+    return {row.data(), static_cast<std::size_t>(row.size())};
+}
+
+/// Covariance of (ln m, ln b, ln k), and of k3 where there is one.
+std::optional<Eigen::MatrixXd> covarianceOfLogarithms(const Estimate& estimate)
+{
+    const Eigen::Vector3d inverse = estimate.parameters->vector().cwiseInverse();
+    Eigen::MatrixXd covariance;
+    if (estimate.cubic) {
+        const Eigen::Vector4d scale(inverse(0), inverse(1), inverse(2), 1);
+        covariance = scale.asDiagonal() * estimate.cubic->covariance * scale.asDiagonal();
+    } else if (estimate.covariance) {
+        covariance = inverse.asDiagonal() * *estimate.covariance * inverse.asDiagonal();
+    }
+    return covariance.size() > 0 && covariance.allFinite() ? std::optional(covariance) : std::nullopt;
+}
+
+/// The residual taken apart: what start and offset explain is gone, then the coordinates in the directions of
+/// the parameters, and the rest.
+class Contrast {
+public:
+    Contrast(const GivenModel& model, const AutoregressiveNoise& noise,
+             const Eigen::MatrixXd& estimateCovariance)
+        : m_nuisances(orthonormalize(whitened(model.nuisances, noise), {})),
+          m_parameters(orthonormalize(whitened(model.parameters, noise), m_nuisances.basis))
+    {
+        Eigen::RowVectorXd residual = whitened(Eigen::MatrixXd(model.residual), noise);
+        residual -= (residual * m_nuisances.basis.transpose()) * m_nuisances.basis;
+        coordinates = m_parameters.basis * residual.transpose();
+        rest = residual - coordinates.transpose() * m_parameters.basis;
+        degreesOfFreedom = static_cast<double>(residual.size() - m_nuisances.basis.rows() - rank());
+        variance = degreesOfFreedom > 0 ? rest.squaredNorm() / degreesOfFreedom : 0;
+        const Eigen::MatrixXd along = whitened(model.parameters, noise) * m_parameters.basis.transpose();
+        fromEstimate = along.transpose() * estimateCovariance * along;
+        m_root.compute(fromEstimate + variance * Eigen::MatrixXd::Identity(rank(), rank()));
+    }
+
+    [[nodiscard]] bool usable() const
+    {
+        return degreesOfFreedom > 0 && variance > 0 && rank() > 0 && fromEstimate.allFinite() &&
+               m_root.info() == Eigen::Success;
+    }
+    [[nodiscard]] Eigen::Index rank() const { return m_parameters.basis.rows(); }
+    /// z'V^-1 z over the number of coordinates, and its p-value.
+    [[nodiscard]] ExplainedTest test(double estimateFreedom) const
+    {
+        const auto p = static_cast<double>(rank());
+        const Eigen::VectorXd weighted = m_root.solve(coordinates);
+        const double squared = coordinates.dot(weighted);
+        const double ofEstimate = weighted.dot(fromEstimate * weighted) / squared;
+        const double ofNoise = 1 - ofEstimate;
+        const double pooled = 1 / (ofEstimate * ofEstimate / std::max(estimateFreedom, 1.0) +
+                                   ofNoise * ofNoise / degreesOfFreedom);
+        const double freedom = std::max(pooled - p + 1, 1.0);
+        ExplainedTest out;
+        out.f = squared * freedom / (std::max(pooled, p) * p);
+        if (!(squared > 0) || !std::isfinite(out.f))
+            return out;
+        out.p = boost::math::cdf(boost::math::complement(boost::math::fisher_f(p, freedom), out.f));
+        return out;
+    }
+    /// The residual with the coordinates scaled to what noise alone would give them: white when all is well.
+    [[nodiscard]] Eigen::RowVectorXd standardized() const
+    {
+        const Eigen::VectorXd scaled = std::sqrt(variance) * m_root.matrixL().solve(coordinates);
+        return rest + scaled.transpose() * m_parameters.basis;
+    }
+    /// The step of the parameters that explains the coordinates, and its expected standard errors; nothing
+    /// when the record does not determine all of them.
+    [[nodiscard]] std::optional<std::pair<Eigen::VectorXd, Eigen::VectorXd>>
+    change(const Eigen::MatrixXd& estimateCovariance) const
+    {
+        if (rank() != estimateCovariance.rows())
+            return std::nullopt;
+        const Eigen::MatrixXd triangle = m_parameters.factor.transpose();
+        const Eigen::MatrixXd inverse =
+            triangle.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(rank(), rank()));
+        const Eigen::MatrixXd covariance = estimateCovariance + variance * (inverse * inverse.transpose());
+        return std::pair(Eigen::VectorXd(inverse * coordinates),
+                         Eigen::VectorXd(covariance.diagonal().cwiseMax(0).cwiseSqrt()));
+    }
+    [[nodiscard]] const Eigen::MatrixXd& nuisanceBasis() const { return m_nuisances.basis; }
+    [[nodiscard]] const Eigen::MatrixXd& parameterBasis() const { return m_parameters.basis; }
+
+    Eigen::VectorXd coordinates;
+    Eigen::MatrixXd fromEstimate; ///< covariance of the coordinates from the estimate's errors
+    Eigen::RowVectorXd rest;
+    double variance = 0, degreesOfFreedom = 0;
+
+private:
+    OrthonormalRows m_nuisances, m_parameters;
+    Eigen::LLT<Eigen::MatrixXd> m_root;
+};
+
+/// Which noise the rest has: white, or an autoregression.
+AutoregressiveNoise noiseOf(const Contrast& contrast)
+{
+    Eigen::MatrixXd basis(contrast.nuisanceBasis().rows() + contrast.rank(), contrast.rest.size());
+    basis << contrast.nuisanceBasis(), contrast.parameterBasis();
+    const std::optional<double> p = ljungBoxP(asSpan(contrast.rest), 0, basis);
+    if (!p || *p >= certainlyColoured)
+        return {};
+    return fitAutoregressiveNoise(asSpan(contrast.rest), basis);
+}
+
+/// The simulation fit when the sum of squares is what it is to be expected to be.
+std::optional<double> expectedPercent(const GivenModel& model, const Contrast& contrast,
+                                      const AutoregressiveNoise& noise)
+{
+    const double fromNoise = noise.coefficients.empty()
+                                 ? contrast.variance * static_cast<double>(contrast.rank())
+                                 : spreadUnderNoise(contrast.parameterBasis(), noise).trace();
+    const double squares = contrast.rest.squaredNorm() + contrast.fromEstimate.trace() + fromNoise;
+    const auto first = static_cast<Eigen::Index>(model.record.firstRow());
+    const Eigen::Map<const Eigen::RowVectorXd> all(model.record.position.data(),
+                                                   static_cast<Eigen::Index>(model.record.position.size()));
+    const Eigen::RowVectorXd position = all.segment(first, model.residual.size());
+    const double spread = (position.array() - position.mean()).matrix().squaredNorm();
+    const double percent = 100 * (1 - std::sqrt(squares / spread));
+    return std::isfinite(percent) ? std::optional(percent) : std::nullopt;
+}
+
+std::optional<double> inputP(const GivenModel& model, const Contrast& contrast,
+                             const AutoregressiveNoise& noise)
+{
+    const std::ptrdiff_t first = model.record.firstRow() + model.record.lag.samples;
+    const Eigen::MatrixXd past = pastInputs(model.record.force, first, model.residual.size());
+    const OrthonormalRows extra = orthonormalize(whitened(past, noise), contrast.nuisanceBasis());
+    const auto test = testExplained(contrast.standardized(), contrast.nuisanceBasis(), extra.basis);
+    return test ? std::optional(test->p) : std::nullopt;
+}
+
+void setChange(const Contrast& contrast, const Eigen::MatrixXd& covariance, Validation& out)
+{
+    const auto found = contrast.change(covariance);
+    if (!found || !found->first.allFinite() || !found->second.allFinite() ||
+        found->first.head(3).cwiseAbs().maxCoeff() > longestChange)
+        return;
+    out.change = found->first.head(3).array().exp() - 1;
+    out.changeErrors = found->second.head(3);
+}
+
+QString changeWords(const Validation& validation)
+{
+    if (!validation.change)
+        return {};
+    static constexpr std::array<const char*, 3> names{"m", "b", "k"};
+    QStringList parts;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const double percent = 100 * (*validation.change)(static_cast<Eigen::Index>(i));
+        parts << u"%1 by %2%3 %"_s.arg(QLatin1String(names[i]), percent < 0 ? u"\u2212"_s : u"+"_s,
+                                       QString::number(std::abs(percent), 'g', 2));
+    }
+    return u": to explain it best, "_s + parts.join(u", "_s) + u" would have to change"_s;
+}
+
+void conclude(Validation& out)
+{
+    const bool parametersHold = out.misfitP && *out.misfitP >= validationLimit;
+    const bool complete = !out.inputIndependenceP || *out.inputIndependenceP >= validationLimit;
+    out.asExpected = parametersHold && complete;
+    if (*out.asExpected) {
+        out.message = u"the misfit is no larger than noise and the errors of m, b and k explain"_s;
+        if (out.whitenessP && *out.whitenessP < certainlyColoured)
+            out.message += u", though it is not white: slow noise, or a term that is missing here and there "
+                           u"alike"_s;
+    } else if (!parametersHold) {
+        out.message =
+            u"the model misses by more than noise and the errors of m, b and k explain"_s + changeWords(out);
+    } else {
+        out.message = u"m, b and k hold here too, but the residuals still follow the force: the object does "
+                      u"something that the model does not"_s;
+    }
+}
+
+void judge(const Estimate& estimate, const GivenModel& model, const Eigen::MatrixXd& covariance,
+           Validation& out)
+{
+    const Contrast raw(model, {}, covariance);
+    if (!raw.usable()) {
+        out.message = u"this record does not tell m, b and k, so that the misfit could not be judged"_s;
+        return;
+    }
+    const AutoregressiveNoise noise = noiseOf(raw);
+    const Contrast white(model, noise, covariance);
+    if (!white.usable()) {
+        out.message = u"the noise of this record could not be told from the misfit"_s;
+        return;
+    }
+    const Eigen::RowVectorXd standardized = raw.standardized();
+    out.whitenessP = ljungBoxP(asSpan(standardized), 0, raw.nuisanceBasis());
+    out.inputIndependenceP = inputP(model, white, noise);
+    const ExplainedTest test = white.test(estimate.residuals.degreesOfFreedom);
+    out.misfitP = test.p;
+    out.misfit = std::sqrt(test.f);
+    out.expectedPercent = expectedPercent(model, raw, noise);
+    if (!noise.coefficients.empty()) {
+        const std::vector<double> steps = whitened(std::span<const double>(out.residual), noise);
+        std::vector<double> predicted(out.position);
+        for (std::size_t i = 0; i < predicted.size(); ++i)
+            predicted[i] -= steps[i];
+        out.fit.predictionPercent = fitPercent(out.position, predicted);
+    }
+    setChange(white, covariance, out);
+    conclude(out);
+}
+
+void keepRecord(const PreparedRecord& record, const GivenModel& model, Validation& out)
+{
+    out.nuisance = model.nuisance;
+    out.force = record.force;
+    out.position = record.position;
+    out.simulated = model.simulated;
+    out.residual.resize(out.position.size());
+    for (std::size_t i = 0; i < out.residual.size(); ++i)
+        out.residual[i] = out.position[i] - out.simulated[i];
+    const auto first = static_cast<std::size_t>(model.record.firstRow());
+    const auto rows = static_cast<std::size_t>(model.record.rows());
+    out.fit.simulationPercent = fitPercent(std::span<const double>(out.position).subspan(first, rows),
+                                           std::span<const double>(out.simulated).subspan(first, rows));
+    out.fit.predictionPercent = out.fit.simulationPercent;
+}
+
+} // namespace
+
+QString toString(ValidationSource source)
+{
+    return source == ValidationSource::SecondWindow ? u"second_window"_s : u"other_recording"_s;
+}
+
+Validation validate(const Estimate& estimate, const PreparedRecord& record, ForceHold hold)
+{
+    Validation out;
+    out.estimator = estimate.estimator;
+    out.validatedOn = longestKnownStretch(record.force.size(), record.lost);
+    if (!estimate.parameters) {
+        out.message = u"there is no estimate to hold against this record"_s;
+        return out;
+    }
+    out.parameters = *estimate.parameters;
+    if (estimate.cubic)
+        out.k3 = estimate.cubic->k3;
+    if (out.validatedOn.count < fewestSamples || record.position.size() != record.force.size()) {
+        out.message = u"too few samples without a loss to hold a model against"_s;
+        return out;
+    }
+    const PreparedRecord part = windowOf(record, out.validatedOn);
+    const std::optional<GivenModel> model = applyGivenModel(out.parameters, out.k3.value_or(0), part, hold);
+    if (!model) {
+        out.message = u"with these parameters the motion leaves all bounds here"_s;
+        return out;
+    }
+    keepRecord(part, *model, out);
+    if (record.time_s.size() == record.force.size()) {
+        const auto first = record.time_s.begin() + static_cast<std::ptrdiff_t>(out.validatedOn.first);
+        out.time_s.assign(first, first + static_cast<std::ptrdiff_t>(out.validatedOn.count));
+    }
+    const std::optional<Eigen::MatrixXd> covariance = covarianceOfLogarithms(estimate);
+    const double size =
+        Eigen::Map<const Eigen::VectorXd>(model->record.position.data(),
+                                          static_cast<Eigen::Index>(model->record.position.size()))
+            .norm();
+    if (!(model->residual.norm() > roundingShare * size)) {
+        out.asExpected = true;
+        out.message = u"the model explains this record to the last digit"_s;
+    } else if (estimate.estimator == Estimator::Periodic) {
+        out.message = u"not judged: the estimate is for a force that answers to the position, which a "
+                      u"simulation from the measured force cannot judge"_s;
+    } else if (!covariance) {
+        out.message = u"not judged: the estimate has no errors to compare the misfit with"_s;
+    } else {
+        judge(estimate, *model, *covariance, out);
+    }
+    return out;
+}
+
+} // namespace gripscope
