@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/kmeans.h"
 #include "core/recognition/paper_appendix.h"
+#include "core/signal/gaussian.h"
 #include "tests/support/test_registry.h"
 
 #include <QFile>
@@ -41,6 +42,69 @@ Eigen::MatrixXd column(std::initializer_list<double> values)
     Eigen::MatrixXd items(Eigen::Index(values.size()), 1);
     std::copy(values.begin(), values.end(), items.data());
     return items;
+}
+
+/// `clusters` round clouds and as many items between them, shuffled over the table.
+Eigen::MatrixXd clouds(Eigen::Index items, int features, int clusters, std::uint64_t seed)
+{
+    GaussianNoise noise(seed);
+    Eigen::MatrixXd centres(clusters, features);
+    for (double& x : centres.reshaped())
+        x = 10 * noise.uniform();
+    Eigen::MatrixXd table(items, features);
+    for (Eigen::Index i = 0; i < items; ++i)
+        for (Eigen::Index j = 0; j < features; ++j)
+            table(i, j) =
+                i % 2 == 0 ? 10 * noise.uniform() : centres(Eigen::Index(i / 2) % clusters, j) + noise();
+    return table;
+}
+
+/// Lloyd's iteration without any short cut: every distance is measured.
+struct PlainLloyd {
+    Eigen::MatrixXd items, centroids;
+    std::vector<int> labels;
+
+    void assign()
+    {
+        labels.assign(std::size_t(items.rows()), 0);
+        for (Eigen::Index i = 0; i < items.rows(); ++i) {
+            double nearest = std::numeric_limits<double>::infinity();
+            for (Eigen::Index c = 0; c < centroids.rows(); ++c) {
+                double squared = 0;
+                for (Eigen::Index j = 0; j < items.cols(); ++j)
+                    squared += (items(i, j) - centroids(c, j)) * (items(i, j) - centroids(c, j));
+                if (squared < nearest) {
+                    nearest = squared;
+                    labels[std::size_t(i)] = int(c);
+                }
+            }
+        }
+    }
+    void moveToMeans()
+    {
+        Eigen::VectorXd counts = Eigen::VectorXd::Zero(centroids.rows());
+        centroids.setZero();
+        for (Eigen::Index i = 0; i < items.rows(); ++i) {
+            centroids.row(labels[std::size_t(i)]) += items.row(i);
+            counts(labels[std::size_t(i)]) += 1;
+        }
+        for (Eigen::Index c = 0; c < centroids.rows(); ++c)
+            centroids.row(c) /= counts(c);
+    }
+};
+
+/// The partition alone, whatever the clusters' numbers.
+std::vector<int> byAppearance(const std::vector<int>& labels)
+{
+    std::vector<int> numbers(labels.size() + 1, -1);
+    std::vector<int> renumbered;
+    int next = 0;
+    for (const int label : labels) {
+        if (numbers[std::size_t(label)] < 0)
+            numbers[std::size_t(label)] = next++;
+        renumbered.push_back(numbers[std::size_t(label)]);
+    }
+    return renumbered;
 }
 
 } // namespace
@@ -88,6 +152,110 @@ private slots:
         QVERIFY(sameTo9Digits(clusterPaperAppendix(FeatureScaling::None).result.inertia, 0.0011127767646));
         QVERIFY(sameTo9Digits(clusterPaperAppendix(FeatureScaling::ZScore).result.inertia, 3.14528774528));
         QVERIFY(sameTo9Digits(clusterPaperAppendix(FeatureScaling::Log).result.inertia, 0.161962421918));
+    }
+    void everyStepIsThatOfPlainLloyd_data()
+    {
+        QTest::addColumn<int>("items");
+        QTest::addColumn<int>("features");
+        QTest::addColumn<int>("clusters");
+        QTest::addColumn<double>("unit");
+        QTest::newRow("m, b, k") << 3000 << 3 << 4 << 1.0;
+        QTest::newRow("many clusters") << 3000 << 3 << 40 << 1.0;
+        QTest::newRow("a line") << 500 << 1 << 5 << 1.0;
+        QTest::newRow("a plane") << 800 << 2 << 7 << 1.0;
+        QTest::newRow("five features") << 800 << 5 << 6 << 1.0;
+        QTest::newRow("tiny numbers") << 500 << 3 << 4 << 1e-200; // whose squares vanish
+        QTest::newRow("huge numbers") << 500 << 3 << 4 << 1e140;
+    }
+    void everyStepIsThatOfPlainLloyd()
+    {
+        QFETCH(int, items);
+        QFETCH(int, features);
+        QFETCH(int, clusters);
+        QFETCH(double, unit);
+        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+            const Eigen::MatrixXd table = clouds(items, features, clusters, seed);
+            PlainLloyd lloyd{table, table.topRows(clusters), {}};
+            const auto result = kMeansFrom(table * unit, table.topRows(clusters) * unit);
+            QVERIFY(result->status == KMeansStatus::Converged);
+            QVERIFY(result->steps.size() > 3);
+            for (std::size_t s = 0; s < result->steps.size(); ++s) {
+                lloyd.assign();
+                QCOMPARE(byAppearance(result->steps[s].labels), byAppearance(lloyd.labels));
+                lloyd.moveToMeans();
+            }
+            QCOMPARE(result->labels, byAppearance(lloyd.labels));
+        }
+    }
+    void equalDistancesGoToTheLowestNumberAsInPlainLloyd()
+    {
+        // Whole numbers: every item between two centroids is exactly between them, and stays so.
+        const Eigen::MatrixXd items = column({0, 2, 4, 6, 8, 10, 12, 14, 16});
+        const Eigen::MatrixXd centres = column({16, 8, 0});
+        PlainLloyd lloyd{items, centres, {}};
+        const auto result = kMeansFrom(items, centres);
+        for (const KMeansStep& step : result->steps) {
+            lloyd.assign();
+            QCOMPARE(byAppearance(step.labels), byAppearance(lloyd.labels));
+            lloyd.moveToMeans();
+        }
+    }
+    void aLongTableDoesNotDependOnTheProcessors()
+    {
+        // More than one chunk of the table: the sums come together in the order of the chunks.
+        const Eigen::MatrixXd table = clouds(20'000, 3, 5, 3);
+        KMeansOptions options;
+        options.clusters = 5;
+        options.restarts = 2;
+        const auto one = kMeans(table, options);
+        const auto two = kMeans(table, options);
+        QVERIFY(one->centroids == two->centroids);
+        QCOMPARE(one->labels, two->labels);
+        QCOMPARE(one->inertia, two->inertia);
+        PlainLloyd lloyd{table, one->centroids, {}};
+        lloyd.assign();
+        QCOMPARE(lloyd.labels, one->labels);
+        lloyd.moveToMeans();
+        // Means of 4,000 numbers below 20 added in another order: 4,000 x 20 x 1e-16 at the very most.
+        QVERIFY((lloyd.centroids - one->centroids).cwiseAbs().maxCoeff() < 1e-11);
+    }
+    void noSingleItemWantsToMove()
+    {
+        for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+            const Eigen::MatrixXd items = clouds(60, 2, 4, seed);
+            KMeansOptions options;
+            options.restarts = 1;
+            options.seed = seed;
+            const auto found = kMeans(items, options);
+            QVERIFY(found->status == KMeansStatus::Converged);
+            for (std::size_t i = 0; i < 60; ++i)
+                for (int to = 0; to < 4; ++to) {
+                    PlainLloyd moved{items, found->centroids, found->labels};
+                    moved.labels[i] = to;
+                    moved.moveToMeans();
+                    double inertia = 0;
+                    for (Eigen::Index j = 0; j < 60; ++j)
+                        inertia +=
+                            (items.row(j) - moved.centroids.row(moved.labels[std::size_t(j)])).squaredNorm();
+                    // NaN where the item was alone in its cluster: no move then.
+                    QVERIFY(!(inertia < found->inertia * (1 - 1e-9)));
+                }
+        }
+    }
+    void stepsAreLeftOutWhenNotWanted()
+    {
+        KMeansOptions options;
+        options.recordSteps = false;
+        const auto result = kMeans(paperAppendix().parameters, options);
+        QVERIFY(result->steps.empty());
+        QCOMPARE(result->labels, kMeans(paperAppendix().parameters)->labels);
+    }
+    void centresThatDoNotFitAreAnError()
+    {
+        QCOMPARE(kMeansFrom(column({1, 2}), Eigen::MatrixXd::Zero(1, 2)).error().code, ErrorCode::Usage);
+        QCOMPARE(kMeansFrom(column({1, 2}), Eigen::MatrixXd(0, 1)).error().code, ErrorCode::Usage);
+        QCOMPARE(kMeansFrom(column({1, 2}), column({1e300})).error().code, ErrorCode::BadInput);
+        QVERIFY(kMeansFrom(column({1}), column({1, 2}))->status == KMeansStatus::TooFewItems);
     }
     void theSameSeedGivesTheSameSteps()
     {

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recognition/kmeans_assignment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace gripscope {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// |a - b|^2, added in the order of the features; `Features` 0: as many as `count`.
+template <int Features>
+double squaredDistance(const double* a, const double* b, Eigen::Index count)
+{
+    const Eigen::Index features = Features > 0 ? Features : count;
+    double sum = 0;
+    for (Eigen::Index j = 0; j < features; ++j)
+        sum += (a[j] - b[j]) * (a[j] - b[j]);
+    return sum;
+}
+
+} // namespace
+
+KMeansAssignment::KMeansAssignment(const Eigen::MatrixXd& items, int clusters)
+    : m_items(items), m_labels(std::size_t(items.rows()), -1), m_upper(m_labels.size(), infinity),
+      m_lower(m_labels.size(), 0), m_chunks(chunkCount(m_labels.size()))
+{
+    for (ChunkSums& chunk : m_chunks) {
+        chunk.sums.resize(clusters, items.cols());
+        chunk.items.resize(std::size_t(clusters));
+    }
+    // A computed distance is wrong by some (features + 2)/2 units in the last place; four times (features +
+    // 8) also holds what moving the bound adds.
+    const double room = 4 * double(items.cols() + 8) * std::numeric_limits<double>::epsilon();
+    m_grow = 1 + room;
+    m_shrink = 1 - room;
+}
+
+KMeansAssignment::Moves KMeansAssignment::movesTo(const ItemRows& centroids) const
+{
+    const auto clusters = std::size_t(centroids.rows());
+    Moves moves;
+    moves.moved.assign(clusters, 0);
+    moves.halfToNext.assign(clusters, infinity);
+    for (std::size_t c = 0; c < clusters; ++c) {
+        const auto row = Eigen::Index(c);
+        if (m_centroids.rows() > 0)
+            moves.moved[c] = (centroids.row(row) - m_centroids.row(row)).norm() * m_grow;
+        if (moves.moved[c] > moves.most) {
+            moves.secondMost = moves.most;
+            moves.most = moves.moved[c];
+            moves.farthest = c;
+        } else {
+            moves.secondMost = std::max(moves.secondMost, moves.moved[c]);
+        }
+        for (std::size_t other = 0; other < c; ++other) {
+            const double half =
+                std::sqrt(squaredDistance<0>(centroids.row(row).data(),
+                                             centroids.row(Eigen::Index(other)).data(), centroids.cols())) /
+                2 * m_shrink;
+            moves.halfToNext[c] = std::min(moves.halfToNext[c], half);
+            moves.halfToNext[other] = std::min(moves.halfToNext[other], half);
+        }
+    }
+    return moves;
+}
+
+template <int Features>
+int KMeansAssignment::nearestCentroid(std::size_t item)
+{
+    const double* x = m_items.data() + Eigen::Index(item) * m_items.cols();
+    const double* centroid = m_centroids.data();
+    double best = infinity;
+    double second = infinity;
+    int nearest = 0;
+    for (Eigen::Index c = 0; c < m_centroids.rows(); ++c, centroid += m_items.cols()) {
+        const double squared = squaredDistance<Features>(x, centroid, m_items.cols());
+        if (squared < best) {
+            second = best;
+            best = squared;
+            nearest = int(c);
+        } else if (squared < second) {
+            second = squared;
+        }
+    }
+    m_upper[item] = std::sqrt(best) * m_grow;
+    m_lower[item] = std::sqrt(second) * m_shrink;
+    return nearest;
+}
+
+template <int Features>
+void KMeansAssignment::assignChunk(const Chunk& chunk, const Moves& moves)
+{
+    ChunkSums& found = m_chunks[chunk.number];
+    found.sums.setZero();
+    std::fill(found.items.begin(), found.items.end(), 0.0);
+    found.changed = 0;
+    const Eigen::Index features = Features > 0 ? Features : m_items.cols();
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        const double* x = m_items.data() + Eigen::Index(i) * features;
+        int label = m_labels[i];
+        bool certain = false;
+        if (label >= 0) {
+            const auto own = std::size_t(label);
+            m_upper[i] = (m_upper[i] + moves.moved[own]) * m_grow;
+            m_lower[i] =
+                m_lower[i] * m_shrink - (own == moves.farthest ? moves.secondMost : moves.most) * m_grow;
+            const double bound = std::max(m_lower[i], moves.halfToNext[own]);
+            certain = m_upper[i] < bound;
+            if (!certain) {
+                m_upper[i] = std::sqrt(squaredDistance<Features>(
+                                 x, m_centroids.data() + Eigen::Index(label) * features, features)) *
+                             m_grow;
+                certain = m_upper[i] < bound;
+            }
+        }
+        if (!certain) {
+            label = nearestCentroid<Features>(i);
+            found.changed += label != m_labels[i];
+            m_labels[i] = label;
+        }
+        double* sum = found.sums.data() + Eigen::Index(label) * features;
+        for (Eigen::Index j = 0; j < features; ++j)
+            sum[j] += x[j];
+        found.items[std::size_t(label)] += 1;
+    }
+}
+
+std::size_t KMeansAssignment::assign(const Eigen::MatrixXd& centroids)
+{
+    const ItemRows next = centroids;
+    const Moves moves = movesTo(next);
+    m_centroids = next;
+    forEachChunk(m_labels.size(), [&](const Chunk& chunk) {
+        if (m_items.cols() == 3) // mass, damping, stiffness
+            assignChunk<3>(chunk, moves);
+        else
+            assignChunk<0>(chunk, moves);
+    });
+    return std::accumulate(m_chunks.begin(), m_chunks.end(), std::size_t(0),
+                           [](std::size_t sum, const ChunkSums& chunk) { return sum + chunk.changed; });
+}
+
+Eigen::VectorXd KMeansAssignment::squaredDistances() const
+{
+    Eigen::VectorXd distances(m_items.rows());
+    forEachChunk(m_labels.size(), [&](const Chunk& chunk) {
+        for (auto i = Eigen::Index(chunk.begin); i < Eigen::Index(chunk.end); ++i)
+            distances(i) = squaredDistance<0>(
+                m_items.row(i).data(), m_centroids.row(m_labels[std::size_t(i)]).data(), m_items.cols());
+    });
+    return distances;
+}
+
+double KMeansAssignment::inertia() const
+{
+    return squaredDistances().sum();
+}
+
+Eigen::MatrixXd KMeansAssignment::means() const
+{
+    Eigen::MatrixXd means = m_chunks.front().sums;
+    std::vector<double> items = m_chunks.front().items;
+    for (std::size_t chunk = 1; chunk < m_chunks.size(); ++chunk) {
+        means += m_chunks[chunk].sums;
+        for (std::size_t c = 0; c < items.size(); ++c)
+            items[c] += m_chunks[chunk].items[c];
+    }
+    Eigen::VectorXd distances;
+    for (std::size_t c = 0; c < items.size(); ++c) {
+        const auto row = Eigen::Index(c);
+        if (items[c] > 0) {
+            means.row(row) /= items[c];
+            continue;
+        }
+        if (distances.size() == 0)
+            distances = squaredDistances();
+        Eigen::Index farthest = 0;
+        distances.maxCoeff(&farthest);
+        distances(farthest) = 0; // the next empty cluster takes another one
+        means.row(row) = m_items.row(farthest);
+    }
+    return means;
+}
+
+} // namespace gripscope

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/recognition/cluster_items.h"
+#include "core/recognition/parallel_chunks.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace gripscope {
+
+/// The two halves of an iteration of Lloyd: every item to its nearest centroid (of equals the lowest number),
+/// and the means of the clusters. The result is that of measuring every distance, to the last bit, but most
+/// distances are not measured: each item keeps an upper bound of the distance to its own centroid and a lower
+/// bound of that to all others, and the triangle inequality moves both as the centroids move.
+/// Source: Hamerly, Making k-means even faster (SDM 2010).
+class KMeansAssignment {
+public:
+    /// `items`: finite, of a size whose squares neither vanish nor overflow.
+    KMeansAssignment(const Eigen::MatrixXd& items, int clusters);
+
+    /// Assigns all items; how many changed their cluster (the first time: all).
+    std::size_t assign(const Eigen::MatrixXd& centroids);
+
+    [[nodiscard]] const std::vector<int>& labels() const { return m_labels; }
+    [[nodiscard]] Eigen::MatrixXd centroids() const { return m_centroids; }
+    /// J of the labels and centroids of the last assignment.
+    [[nodiscard]] double inertia() const;
+    /// The means of the clusters. One that lost all its items moves to the item farthest from its own
+    /// centroid, which lowers J most of all single moves.
+    [[nodiscard]] Eigen::MatrixXd means() const;
+
+private:
+    struct ChunkSums {
+        ItemRows sums;             ///< clusters x features
+        std::vector<double> items; ///< a cluster
+        std::size_t changed = 0;
+    };
+    /// How the last move of the centroids shifts the bounds.
+    struct Moves {
+        std::vector<double> moved;       ///< of each centroid, at least its length
+        std::vector<double> halfToNext;  ///< at most half the distance to the nearest other centroid
+        double most = 0, secondMost = 0; ///< of `moved`
+        std::size_t farthest = 0;        ///< who moved `most`
+    };
+    [[nodiscard]] Moves movesTo(const ItemRows& centroids) const;
+    template <int Features>
+    void assignChunk(const Chunk& chunk, const Moves& moves);
+    template <int Features>
+    int nearestCentroid(std::size_t item);
+    [[nodiscard]] Eigen::VectorXd squaredDistances() const;
+
+    ItemRows m_items;
+    ItemRows m_centroids;
+    std::vector<int> m_labels;            ///< -1 before the first assignment
+    std::vector<double> m_upper, m_lower; ///< distances, not squares
+    std::vector<ChunkSums> m_chunks;
+    double m_grow = 1, m_shrink = 1; ///< room for rounding, so that the bounds are bounds
+};
+
+} // namespace gripscope
