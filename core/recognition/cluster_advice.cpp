@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recognition/cluster_advice.h"
+
+#include "core/recognition/cluster_indices.h"
+#include "core/recognition/cluster_items.h"
+#include "core/recognition/gaussian_mixture.h"
+
+#include <QCoreApplication>
+#include <QMap>
+
+#include <algorithm>
+#include <functional>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("ClusterAdvice", text);
+}
+
+QString nameOf(ClusterCriterion criterion)
+{
+    switch (criterion) {
+    case ClusterCriterion::Silhouette:
+        return tr("silhouette");
+    case ClusterCriterion::CalinskiHarabasz:
+        return tr("Calinski-Harabasz");
+    case ClusterCriterion::DaviesBouldin:
+        return tr("Davies-Bouldin");
+    case ClusterCriterion::Gap:
+        return tr("gap");
+    case ClusterCriterion::Bic:
+        return tr("BIC");
+    }
+    return {};
+}
+
+/// How many different items there are, counted up to `enough`.
+int differentItems(const Eigen::MatrixXd& items, int enough)
+{
+    std::vector<Eigen::Index> kept;
+    for (Eigen::Index i = 0; i < items.rows() && int(kept.size()) < enough; ++i)
+        if (std::none_of(kept.begin(), kept.end(),
+                         [&](Eigen::Index other) { return items.row(i) == items.row(other); }))
+            kept.push_back(i);
+    return int(kept.size());
+}
+
+double bicOf(const Eigen::MatrixXd& items, int components, MixtureCovariance covariance, std::uint64_t seed)
+{
+    GaussianMixtureOptions options;
+    options.components = components;
+    options.covariance = covariance;
+    options.restarts = 3;
+    options.maxIterations = 100; // what later iterations gain changes no choice
+    options.seed = seed;
+    options.recordSteps = false;
+    return gaussianMixture(items, options).value().bic; // the items have been checked
+}
+
+ClusterFigures figuresFor(const Eigen::MatrixXd& items, int clusters, bool exact,
+                          const ClusterAdviceOptions& options)
+{
+    KMeansOptions grouping;
+    grouping.clusters = clusters;
+    grouping.restarts = options.restarts;
+    grouping.seed = options.seed;
+    grouping.recordSteps = false;
+    const KMeansResult found = kMeans(items, grouping).value();
+    ClusterFigures figures;
+    figures.clusters = clusters;
+    // With a cluster for every different item nothing is left over but rounding.
+    figures.inertia = exact ? 0 : found.inertia;
+    figures.silhouette = silhouette(items, found.labels);
+    figures.daviesBouldin = daviesBouldin(items, found.labels);
+    if (!exact)
+        figures.calinskiHarabasz = calinskiHarabasz(items, found.labels);
+    figures.bicTied = bicOf(items, clusters, MixtureCovariance::Tied, options.seed);
+    figures.bicFull = bicOf(items, clusters, MixtureCovariance::Full, options.seed);
+    return figures;
+}
+
+/// The number of clusters with the highest score; the smallest of equals.
+std::optional<int> highest(const std::vector<ClusterFigures>& all,
+                           const std::function<std::optional<double>(const ClusterFigures&)>& score)
+{
+    std::optional<int> clusters;
+    double best = 0;
+    for (const ClusterFigures& figures : all)
+        if (const std::optional<double> value = score(figures); value && (!clusters || *value > best)) {
+            best = *value;
+            clusters = figures.clusters;
+        }
+    return clusters;
+}
+
+std::vector<ClusterVote> votes(const std::vector<ClusterFigures>& figures)
+{
+    std::vector<std::optional<GapStatistic>> gaps;
+    for (const ClusterFigures& one : figures)
+        gaps.push_back(one.gap);
+    const auto lowDaviesBouldin = [](const ClusterFigures& one) -> std::optional<double> {
+        return one.daviesBouldin ? std::optional(-*one.daviesBouldin) : std::nullopt;
+    };
+    return {{ClusterCriterion::Silhouette,
+             highest(figures, [](const ClusterFigures& one) { return one.silhouette; })},
+            {ClusterCriterion::CalinskiHarabasz,
+             highest(figures, [](const ClusterFigures& one) { return one.calinskiHarabasz; })},
+            {ClusterCriterion::DaviesBouldin, highest(figures, lowDaviesBouldin)},
+            {ClusterCriterion::Gap, clustersByGap(gaps)},
+            {ClusterCriterion::Bic, highest(figures, [](const ClusterFigures& one) {
+                 return std::optional(-std::min(one.bicTied, one.bicFull));
+             })}};
+}
+
+/// Who is for which number, the numbers ascending.
+QMap<int, QStringList> supporters(const std::vector<ClusterVote>& votes)
+{
+    QMap<int, QStringList> found;
+    for (const ClusterVote& vote : votes)
+        if (vote.clusters)
+            found[*vote.clusters] << nameOf(vote.criterion);
+    return found;
+}
+
+/// Only the gap and the BIC look at one cluster at all: one is advised when neither wants more.
+bool saysOneGroup(const std::vector<ClusterVote>& votes)
+{
+    bool said = false;
+    for (const ClusterVote& vote : votes) {
+        if (vote.criterion != ClusterCriterion::Gap && vote.criterion != ClusterCriterion::Bic)
+            continue;
+        if (vote.clusters.value_or(1) != 1)
+            return false;
+        said = said || vote.clusters.has_value();
+    }
+    return said;
+}
+
+void decide(ClusterAdvice& advice)
+{
+    const QMap<int, QStringList> named = supporters(advice.votes);
+    if (named.isEmpty() || saysOneGroup(advice.votes)) {
+        advice.clusters = 1;
+        advice.reason = named.isEmpty() ? tr("One group: nothing speaks for more.")
+                                        : tr("One group: %1 can say so and do; the other criteria compare "
+                                             "two groups and more only.")
+                                              .arg(named.value(1).join(tr(" and ")));
+        return;
+    }
+    qsizetype most = 0;
+    for (const QStringList& names : named)
+        most = std::max(most, names.size());
+    const std::optional<int> silhouettes = advice.votes.front().clusters;
+    const bool tie = std::count_if(named.begin(), named.end(),
+                                   [&](const QStringList& names) { return names.size() == most; }) > 1;
+    for (auto number = named.end(); number != named.begin();) {
+        --number;
+        if (number->size() == most)
+            advice.clusters = number.key(); // ends at the smallest
+    }
+    if (silhouettes && named[*silhouettes].size() == most)
+        advice.clusters = *silhouettes;
+    QStringList others;
+    for (auto number = named.begin(); number != named.end(); ++number)
+        if (number.key() != advice.clusters)
+            others << tr("%1 for %2").arg(number->join(u", "_s)).arg(number.key());
+    advice.reason = tr("%1 groups: %2 for it").arg(advice.clusters).arg(named[advice.clusters].join(u", "_s));
+    if (!others.isEmpty())
+        advice.reason += tr("; %1").arg(others.join(u"; "_s));
+    if (tie)
+        advice.reason += silhouettes == advice.clusters ? tr("; of equals the silhouette's")
+                                                        : tr("; of equals the fewest groups");
+    advice.reason += u'.';
+}
+
+} // namespace
+
+QString toString(ClusterCriterion criterion)
+{
+    switch (criterion) {
+    case ClusterCriterion::Silhouette:
+        return u"silhouette"_s;
+    case ClusterCriterion::CalinskiHarabasz:
+        return u"calinski_harabasz"_s;
+    case ClusterCriterion::DaviesBouldin:
+        return u"davies_bouldin"_s;
+    case ClusterCriterion::Gap:
+        return u"gap"_s;
+    case ClusterCriterion::Bic:
+        return u"bic"_s;
+    }
+    return {};
+}
+
+Expected<ClusterAdvice> adviseClusters(const Eigen::MatrixXd& items, const ClusterAdviceOptions& options)
+{
+    for (const auto& problem :
+         {countProblem(u"maxClusters"_s, options.maxClusters), countProblem(u"restarts"_s, options.restarts),
+          countProblem(u"mostItems"_s, int(std::min<Eigen::Index>(options.mostItems, 1'000'000)))})
+        if (problem)
+            return tl::unexpected(*problem);
+    if (const auto problem = clusterItemsProblem(items))
+        return tl::unexpected(*problem);
+    if (items.size() == 0)
+        return failure(ErrorCode::BadInput,
+                       {u"The table to be clustered"_s, u"found no rows"_s, u"expected at least one"_s});
+    ClusterAdvice advice;
+    const Eigen::MatrixXd sample = sampleOfItems(items, options.mostItems, options.seed);
+    const double scale = powerOfTwoScale(sample);
+    const Eigen::MatrixXd judged = sample * scale;
+    advice.itemsUsed = judged.rows();
+    const int different = differentItems(judged, options.maxClusters + 1);
+    for (int clusters = 1; clusters <= std::min(options.maxClusters, different); ++clusters)
+        advice.figures.push_back(figuresFor(judged, clusters, clusters == different, options));
+    std::vector<double> inertias;
+    for (const ClusterFigures& figures : advice.figures)
+        inertias.push_back(figures.inertia);
+    GapOptions gapOptions;
+    gapOptions.seed = options.seed;
+    const std::vector<std::optional<GapStatistic>> gaps = gapStatistics(judged, inertias, gapOptions);
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+        advice.figures[i].gap = gaps[i];
+        advice.figures[i].inertia = inertias[i] / scale / scale;
+    }
+    advice.votes = votes(advice.figures);
+    decide(advice);
+    return advice;
+}
+
+} // namespace gripscope
