@@ -42,6 +42,43 @@ private slots:
             QVERIFY(mass > 0.036 && mass < 0.043);
         }
     }
+    void everyMethodFindsThePapersGroups_data()
+    {
+        QTest::addColumn<QString>("own");
+        QTest::newRow("kmeans") << QString();
+        QTest::newRow("som") << u"map"_s;
+        QTest::newRow("gmm") << u"mixture"_s;
+    }
+    void everyMethodFindsThePapersGroups()
+    {
+        QFETCH(QString, own);
+        const QString method = QLatin1String(QTest::currentDataTag());
+        const QStringList arguments{u"cluster"_s, m_table, u"--method"_s, method, u"--truth"_s, u"object"_s};
+        const ProgramRun run = m_work.cli(arguments + QStringList{u"--json"_s});
+        QCOMPARE(run.exit, 0);
+        const QJsonObject document = run.json();
+        QCOMPARE(document[u"method"].toString(), method);
+        QCOMPARE(document[u"adjusted_rand_index"].toDouble(), 1.0);
+        QCOMPARE(document[u"confusion"][u"D"][u"3"].toInt(), 10);
+        QCOMPARE(document[u"labels"].toArray().size(), 40);
+        QCOMPARE(document[u"centroids"].toArray().size(), 4);
+        for (const QString& member : {u"map"_s, u"mixture"_s})
+            QCOMPARE(document.contains(member), member == own);
+        QVERIFY(m_work.cli(arguments).out.contains("adjusted Rand index against the truth: 1"));
+    }
+    void autoGivesTheNumberAndTheReason()
+    {
+        const QStringList arguments{u"cluster"_s, m_table, u"--clusters"_s, u"auto"_s};
+        const QJsonObject document = m_work.cli(arguments + QStringList{u"--json"_s}).json();
+        QCOMPARE(document[u"advice"][u"clusters"].toInt(), 4);
+        QCOMPARE(document[u"advice"][u"votes"][u"silhouette"].toInt(), 4);
+        QCOMPARE(document[u"advice"][u"figures"].toArray().size(), 8);
+        QCOMPARE(document[u"centroids"].toArray().size(), 4);
+        QVERIFY(m_work.cli(arguments).out.contains("4 groups: silhouette"));
+        QCOMPARE(m_work.cli({u"cluster"_s, m_table, u"--clusters"_s, u"many"_s}).exit, 2);
+        QCOMPARE(m_work.cli({u"cluster"_s, m_table, u"--method"_s, u"dbscan"_s}).exit, 2);
+        QCOMPARE(m_work.cli({u"cluster"_s, m_table, u"--covariance"_s, u"round"_s}).exit, 2);
+    }
     void withoutTruthThereIsNothingToAgreeWith()
     {
         const QJsonObject document = m_work.cli({u"cluster"_s, m_table, u"--json"_s}).json();
@@ -58,7 +95,17 @@ private slots:
         QCOMPARE(m_work.cli({u"cluster"_s, u"missing.csv"_s}).exit, 3);
         QCOMPARE(m_work.cli({u"cluster"_s, m_table, u"--features"_s, u"m,weight"_s}).exit, 3);
         m_work.write(u"short.csv"_s, "m,b,k\n1,2,3\n");
-        QCOMPARE(m_work.cli({u"cluster"_s, u"short.csv"_s}).exit, 3);
+        for (const QString& method : {u"kmeans"_s, u"som"_s, u"gmm"_s})
+            QCOMPARE(m_work.cli({u"cluster"_s, u"short.csv"_s, u"--method"_s, method}).exit, 3);
+        // A logarithm of what is not above 0, and more groups than a map has units.
+        m_work.write(u"zero.csv"_s, "m,b,k\n1,2,3\n0,2,3\n");
+        QCOMPARE(
+            m_work.cli({u"cluster"_s, u"zero.csv"_s, u"--clusters"_s, u"2"_s, u"--scaling"_s, u"log"_s}).exit,
+            3);
+        QCOMPARE(
+            m_work.cli({u"cluster"_s, u"zero.csv"_s, u"--clusters"_s, u"auto"_s, u"--scaling"_s, u"log"_s})
+                .exit,
+            3);
     }
     void thePaperIsReproduced()
     {

@@ -102,13 +102,9 @@ private slots:
     void whatComesLaterSaysSoInsteadOfAnEmptyResult_data()
     {
         QTest::addColumn<QStringList>("arguments");
-        m_work.write(u"table.csv"_s, "m,b,k\n1,2,3\n4,5,6\n");
         m_work.write(u"r.csv"_s, "u,y\n1,2\n2,3\n");
         QTest::newRow("calibrate") << QStringList{u"calibrate"_s, u"points.csv"_s, u"--degree"_s, u"2"_s};
         QTest::newRow("study") << QStringList{u"study"_s, u"recognition"_s};
-        for (const QString& method : {u"som"_s, u"gmm"_s})
-            QTest::newRow(qPrintable(method))
-                << QStringList{u"cluster"_s, u"table.csv"_s, u"--method"_s, method};
         QTest::newRow("postgresql") << QStringList{u"classify"_s, u"--library"_s,
                                                    u"postgresql://me@host/name"_s, u"r.csv"_s};
     }
