@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <optional>
 
 namespace gripscope {
 
@@ -16,68 +16,74 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int shortRun = 25;             ///< iterations of each start before the best is continued
+constexpr int shortRun = 25;             ///< iterations by which the starts are compared
 constexpr double leastGainAnItem = 1e-7; ///< of the objective
+/// On longer tables the starts are compared on so many items, drawn by the seed.
+constexpr Eigen::Index mostCompared = 10'000;
 
-/// One start, as far as it has been run.
 struct Run {
-    std::unique_ptr<MixtureEm> em;
     std::vector<MixtureStep> steps;
     int iterations = 0;
     bool converged = false;
 };
 
-void record(Run& run, const GaussianMixtureOptions& options)
+/// EM up to that many iterations.
+Run proceed(MixtureEm& em, int mostIterations, Eigen::Index items, bool recordSteps)
 {
-    if (options.recordSteps)
-        run.steps.push_back(
-            {run.em->parameters(), run.em->labels(), run.em->logLikelihood(), run.em->objective()});
-}
-
-/// EM up to that many iterations in all.
-void proceed(Run& run, int iterations, Eigen::Index items, const GaussianMixtureOptions& options)
-{
-    while (!run.converged && run.iterations < std::min(iterations, options.maxIterations)) {
-        const double before = run.em->objective();
-        run.em->maximize();
-        run.em->expect();
+    Run run;
+    const auto record = [&] {
+        if (recordSteps)
+            run.steps.push_back({em.parameters(), em.labels(), em.logLikelihood(), em.objective()});
+    };
+    em.expect();
+    record();
+    while (!run.converged && run.iterations < mostIterations) {
+        const double before = em.objective();
+        em.maximize();
+        em.expect();
         ++run.iterations;
-        record(run, options);
-        run.converged = run.em->objective() - before < leastGainAnItem * double(items);
+        record();
+        run.converged = em.objective() - before < leastGainAnItem * double(items);
     }
+    return run;
 }
 
 /// The different ends of single K-means runs, the seeds counted up.
-std::vector<std::vector<int>> kMeansStarts(const Eigen::MatrixXd& items,
+std::vector<std::vector<int>> kMeansLabels(const Eigen::MatrixXd& items,
                                            const GaussianMixtureOptions& options)
 {
     KMeansOptions start;
     start.clusters = options.components;
     start.restarts = 1;
     start.recordSteps = false;
-    std::vector<std::vector<int>> starts;
+    std::vector<std::vector<int>> found;
     for (int i = 0; i < options.restarts; ++i) {
         start.seed = options.seed + std::uint64_t(i);
         std::vector<int> labels = kMeans(items, start).value().labels; // the items are z-scores: no error
-        if (std::find(starts.begin(), starts.end(), labels) == starts.end())
-            starts.push_back(std::move(labels));
+        if (std::find(found.begin(), found.end(), labels) == found.end())
+            found.push_back(std::move(labels));
     }
-    return starts;
+    return found;
 }
 
-Run bestRun(const Eigen::MatrixXd& items, const ItemRows& rows, const GaussianMixtureOptions& options)
+/// The start that a short run gets farthest from.
+MixtureStart bestStart(const Eigen::MatrixXd& items, const GaussianMixtureOptions& options)
 {
-    Run best;
-    for (const std::vector<int>& start : kMeansStarts(items, options)) {
-        Run run;
-        run.em = std::make_unique<MixtureEm>(rows, start, options.components, options.covariance);
-        run.em->expect();
-        record(run, options);
-        proceed(run, shortRun, items.rows(), options);
-        if (!best.em || run.em->objective() > best.em->objective())
-            best = std::move(run);
+    const ItemRows rows = items;
+    const std::vector<std::vector<int>> labels = kMeansLabels(items, options);
+    MixtureStart best = mixtureStart(rows, labels.front(), options.components);
+    if (labels.size() == 1)
+        return best;
+    std::optional<double> highest;
+    for (const std::vector<int>& own : labels) {
+        MixtureStart start = mixtureStart(rows, own, options.components);
+        MixtureEm em(rows, start, options.covariance);
+        (void)proceed(em, std::min(shortRun, options.maxIterations), items.rows(), false);
+        if (!highest || em.objective() > *highest) {
+            highest = em.objective();
+            best = std::move(start);
+        }
     }
-    proceed(best, options.maxIterations, items.rows(), options);
     return best;
 }
 
@@ -137,22 +143,24 @@ Expected<GaussianMixtureResult> gaussianMixture(const Eigen::MatrixXd& items,
         return tl::unexpected(transform.error());
     const Eigen::MatrixXd scores = transform->apply(items * scale);
     const ItemRows rows = scores;
-    Run run = bestRun(scores, rows, options);
+    const Eigen::Index compared = std::max<Eigen::Index>(mostCompared, options.components);
+    MixtureEm em(rows, bestStart(sampleOfItems(scores, compared, options.seed), options), options.covariance);
+    Run run = proceed(em, options.maxIterations, rows.rows(), options.recordSteps);
 
     transform->scale /= scale;
     transform->shift /= scale;
     // A density in units is that in z-scores over their scales.
     const double logUnits = double(items.rows()) * transform->scale.array().log().sum();
-    const std::vector<int> numbers = numbersByAppearance(run.em->labels(), options.components);
+    const std::vector<int> numbers = numbersByAppearance(em.labels(), options.components);
     result.status = run.converged ? MixtureStatus::Converged : MixtureStatus::NotConverged;
-    result.parameters = inUnits(run.em->parameters(), *transform, numbers);
-    result.labels = run.em->labels();
+    result.parameters = inUnits(em.parameters(), *transform, numbers);
+    result.labels = em.labels();
     renumber(result.labels, numbers);
-    const Eigen::MatrixXd probabilities = run.em->probabilities();
+    const Eigen::MatrixXd probabilities = em.probabilities();
     result.probabilities.resizeLike(probabilities);
     for (std::size_t c = 0; c < numbers.size(); ++c)
         result.probabilities.col(numbers[c]) = probabilities.col(Eigen::Index(c));
-    result.logLikelihood = run.em->logLikelihood() - logUnits;
+    result.logLikelihood = em.logLikelihood() - logUnits;
     result.freeParameters = freeParameters(options, int(items.cols()));
     result.bic = -2 * result.logLikelihood + result.freeParameters * std::log(double(items.rows()));
     result.iterations = run.iterations;

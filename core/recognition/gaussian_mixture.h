@@ -66,7 +66,8 @@ struct GaussianMixtureResult {
     std::vector<MixtureStep> steps; ///< of the winning start, from K-means to the end, when recorded
 };
 
-/// `items`: rows are items, columns features, all finite. The best of the starts by log-likelihood and prior.
+/// `items`: rows are items, columns features, all finite. The start is the one whose short run ends
+/// highest in log-likelihood and prior.
 /// Converged: a step gained less than 1e-7 an item. Errors: Usage (options), BadInput (numbers that are not
 /// finite, or too large to be squared).
 [[nodiscard]] Expected<GaussianMixtureResult> gaussianMixture(const Eigen::MatrixXd& items,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace gripscope {
 
@@ -17,41 +18,36 @@ constexpr double leastVariance = 1e-6;
 
 } // namespace
 
-MixtureEm::MixtureEm(const ItemRows& items, const std::vector<int>& start, int components,
-                     MixtureCovariance covariance)
-    : m_items(items), m_kind(covariance), m_priorItems(double(items.cols()) + 1), m_labels(start),
-      m_chunks(chunkCount(std::size_t(items.rows())))
+MixtureStart mixtureStart(const ItemRows& items, const std::vector<int>& labels, int components)
 {
-    m_parameters.weights.resize(components);
-    m_parameters.means.resize(components, items.cols());
-    m_parameters.covariances.resize(std::size_t(components));
-    m_densities.resize(std::size_t(components));
-    this->start(start);
-}
-
-/// From the clusters of K-means: their shares, their means, and the scatter in all of them as the covariance
-/// of each.
-void MixtureEm::start(const std::vector<int>& labels)
-{
-    const Eigen::Index features = m_items.cols();
-    Eigen::VectorXd counts = Eigen::VectorXd::Zero(m_parameters.weights.size());
-    Eigen::MatrixXd& means = m_parameters.means;
-    means.setZero();
-    for (Eigen::Index i = 0; i < m_items.rows(); ++i) {
-        means.row(labels[std::size_t(i)]) += m_items.row(i);
+    const Eigen::Index features = items.cols();
+    Eigen::VectorXd counts = Eigen::VectorXd::Zero(components);
+    Eigen::MatrixXd means = Eigen::MatrixXd::Zero(components, features);
+    for (Eigen::Index i = 0; i < items.rows(); ++i) {
+        means.row(labels[std::size_t(i)]) += items.row(i);
         counts(labels[std::size_t(i)]) += 1;
     }
-    for (Eigen::Index c = 0; c < counts.size(); ++c)
+    for (Eigen::Index c = 0; c < components; ++c)
         means.row(c) /= std::max(counts(c), 1.0);
     Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(features, features);
-    for (Eigen::Index i = 0; i < m_items.rows(); ++i) {
-        const Eigen::RowVectorXd away = m_items.row(i) - means.row(labels[std::size_t(i)]);
+    for (Eigen::Index i = 0; i < items.rows(); ++i) {
+        const Eigen::RowVectorXd away = items.row(i) - means.row(labels[std::size_t(i)]);
         scatter.noalias() += away.transpose() * away;
     }
-    m_priorCovariance = scatter / double(m_items.rows());
-    m_priorCovariance.diagonal().array() += leastVariance;
-    m_parameters.weights = counts / double(m_items.rows());
-    std::fill(m_parameters.covariances.begin(), m_parameters.covariances.end(), m_priorCovariance);
+    MixtureStart start;
+    start.priorCovariance = scatter / double(items.rows());
+    start.priorCovariance.diagonal().array() += leastVariance;
+    start.parameters = {counts / double(items.rows()), means,
+                        std::vector<Eigen::MatrixXd>(std::size_t(components), start.priorCovariance)};
+    return start;
+}
+
+MixtureEm::MixtureEm(const ItemRows& items, MixtureStart start, MixtureCovariance covariance)
+    : m_items(items), m_kind(covariance), m_priorItems(double(items.cols()) + 1),
+      m_priorCovariance(std::move(start.priorCovariance)), m_parameters(std::move(start.parameters)),
+      m_densities(m_parameters.covariances.size()), m_labels(std::size_t(items.rows()), 0),
+      m_chunks(chunkCount(m_labels.size()))
+{
 }
 
 void MixtureEm::prepareDensities()
@@ -74,9 +70,10 @@ void MixtureEm::prepareDensities()
     }
 }
 
+template <int Features>
 double MixtureEm::responsibilities(const double* item, Eigen::VectorXd& probabilities, ItemRows& away) const
 {
-    const Eigen::Index features = m_items.cols();
+    const Eigen::Index features = Features > 0 ? Features : m_items.cols();
     double largest = -std::numeric_limits<double>::infinity();
     for (std::size_t c = 0; c < m_densities.size(); ++c) {
         const Density& density = m_densities[c];
@@ -99,18 +96,19 @@ double MixtureEm::responsibilities(const double* item, Eigen::VectorXd& probabil
     return largest + std::log(sum);
 }
 
+template <int Features>
 void MixtureEm::expectChunk(const Chunk& chunk)
 {
-    const Eigen::Index features = m_items.cols();
+    const Eigen::Index features = Features > 0 ? Features : m_items.cols();
     ChunkResult& result = m_chunks[chunk.number];
     result.logLikelihood = 0;
-    const Sums none{0, Eigen::VectorXd::Zero(features), Eigen::MatrixXd::Zero(features, features)};
+    const Sums none{0, Eigen::VectorXd::Zero(features), ItemRows::Zero(features, features)};
     result.components.assign(m_densities.size(), none);
     Eigen::VectorXd probabilities(m_parameters.weights.size());
     ItemRows away(m_parameters.means.rows(), features);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
         result.logLikelihood +=
-            responsibilities(m_items.data() + Eigen::Index(i) * features, probabilities, away);
+            responsibilities<Features>(m_items.data() + Eigen::Index(i) * features, probabilities, away);
         Eigen::Index label = 0;
         probabilities.maxCoeff(&label);
         m_labels[i] = int(label);
@@ -121,11 +119,12 @@ void MixtureEm::expectChunk(const Chunk& chunk)
             Sums& sums = result.components[std::size_t(c)];
             const double* offset = away.data() + c * features;
             sums.items += probability;
-            for (Eigen::Index j = 0; j < features; ++j) {
+            double* scatter = sums.scatter.data();
+            for (Eigen::Index j = 0; j < features; ++j, scatter += features) {
                 const double weighted = probability * offset[j];
                 sums.shift(j) += weighted;
                 for (Eigen::Index l = 0; l <= j; ++l)
-                    sums.scatter(j, l) += weighted * offset[l];
+                    scatter[l] += weighted * offset[l];
             }
         }
     }
@@ -134,7 +133,12 @@ void MixtureEm::expectChunk(const Chunk& chunk)
 void MixtureEm::expect()
 {
     prepareDensities();
-    forEachChunk(std::size_t(m_items.rows()), [this](const Chunk& chunk) { expectChunk(chunk); });
+    forEachChunk(m_labels.size(), [this](const Chunk& chunk) {
+        if (m_items.cols() == 3) // mass, damping, stiffness
+            expectChunk<3>(chunk);
+        else
+            expectChunk<0>(chunk);
+    });
     m_logLikelihood = 0;
     for (const ChunkResult& chunk : m_chunks)
         m_logLikelihood += chunk.logLikelihood;
@@ -183,7 +187,7 @@ Eigen::MatrixXd MixtureEm::probabilities() const
         Eigen::VectorXd one(m_parameters.weights.size());
         ItemRows away(m_parameters.means.rows(), m_items.cols());
         for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-            (void)responsibilities(m_items.data() + Eigen::Index(i) * m_items.cols(), one, away);
+            (void)responsibilities<0>(m_items.data() + Eigen::Index(i) * m_items.cols(), one, away);
             all.row(Eigen::Index(i)) = one.transpose();
         }
     });

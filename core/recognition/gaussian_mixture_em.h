@@ -11,12 +11,21 @@
 
 namespace gripscope {
 
-/// The two steps of EM on items that are z-scores.
+/// Where EM begins.
+struct MixtureStart {
+    MixtureParameters parameters;
+    Eigen::MatrixXd priorCovariance; ///< of the imaginary items of each component
+};
+
+/// From clusters (labels from 0, below `components`): their shares, their means, and the scatter within all
+/// of them as the covariance of each and of the prior.
+[[nodiscard]] MixtureStart mixtureStart(const ItemRows& items, const std::vector<int>& labels,
+                                        int components);
+
+/// The two steps of EM on items that are z-scores. They must outlive it.
 class MixtureEm {
 public:
-    /// `start`: the clusters of K-means, which also scale the prior.
-    MixtureEm(const ItemRows& items, const std::vector<int>& start, int components,
-              MixtureCovariance covariance);
+    MixtureEm(const ItemRows& items, MixtureStart start, MixtureCovariance covariance);
 
     /// Who belongs where with which probability; also works out the labels, the likelihood and the sums that
     /// the next maximize() needs.
@@ -36,7 +45,7 @@ private:
     struct Sums {
         double items = 0;
         Eigen::VectorXd shift;
-        Eigen::MatrixXd scatter; ///< lower triangle
+        ItemRows scatter; ///< lower triangle
     };
     struct ChunkResult {
         std::vector<Sums> components;
@@ -48,11 +57,12 @@ private:
         ItemRows whitening; ///< inverse of the covariance's lower Cholesky factor
         double constant = 0;
     };
-    void start(const std::vector<int>& labels);
     void prepareDensities();
+    template <int Features>
     void expectChunk(const Chunk& chunk);
     /// Writes the probabilities of the components for one item and returns its log-density. `away` receives
     /// its offsets from the means, one component a row.
+    template <int Features>
     double responsibilities(const double* item, Eigen::VectorXd& probabilities, ItemRows& away) const;
     [[nodiscard]] Eigen::MatrixXd regularized(const Eigen::MatrixXd& scatter, double items) const;
 

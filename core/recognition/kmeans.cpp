@@ -7,6 +7,7 @@
 #include "core/recognition/kmeans_start.h"
 
 #include <random>
+#include <utility>
 
 namespace gripscope {
 
@@ -17,14 +18,17 @@ namespace {
 /// With more items than this a single one moves no mean to speak of.
 constexpr Eigen::Index mostItemsForSingleMoves = 8192;
 
+/// Widths of the table: farther off, distances have no digits left to tell items by.
+constexpr double farthestStart = 1e150;
+
 enum class Polish { No, Yes };
 
 /// Lloyd's iteration from these centres, and single moves wherever it stands still.
-KMeansResult runFrom(const Eigen::MatrixXd& items, const Eigen::MatrixXd& centres,
-                     const KMeansOptions& options, Polish polish)
+KMeansResult runFrom(ItemRows items, const Eigen::MatrixXd& centres, const KMeansOptions& options,
+                     Polish polish)
 {
     const int clusters = int(centres.rows());
-    KMeansAssignment assignment(items, clusters);
+    KMeansAssignment assignment(std::move(items), clusters);
     KMeansResult result;
     const auto assign = [&](const Eigen::MatrixXd& centroids) {
         const std::size_t changed = assignment.assign(centroids);
@@ -38,8 +42,8 @@ KMeansResult runFrom(const Eigen::MatrixXd& items, const Eigen::MatrixXd& centre
         ++result.iterations;
         if (assign(*next) > 0)
             next = assignment.means();
-        else if (polish == Polish::Yes && items.rows() <= mostItemsForSingleMoves)
-            next = meansAfterSingleMoves(items, assignment.labels(), clusters);
+        else if (polish == Polish::Yes && assignment.items().rows() <= mostItemsForSingleMoves)
+            next = meansAfterSingleMoves(assignment.items(), assignment.labels(), clusters);
         else
             next.reset();
     }
@@ -116,16 +120,18 @@ Expected<KMeansResult> kMeans(const Eigen::MatrixXd& items, const KMeansOptions&
 Expected<KMeansResult> kMeansFrom(const Eigen::MatrixXd& items, const Eigen::MatrixXd& centres,
                                   const KMeansOptions& options)
 {
+    if (const auto problem = problemWith(items, options))
+        return tl::unexpected(*problem);
     if (centres.rows() == 0 || centres.cols() != items.cols() || !centres.allFinite())
         return failure(ErrorCode::Usage, {u"The centres to start from do not fit the table."_s});
-    Eigen::MatrixXd all(items.rows() + centres.rows(), items.cols());
-    all << items, centres;
-    if (const auto problem = problemWith(all, options))
-        return tl::unexpected(*problem);
     if (items.rows() < centres.rows() || items.cols() == 0)
         return KMeansResult{};
-    const double scale = powerOfTwoScale(all);
-    KMeansResult result = runFrom(items * scale, centres * scale, options, Polish::No);
+    const double scale = powerOfTwoScale(items);
+    const Eigen::MatrixXd start = centres * scale;
+    if (!(start.cwiseAbs().maxCoeff() < farthestStart))
+        return failure(ErrorCode::BadInput, {u"The centres to start from"_s, u"found one too far away"_s,
+                                             u"expected centres near the items"_s});
+    KMeansResult result = runFrom(items * scale, start, options, Polish::No);
     finish(result, scale);
     return result;
 }

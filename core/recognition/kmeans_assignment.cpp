@@ -25,17 +25,17 @@ double squaredDistance(const double* a, const double* b, Eigen::Index count)
 
 } // namespace
 
-KMeansAssignment::KMeansAssignment(const Eigen::MatrixXd& items, int clusters)
-    : m_items(items), m_labels(std::size_t(items.rows()), -1), m_upper(m_labels.size(), infinity),
-      m_lower(m_labels.size(), 0), m_chunks(chunkCount(m_labels.size()))
+KMeansAssignment::KMeansAssignment(ItemRows items, int clusters)
+    : m_items(std::move(items)), m_labels(std::size_t(m_items.rows()), -1),
+      m_upper(m_labels.size(), infinity), m_lower(m_labels.size(), 0), m_chunks(chunkCount(m_labels.size()))
 {
     for (ChunkSums& chunk : m_chunks) {
-        chunk.sums.resize(clusters, items.cols());
-        chunk.items.resize(std::size_t(clusters));
+        chunk.sums.resize(clusters, m_items.cols());
+        chunk.items.resize(clusters);
     }
     // A computed distance is wrong by some (features + 2)/2 units in the last place; four times (features +
     // 8) also holds what moving the bound adds.
-    const double room = 4 * double(items.cols() + 8) * std::numeric_limits<double>::epsilon();
+    const double room = 4 * double(m_items.cols() + 8) * std::numeric_limits<double>::epsilon();
     m_grow = 1 + room;
     m_shrink = 1 - room;
 }
@@ -70,15 +70,22 @@ KMeansAssignment::Moves KMeansAssignment::movesTo(const ItemRows& centroids) con
 }
 
 template <int Features>
-int KMeansAssignment::nearestCentroid(std::size_t item)
+int KMeansAssignment::nearestCentroid(std::size_t item, Eigen::ArrayXd& distances)
 {
     const double* x = m_items.data() + Eigen::Index(item) * m_items.cols();
-    const double* centroid = m_centroids.data();
+    if constexpr (Features == 3) {
+        distances = (m_columns.col(0) - x[0]).square() + (m_columns.col(1) - x[1]).square() +
+                    (m_columns.col(2) - x[2]).square();
+    } else {
+        distances = (m_columns.col(0) - x[0]).square();
+        for (Eigen::Index j = 1; j < m_items.cols(); ++j)
+            distances += (m_columns.col(j) - x[j]).square();
+    }
     double best = infinity;
     double second = infinity;
     int nearest = 0;
-    for (Eigen::Index c = 0; c < m_centroids.rows(); ++c, centroid += m_items.cols()) {
-        const double squared = squaredDistance<Features>(x, centroid, m_items.cols());
+    for (Eigen::Index c = 0; c < distances.size(); ++c) {
+        const double squared = distances(c);
         if (squared < best) {
             second = best;
             best = squared;
@@ -97,8 +104,9 @@ void KMeansAssignment::assignChunk(const Chunk& chunk, const Moves& moves)
 {
     ChunkSums& found = m_chunks[chunk.number];
     found.sums.setZero();
-    std::fill(found.items.begin(), found.items.end(), 0.0);
+    found.items.setZero();
     found.changed = 0;
+    Eigen::ArrayXd distances(m_columns.rows());
     const Eigen::Index features = Features > 0 ? Features : m_items.cols();
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
         const double* x = m_items.data() + Eigen::Index(i) * features;
@@ -119,14 +127,14 @@ void KMeansAssignment::assignChunk(const Chunk& chunk, const Moves& moves)
             }
         }
         if (!certain) {
-            label = nearestCentroid<Features>(i);
+            label = nearestCentroid<Features>(i, distances);
             found.changed += label != m_labels[i];
             m_labels[i] = label;
         }
         double* sum = found.sums.data() + Eigen::Index(label) * features;
         for (Eigen::Index j = 0; j < features; ++j)
             sum[j] += x[j];
-        found.items[std::size_t(label)] += 1;
+        found.items(label) += 1;
     }
 }
 
@@ -135,6 +143,7 @@ std::size_t KMeansAssignment::assign(const Eigen::MatrixXd& centroids)
     const ItemRows next = centroids;
     const Moves moves = movesTo(next);
     m_centroids = next;
+    m_columns = centroids;
     forEachChunk(m_labels.size(), [&](const Chunk& chunk) {
         if (m_items.cols() == 3) // mass, damping, stiffness
             assignChunk<3>(chunk, moves);
@@ -156,25 +165,24 @@ Eigen::VectorXd KMeansAssignment::squaredDistances() const
     return distances;
 }
 
-double KMeansAssignment::inertia() const
+KMeansAssignment::Sums KMeansAssignment::sums() const
 {
-    return squaredDistances().sum();
+    Sums all = m_chunks.front();
+    for (std::size_t chunk = 1; chunk < m_chunks.size(); ++chunk) {
+        all.sums += m_chunks[chunk].sums;
+        all.items += m_chunks[chunk].items;
+    }
+    return all;
 }
 
 Eigen::MatrixXd KMeansAssignment::means() const
 {
-    Eigen::MatrixXd means = m_chunks.front().sums;
-    std::vector<double> items = m_chunks.front().items;
-    for (std::size_t chunk = 1; chunk < m_chunks.size(); ++chunk) {
-        means += m_chunks[chunk].sums;
-        for (std::size_t c = 0; c < items.size(); ++c)
-            items[c] += m_chunks[chunk].items[c];
-    }
+    const Sums all = sums();
+    Eigen::MatrixXd means = all.sums;
     Eigen::VectorXd distances;
-    for (std::size_t c = 0; c < items.size(); ++c) {
-        const auto row = Eigen::Index(c);
-        if (items[c] > 0) {
-            means.row(row) /= items[c];
+    for (Eigen::Index c = 0; c < means.rows(); ++c) {
+        if (all.items(c) > 0) {
+            means.row(c) /= all.items(c);
             continue;
         }
         if (distances.size() == 0)
@@ -182,7 +190,7 @@ Eigen::MatrixXd KMeansAssignment::means() const
         Eigen::Index farthest = 0;
         distances.maxCoeff(&farthest);
         distances(farthest) = 0; // the next empty cluster takes another one
-        means.row(row) = m_items.row(farthest);
+        means.row(c) = m_items.row(farthest);
     }
     return means;
 }

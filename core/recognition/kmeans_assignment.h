@@ -18,23 +18,30 @@ namespace gripscope {
 class KMeansAssignment {
 public:
     /// `items`: finite, of a size whose squares neither vanish nor overflow.
-    KMeansAssignment(const Eigen::MatrixXd& items, int clusters);
+    KMeansAssignment(ItemRows items, int clusters);
 
     /// Assigns all items; how many changed their cluster (the first time: all).
     std::size_t assign(const Eigen::MatrixXd& centroids);
 
+    [[nodiscard]] const ItemRows& items() const { return m_items; }
     [[nodiscard]] const std::vector<int>& labels() const { return m_labels; }
-    [[nodiscard]] Eigen::MatrixXd centroids() const { return m_centroids; }
+    [[nodiscard]] const ItemRows& centroids() const { return m_centroids; }
+    /// Of every item from its centroid.
+    [[nodiscard]] Eigen::VectorXd squaredDistances() const;
     /// J of the labels and centroids of the last assignment.
-    [[nodiscard]] double inertia() const;
+    [[nodiscard]] double inertia() const { return squaredDistances().sum(); }
+
+    struct Sums {
+        ItemRows sums;         ///< of the items, clusters x features
+        Eigen::VectorXd items; ///< how many in each cluster
+    };
+    [[nodiscard]] Sums sums() const;
     /// The means of the clusters. One that lost all its items moves to the item farthest from its own
     /// centroid, which lowers J most of all single moves.
     [[nodiscard]] Eigen::MatrixXd means() const;
 
 private:
-    struct ChunkSums {
-        ItemRows sums;             ///< clusters x features
-        std::vector<double> items; ///< a cluster
+    struct ChunkSums : Sums {
         std::size_t changed = 0;
     };
     /// How the last move of the centroids shifts the bounds.
@@ -48,11 +55,11 @@ private:
     template <int Features>
     void assignChunk(const Chunk& chunk, const Moves& moves);
     template <int Features>
-    int nearestCentroid(std::size_t item);
-    [[nodiscard]] Eigen::VectorXd squaredDistances() const;
+    int nearestCentroid(std::size_t item, Eigen::ArrayXd& distances);
 
     ItemRows m_items;
     ItemRows m_centroids;
+    Eigen::ArrayXXd m_columns;            ///< the centroids, feature by feature
     std::vector<int> m_labels;            ///< -1 before the first assignment
     std::vector<double> m_upper, m_lower; ///< distances, not squares
     std::vector<ChunkSums> m_chunks;

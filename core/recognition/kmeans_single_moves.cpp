@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/kmeans_single_moves.h"
 
-#include "core/recognition/cluster_items.h"
-
 namespace gripscope {
 
 namespace {
@@ -13,7 +11,7 @@ constexpr double leastGain = 1e-9;
 constexpr int mostPasses = 100;
 
 struct Clusters {
-    ItemRows items;
+    const ItemRows& items;
     std::vector<int> labels;
     ItemRows means;
     Eigen::VectorXd counts;
@@ -62,7 +60,7 @@ struct Clusters {
 
 } // namespace
 
-std::optional<Eigen::MatrixXd> meansAfterSingleMoves(const Eigen::MatrixXd& items, std::vector<int> labels,
+std::optional<Eigen::MatrixXd> meansAfterSingleMoves(const ItemRows& items, std::vector<int> labels,
                                                      int clusters)
 {
     Clusters state{items, std::move(labels), ItemRows(clusters, items.cols()), Eigen::VectorXd(clusters)};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/recognition/cluster_items.h"
+
 #include <Eigen/Core>
 
 #include <optional>
@@ -16,7 +18,7 @@ namespace gripscope {
 /// `clusters`.
 /// Source: Hartigan, Clustering Algorithms (1975); Telgarsky and Vattani, Hartigan's method (2010), who show
 /// that where it stands still Lloyd's iteration does too.
-[[nodiscard]] std::optional<Eigen::MatrixXd> meansAfterSingleMoves(const Eigen::MatrixXd& items,
+[[nodiscard]] std::optional<Eigen::MatrixXd> meansAfterSingleMoves(const ItemRows& items,
                                                                    std::vector<int> labels, int clusters);
 
 } // namespace gripscope

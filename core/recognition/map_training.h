@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/recognition/cluster_items.h"
-#include "core/recognition/parallel_chunks.h"
+#include "core/recognition/kmeans_assignment.h"
 
 #include <Eigen/Core>
 
@@ -17,39 +16,34 @@ struct MapGrid {
     [[nodiscard]] bool neighbours(int one, int other) const; ///< of 8; not a unit with itself
 };
 
-/// The pass that a self-organising map is trained by, over one set of items.
+/// The passes that a self-organizing map is trained by, over one set of items. To find the best units is the
+/// assignment of K-means.
 class MapTraining {
 public:
-    MapTraining(const Eigen::MatrixXd& items, const MapGrid& grid);
+    /// `items`: finite, of a size whose squares neither vanish nor overflow.
+    MapTraining(const Eigen::MatrixXd& items, const MapGrid& grid)
+        : m_assignment(items, grid.units()), m_grid(grid)
+    {
+    }
 
-    void setWeights(const Eigen::MatrixXd& weights) { m_weights = weights; }
-    [[nodiscard]] Eigen::MatrixXd weights() const { return m_weights; }
+    /// Sets the weights (units x features) and finds the best unit of every item.
+    void place(const Eigen::MatrixXd& weights) { m_assignment.assign(weights); }
+    /// Every unit to the weighted mean of the items (one too far from all of them stays), then every item to
+    /// its best unit; how many changed it.
+    std::size_t move(double radius);
 
-    /// Every item to its best unit and the second best; how many changed their best unit.
-    std::size_t assign();
-    /// Every unit to the weighted mean of the items. A unit too far from all items keeps its weight.
-    void move(double radius);
-
-    [[nodiscard]] const std::vector<int>& best() const { return m_best; }
+    [[nodiscard]] Eigen::MatrixXd weights() const { return m_assignment.centroids(); }
+    [[nodiscard]] const std::vector<int>& best() const { return m_assignment.labels(); }
     [[nodiscard]] double quantizationError() const; ///< mean distance from the best unit
-    [[nodiscard]] double topographicError() const;
+    [[nodiscard]] double topographicError() const;  ///< share of items whose two best units are no neighbours
     [[nodiscard]] double distortion(double radius) const;
 
 private:
-    struct ChunkSums {
-        ItemRows sums; ///< units x features
-        std::vector<double> items;
-        double distance = 0;
-        std::size_t changed = 0, torn = 0;
-    };
-    void assignChunk(const Chunk& chunk);
+    [[nodiscard]] int secondBest(Eigen::Index item) const; ///< -1 where there is but one unit
     [[nodiscard]] Eigen::MatrixXd neighbourhood(double radius) const;
 
-    ItemRows m_items;
+    KMeansAssignment m_assignment;
     MapGrid m_grid;
-    ItemRows m_weights;
-    std::vector<int> m_best;
-    std::vector<ChunkSums> m_chunks;
 };
 
 } // namespace gripscope

@@ -11,15 +11,18 @@
 
 namespace gripscope {
 
-/// Kohonen's self-organising map, the network that the paper names as its next step: units on a rectangular
+/// Kohonen's self-organizing map, the network that the paper names as its next step: units on a rectangular
 /// grid, each with a weight (a point in the space of the items), trained so that neighbours on the grid are
 /// neighbours in that space. Batch training: all items go to their best unit (the nearest), then every unit
 /// moves to the mean of all items, weighted by how near their best units are on the grid,
 ///     w_j = sum_i h(j, best(i)) x_i / sum_i h(j, best(i)),   h = exp(-d(j, best)^2 / (2 radius^2)) .
-/// The radius shrinks geometrically from half the longer side to 1/2 unit, then stays until no item changes
-/// its unit. The first start lies on the plane of the two widest directions, the others take items at random.
+/// The radius shrinks geometrically from half the longer side to 1/2 unit, then stays until hardly an item
+/// (one in 500 at most) changes its unit. The first start lies on the plane of the two widest directions, the
+/// others take items at random.
+///
 /// Groups: the units that hold items are merged by Ward's criterion (unit_groups.h), each weighing as many
 /// items as it holds.
+///
 /// Sources: Kohonen, Essentials of the self-organizing map (Neural Networks 37, 2013); size of the map and
 /// grouping: Vesanto and Alhoniemi, Clustering of the self-organizing map (2000).
 struct SelfOrganizingMapOptions {
