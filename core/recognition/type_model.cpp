@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/type_model.h"
 
+#include "core/recognition/gates.h"
+#include "core/recognition/part_scatter.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/SVD>
 #include <QMap>
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gripscope {
 
@@ -16,17 +19,8 @@ namespace {
 
 constexpr int dimensions = 3;
 
-/// No instrument repeats better than to a ten-thousandth. It keeps squeezes that are copies of each other (a
-/// file enrolled twice) from giving a covariance of zero.
-constexpr double leastScatter = 1e-4;
-
-/// Keeps the covariance invertible in double precision when m, b and k of many squeezes go exactly together.
-constexpr double leastShrinkage = 1e-10;
-
-/// Errors as values, not exceptions.
-using QuietPolicy = boost::math::policies::policy<
-    boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
-    boost::math::policies::evaluation_error<boost::math::policies::ignore_error>>;
+/// Beyond a factor exp(10) a logarithm is not known at all, and larger numbers only lose digits.
+constexpr double largestLogDeviation = 10;
 
 bool usable(const MassDampingStiffness& p)
 {
@@ -38,17 +32,43 @@ Eigen::Vector3d logOf(const MassDampingStiffness& p)
     return p.vector().array().log();
 }
 
-/// Within-type sums of squares and products, over v degrees of freedom.
-Eigen::Matrix3d pooledCovariance(const QMap<QString, std::vector<Eigen::Vector3d>>& logs,
-                                 const std::vector<TypeModel>& types, int degreesOfFreedom)
+/// The squeezes of each type, the types by name, parts by number.
+QMap<QString, std::vector<LogSqueeze>> byType(const std::vector<TypeSqueeze>& squeezes)
 {
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    for (const TypeModel& type : types)
-        for (const Eigen::Vector3d& x : logs[type.name])
-            sum += (x - type.meanLog) * (x - type.meanLog).transpose();
-    Eigen::Matrix3d covariance = sum / degreesOfFreedom;
-    covariance.diagonal() = covariance.diagonal().cwiseMax(leastScatter * leastScatter);
-    return covariance;
+    QMap<QString, std::vector<LogSqueeze>> types;
+    QMap<std::pair<QString, QString>, int> parts;
+    for (const TypeSqueeze& squeeze : squeezes) {
+        if (!usable(squeeze.parameters))
+            continue;
+        LogSqueeze log{logOf(squeeze.parameters), {}, -1};
+        if (squeeze.covariance)
+            log.noise = logCovariance(squeeze.parameters, *squeeze.covariance);
+        if (!squeeze.part.isEmpty()) {
+            const auto key = std::make_pair(squeeze.type, squeeze.part);
+            log.part = parts.contains(key) ? parts[key] : int(parts.size());
+            parts[key] = log.part;
+        }
+        types[squeeze.type].push_back(std::move(log));
+    }
+    return types;
+}
+
+/// A type's scatter about its own mean in units of what the shared model expects of it.
+OwnScatter ownScatter(const Scatter& scatter, const std::vector<LogSqueeze>& squeezes)
+{
+    OwnScatter own;
+    const PartScatter parts = partScatter({squeezes});
+    if (parts.betweenDegrees == 0)
+        return own;
+    const Eigen::Matrix3d expected = covarianceOfSqueeze(scatter, parts.noise);
+    const Eigen::LLT<Eigen::Matrix3d> cholesky(expected);
+    if (cholesky.info() != Eigen::Success)
+        return own;
+    const Eigen::Matrix3d total = parts.between + (1 - parts.meanInverse) * parts.within;
+    const Eigen::Matrix3d half = cholesky.matrixL().solve(total);
+    own.degreesOfFreedom = parts.betweenDegrees;
+    own.sum = own.degreesOfFreedom * cholesky.matrixL().solve(half.transpose().eval());
+    return own;
 }
 
 /// centre + {x : x' covariance^-1 x <= q}, from a Cholesky factor L = U S V', covariance = U S^2 U': the
@@ -80,42 +100,62 @@ const TypeModel* TypeModels::find(const QString& name) const
     return it == types.end() ? nullptr : &*it;
 }
 
+std::optional<Eigen::Matrix3d> logCovariance(const MassDampingStiffness& p, const Eigen::Matrix3d& covariance)
+{
+    if (!usable(p) || !covariance.allFinite())
+        return {};
+    Eigen::Matrix3d log;
+    const Eigen::Vector3d x = p.vector();
+    for (int i = 0; i < dimensions; ++i)
+        for (int j = 0; j < dimensions; ++j)
+            log(i, j) = (covariance(i, j) / x(i) + covariance(j, i) / x(i)) / x(j) / 2;
+    Eigen::Vector3d scale;
+    for (int i = 0; i < dimensions; ++i) {
+        if (!(log(i, i) >= 0) || !std::isfinite(log(i, i)))
+            return {};
+        scale(i) = std::min(1.0, largestLogDeviation / std::sqrt(log(i, i)));
+    }
+    log = scale.asDiagonal() * log * scale.asDiagonal();
+    // Rounding may leave a covariance of rank two with an eigenvalue just below zero.
+    Eigen::Matrix3d lifted = log;
+    lifted.diagonal() *= 1 + 1e-9;
+    lifted.diagonal().array() += 1e-30;
+    if (!log.allFinite() || lifted.llt().info() != Eigen::Success)
+        return {};
+    return lifted;
+}
+
 TypeModels fitTypeModels(const std::vector<TypeSqueeze>& squeezes)
 {
-    QMap<QString, std::vector<Eigen::Vector3d>> logs;
-    for (const TypeSqueeze& squeeze : squeezes)
-        if (usable(squeeze.parameters))
-            logs[squeeze.type].push_back(logOf(squeeze.parameters));
+    const QMap<QString, std::vector<LogSqueeze>> logs = byType(squeezes);
+    const std::vector<std::vector<LogSqueeze>> groups(logs.cbegin(), logs.cend());
     TypeModels models;
+    models.scatter = estimateScatter(groups);
+    models.covarianceLog = models.scatter.total;
+    models.degreesOfFreedom = int(models.scatter.degreesOfFreedom + 1e-6);
+    models.shrinkage = models.scatter.shrinkage;
+    std::vector<OwnScatter> own;
     for (auto it = logs.cbegin(); it != logs.cend(); ++it) {
         TypeModel type;
         type.name = it.key();
         type.squeezes = int(it->size());
-        for (const Eigen::Vector3d& x : *it)
-            type.meanLog += x / double(it->size());
-        models.degreesOfFreedom += type.squeezes - 1;
+        const TypeMean mean = estimateMean(models.scatter, *it);
+        type.meanLog = mean.mean;
+        type.meanCovarianceLog = mean.covariance;
+        type.own = ownScatter(models.scatter, *it);
+        own.push_back(type.own);
         models.types.push_back(std::move(type));
     }
-    if (models.degreesOfFreedom == 0)
-        return models;
-    const double v = models.degreesOfFreedom;
-    models.shrinkage = std::max(leastShrinkage, 1 / (1 + v * v * v));
-    const Eigen::Matrix3d pooled = pooledCovariance(logs, models.types, models.degreesOfFreedom);
-    models.covarianceLog = (1 - models.shrinkage) * pooled;
-    models.covarianceLog.diagonal() = pooled.diagonal();
+    models.likeness = degreesOfLikeness(own);
     return models;
 }
 
-std::optional<double> falseRejectGate(int squeezesOfType, int degreesOfFreedom, double rate)
+std::optional<double> falseRejectGate(double squeezesOfType, double degreesOfFreedom, double rate)
 {
-    const double v = degreesOfFreedom;
-    if (squeezesOfType < 1 || degreesOfFreedom < dimensions || !(rate > 0 && rate < 1))
+    const std::optional<double> gate = predictiveGate(degreesOfFreedom, rate);
+    if (!gate || !(squeezesOfType > 0))
         return {};
-    const boost::math::fisher_f_distribution<double, QuietPolicy> f(dimensions, v - 2);
-    const double quantile = boost::math::quantile(boost::math::complement(f, rate));
-    const double gate = (1 + 1.0 / squeezesOfType) * dimensions * v / (v - 2) * quantile;
-    return std::isfinite(gate) ? std::optional(gate)
-                               : std::nullopt; // infinite for a rate next to 0 and v = 3
+    return (1 + 1 / squeezesOfType) * *gate;
 }
 
 std::optional<double> squaredDistance(const TypeModels& models, const TypeModel& type,

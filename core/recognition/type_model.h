@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/identification/estimate.h"
+#include "core/recognition/own_spread.h"
+#include "core/recognition/scatter.h"
 
 #include <Eigen/Core>
 #include <QString>
@@ -15,6 +17,9 @@ namespace gripscope {
 struct TypeSqueeze {
     QString type;
     MassDampingStiffness parameters;
+    /// Of (m, b, k), from the identification. Absent: not known (a table, the paper).
+    std::optional<Eigen::Matrix3d> covariance = {};
+    QString part = {}; ///< which part of the type it was; empty: a part that was squeezed once
 };
 
 /// One type in the space of natural logarithms of m, b, k, where the scatter is relative and alike for all
@@ -23,36 +28,46 @@ struct TypeModel {
     QString name;
     int squeezes = 0;
     Eigen::Vector3d meanLog = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d meanCovarianceLog = Eigen::Matrix3d::Zero(); ///< how well the mean is known
+    OwnScatter own; ///< its squeezes, where the covariance shared by all types is the identity
 };
 
-/// All types with the covariance they share: pooled over types with v = sum (n_i - 1) degrees of freedom,
-/// then shrunk towards its own diagonal, S = (1 - w) S_pooled + w diag(S_pooled), so that few squeezes do not
-/// make it flat (with v < 3 it would be singular).
-///     w = `shrinkage` = 1 / (1 + v^2):   0.5 at v = 1, 0.1 at 3, 0.015 at 8, 0.0008 at 36.
-/// It falls faster than the sampling error of S (about sqrt(2/v)), so that from v of about 8 the gate below
-/// keeps its stated rate, also when m, b and k go strongly together.
+/// All types with the scatter they share (see Scatter): with v = sum (n_i - 1) degrees of freedom where no
+/// part was squeezed twice.
 struct TypeModels {
-    std::vector<TypeModel> types; ///< sorted by name
-    Eigen::Matrix3d covarianceLog = Eigen::Matrix3d::Zero();
-    int degreesOfFreedom = 0;
-    double shrinkage = 0;
+    std::vector<TypeModel> types;                            ///< sorted by name
+    Eigen::Matrix3d covarianceLog = Eigen::Matrix3d::Zero(); ///< of a squeeze like those enrolled
+    int degreesOfFreedom = 0;                                ///< behind it, rounded down
+    double shrinkage = 0;                                    ///< see estimateScatter()
+    Scatter scatter;
+    /// Degrees of freedom about the shared covariance that each type's own is a draw with; absent: no type
+    /// is seen to spread otherwise than the others.
+    std::optional<double> likeness;
 
     [[nodiscard]] const TypeModel* find(const QString& name) const;
 };
 
-/// Squeezes whose parameters are not all positive and finite are left out. The scatter of each parameter is
-/// taken for at least 1e-4 (relative), so that copies of one squeeze do not make it zero.
+/// Squeezes whose parameters are not all positive and finite are left out; so is a covariance that is not
+/// one. The scatter of each parameter is taken for at least 1e-4 (relative), so that copies of one squeeze do
+/// not make it zero.
 [[nodiscard]] TypeModels fitTypeModels(const std::vector<TypeSqueeze>& squeezes);
+
+/// Covariance of log(m, b, k) to first order, c_ij / (p_i p_j), errors beyond exp(10) times taken for that.
+/// Nothing when p is not positive and finite or the matrix is no covariance.
+[[nodiscard]] std::optional<Eigen::Matrix3d> logCovariance(const MassDampingStiffness& p,
+                                                           const Eigen::Matrix3d& covariance);
 
 /// Squared distance at which a new squeeze of a type with n squeezes is refused at the stated rate:
 ///     D^2 <= (1 + 1/n) 3 v/(v-2) F(1 - rate; 3, v-2).
 /// Nothing while v < 3: too few squeezes for a gate. Holds on average over enrolments, for Gaussian logs with
 /// equal covariances; Hotelling's T^2 for a new observation (Anderson, Introduction to Multivariate
 /// Statistical Analysis).
-[[nodiscard]] std::optional<double> falseRejectGate(int squeezesOfType, int degreesOfFreedom, double rate);
+[[nodiscard]] std::optional<double> falseRejectGate(double squeezesOfType, double degreesOfFreedom,
+                                                    double rate);
 
-/// Mahalanobis distance squared of log(m, b, k) from a type, with the shared covariance. Nothing while there
-/// is no covariance (v = 0), or when m, b, k are not all positive and finite.
+/// Mahalanobis distance squared of log(m, b, k) from a type, with the shared covariance, as if the squeeze
+/// were like those enrolled. Nothing while there is no covariance (v = 0), or when m, b, k are not all
+/// positive and finite.
 [[nodiscard]] std::optional<double> squaredDistance(const TypeModels& models, const TypeModel& type,
                                                     const MassDampingStiffness& p);
 

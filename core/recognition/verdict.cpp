@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/verdict.h"
 
+#include "core/recognition/judgement.h"
 #include "core/recognition/verdict_reasons.h"
 
 #include <QCoreApplication>
-
-#include <algorithm>
-#include <cmath>
 
 namespace gripscope {
 
@@ -16,61 +14,24 @@ namespace {
 
 constexpr double leastRate = 1e-6; ///< beyond it tails of a distribution are only belief
 constexpr double mostRate = 0.5;
+constexpr double leastConfidence = 0.5, mostConfidence = 0.9999;
 
-double spread(const TypeModel& type)
+/// Nothing is known of how squeezes differ: the nearest in plain logarithms, and no more.
+Verdict withoutScatter(const TypeModels& models, const Eigen::Vector3d& log)
 {
-    return 1 + 1.0 / type.squeezes;
-}
-
-/// Logarithm of a type's predictive density, up to what all types share.
-double logPredictive(const TypeModels& models, const TypeModel& type, double squaredDistance)
-{
-    if (models.degreesOfFreedom == 0)
-        return 0;
-    const double v = std::max(3, models.degreesOfFreedom);
-    return -1.5 * std::log(spread(type)) - (v + 1) / 2 * std::log1p(squaredDistance / (v * spread(type)));
-}
-
-/// exp(log weight) over their sum, the largest taken out first so that nothing underflows to 0/0.
-QMap<QString, double> normalised(const std::vector<TypeModel>& types, const std::vector<double>& logWeights)
-{
-    const double largest = *std::max_element(logWeights.begin(), logWeights.end());
-    double total = 0;
-    for (double weight : logWeights)
-        total += std::exp(weight - largest);
-    QMap<QString, double> posterior;
-    for (std::size_t i = 0; i < types.size(); ++i)
-        posterior.insert(types[i].name, std::exp(logWeights[i] - largest) / total);
-    return posterior;
-}
-
-/// Places of the types in TypeModels, the nearest first.
-std::vector<std::size_t> byDistance(const TypeModels& models, const std::vector<double>& distances)
-{
-    std::vector<std::size_t> order(models.types.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        order[i] = i;
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return distances[a] / spread(models.types[a]) < distances[b] / spread(models.types[b]);
-    });
-    return order;
-}
-
-/// Without a covariance the nearest is the nearest in plain logarithms.
-double distanceOrPlain(const TypeModels& models, const TypeModel& type,
-                       const MassDampingStiffness& parameters)
-{
-    const Eigen::Vector3d difference = parameters.vector().array().log().matrix() - type.meanLog;
-    return squaredDistance(models, type, parameters).value_or(difference.squaredNorm());
-}
-
-QString mostProbable(const QMap<QString, double>& posterior)
-{
-    auto best = posterior.cbegin();
-    for (auto it = posterior.cbegin(); it != posterior.cend(); ++it)
-        if (it.value() > best.value())
-            best = it;
-    return best.key();
+    Verdict verdict;
+    verdict.kind = VerdictKind::Inconclusive;
+    verdict.reasons = noGateReasons(models);
+    double least = 0;
+    for (const TypeModel& type : models.types) {
+        const double distance = (log - type.meanLog).squaredNorm();
+        if (verdict.nearest.isEmpty() || distance < least) {
+            least = distance;
+            verdict.nearest = type.name;
+        }
+        verdict.posterior.insert(type.name, 1.0 / double(models.types.size()));
+    }
+    return verdict;
 }
 
 } // namespace
@@ -111,49 +72,37 @@ std::optional<Error> VerdictOptions::validate() const
     };
     if (auto problem = check(u"false-reject"_s, falseReject))
         return problem;
-    return check(u"wrong-type"_s, wrongType);
+    if (auto problem = check(u"wrong-type"_s, wrongType))
+        return problem;
+    if (auto problem = check(u"stranger-accept"_s, strangerAccept))
+        return problem;
+    if (confidence && !(*confidence >= leastConfidence && *confidence <= mostConfidence))
+        return Error{ErrorCode::Usage,
+                     {u"The confidence must be between %1 and %2, not %3."_s.arg(leastConfidence)
+                          .arg(mostConfidence)
+                          .arg(*confidence)}};
+    if (range && !range->logVolume())
+        return Error{ErrorCode::Usage,
+                     {u"The instrument's range must have lowest values above zero and below the highest."_s}};
+    return {};
 }
 
-Verdict judge(const TypeModels& models, const MassDampingStiffness& parameters, const VerdictOptions& options)
+Verdict judge(const TypeModels& models, const MassDampingStiffness& parameters, const VerdictOptions& options,
+              const std::optional<Eigen::Matrix3d>& covariance)
 {
-    Verdict verdict;
     const Eigen::Vector3d p = parameters.vector();
     if (!p.allFinite() || p.minCoeff() <= 0) {
+        Verdict verdict;
         verdict.reasons = {
             QCoreApplication::translate("Verdict", "Mass, damping and stiffness are not all above zero.")};
         return verdict;
     }
-    verdict.kind = VerdictKind::Inconclusive;
-    if (models.types.empty()) {
-        verdict.reasons = noGateReasons(models);
-        return verdict;
-    }
-    std::vector<double> distances, logWeights;
-    for (const TypeModel& type : models.types) {
-        distances.push_back(distanceOrPlain(models, type, parameters));
-        logWeights.push_back(logPredictive(models, type, distances.back()));
-    }
-    const std::vector<std::size_t> order = byDistance(models, distances);
-    const TypeModel& nearest = models.types[order.front()];
-    verdict.nearest = nearest.name;
-    verdict.posterior = normalised(models.types, logWeights);
-    verdict.distance = squaredDistance(models, nearest, parameters);
-    verdict.gate = falseRejectGate(nearest.squeezes, models.degreesOfFreedom, options.falseReject);
-    if (!verdict.gate || !verdict.distance) {
-        verdict.reasons = noGateReasons(models);
-    } else if (*verdict.distance > *verdict.gate) {
-        verdict.kind = VerdictKind::Unknown;
-        verdict.reasons = unknownReasons(models, nearest, parameters, options);
-    } else if (mostProbable(verdict.posterior) == nearest.name &&
-               verdict.posterior[nearest.name] >= 1 - options.wrongType) {
-        verdict.kind = VerdictKind::Type;
-        verdict.type = nearest.name;
-        const TypeModel* next = order.size() > 1 ? &models.types[order[1]] : nullptr;
-        verdict.reasons = typeReasons(models, nearest, next, parameters, options);
-    } else {
-        verdict.reasons = betweenTypesReasons(verdict);
-    }
-    return verdict;
+    if (models.degreesOfFreedom == 0)
+        return withoutScatter(models, p.array().log());
+    std::optional<Eigen::Matrix3d> noise;
+    if (covariance)
+        noise = logCovariance(parameters, *covariance);
+    return Judgement(models, parameters, noise, options).verdict();
 }
 
 Verdict judge(const TypeModels& models, const Identification& identification, double siScale,
@@ -165,7 +114,11 @@ Verdict judge(const TypeModels& models, const Identification& identification, do
         verdict.reasons = invalidReasons(identification);
     } else {
         const MassDampingStiffness& p = *best->parameters;
-        verdict = judge(models, MassDampingStiffness{p.m * siScale, p.b * siScale, p.k * siScale}, options);
+        std::optional<Eigen::Matrix3d> covariance;
+        if (best->covariance)
+            covariance = siScale * *best->covariance * siScale;
+        verdict = judge(models, MassDampingStiffness{p.m * siScale, p.b * siScale, p.k * siScale}, options,
+                        covariance);
     }
     verdict.samplesUsed = identification.choice.window.count;
     return verdict;
@@ -177,7 +130,8 @@ int leaveOneOutCorrect(const std::vector<TypeSqueeze>& squeezes, const VerdictOp
     for (std::size_t left = 0; left < squeezes.size(); ++left) {
         std::vector<TypeSqueeze> others = squeezes;
         others.erase(others.begin() + std::ptrdiff_t(left));
-        const Verdict verdict = judge(fitTypeModels(others), squeezes[left].parameters, options);
+        const Verdict verdict =
+            judge(fitTypeModels(others), squeezes[left].parameters, options, squeezes[left].covariance);
         correct += verdict.kind == VerdictKind::Type && verdict.type == squeezes[left].type;
     }
     return correct;

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/identification/identification.h"
+#include "core/recognition/stranger_background.h"
 #include "core/recognition/type_model.h"
 
 #include <QMap>
@@ -19,13 +20,27 @@ enum class VerdictKind { Type, Unknown, Inconclusive, Invalid };
 [[nodiscard]] QString toString(VerdictKind kind);
 [[nodiscard]] std::optional<VerdictKind> verdictKindFromString(const QString& text);
 
+/// Three rates, each with a denominator of its own.
 struct VerdictOptions {
-    double falseReject = 0.01; ///< share of squeezes of known parts that the gate may call unknown
-    double wrongType = 0.001;  ///< a type is only named when its posterior is at least 1 - wrongType
+    /// Of the squeezes of known parts, the share that the gate may call unknown.
+    double falseReject = 0.01;
+    /// Of the squeezes of known parts, the share that may be named another type.
+    double wrongType = 0.001;
     /// The models are in SI: reasons then name values with their units ("9.98 kN/m"). Off for numbers without
     /// units.
     bool siUnits = true;
-    /// Both rates at least 1e-6 and at most 0.5.
+    /// Of the strangers a gripper may meet, spread evenly over `range`, the share that may be named a type.
+    double strangerAccept = 0.01;
+    /// Absent: the false-reject rate holds on average over enrolments. Else for this library, with this
+    /// confidence (0.95): a wider gate.
+    std::optional<double> confidence = {};
+    /// For types that spread unlike and squeezes with heavier tails than a Gaussian's; wider gates.
+    bool robust = false;
+    /// Absent: InstrumentRange{} where the models are in SI; else nothing is said about strangers.
+    std::optional<InstrumentRange> range = {};
+    /// Share of strangers among all that is squeezed; only Verdict::strangerPosterior uses it.
+    double strangerShare = 0.1;
+    /// Rates at least 1e-6 and at most 0.5, confidence from 0.5 to 0.9999, a range that is one.
     [[nodiscard]] std::optional<Error> validate() const;
 };
 
@@ -38,19 +53,28 @@ struct Verdict {
     std::optional<double> gate;      ///< squared, of the nearest type
     std::size_t samplesUsed = 0;
     QStringList reasons; ///< sentences a technician understands
+    QString rival;       ///< the type that is least ruled out beside the nearest; empty with one type
+    /// Inconclusive between nearest and rival: so many times as long a squeeze would tell them apart.
+    std::optional<double> timesLonger = {};
+    std::optional<double> strangerPosterior = {}; ///< that it is of no enrolled type, see strangerShare
+    std::optional<double> strangerAccept = {};    ///< share of strangers that would be named some type
 };
 
-/// The verdict on m, b, k alone. Posterior: the types' predictive densities of log(m, b, k), equal priors.
-/// Each is a Student t with v - 2 degrees of freedom (1 while v < 3) about the type's mean with spread (1 +
-/// 1/n) S v/(v - 2):
-///     log p = -(3/2) log(1 + 1/n) - (v + 1)/2 log(1 + D^2 / (v (1 + 1/n))) + constant.
-/// With v = 0 all are alike. Nearest: the type with the smallest D^2 / (1 + 1/n), so that a squeeze outside
-/// its gate is outside every gate. (Murphy, Conjugate Bayesian analysis of the Gaussian distribution, 2007.)
+/// The verdict on m, b, k and, where it is known, their covariance C.
+///
+/// Unknown: outside every gate. distance and gate are (1 + 1/n) times d' V^-1 d (TypePrediction) and its
+/// limit: with one C for all squeezes the D^2 and the gate of falseRejectGate(), with `confidence` that of
+/// toleranceGate(). Nearest: the least d' V^-1 d, of those within their gates where any is.
+///
+/// Type: also the most probable, every other type ruled out at the wrong-type rate (testNaming()), and the
+/// density above what keeps the stranger-accept rate (strangerLimit()). Posterior: predictive densities,
+/// equal priors; with v = 0 all are alike. Else, and without a gate (v < 3), Inconclusive.
 [[nodiscard]] Verdict judge(const TypeModels& models, const MassDampingStiffness& parameters,
-                            const VerdictOptions& options = {});
-/// The verdict on a squeeze: Invalid when the measurement is, else judge() on the recommended estimate.
-/// `siScale`: factor that takes the estimate to the units of the models, siFactor() of the recording's units
-/// where the models are in SI.
+                            const VerdictOptions& options = {},
+                            const std::optional<Eigen::Matrix3d>& covariance = {});
+/// The verdict on a squeeze: Invalid when the measurement is, else judge() on the recommended estimate and
+/// its covariance. `siScale`: factor that takes the estimate to the units of the models, siFactor() of the
+/// recording's units where the models are in SI.
 [[nodiscard]] Verdict judge(const TypeModels& models, const Identification& identification, double siScale,
                             const VerdictOptions& options = {});
 

@@ -41,11 +41,6 @@ QString named(int parameter, const MassDampingStiffness& parameters, bool siUnit
     return nameOf(quantity) + u' ' + quantityText(quantity, parameters.vector()(parameter));
 }
 
-double deviations(const TypeModels& models, const TypeModel& type, const MassDampingStiffness& parameters)
-{
-    return std::sqrt(squaredDistance(models, type, parameters).value_or(0));
-}
-
 QString percent(double share)
 {
     return shortNumber(100 * share) + u" %"_s;
@@ -64,7 +59,7 @@ QString comparedWith(double offset, const QString& type)
 
 } // namespace
 
-QStringList typeReasons(const TypeModels& models, const TypeModel& type, const TypeModel* next,
+QStringList typeReasons(const TypeModels& models, const TypeModel& type, const std::optional<NextType>& next,
                         const MassDampingStiffness& parameters, const VerdictOptions& options)
 {
     if (!next)
@@ -72,21 +67,21 @@ QStringList typeReasons(const TypeModels& models, const TypeModel& type, const T
                     .arg(type.name)};
     // The parameter that tells the two types apart best.
     Eigen::Index parameter = 0;
-    offsetsInDeviations(models, *next, parameters).cwiseAbs().maxCoeff(&parameter);
+    offsetsInDeviations(models, *next->type, parameters).cwiseAbs().maxCoeff(&parameter);
     return {tr("%1 is where %2 sits; the next type, %3, is %4 sd away.")
-                .arg(named(int(parameter), parameters, options.siUnits), type.name, next->name,
-                     shortNumber(deviations(models, *next, parameters)))};
+                .arg(named(int(parameter), parameters, options.siUnits), type.name, next->type->name,
+                     shortNumber(next->deviations))};
 }
 
 QStringList unknownReasons(const TypeModels& models, const TypeModel& nearest,
-                           const MassDampingStiffness& parameters, const VerdictOptions& options)
+                           const MassDampingStiffness& parameters, const Verdict& verdict,
+                           const VerdictOptions& options)
 {
     Eigen::Index parameter = 0;
     const double most = offsetsInDeviations(models, nearest, parameters).cwiseAbs().maxCoeff(&parameter);
     const double offset = offsets(nearest, parameters)(parameter);
-    const double distance = deviations(models, nearest, parameters);
-    const double gate = std::sqrt(
-        falseRejectGate(nearest.squeezes, models.degreesOfFreedom, options.falseReject).value_or(0));
+    const double distance = std::sqrt(verdict.distance.value_or(0));
+    const double gate = std::sqrt(verdict.gate.value_or(0));
     QStringList reasons;
     reasons +=
         tr("%1 is %2, the nearest type.")
@@ -99,18 +94,31 @@ QStringList unknownReasons(const TypeModels& models, const TypeModel& nearest,
     return reasons;
 }
 
-QStringList betweenTypesReasons(const Verdict& verdict)
+QStringList betweenTypesReasons(const Verdict& verdict, bool covarianceKnown)
 {
-    QList<std::pair<double, QString>> ranked;
-    for (auto it = verdict.posterior.cbegin(); it != verdict.posterior.cend(); ++it)
-        ranked.append({it.value(), it.key()});
-    std::stable_sort(ranked.begin(), ranked.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
-    if (ranked.size() < 2)
+    if (verdict.rival.isEmpty())
         return {};
-    return {tr("The squeeze could be %1 (%2) or %3 (%4).")
-                .arg(ranked[0].second, percent(ranked[0].first), ranked[1].second, percent(ranked[1].first)),
-            tr("Squeeze it again; if this happens often, enrol more squeezes of both types.")};
+    // The more probable first.
+    QString first = verdict.nearest, second = verdict.rival;
+    if (verdict.posterior.value(first) < verdict.posterior.value(second))
+        first.swap(second);
+    QStringList reasons{tr("The squeeze could be %1 (%2) or %3 (%4).")
+                            .arg(first, percent(verdict.posterior.value(first)), second,
+                                 percent(verdict.posterior.value(second)))};
+    if (verdict.timesLonger && *verdict.timesLonger > 1.05)
+        reasons += tr("Squeezed %1 times as long, nine of ten would tell them apart.")
+                       .arg(shortNumber(*verdict.timesLonger));
+    else if (covarianceKnown && !verdict.timesLonger)
+        reasons += tr("The two types lie so close that a longer squeeze would not tell them apart.");
+    reasons += tr("Squeeze it again; if this happens often, enrol more squeezes of both types.");
+    return reasons;
+}
+
+QStringList strangerReasons(const Verdict& verdict)
+{
+    return {tr("The squeeze could be %1, but lies so far out that a part of no enrolled type is as likely.")
+                .arg(verdict.nearest),
+            tr("Squeeze it again; enrolling more squeezes narrows what %1 is.").arg(verdict.nearest)};
 }
 
 QStringList noGateReasons(const TypeModels& models)

@@ -10,14 +10,23 @@ namespace gripscope {
 
 // Why a verdict is what it is, in short sentences for a technician.
 
-/// `next`: the nearest of the other types, null when there is none.
-[[nodiscard]] QStringList typeReasons(const TypeModels& models, const TypeModel& type, const TypeModel* next,
+/// Another type and how far off it is, in standard deviations of the squeeze.
+struct NextType {
+    const TypeModel* type = nullptr;
+    double deviations = 0;
+};
+/// `next`: the nearest of the other types, absent when there is none.
+[[nodiscard]] QStringList typeReasons(const TypeModels& models, const TypeModel& type,
+                                      const std::optional<NextType>& next,
                                       const MassDampingStiffness& parameters, const VerdictOptions& options);
-/// Which of m, b, k is off most, by how much, and how far that is.
+/// Which of m, b, k is off most, by how much, and how far that is; `verdict` has distance and gate.
 [[nodiscard]] QStringList unknownReasons(const TypeModels& models, const TypeModel& nearest,
-                                         const MassDampingStiffness& parameters,
+                                         const MassDampingStiffness& parameters, const Verdict& verdict,
                                          const VerdictOptions& options);
-[[nodiscard]] QStringList betweenTypesReasons(const Verdict& verdict);
+/// Which two types, and, where the squeeze's own covariance is known, how much longer it should be.
+[[nodiscard]] QStringList betweenTypesReasons(const Verdict& verdict, bool covarianceKnown);
+/// Within a gate, but where strangers are as likely as the type.
+[[nodiscard]] QStringList strangerReasons(const Verdict& verdict);
 [[nodiscard]] QStringList noGateReasons(const TypeModels& models);
 [[nodiscard]] QStringList invalidReasons(const Identification& identification);
 

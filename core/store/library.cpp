@@ -141,7 +141,10 @@ Expected<std::vector<TypeSqueeze>> Library::enrolledSqueezes() const
             continue;
         const double si = siFactor(grasp.forceUnit, grasp.positionUnit).value_or(1);
         const MassDampingStiffness& p = *grasp.parameters;
-        squeezes.push_back({grasp.typeName, {p.m * si, p.b * si, p.k * si}});
+        TypeSqueeze squeeze{grasp.typeName, {p.m * si, p.b * si, p.k * si}};
+        if (grasp.covariance)
+            squeeze.covariance = si * *grasp.covariance * si;
+        squeezes.push_back(std::move(squeeze));
     }
     return squeezes;
 }

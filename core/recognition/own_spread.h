@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace gripscope {
+
+/// Sums of squares and products of a type's squeezes about their mean, in coordinates where the covariance
+/// all types are thought to share is the identity, over `degreesOfFreedom`.
+struct OwnScatter {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    double degreesOfFreedom = 0;
+};
+
+/// How alike the covariances of types are: each is taken for a draw from an inverse Wishart distribution
+/// about the shared one, with this many degrees of freedom. By maximum marginal likelihood over a fixed list;
+/// nothing (they are all the same) unless that is e^2 times as likely, which types that are the same pass one
+/// time in forty. (Greene and Rayens, Partially pooled covariance matrix estimation in discriminant analysis,
+/// Communications in Statistics 1989.)
+[[nodiscard]] std::optional<double> degreesOfLikeness(const std::vector<OwnScatter>& types);
+
+/// The type's own covariance in those coordinates, ((nu - 4) I + A) / (nu + f), nu of likeness and A over f:
+/// with nu + f degrees of freedom its predictive Student t is the exact one of that prior.
+[[nodiscard]] Eigen::Matrix3d ownCovariance(const OwnScatter& type, double likeness);
+
+/// Degrees of freedom to go with it where the shared covariance has v and comes from so many types.
+[[nodiscard]] double ownDegreesOfFreedom(const OwnScatter& type, double likeness, double shared,
+                                         double types);
+
+} // namespace gripscope

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recognition/predictive.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gripscope {
+
+namespace {
+
+constexpr double dimensions = 3;
+/// Half of the weight is the type's own at 10 squeezes.
+constexpr double robustLikeness = 9;
+/// Student's t with 5 degrees of freedom, in the form of logDensity.
+constexpr double robustDegrees = 7;
+
+using Cholesky = Eigen::LLT<Eigen::Matrix3d>;
+
+/// S_i + C where the type spreads in its own way: L A L' for S + C = L L'.
+void takeOwnSpread(const TypeModel& type, double likeness, double types, const Cholesky& shared,
+                   TypePrediction& prediction)
+{
+    const Eigen::Matrix3d factor = shared.matrixL();
+    prediction.covariance = factor * ownCovariance(type.own, likeness) * factor.transpose();
+    prediction.degreesOfFreedom = ownDegreesOfFreedom(type.own, likeness, prediction.degreesOfFreedom, types);
+}
+
+void findDensity(TypePrediction& prediction, double degreesOfFreedom)
+{
+    const double v = std::max(dimensions, degreesOfFreedom);
+    prediction.tailDegrees = v;
+    prediction.logDensityAtMean = std::lgamma((v + 1) / 2) - std::lgamma((v - 2) / 2) -
+                                  dimensions / 2 * std::log(std::numbers::pi * v) -
+                                  prediction.logDeterminant / 2;
+    prediction.logDensity =
+        prediction.logDensityAtMean - (v + 1) / 2 * std::log1p(prediction.squaredDistance / v);
+}
+
+} // namespace
+
+std::vector<TypePrediction> predictTypes(const TypeModels& models, const Eigen::Vector3d& log,
+                                         const std::optional<Eigen::Matrix3d>& noise,
+                                         const PredictionOptions& options)
+{
+    const Eigen::Matrix3d sharedCovariance = covarianceOfSqueeze(models.scatter, noise);
+    const Cholesky shared(sharedCovariance);
+    const double degrees = degreesOfFreedom(models.scatter, sharedCovariance);
+    std::optional<double> likeness = models.likeness;
+    if (options.robust && models.types.size() > 1)
+        likeness = std::min(likeness.value_or(robustLikeness), robustLikeness);
+    std::vector<TypePrediction> predictions;
+    predictions.reserve(models.types.size());
+    for (const TypeModel& type : models.types) {
+        TypePrediction prediction;
+        prediction.meanLog = type.meanLog;
+        prediction.covariance = sharedCovariance;
+        prediction.degreesOfFreedom = degrees;
+        prediction.effectiveSqueezes = dimensions / shared.solve(type.meanCovarianceLog).trace();
+        double spread = 1;
+        if (likeness) {
+            takeOwnSpread(type, *likeness, double(models.types.size()), shared, prediction);
+            spread = shared.solve(prediction.covariance).trace() / dimensions;
+        }
+        const Cholesky total(prediction.covariance + spread * type.meanCovarianceLog);
+        prediction.squaredDistance = total.matrixL().solve(log - type.meanLog).squaredNorm();
+        prediction.logDeterminant = 2 * total.matrixLLT().diagonal().array().log().sum();
+        findDensity(prediction, options.robust ? std::min(prediction.degreesOfFreedom, robustDegrees)
+                                               : prediction.degreesOfFreedom);
+        predictions.push_back(prediction);
+    }
+    return predictions;
+}
+
+} // namespace gripscope

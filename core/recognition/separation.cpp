@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recognition/separation.h"
+
+#include "core/recognition/quiet_policy.h"
+
+#include <Eigen/Cholesky>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace gripscope {
+
+namespace {
+
+constexpr double leastDistance = 1e-9;
+/// Beyond so many times the distance that is needed, a type is not taken for the other at any rate that
+/// matters.
+constexpr double outOfReach = 3;
+
+using Student = boost::math::students_t_distribution<double, QuietPolicy>;
+using Normal = boost::math::normal_distribution<double, QuietPolicy>;
+
+/// How far beyond the mean, along an estimated direction, for a mean that is exact.
+std::optional<double> quantileAlong(double degreesOfFreedom, double rate, bool robust)
+{
+    const double v = degreesOfFreedom;
+    if (!(v >= 3))
+        return {};
+    const double direction = 1 + 2 / std::max(1.0, v - 3);
+    double quantile = std::sqrt(direction * v / (v - 2)) *
+                      boost::math::quantile(boost::math::complement(Student(v - 2), rate));
+    if (robust && rate < 0.5) {
+        constexpr double tail = 5; // of unit variance
+        quantile *= std::max(1.0, std::sqrt((tail - 2) / tail) *
+                                      boost::math::quantile(boost::math::complement(Student(tail), rate)) /
+                                      boost::math::quantile(boost::math::complement(Normal(), rate)));
+    }
+    return std::isfinite(quantile) ? std::optional(quantile) : std::nullopt;
+}
+
+/// quantileAlong(), each once: most types have the same degrees of freedom.
+class Quantiles {
+public:
+    Quantiles(double rate, bool robust) : m_rate(rate), m_robust(robust) {}
+    std::optional<double> operator()(double degreesOfFreedom)
+    {
+        const auto found = m_known.find(degreesOfFreedom);
+        if (found != m_known.end())
+            return found->second;
+        return m_known[degreesOfFreedom] = quantileAlong(degreesOfFreedom, m_rate, m_robust);
+    }
+
+private:
+    double m_rate;
+    bool m_robust;
+    std::map<double, std::optional<double>> m_known;
+};
+
+std::optional<Separation> separationWith(Quantiles& quantiles, const TypePrediction& named,
+                                         const TypePrediction& other, const Eigen::Vector3d& log)
+{
+    const Eigen::LLT<Eigen::Matrix3d> cholesky((named.covariance + other.covariance) / 2);
+    const Eigen::Vector3d towards = cholesky.matrixL().solve(named.meanLog - other.meanLog);
+    Separation result;
+    result.distance = towards.norm();
+    const std::optional<double> quantile = quantiles(other.degreesOfFreedom);
+    if (!(result.distance > leastDistance) || !quantile)
+        return {};
+    result.reached = cholesky.matrixL().solve(log - other.meanLog).dot(towards) / result.distance;
+    result.needed = std::sqrt(1 + 1 / other.effectiveSqueezes) * *quantile +
+                    2 / (other.effectiveSqueezes * std::max(1.0, result.distance));
+    return result;
+}
+
+} // namespace
+
+std::optional<Separation> separation(const std::vector<TypePrediction>& predictions, std::size_t named,
+                                     std::size_t other, const Eigen::Vector3d& log, double rate, bool robust)
+{
+    Quantiles quantiles(rate, robust);
+    return separationWith(quantiles, predictions[named], predictions[other], log);
+}
+
+NamingTest testNaming(const std::vector<TypePrediction>& predictions, std::size_t named,
+                      const Eigen::Vector3d& log, const SeparationOptions& options)
+{
+    NamingTest test;
+    Quantiles alone(options.wrongType, options.robust);
+    int near = 0;
+    for (std::size_t other = 0; other < predictions.size(); ++other) {
+        if (other == named)
+            continue;
+        const auto found = separationWith(alone, predictions[named], predictions[other], log);
+        near += !found || found->distance < outOfReach * found->needed;
+    }
+    Quantiles shared(options.wrongType / std::max(1, near), options.robust);
+    double least = 0;
+    test.passed = true;
+    for (std::size_t other = 0; other < predictions.size(); ++other) {
+        if (other == named)
+            continue;
+        const auto found = separationWith(shared, predictions[named], predictions[other], log);
+        const double margin = found ? found->reached - found->needed : -1e300;
+        test.passed = test.passed && margin > 0;
+        if (!test.rival || margin < least) {
+            least = margin;
+            test.rival = other;
+        }
+    }
+    return test;
+}
+
+std::optional<double> timesLonger(const TypeModels& models, std::size_t one, std::size_t other,
+                                  const Eigen::Matrix3d& noise, const SeparationOptions& options)
+{
+    constexpr double most = 100;
+    constexpr double nineOfTen = 1.2816; // quantile of the normal distribution
+    const Eigen::Vector3d log = models.types[one].meanLog;
+    const auto enough = [&](double times) {
+        const auto predictions = predictTypes(models, log, noise / times, {options.robust});
+        const auto found = separation(predictions, one, other, log, options.wrongType, options.robust);
+        return found && found->distance - nineOfTen > found->needed;
+    };
+    if (enough(1))
+        return 1.0;
+    if (!enough(most))
+        return {};
+    double low = 1, high = most;
+    for (int halving = 0; halving < 12; ++halving) {
+        const double middle = std::sqrt(low * high);
+        (enough(middle) ? high : low) = middle;
+    }
+    return high;
+}
+
+} // namespace gripscope
