@@ -83,8 +83,17 @@ int runClassify(const QStringList& arguments)
     addLibraryOption(line);
     line.option(u"false-reject"_qs, u"RATE"_qs, u"Share of known parts that may be called unknown."_qs,
                 u"0.01"_qs);
-    line.option(u"wrong-type"_qs, u"RATE"_qs, u"A type is named when its posterior is at least 1 - RATE."_qs,
+    line.option(u"wrong-type"_qs, u"RATE"_qs, u"Share of known parts that may be named another type."_qs,
                 u"0.001"_qs);
+    line.option(u"stranger-accept"_qs, u"RATE"_qs,
+                u"Share of strangers, spread evenly over the instrument's range in logarithms, that may be "
+                "named a type."_qs,
+                u"0.01"_qs);
+    line.option(
+        u"confidence"_qs, u"SHARE"_qs,
+        u"The false-reject rate holds for this library with this confidence, 0.95 say; without it, on "
+        "average over libraries."_qs);
+    line.flag(u"robust"_qs, u"For types that spread unlike and heavier tails than a Gaussian's."_qs);
     addReadingOptions(line);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
@@ -93,6 +102,10 @@ int runClassify(const QStringList& arguments)
     VerdictOptions rates;
     rates.falseReject = line.number(u"false-reject"_qs);
     rates.wrongType = line.number(u"wrong-type"_qs);
+    rates.strangerAccept = line.number(u"stranger-accept"_qs);
+    if (line.isSet(u"confidence"_qs))
+        rates.confidence = line.number(u"confidence"_qs);
+    rates.robust = line.isSet(u"robust"_qs);
     if (const std::optional<int> exit = line.finish())
         return *exit;
     const bool json = line.isSet(u"json"_qs);

@@ -2,7 +2,9 @@
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
 #include "app/cli/output.h"
+#include "app/cli/recognition_study_text.h"
 #include "core/identification/efficiency_study_json.h"
+#include "core/recognition/recognition_study_json.h"
 
 #include <algorithm>
 
@@ -34,10 +36,15 @@ std::vector<Estimator> readEstimators(CommandLine& line)
     return found;
 }
 
+int runs(CommandLine& line, int otherwise)
+{
+    return line.isSet(u"runs"_qs) ? line.integer(u"runs"_qs, 1, 1'000'000) : otherwise;
+}
+
 EfficiencyOptions readOptions(CommandLine& line)
 {
     EfficiencyOptions options;
-    options.runs = line.integer(u"runs"_qs, 1, 1'000'000);
+    options.runs = runs(line, options.runs);
     options.seed = line.seed();
     options.threads = line.integer(u"threads"_qs, 0, 1024);
     options.estimators = readEstimators(line);
@@ -107,7 +114,9 @@ std::function<void(std::int64_t, std::int64_t)> progressLines()
 
 void addOptions(CommandLine& line)
 {
-    line.option(u"runs"_qs, u"N"_qs, u"Repetitions of each setting."_qs, u"500"_qs);
+    line.option(u"runs"_qs, u"N"_qs,
+                u"efficiency: repetitions of each setting, 500 if not given. recognition: enrolments a row, "
+                "2000."_qs);
     line.option(u"seed"_qs, u"N"_qs, u"Seed of the noise."_qs, u"1"_qs);
     line.option(u"estimators"_qs, u"LIST"_qs, u"Estimators, or all."_qs, u"oe"_qs);
     line.option(
@@ -118,6 +127,26 @@ void addOptions(CommandLine& line)
                 u"Threads, 0 for as many as the machine has; no figure depends on it."_qs, u"0"_qs);
 }
 
+int runRecognition(CommandLine& line)
+{
+    RecognitionStudyOptions options;
+    options.runs = runs(line, options.runs);
+    options.seed = line.seed();
+    options.threads = line.integer(u"threads"_qs, 0, 1024);
+    for (const QString& name : {u"estimators"_qs, u"settings"_qs})
+        if (line.isSet(name))
+            line.reject(u"--%1 belongs to the study efficiency."_qs.arg(name));
+    if (const std::optional<int> exit = line.finish())
+        return *exit;
+    options.progress = [](int done, int rows) { message(u"%1 of %2 rows"_qs.arg(done).arg(rows)); };
+    const RecognitionStudy study = studyRecognition(options);
+    if (line.isSet(u"json"_qs))
+        printJson(toJson(study, options));
+    else
+        print(recognitionText(study));
+    return 0;
+}
+
 } // namespace
 
 int runStudy(const QStringList& arguments)
@@ -125,15 +154,17 @@ int runStudy(const QStringList& arguments)
     CommandLine line(
         u"study"_qs,
         u"Repeats experiments with known truth. efficiency: how close the estimators come to the "
-        "Cramer-Rao bound, and how often their 95 % intervals hold the truth."_qs,
-        u"efficiency"_qs);
+        "Cramer-Rao bound, and how often their 95 % intervals hold the truth. recognition: the rates a "
+        "verdict states beside those that are found."_qs,
+        u"efficiency|recognition"_qs);
     addOptions(line);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
     if (line.files() == QStringList{u"recognition"_qs})
-        return fail({ErrorCode::NotSupportedYet, {u"The study \"recognition\""_qs}}, line.isSet(u"json"_qs));
+        return runRecognition(line);
     if (line.files() != QStringList{u"efficiency"_qs})
-        line.reject(u"there is no study \"%1\"; efficiency was expected."_qs.arg(line.files().join(u' ')));
+        line.reject(u"there is no study \"%1\"; efficiency or recognition was expected."_qs.arg(
+            line.files().join(u' ')));
     EfficiencyOptions options = readOptions(line);
     if (const std::optional<int> exit = line.finish())
         return *exit;

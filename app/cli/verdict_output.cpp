@@ -37,6 +37,10 @@ QJsonObject verdictJson(const QString& file, const Verdict& verdict)
             {u"posterior"_qs, posterior},
             {u"distance"_qs, orNull(verdict.distance)},
             {u"gate"_qs, orNull(verdict.gate)},
+            {u"rival"_qs, orNull(verdict.rival)},
+            {u"times_longer"_qs, orNull(verdict.timesLonger)},
+            {u"stranger_posterior"_qs, orNull(verdict.strangerPosterior)},
+            {u"stranger_accept"_qs, orNull(verdict.strangerAccept)},
             {u"samples_used"_qs, static_cast<qint64>(verdict.samplesUsed)},
             {u"reasons"_qs, QJsonArray::fromStringList(verdict.reasons)}};
 }

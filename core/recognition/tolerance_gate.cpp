@@ -54,9 +54,43 @@ Eigen::Vector3d wishartEigenvalues(GaussianNoise& noise, double degreesOfFreedom
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-/// Quantile 1 - rate of sum_i (z_i - shift_i)^2 / eigenvalue_i, z ~ N(0, I), by the chi-square distribution
-/// of the same mean, variance and skewness.
-double contentQuantile(const Eigen::Vector3d& eigenvalues, const Eigen::Vector3d& shift, double rate)
+/// Quantile 1 - rate of chi-square distributions, from a table: a gate asks for thousands.
+class ChiSquaredQuantiles {
+public:
+    explicit ChiSquaredQuantiles(double rate) : m_rate(rate)
+    {
+        for (int node = 0; node < nodes; ++node)
+            m_table[std::size_t(node)] = exact(std::exp(node * step));
+    }
+
+    [[nodiscard]] double operator()(double degreesOfFreedom) const
+    {
+        const double place = std::log(degreesOfFreedom) / step;
+        if (!(place >= 0 && place < nodes - 1))
+            return exact(degreesOfFreedom);
+        const auto below = std::size_t(place);
+        const double share = place - double(below);
+        return (1 - share) * m_table[below] + share * m_table[below + 1];
+    }
+
+private:
+    static constexpr int nodes = 200;
+    static constexpr double step = 0.02; // from 1 to 53 degrees of freedom, to 1e-4
+
+    [[nodiscard]] double exact(double degreesOfFreedom) const
+    {
+        const boost::math::chi_squared_distribution<double, QuietPolicy> distribution(degreesOfFreedom);
+        return boost::math::quantile(boost::math::complement(distribution, m_rate));
+    }
+
+    double m_rate;
+    std::array<double, nodes> m_table{};
+};
+
+/// Quantile of sum_i (z_i - shift_i)^2 / eigenvalue_i, z ~ N(0, I), by the chi-square distribution of the
+/// same mean, variance and skewness.
+double contentQuantile(const Eigen::Vector3d& eigenvalues, const Eigen::Vector3d& shift,
+                       const ChiSquaredQuantiles& quantiles)
 {
     std::array<double, 3> moments{};
     for (int i = 0; i < dimensions; ++i) {
@@ -66,21 +100,20 @@ double contentQuantile(const Eigen::Vector3d& eigenvalues, const Eigen::Vector3d
             moments[std::size_t(order - 1)] += power * (1 + order * shift(i) * shift(i));
     }
     const double h = moments[1] * moments[1] * moments[1] / (moments[2] * moments[2]);
-    const boost::math::chi_squared_distribution<double, QuietPolicy> distribution(h);
-    const double quantile = boost::math::quantile(boost::math::complement(distribution, rate));
-    return (quantile - h) * std::sqrt(moments[1] / h) + moments[0];
+    return (quantiles(h) - h) * std::sqrt(moments[1] / h) + moments[0];
 }
 
 double simulatedGate(int squeezes, double degreesOfFreedom, double rate, double confidence)
 {
     constexpr std::uint64_t seed = 1;
     GaussianNoise noise(seed);
+    const ChiSquaredQuantiles quantiles(rate);
     std::vector<double> gates(draws);
     for (double& gate : gates) {
         const Eigen::Vector3d eigenvalues = wishartEigenvalues(noise, degreesOfFreedom);
         const Eigen::Vector3d shift =
             Eigen::Vector3d(noise(), noise(), noise()) / std::sqrt(double(squeezes));
-        gate = contentQuantile(eigenvalues, shift, rate);
+        gate = contentQuantile(eigenvalues, shift, quantiles);
     }
     const auto place = std::min<std::ptrdiff_t>(draws - 1, std::ptrdiff_t(std::ceil(confidence * draws)));
     std::nth_element(gates.begin(), gates.begin() + place, gates.end());

@@ -29,7 +29,7 @@ struct TypeModel {
     int squeezes = 0;
     Eigen::Vector3d meanLog = Eigen::Vector3d::Zero();
     Eigen::Matrix3d meanCovarianceLog = Eigen::Matrix3d::Zero(); ///< how well the mean is known
-    OwnScatter own; ///< its squeezes, where the covariance shared by all types is the identity
+    OwnScatter own = {}; ///< its squeezes, where the covariance shared by all types is the identity
 };
 
 /// All types with the scatter they share (see Scatter): with v = sum (n_i - 1) degrees of freedom where no
@@ -39,10 +39,10 @@ struct TypeModels {
     Eigen::Matrix3d covarianceLog = Eigen::Matrix3d::Zero(); ///< of a squeeze like those enrolled
     int degreesOfFreedom = 0;                                ///< behind it, rounded down
     double shrinkage = 0;                                    ///< see estimateScatter()
-    Scatter scatter;
+    Scatter scatter = {};
     /// Degrees of freedom about the shared covariance that each type's own is a draw with; absent: no type
     /// is seen to spread otherwise than the others.
-    std::optional<double> likeness;
+    std::optional<double> likeness = {};
 
     [[nodiscard]] const TypeModel* find(const QString& name) const;
 };

@@ -53,7 +53,7 @@ struct Verdict {
     std::optional<double> gate;      ///< squared, of the nearest type
     std::size_t samplesUsed = 0;
     QStringList reasons; ///< sentences a technician understands
-    QString rival;       ///< the type that is least ruled out beside the nearest; empty with one type
+    QString rival = {};  ///< the type that is least ruled out beside the nearest; empty with one type
     /// Inconclusive between nearest and rival: so many times as long a squeeze would tell them apart.
     std::optional<double> timesLonger = {};
     std::optional<double> strangerPosterior = {}; ///< that it is of no enrolled type, see strangerShare

@@ -34,7 +34,8 @@ private slots:
         QTest::newRow("cluster") << QStringList{u"features"_s, u"clusters"_s, u"method"_s, u"scaling"_s,
                                                 u"seed"_s,     u"restarts"_s, u"truth"_s};
         QTest::newRow("enroll") << QStringList{u"library"_s, u"type"_s, u"sample-time"_s};
-        QTest::newRow("classify") << QStringList{u"library"_s, u"false-reject"_s, u"wrong-type"_s};
+        QTest::newRow("classify") << QStringList{u"library"_s,         u"false-reject"_s, u"wrong-type"_s,
+                                                 u"stranger-accept"_s, u"confidence"_s,   u"robust"_s};
         QTest::newRow("reproduce-paper") << QStringList{};
         QTest::newRow("design") << QStringList{u"object"_s,  u"peak"_s,        u"bias"_s,     u"limit"_s,
                                                u"seconds"_s, u"sample-time"_s, u"noise-sd"_s, u"scatter"_s};
@@ -87,6 +88,8 @@ private slots:
         row("no such study", {u"study"_s, u"efficency"_s}, "efficiency");
         row("an estimator the study lacks", {u"study"_s, u"efficiency"_s, u"--estimators"_s, u"ols"_s},
             "arx-mean-force");
+        row("an estimator for the other study", {u"study"_s, u"recognition"_s, u"--estimators"_s, u"oe"_s},
+            "belongs to the study efficiency");
         row("no such setting", {u"study"_s, u"efficiency"_s, u"--settings"_s, u"E"_s}, "A-prbs-90-200");
         row("no cluster", {u"cluster"_s, u"t.csv"_s, u"--clusters"_s, u"0"_s}, "clusters");
     }
@@ -104,7 +107,6 @@ private slots:
         QTest::addColumn<QStringList>("arguments");
         m_work.write(u"r.csv"_s, "u,y\n1,2\n2,3\n");
         QTest::newRow("calibrate") << QStringList{u"calibrate"_s, u"points.csv"_s, u"--degree"_s, u"2"_s};
-        QTest::newRow("study") << QStringList{u"study"_s, u"recognition"_s};
         QTest::newRow("postgresql") << QStringList{u"classify"_s, u"--library"_s,
                                                    u"postgresql://me@host/name"_s, u"r.csv"_s};
     }

@@ -41,6 +41,30 @@ private slots:
         QVERIFY(run.out.contains("A-prbs-90-200"));
         QVERIFY(run.out.contains("of 5 runs failed"));
     }
+    void recognitionIsOneDocumentWithStatedAndFoundRates()
+    {
+        const ProgramRun run = m_work.cli({u"study"_s, u"recognition"_s, u"--runs"_s, u"10"_s, u"--json"_s});
+        QCOMPARE(run.exit, 0);
+        const QJsonObject document = run.json();
+        const QJsonArray rows = document[u"rows"].toArray();
+        QVERIFY(rows.size() > 30);
+        QCOMPARE(rows[0][u"row"].toString(), u"known_parts-3-0.01"_s);
+        QCOMPARE(rows[0][u"enrolments"].toInt(), 10);
+        QCOMPARE(rows[0][u"limits"][0][u"least"].toDouble(), 0.8);
+        QVERIFY(rows[0][u"shares"][u"unknown"][u"standard_error"].isDouble());
+        const QJsonObject last = rows.last().toObject();
+        QCOMPARE(last[u"scenario"].toString(), u"noise_mismatch"_s);
+        QCOMPARE(last[u"cases"].toInt(), 200);
+        QVERIFY(last[u"shares"][u"type"][u"share"].toDouble() > 0.9);
+        QCOMPARE(document[u"paper"][u"leave_one_out_correct"].toInt(), 40);
+    }
+    void recognitionInTextSaysWhatIsMet()
+    {
+        const ProgramRun run = m_work.cli({u"study"_s, u"recognition"_s, u"--runs"_s, u"2"_s});
+        QCOMPARE(run.exit, 0);
+        QVERIFY(run.out.contains("40 of 40 right"));
+        QVERIFY(run.out.contains("met"));
+    }
 };
 
 GRIPSCOPE_TEST(StudyCommandTest)

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recognition/recognition_study_json.h"
+#include "tests/support/test_registry.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QTest>
+
+#include <cmath>
+
+using namespace gripscope;
+using namespace Qt::StringLiterals;
+
+class RecognitionStudyTest : public QObject {
+    Q_OBJECT
+private slots:
+    void standardErrorsAreThoseOfEnrolments()
+    {
+        // All of an enrolment or nothing: 4 independent cases, not 40.
+        std::vector<EnrolmentTally> tallies;
+        for (int i = 0; i < 4; ++i)
+            tallies.push_back({10, {{u"a"_s, i < 2 ? 10.0 : 0.0}}});
+        const ClusteredShare share = pooled(tallies).shares[u"a"_s];
+        QCOMPARE(share.share, 0.5);
+        QVERIFY(std::abs(share.standardError - std::sqrt(0.25 / 4)) < 1e-12);
+        QVERIFY(pooled({}).shares.isEmpty());
+    }
+    void oneSeedGivesOneResultWhateverTheThreads()
+    {
+        RecognitionStudyOptions options;
+        options.runs = 3;
+        options.threads = 1;
+        const RecognitionStudy one = studyRecognition(options);
+        options.threads = 3;
+        const RecognitionStudy three = studyRecognition(options);
+        QCOMPARE(QJsonDocument(toJson(one, options)).toJson(),
+                 QJsonDocument(toJson(three, options)).toJson());
+        options.seed = 2;
+        QVERIFY(QJsonDocument(toJson(studyRecognition(options), options)).toJson() !=
+                QJsonDocument(toJson(one, options)).toJson());
+    }
+    void thePaperIsRecognizedWhole()
+    {
+        RecognitionStudyOptions options;
+        options.runs = 1;
+        const RecognitionStudy study = studyRecognition(options);
+        QCOMPARE(study.paper.leaveOneOutCorrect, 40);
+        QCOMPARE(study.paper.leftOutTypeUnknown, 40);
+        QVERIFY(study.paper.rejectedInTraining <= 0.01 * 40);
+        const QJsonObject json = toJson(study, options);
+        QCOMPARE(json[u"rows"_s].toArray().size(), qsizetype(study.rows.size()));
+        QVERIFY(json[u"paper"_s][u"leave_one_out_shown"_s].toString().startsWith(
+            u"0 wrong of 40: at most 7.2 %"_s));
+    }
+    void aRowThatAlwaysSaysInconclusiveFailsItsLimits()
+    {
+        StudyLimit decided{u"decided"_s, 0, 0, 0.9, {}};
+        QVERIFY(!decided.met());
+        StudyLimit unknown{u"unknown / stated"_s, 0, 0, 0.8, 1.2};
+        QVERIFY(!unknown.met());
+    }
+    void squeezesOfLouderNoiseKeepTheirNames()
+    {
+        RecognitionScenario scenario;
+        scenario.kind = ScenarioKind::NoiseMismatch;
+        scenario.judged = 80;
+        scenario.options.siUnits = false;
+        std::vector<EnrolmentTally> tallies;
+        for (int run = 0; run < 5; ++run)
+            tallies.push_back(runNoiseMismatch(scenario, studySeed(1, scenario.name(), run)));
+        const StudyTally tally = pooled(tallies);
+        // Stated 1 % of 400 unknown, clustered by enrolment; 4 +- 3.
+        QVERIFY(tally.shares[u"type"_s].count >= 385);
+        QVERIFY(tally.shares[u"wrong_type"_s].count <= 1);
+    }
+};
+
+GRIPSCOPE_TEST(RecognitionStudyTest)
+#include "recognition_study_test.moc"
