@@ -41,6 +41,11 @@ double powerOfTwoScale(const Eigen::MatrixXd& items)
     return std::ldexp(1.0, std::min(-std::ilogb(reach), 500 - largest));
 }
 
+double roundingOfMeans(const ItemRows& items)
+{
+    return 1e-12 * items.cwiseAbs().maxCoeff();
+}
+
 std::vector<int> numbersByAppearance(const std::vector<int>& labels, int clusters)
 {
     std::vector<int> numbers(std::size_t(clusters), -1);

@@ -24,6 +24,9 @@ using ItemRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 /// vanish nor overflow; 1 where no column has any width. Multiplying by it changes no digit.
 [[nodiscard]] double powerOfTwoScale(const Eigen::MatrixXd& items);
 
+/// How far from items that are all in one place their computed mean may be.
+[[nodiscard]] double roundingOfMeans(const ItemRows& items);
+
 /// New numbers for the clusters, by first appearance in the table, so that they do not depend on the start;
 /// those without items come last.
 [[nodiscard]] std::vector<int> numbersByAppearance(const std::vector<int>& labels, int clusters);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/feature_scaling.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gripscope {
@@ -9,12 +10,22 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+/// A power of two that brings the largest of these numbers near 1, so that squares neither vanish nor
+/// overflow; no digit changes by it.
+double powerOfTwoFor(const Eigen::ArrayXd& numbers)
+{
+    const double largest = numbers.abs().maxCoeff();
+    return largest > 0 ? std::ldexp(1.0, std::min(-std::ilogb(largest), 1000)) : 1;
+}
+
 /// Population deviation of a column; 1 when all its values are the same, so that it stays as it is.
-double columnScale(const Eigen::VectorXd& column, double mean)
+double columnScale(const Eigen::ArrayXd& column, double mean)
 {
     if (column.maxCoeff() == column.minCoeff())
         return 1;
-    return std::sqrt((column.array() - mean).square().mean());
+    const Eigen::ArrayXd away = column - mean;
+    const double unit = powerOfTwoFor(away);
+    return std::sqrt((away * unit).square().mean()) / unit;
 }
 
 tl::unexpected<Error> badValue(Eigen::Index row, Eigen::Index column, double found, const QString& expected)
@@ -82,8 +93,9 @@ Expected<FeatureTransform> featureTransform(const Eigen::MatrixXd& features, Fea
         return transform;
     const Eigen::MatrixXd x = logarithm ? Eigen::MatrixXd(features.array().log()) : features;
     for (Eigen::Index j = 0; j < x.cols(); ++j) {
-        transform.shift(j) = x.col(j).mean();
-        transform.scale(j) = columnScale(x.col(j), transform.shift(j));
+        const double unit = powerOfTwoFor(x.col(j).array());
+        transform.shift(j) = (x.col(j) * unit).mean() / unit;
+        transform.scale(j) = columnScale(x.col(j).array(), transform.shift(j));
         if (!std::isfinite(transform.shift(j)) || !std::isfinite(transform.scale(j)) ||
             transform.scale(j) <= 0)
             return failure(ErrorCode::BadInput,

@@ -36,6 +36,7 @@ KMeansAssignment::KMeansAssignment(ItemRows items, int clusters)
     // A computed distance is wrong by some (features + 2)/2 units in the last place; four times (features +
     // 8) also holds what moving the bound adds.
     const double room = 4 * double(m_items.cols() + 8) * std::numeric_limits<double>::epsilon();
+    m_rounding = roundingOfMeans(m_items);
     m_grow = 1 + room;
     m_shrink = 1 - room;
 }
@@ -185,10 +186,12 @@ Eigen::MatrixXd KMeansAssignment::means() const
             means.row(c) /= all.items(c);
             continue;
         }
+        means.row(c) = m_centroids.row(c);
         if (distances.size() == 0)
             distances = squaredDistances();
         Eigen::Index farthest = 0;
-        distances.maxCoeff(&farthest);
+        if (distances.maxCoeff(&farthest) <= m_rounding * m_rounding)
+            continue;
         distances(farthest) = 0; // the next empty cluster takes another one
         means.row(c) = m_items.row(farthest);
     }

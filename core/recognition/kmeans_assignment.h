@@ -37,7 +37,7 @@ public:
     };
     [[nodiscard]] Sums sums() const;
     /// The means of the clusters. One that lost all its items moves to the item farthest from its own
-    /// centroid, which lowers J most of all single moves.
+    /// centroid, which lowers J most of all single moves; it stays when that item is only off by rounding.
     [[nodiscard]] Eigen::MatrixXd means() const;
 
 private:
@@ -63,6 +63,7 @@ private:
     std::vector<int> m_labels;            ///< -1 before the first assignment
     std::vector<double> m_upper, m_lower; ///< distances, not squares
     std::vector<ChunkSums> m_chunks;
+    double m_rounding = 0;           ///< what a mean of items in one place may be off it
     double m_grow = 1, m_shrink = 1; ///< room for rounding, so that the bounds are bounds
 };
 

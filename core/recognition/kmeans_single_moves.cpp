@@ -15,6 +15,7 @@ struct Clusters {
     std::vector<int> labels;
     ItemRows means;
     Eigen::VectorXd counts;
+    double rounding = 0; ///< what a mean of items in one place may be off it, squared
 
     void computeMeans()
     {
@@ -36,7 +37,10 @@ struct Clusters {
         const double own = counts(found);
         if (own < 2)
             return found;
-        double least = own / (own - 1) * (items.row(item) - means.row(found)).squaredNorm() * (1 - leastGain);
+        const double squared = (items.row(item) - means.row(found)).squaredNorm();
+        if (squared <= rounding)
+            return found;
+        double least = own / (own - 1) * squared * (1 - leastGain);
         for (Eigen::Index c = 0; c < counts.size(); ++c) {
             const double cost = counts(c) / (counts(c) + 1) * (items.row(item) - means.row(c)).squaredNorm();
             if (c != labels[std::size_t(item)] && cost < least) {
@@ -63,7 +67,8 @@ struct Clusters {
 std::optional<Eigen::MatrixXd> meansAfterSingleMoves(const ItemRows& items, std::vector<int> labels,
                                                      int clusters)
 {
-    Clusters state{items, std::move(labels), ItemRows(clusters, items.cols()), Eigen::VectorXd(clusters)};
+    Clusters state{items, std::move(labels), ItemRows(clusters, items.cols()), Eigen::VectorXd(clusters),
+                   roundingOfMeans(items) * roundingOfMeans(items)};
     state.computeMeans();
     bool moved = false;
     bool again = true;

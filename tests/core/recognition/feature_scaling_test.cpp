@@ -59,8 +59,19 @@ private slots:
         QVERIFY(featureTransform(x, FeatureScaling::ZScore).has_value());
         x << 1, std::nan("");
         QCOMPARE(featureTransform(x, FeatureScaling::None).error().code, ErrorCode::BadInput);
-        x << 1e308, -1e308; // the squares overflow
-        QCOMPARE(featureTransform(x, FeatureScaling::ZScore).error().code, ErrorCode::BadInput);
+        Eigen::MatrixXd wide(5, 1);
+        wide << 1.7e308, 1.7e308, 1.7e308, 1.7e308, -1.7e308; // even the distance from the mean overflows
+        QCOMPARE(featureTransform(wide, FeatureScaling::ZScore).error().code, ErrorCode::BadInput);
+    }
+    void numbersWhoseSquaresVanishOrOverflowAreScaledToo()
+    {
+        const Eigen::MatrixXd x = Eigen::Vector4d(1, 2, 4, 5);
+        const Eigen::MatrixXd wanted = featureTransform(x, FeatureScaling::ZScore)->apply(x);
+        for (const double unit : {1e-300, 1e-200, 1e200, 1e307}) {
+            const Eigen::MatrixXd y = x * unit;
+            const Eigen::MatrixXd found = featureTransform(y, FeatureScaling::ZScore)->apply(y);
+            QVERIFY((found - wanted).cwiseAbs().maxCoeff() < 1e-14); // a few roundings of numbers near 1
+        }
     }
 
 private:

@@ -325,6 +325,21 @@ private slots:
         QCOMPARE(result->labels, std::vector<int>({0, 0, 0, 1, 1, 1}));
         QVERIFY(result->centroids.allFinite());
     }
+    void farMoreClustersThanPlacesComesToRest()
+    {
+        // The mean of equal numbers is off by a rounding, for which no empty cluster is to move: it would
+        // take these items over, and the next iteration would do the same to it.
+        Eigen::MatrixXd items(300, 2);
+        for (int i = 0; i < 300; ++i)
+            items.row(i) << 0.1 * (i % 5), 0.3 * (i % 3);
+        KMeansOptions options;
+        options.clusters = 40;
+        const auto result = kMeans(items, options);
+        QVERIFY(result->status == KMeansStatus::Converged);
+        QVERIFY(result->iterations < 10);
+        QCOMPARE(usedClusters(result->labels), std::size_t(15));
+        QVERIFY(result->inertia < 1e-25);
+    }
     void aClusterThatRunsEmptyIsFilledAgain()
     {
         // From the first three items as centres the middle one has lost all its items after two steps (found
