@@ -5,6 +5,7 @@
 #include "core/identification/instrumental_variables.h"
 #include "core/identification/output_error.h"
 #include "core/signal/gaussian.h"
+#include "core/signal/mixed_seed.h"
 
 #include <boost/math/distributions/students_t.hpp>
 
@@ -53,21 +54,12 @@ Estimate estimateWith(Estimator estimator, const EfficiencySetting& setting, con
     return {};
 }
 
-/// The finalizer of splitmix64 (Steele, Lea, Flood 2014): neighbouring numbers become unrelated seeds.
-std::uint64_t mixed(std::uint64_t value)
-{
-    value += 0x9e3779b97f4a7c15u;
-    value = (value ^ (value >> 30U)) * 0xbf58476d1ce4e5b9u;
-    value = (value ^ (value >> 27U)) * 0x94d049bb133111ebu;
-    return value ^ (value >> 31U);
-}
-
 std::uint64_t noiseSeed(std::uint64_t seed, const EfficiencySetting& setting, int run)
 {
-    std::uint64_t mix = mixed(seed);
+    std::uint64_t mix = mixedSeed(seed);
     for (const QChar letter : setting.name())
-        mix = mixed(mix ^ letter.unicode());
-    return mixed(mix ^ static_cast<std::uint64_t>(run));
+        mix = mixedSeed(mix ^ letter.unicode());
+    return mixedSeed(mix ^ static_cast<std::uint64_t>(run));
 }
 
 /// The runs of all settings and estimators, shared out among threads in small portions.

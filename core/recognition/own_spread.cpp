@@ -2,6 +2,7 @@
 #include "core/recognition/own_spread.h"
 
 #include <Eigen/LU>
+#include <boost/math/special_functions/gamma.hpp> // std::lgamma writes a global
 
 #include <array>
 #include <cmath>
@@ -20,7 +21,7 @@ constexpr double leastGain = 2;
 /// Logarithm of the multivariate gamma function in 3 dimensions, up to a constant.
 double logGamma3(double a)
 {
-    return std::lgamma(a) + std::lgamma(a - 0.5) + std::lgamma(a - 1);
+    return boost::math::lgamma(a) + boost::math::lgamma(a - 0.5) + boost::math::lgamma(a - 1);
 }
 
 /// Logarithm of the marginal density of A, less that of one shared covariance.

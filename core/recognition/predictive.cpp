@@ -2,6 +2,7 @@
 #include "core/recognition/predictive.h"
 
 #include <Eigen/Cholesky>
+#include <boost/math/special_functions/gamma.hpp> // std::lgamma writes a global
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,7 @@ void findDensity(TypePrediction& prediction, double degreesOfFreedom)
 {
     const double v = std::max(dimensions, degreesOfFreedom);
     prediction.tailDegrees = v;
-    prediction.logDensityAtMean = std::lgamma((v + 1) / 2) - std::lgamma((v - 2) / 2) -
+    prediction.logDensityAtMean = boost::math::lgamma((v + 1) / 2) - boost::math::lgamma((v - 2) / 2) -
                                   dimensions / 2 * std::log(std::numbers::pi * v) -
                                   prediction.logDeterminant / 2;
     prediction.logDensity =

@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/study_tally.h"
 
+#include "core/signal/mixed_seed.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <thread>
 
 namespace gripscope {
-
-namespace {
-
-/// The finalizer of splitmix64 (Steele, Lea, Flood 2014): neighbouring numbers become unrelated seeds.
-std::uint64_t mixed(std::uint64_t value)
-{
-    value += 0x9e3779b97f4a7c15u;
-    value = (value ^ (value >> 30U)) * 0xbf58476d1ce4e5b9u;
-    value = (value ^ (value >> 27U)) * 0x94d049bb133111ebu;
-    return value ^ (value >> 31U);
-}
-
-} // namespace
 
 StudyTally pooled(const std::vector<EnrolmentTally>& enrolments)
 {
@@ -63,10 +52,10 @@ std::vector<EnrolmentTally> tallyRuns(int runs, int threads, const std::function
 
 std::uint64_t studySeed(std::uint64_t seed, const QString& row, int run)
 {
-    std::uint64_t mix = mixed(seed);
+    std::uint64_t mix = mixedSeed(seed);
     for (const QChar letter : row)
-        mix = mixed(mix ^ letter.unicode());
-    return mixed(mix ^ static_cast<std::uint64_t>(run));
+        mix = mixedSeed(mix ^ letter.unicode());
+    return mixedSeed(mix ^ static_cast<std::uint64_t>(run));
 }
 
 } // namespace gripscope
