@@ -101,6 +101,7 @@ std::optional<int> highest(const std::vector<ClusterFigures>& all,
 std::vector<ClusterVote> votes(const std::vector<ClusterFigures>& figures)
 {
     std::vector<std::optional<GapStatistic>> gaps;
+    gaps.reserve(figures.size());
     for (const ClusterFigures& one : figures)
         gaps.push_back(one.gap);
     const auto lowDaviesBouldin = [](const ClusterFigures& one) -> std::optional<double> {
