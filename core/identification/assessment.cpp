@@ -31,8 +31,13 @@ UncertaintyBudget budgetOf(const Estimate& estimate, const PreparedRecord& recor
                            const HoldEvidence& holds)
 {
     BudgetOptions options;
-    if (holds.verdict() == HoldVerdict::Ambiguous && holds.otherParameters)
-        options.hold = HoldAmbiguity{*holds.otherParameters, holds.otherProbability()};
+    if (holds.parameters && holds.otherParameters && estimate.parameters) {
+        // As far from this estimate as output error moves with the hold, whichever estimator this is.
+        const Eigen::Vector3d ratio =
+            holds.otherParameters->vector().cwiseQuotient(holds.parameters->vector());
+        const Eigen::Vector3d other = estimate.parameters->vector().cwiseProduct(ratio);
+        options.hold = HoldAmbiguity{{other(0), other(1), other(2)}, holds.otherProbability()};
+    }
     options.discrepancy = windowDiscrepancy(record, task, estimate);
     return uncertaintyBudget(estimate, record.force, record.position, outputErrorOptions(record, task),
                              record.chain, options);

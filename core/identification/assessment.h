@@ -15,8 +15,8 @@ struct Identification;
 [[nodiscard]] ModelDiscrepancy windowDiscrepancy(const PreparedRecord& record, const EstimatorTask& task,
                                                  const Estimate& whole);
 
-/// The budget of `estimate`: its noise, the chain's effects, the hold where the record does not tell which
-/// one it was, and what the windows disagree by. Without parameters and covariance: a budget that says why
+/// The budget of `estimate`: its noise, the chain's effects, the other hold as far as `holds` leaves it
+/// probable, and what the windows disagree by. Without parameters and covariance: a budget that says why
 /// there is none.
 [[nodiscard]] UncertaintyBudget budgetOf(const Estimate& estimate, const PreparedRecord& record,
                                          const EstimatorTask& task, const HoldEvidence& holds);

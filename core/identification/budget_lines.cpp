@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <QStringList>
+#include <boost/math/distributions/normal.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,27 @@ Eigen::Vector3d relativeShift(const Eigen::Vector3d& p, const Eigen::Vector3d& o
     const Eigen::Array3d ratio = other.cwiseQuotient(p);
     const Eigen::Array3d logarithm = ratio.max(1e-12).log();
     return (logarithm.abs() > (ratio - 1).abs()).select(logarithm, ratio - 1);
+}
+
+/// The standard deviations, with the signs of `shift`, that make the interval of a normal quantity with
+/// variance `known` reach the same quantity moved by `shift`, which is true with `probability`; see
+/// uncertaintyBudget().
+Eigen::Vector3d reachingDeviations(const Eigen::Vector3d& shift, const Eigen::Vector3d& known,
+                                   double probability, double coverage)
+{
+    const double tail = (1 - std::clamp(coverage, 0.0, 0.999999)) / 2;
+    Eigen::Vector3d deviations = Eigen::Vector3d::Zero();
+    if (!(probability > tail))
+        return deviations;
+    const boost::math::normal normal;
+    const double factor = boost::math::quantile(boost::math::complement(normal, tail));
+    const double beyond = boost::math::quantile(boost::math::complement(normal, tail / probability));
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const double half = std::abs(shift(i)) + beyond * std::sqrt(std::max(known(i), 0.0));
+        const double wanted = half > 0 ? std::pow(half / factor, 2) : 0;
+        deviations(i) = std::copysign(std::sqrt(std::max(wanted - known(i), 0.0)), shift(i));
+    }
+    return deviations;
 }
 
 /// What white noise of standard deviation 1 on the force does to (ln m, ln b, ln k), and to the variance of
@@ -152,24 +174,27 @@ std::vector<BudgetLine> effectLines(const Eigen::Vector3d& p, const LinearizedRe
 }
 
 std::vector<BudgetLine> holdLines(const Eigen::Vector3d& p, const std::optional<HoldAmbiguity>& hold,
-                                  const ModelMisfit& misfit)
+                                  double coverage, const ModelMisfit& misfit, const Eigen::Matrix3d& others)
 {
     std::vector<BudgetLine> lines;
     Eigen::Matrix3d relative = Eigen::Matrix3d::Zero();
     QStringList words;
-    if (hold && hold->probability > 0) {
-        const Eigen::Vector3d shift = relativeShift(p, hold->other.vector());
-        const double weight = std::min(2 * hold->probability, 1.0);
-        relative += weight * rectangular(shift);
-        words.append(u"the record does not tell how the force is held between samples: the other way m would "
-                     "be %1 % away"_s.arg(percent(std::abs(shift(0)))));
-    }
     for (const MissingTerm& term : misfit.terms) {
         if (term.id != u"smooth_force"_s)
             continue;
         relative += rectangular(term.shift);
         words.append(u"the residuals ask for %1: m would be %2 % away"_s.arg(
             term.words, percent(std::abs(term.shift(0)))));
+    }
+    if (hold) {
+        const Eigen::Vector3d shift = relativeShift(p, hold->other.vector());
+        const Eigen::Vector3d known = relative.diagonal() + others.diagonal().cwiseQuotient(p.cwiseAbs2());
+        const Eigen::Vector3d more = reachingDeviations(shift, known, hold->probability, coverage);
+        relative += more * more.transpose();
+        if (!more.isZero(0))
+            words.prepend(
+                u"it is not certain how the force is held between samples: the other way m would be "
+                "%1 % away"_s.arg(percent(std::abs(shift(0)))));
     }
     if (relative.allFinite() && relative.trace() > 0)
         lines.push_back(lineOf(u"hold"_s, words.join(u"; "_s), EvaluationType::B, p, relative));

@@ -18,9 +18,11 @@ namespace gripscope {
 /// Lag and frame compliance.
 [[nodiscard]] std::vector<BudgetLine> effectLines(const Eigen::Vector3d& p, const LinearizedRecord& record,
                                                   const MeasuringChain& chain);
-/// The other hold of HoldEvidence, and a force that is smooth between its samples.
-[[nodiscard]] std::vector<BudgetLine>
-holdLines(const Eigen::Vector3d& p, const std::optional<HoldAmbiguity>& hold, const ModelMisfit& misfit);
+/// The other hold of HoldEvidence, and a force that is smooth between its samples. `others`: the covariance
+/// that all other lines add up to.
+[[nodiscard]] std::vector<BudgetLine> holdLines(const Eigen::Vector3d& p,
+                                                const std::optional<HoldAmbiguity>& hold, double coverage,
+                                                const ModelMisfit& misfit, const Eigen::Matrix3d& others);
 [[nodiscard]] std::vector<BudgetLine> calibrationLines(const Eigen::Vector3d& p, const MeasuringChain& chain);
 [[nodiscard]] std::vector<BudgetLine> baselineLines(const GripperBaseline& baseline);
 [[nodiscard]] std::vector<BudgetLine> discrepancyLines(const Eigen::Vector3d& p,

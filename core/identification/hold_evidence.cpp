@@ -20,6 +20,8 @@ constexpr double clearGain = 10;
 constexpr double enoughGain = 2.5;
 /// A little less than 10, since it is known from the noise found, not exactly.
 constexpr double tellableGain = 8;
+/// A lag known no better than this share of a sample time: nothing can be told, and its effect is not linear.
+constexpr double uselessLag = 0.5;
 /// A fit better than this share of the position's size is rounding.
 constexpr double roundingShare = 1e-9;
 
@@ -117,6 +119,27 @@ AutoregressiveNoise commonNoise(const Estimate& oe, const Estimate& other, doubl
     return noise;
 }
 
+/// Gain and expected gain of the sums; none where they are no numbers.
+void evaluate(HoldEvidence& evidence)
+{
+    const HoldSums& sums = evidence.sums;
+    const double ridge = 1 + sums.lag;
+    const double squared = std::max(sums.difference - sums.lagDifference * (sums.lagDifference / ridge), 0.0);
+    const double cross = sums.residual - sums.lagResidual * (sums.lagDifference / ridge);
+    if (!std::isfinite(squared) || !std::isfinite(cross) || !std::isfinite(ridge)) {
+        evidence.gain.reset();
+        evidence.expectedGain = 0;
+        return;
+    }
+    evidence.expectedGain = squared / 2;
+    evidence.gain = cross - squared / 2;
+}
+
+bool declareTheSame(const HoldEvidence& a, const HoldEvidence& b)
+{
+    return a.declared == b.declared && a.lag_s == b.lag_s && a.lagUncertainty_s == b.lagUncertainty_s;
+}
+
 } // namespace
 
 double HoldEvidence::otherProbability() const
@@ -143,6 +166,8 @@ HoldEvidence weighHolds(const std::vector<double>& force, const std::vector<doub
 {
     HoldEvidence evidence;
     evidence.declared = options.hold;
+    evidence.lag_s = options.lag_s;
+    evidence.lagUncertainty_s = lagUncertainty_s;
     const Range range(force.size(), options);
     if (oe.status != EstimateStatus::Converged || !oe.parameters || oe.residual.size() != force.size() ||
         range.count < 10)
@@ -153,7 +178,13 @@ HoldEvidence weighHolds(const std::vector<double>& force, const std::vector<doub
     const Estimate other = estimateOutputError(force, position, otherOptions);
     if (other.status != EstimateStatus::Converged)
         return evidence;
+    evidence.parameters = oe.parameters;
     evidence.otherParameters = other.parameters;
+    if (!(lagUncertainty_s < uselessLag * options.sampleTime_s)) {
+        evidence.gain = 0;
+        evidence.squeezes = 1;
+        return evidence;
+    }
 
     // In units of the largest position, so that squares neither overflow nor vanish.
     const Eigen::RowVectorXd model = toRow(oe.simulated);
@@ -163,7 +194,10 @@ HoldEvidence weighHolds(const std::vector<double>& force, const std::vector<doub
     AutoregressiveNoise noise = commonNoise(oe, other, largest);
     const double unit = noise.innovationDeviation;
     noise.innovationDeviation = 1;
-    Eigen::MatrixXd rows = Neighbourhood(force, options, oe).rows();
+    // Half way between the two models, where both are equally far and their difference is linear to third
+    // order.
+    Eigen::MatrixXd rows =
+        (Neighbourhood(force, options, oe).rows() + Neighbourhood(force, otherOptions, other).rows()) / 2;
     Eigen::MatrixXd pair(2, rows.cols());
     pair.row(0) = toRow(oe.residual);
     pair.row(1) = toRow(oe.residual) - toRow(other.residual);
@@ -184,30 +218,36 @@ HoldEvidence weighHolds(const std::vector<double>& force, const std::vector<doub
     const Eigen::RowVectorXd velocity = project(rows.bottomRows(1)) * (lagUncertainty_s / unit);
     const Eigen::RowVectorXd e = left.row(0);
     const Eigen::RowVectorXd d = left.row(1);
-    const double ridge = 1 + velocity.squaredNorm();
-    const double squared = d.squaredNorm() - std::pow(d.dot(velocity), 2) / ridge;
-    const double cross = e.dot(d) - e.dot(velocity) * d.dot(velocity) / ridge;
-    if (!std::isfinite(squared) || !std::isfinite(cross))
-        return evidence;
-    evidence.expectedGain = std::max(squared, 0.0) / 2;
-    evidence.gain = cross - squared / 2;
-    evidence.squeezes = 1;
+    evidence.sums = {d.squaredNorm(), e.dot(d), velocity.squaredNorm(), velocity.dot(d), velocity.dot(e)};
+    evaluate(evidence);
+    evidence.squeezes = evidence.gain ? 1 : 0;
     return evidence;
 }
 
 HoldEvidence combine(std::span<const HoldEvidence> squeezes)
 {
-    HoldEvidence sum;
+    HoldEvidence all;
+    if (squeezes.empty())
+        return all;
+    const HoldEvidence& last = squeezes.back();
+    all.declared = last.declared;
+    all.lag_s = last.lag_s;
+    all.lagUncertainty_s = last.lagUncertainty_s;
+    all.parameters = last.parameters;
+    all.otherParameters = last.otherParameters;
     for (const HoldEvidence& one : squeezes) {
-        if (!one.gain || (sum.gain && one.declared != sum.declared))
+        if (!one.gain || !declareTheSame(one, last))
             continue;
-        sum.declared = one.declared;
-        sum.gain = sum.gain.value_or(0) + *one.gain;
-        sum.expectedGain += one.expectedGain;
-        sum.squeezes += one.squeezes;
-        sum.otherParameters = one.otherParameters;
+        all.sums.difference += one.sums.difference;
+        all.sums.residual += one.sums.residual;
+        all.sums.lag += one.sums.lag;
+        all.sums.lagDifference += one.sums.lagDifference;
+        all.sums.lagResidual += one.sums.lagResidual;
+        all.squeezes += one.squeezes;
     }
-    return sum;
+    if (all.squeezes > 0)
+        evaluate(all);
+    return all;
 }
 
 } // namespace gripscope

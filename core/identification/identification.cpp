@@ -10,6 +10,7 @@
 #include "core/identification/validity_checks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -90,6 +91,11 @@ const Estimate* Identification::best() const
     return estimate != nullptr && estimate->parameters ? estimate : nullptr;
 }
 
+const HoldEvidence& Identification::tellingHold() const
+{
+    return holdEvidence.verdict() == HoldVerdict::Contradicts ? holdEvidence : summedHold;
+}
+
 Identification identify(const Recording& recording, const IdentificationOptions& options)
 {
     PreparationOptions preparation;
@@ -98,6 +104,9 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     Identification result;
     result.choice = record.choice;
     result.hold = options.hold.value_or(recording.hold.value_or(ForceHold::First));
+    result.holdEvidence.declared = result.hold;
+    result.holdEvidence.lag_s = record.forceLag_s;
+    result.holdEvidence.lagUncertainty_s = recording.chain.forceLagUncertainty_s;
     result.sampleTime_s = record.sampleTime_s;
     const EstimatorTask task{result.hold, options.initialState == InitialState::Free, options.freeOffset,
                              excitationPeriod(recording)};
@@ -114,6 +123,7 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     if (outputError != nullptr && obstacle == nullptr)
         result.holdEvidence = weighHolds(record.force, record.position, outputErrorOptions(record, task),
                                          *outputError, recording.chain.forceLagUncertainty_s);
+    result.summedHold = combine(std::array{options.earlierHold, result.holdEvidence});
     result.preparation = record.steps;
     result.time_s = record.time_s;
     result.force = record.force;
@@ -128,7 +138,7 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     }
     result.validity.verdict = overallVerdict(result.validity.checks);
     if (const Estimate* const best = result.best(); best != nullptr && options.assess) {
-        result.budget = budgetOf(*best, record, task, result.holdEvidence);
+        result.budget = budgetOf(*best, record, task, result.tellingHold());
         result.validation = validateOnSecondWindow(best->estimator, record, task);
     }
     return result;

@@ -23,6 +23,9 @@ struct IdentificationOptions {
     InitialState initialState = InitialState::Free;
     bool freeOffset = true; ///< a position offset (OE) or a constant column (ARX)
     bool assess = true;     ///< budget, comparison of models and validation, too: about as much work again
+    /// What earlier squeezes of the same device say about the hold. It counts where they declared the same
+    /// hold and lag.
+    HoldEvidence earlierHold;
 };
 
 /// All that was found out about one recording.
@@ -33,8 +36,8 @@ struct Identification {
     std::vector<Estimate> estimates; ///< in the order asked for
     Estimator recommended = Estimator::OutputError;
     Validity validity;
-    /// What output error says about the force hold.
-    HoldEvidence holdEvidence;
+    /// What output error says about the force hold: this squeeze alone, and with the earlier ones.
+    HoldEvidence holdEvidence, summedHold;
     UncertaintyBudget budget;   ///< of the recommended estimate: the intervals to be shown
     ModelComparison comparison; ///< of output error with other models
     /// The recommended estimator on the first part of the record, held against the rest.
@@ -50,6 +53,9 @@ struct Identification {
     /// The recommended estimate, or null when there is none with parameters.
     [[nodiscard]] const Estimate* best() const;
     [[nodiscard]] const Estimate* find(Estimator estimator) const;
+    /// What check and budget go by: this squeeze where it contradicts the declared hold by itself, else the
+    /// sum.
+    [[nodiscard]] const HoldEvidence& tellingHold() const;
 };
 
 /// Prepares the record (preparation.h), runs every estimator asked for, and judges the measurement. Pure;

@@ -128,14 +128,24 @@ QJsonArray toJson(const std::vector<PreparationStep>& steps)
     return array;
 }
 
-QJsonObject toJson(const HoldEvidence& hold)
+/// What the evidence says, of one squeeze or a sum of them.
+QJsonObject gainsOf(const HoldEvidence& hold)
 {
     const bool judged = hold.gain.has_value();
     return {{u"gain"_s, jsonNumber(hold.gain)},
             {u"expected_gain"_s, judged ? jsonNumber(hold.expectedGain) : QJsonValue()},
-            {u"limit"_s, judged ? jsonNumber(hold.limit()) : QJsonValue()},
-            {u"other_parameters"_s,
-             hold.otherParameters ? QJsonValue(byName(hold.otherParameters->vector(), {})) : QJsonValue()}};
+            {u"limit"_s, judged ? jsonNumber(hold.limit()) : QJsonValue()}};
+}
+
+QJsonObject toJson(const HoldEvidence& own, const HoldEvidence& summed)
+{
+    QJsonObject object = gainsOf(own);
+    object.insert(u"other_parameters"_s,
+                  own.otherParameters ? QJsonValue(byName(own.otherParameters->vector(), {})) : QJsonValue());
+    QJsonObject sum = gainsOf(summed);
+    sum.insert(u"squeezes"_s, summed.squeezes);
+    object.insert(u"summed"_s, sum);
+    return object;
 }
 
 } // namespace
@@ -169,7 +179,7 @@ QJsonObject toJson(const Identification& identification, const Recording& record
             {u"derived"_s, toJson(derivedFrom(identification.budget))},
             {u"comparison"_s, toJson(identification.comparison)},
             {u"validation"_s, toJson(identification.validation)},
-            {u"hold"_s, toJson(identification.holdEvidence)},
+            {u"hold"_s, toJson(identification.holdEvidence, identification.summedHold)},
             {u"preparation"_s, toJson(identification.preparation)}};
 }
 

@@ -140,7 +140,6 @@ UncertaintyBudget uncertaintyBudget(const Estimate& estimate, const std::vector<
     const Eigen::Vector3d measured = estimate.parameters->vector();
     append(budget.lines, noiseLines(estimate, record, options, budgetOptions.forceNoiseDeviation));
     append(budget.lines, effectLines(measured, record, chain));
-    append(budget.lines, holdLines(measured, budgetOptions.hold, misfit));
     append(budget.lines, discrepancyLines(measured, budgetOptions.discrepancy, misfit));
 
     Eigen::Vector3d own = measured;
@@ -150,6 +149,10 @@ UncertaintyBudget uncertaintyBudget(const Estimate& estimate, const std::vector<
         own -= Eigen::Vector3d::Map(chain.baseline->parameters.data());
     }
     append(budget.lines, calibrationLines(own, chain));
+    Eigen::Matrix3d others = Eigen::Matrix3d::Zero();
+    for (const BudgetLine& line : budget.lines)
+        others += line.covariance;
+    append(budget.lines, holdLines(measured, budgetOptions.hold, budgetOptions.coverage, misfit, others));
     const bool needsRecord = chain.forceLagUncertainty_s > 0 || chain.frameComplianceUncertainty > 0;
     if (needsRecord && budget.find(u"lag"_s) == nullptr && budget.find(u"frame_compliance"_s) == nullptr)
         budget.message = u"what the lag and the frame's compliance do could not be computed"_s;

@@ -89,8 +89,10 @@ struct BudgetOptions {
 ///   adds (a declared compliance was taken off the position before the estimate);
 /// - calibration: m, b, k are proportional to force over position, exactly; after the baseline, which the
 ///   same channels measured;
-/// - hold: the difference to the parameters under the other hold as the half-width of a rectangle (4.3.7),
-///   narrowed as the record tells the holds apart: the variance counts min(1, 2 probability);
+/// - hold: so much that the interval reaches the parameters under the other hold. With coverage 1 - 2 q and a
+///   probability P of the other hold those are missed with probability q / P when they are true; a P of q
+///   needs no line. As P comes from a likelihood ratio, 1 / P is 2 on average where the other hold is true:
+///   the interval covers under either hold, however well the record tells them apart;
 /// - baseline: subtracted, its variances added.
 /// A line appears for every effect that is there. Intervals are symmetric in the logarithm, which positive
 /// parameters with relative uncertainties suit better and where a scale error is exact, but symmetric after

@@ -218,23 +218,55 @@ ValidityCheck feedback(const Estimate& estimate)
                         "with a repeated excitation and use periodic, or control the force less stiffly"_s);
 }
 
+/// "gripper SERIAL" where the recording names one.
+QString gripperOf(const Recording& recording)
+{
+    const QString serial = recording.provenance.value(u"serial"_s);
+    return serial.isEmpty() ? u"the gripper"_s : u"gripper "_s + serial;
+}
+
+/// A contradiction: what speaks against the declared hold, where, and what to do.
+QString contradictedHold(const Identification& data, const Recording& recording, const QString& name,
+                         const QString& other)
+{
+    const HoldEvidence& telling = data.tellingHold();
+    if (telling.squeezes < 2)
+        return u"the position fits the force hold %1 clearly better than %2, which was used: m and b are "
+               u"off. "
+               "Name the right hold, or check the lag between the channels."_s.arg(other, name);
+    QString words = u"over %1 squeezes with %2 the position fits the force hold %3 clearly better than %4, "
+                    u"which was used: m "
+                    "and b of this squeeze are off, and those of the earlier ones too. Name the right hold, "
+                    "or measure the "
+                    "lag between the channels, and identify them again."_s.arg(telling.squeezes)
+                        .arg(gripperOf(recording), other, name);
+    if (data.holdEvidence.verdict() == HoldVerdict::Agrees)
+        words += u" This squeeze alone agrees with %1: see whether the gripper was changed in between."_s.arg(
+            name);
+    return words;
+}
+
 ValidityCheck hold(const Identification& data, const Recording& recording,
                    const IdentificationOptions& options)
 {
+    const HoldEvidence& telling = data.tellingHold();
     ValidityCheck check;
     check.id = u"hold"_s;
-    check.value = data.holdEvidence.gain;
-    check.limit = data.holdEvidence.limit();
-    const HoldVerdict verdict = data.holdEvidence.verdict();
+    check.value = telling.gain;
+    check.limit = telling.limit();
+    const HoldVerdict verdict = telling.verdict();
     check.ok = verdict != HoldVerdict::Contradicts;
     const QString name = toString(data.hold);
     const QString other = toString(data.hold == ForceHold::Zero ? ForceHold::First : ForceHold::Zero);
+    const bool several = telling.squeezes > 1;
     if (!check.ok)
-        check.message =
-            u"the position fits the force hold %1 clearly better than %2, which was used: m and b are off. "
-            "Name the right hold, or check the lag between the channels."_s.arg(other, name);
+        check.message = contradictedHold(data, recording, name, other);
     else if (verdict == HoldVerdict::Agrees)
-        check.message = u"the position agrees with the force hold %1 and not with %2"_s.arg(name, other);
+        check.message =
+            several ? u"over %1 squeezes with %2 the position agrees with the force hold %3 and not with %4"_s
+                          .arg(telling.squeezes)
+                          .arg(gripperOf(recording), name, other)
+                    : u"the position agrees with the force hold %1 and not with %2"_s.arg(name, other);
     else if (options.hold)
         check.message = u"the force hold %1 was asked for"_s.arg(name);
     else if (recording.hold)
@@ -242,7 +274,9 @@ ValidityCheck hold(const Identification& data, const Recording& recording,
     else
         check.message = u"the recording names no force hold; %1 was assumed"_s.arg(name);
     if (verdict == HoldVerdict::Ambiguous)
-        check.message += u"; this record cannot tell it from %1"_s.arg(other);
+        check.message +=
+            several ? u"; %1 squeezes together cannot tell it from %2"_s.arg(telling.squeezes).arg(other)
+                    : u"; this record cannot tell it from %1"_s.arg(other);
     return check;
 }
 
