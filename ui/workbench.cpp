@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench.h"
 
+#include "core/session/stored_chain.h"
 #include "devices/gripper_factory.h"
 
 #include <QPointer>
@@ -229,7 +230,7 @@ void Workbench::applyMeasuringChain(const QString& serial)
             if (!found)
                 return report(found.error().describe());
             if (*found && d->seen.serial == serial)
-                d->connection.setMeasuringChain((*found)->forceLag_s, (*found)->chain);
+                putInForce(d->connection, **found);
         });
 }
 

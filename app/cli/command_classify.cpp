@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/chain_library.h"
 #include "app/cli/commands.h"
 #include "app/cli/drive.h"
 #include "app/cli/exit_code.h"
@@ -23,7 +24,7 @@ constexpr double patience_s = 600;
 class Classification {
 public:
     Classification(const QString& library, const IdentificationOptions& options, const VerdictOptions& rates)
-        : m_library(library), m_connection(m_devices), m_session(m_connection, m_library)
+        : m_chains(library), m_library(library), m_connection(m_devices), m_session(m_connection, m_library)
     {
         m_session.setStoring(false);
         m_session.setIdentificationOptions(options);
@@ -42,6 +43,7 @@ public:
         Expected<Recording> recording = readRecordingCsv(file, reading);
         if (!recording)
             return tl::unexpected<Error>(recording.error());
+        m_chains.complete(*recording, file);
         if (const Expected<void> taken = m_session.judgeRecording(std::move(*recording), file); !taken)
             return tl::unexpected<Error>(taken.error());
         if (const std::optional<Error> error =
@@ -58,6 +60,7 @@ private:
         return m_session.lastError();
     }
 
+    ChainLibrary m_chains;
     DeviceFactory m_devices;
     LibraryService m_library;
     ConnectSession m_connection; // stays unconnected: the squeezes come from files

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/chain_library.h"
 #include "app/cli/commands.h"
 #include "app/cli/drive.h"
 #include "app/cli/exit_code.h"
@@ -33,7 +34,7 @@ FileOutcome rejected(const Error& error)
 class Enrollment {
 public:
     Enrollment(const QString& library, const IdentificationOptions& options)
-        : m_library(library), m_connection(m_devices), m_session(m_connection, m_library)
+        : m_chains(library), m_library(library), m_connection(m_devices), m_session(m_connection, m_library)
     {
         m_session.setIdentificationOptions(options);
     }
@@ -53,6 +54,7 @@ public:
         Expected<Recording> recording = readRecordingCsv(file, reading);
         if (!recording)
             return rejected(recording.error());
+        m_chains.complete(*recording, file);
         if (const Expected<void> taken = m_session.addRecording(std::move(*recording), file); !taken)
             return rejected(taken.error());
         if (const std::optional<Error> error = waitFor(EnrollSession::Activity::Identifying))
@@ -84,6 +86,7 @@ private:
         return m_session.lastError();
     }
 
+    ChainLibrary m_chains;
     DeviceFactory m_devices;
     LibraryService m_library;
     ConnectSession m_connection; // stays unconnected: the squeezes come from files

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/chain_library.h"
 #include "app/cli/commands.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/identification_text.h"
@@ -6,6 +7,7 @@
 #include "app/cli/shared_options.h"
 #include "core/identification/identification_json.h"
 #include "core/identification/validation_records.h"
+#include "core/session/hold_history.h"
 
 #include <algorithm>
 
@@ -47,20 +49,31 @@ struct OtherSqueeze {
     Recording recording;
 };
 
-Exit identifyFile(const QString& file, const CsvReadOptions& reading, const IdentificationOptions& options,
-                  const std::optional<OtherSqueeze>& other, bool json)
+/// What the files have in common: what is known of their grippers, what those before say of the hold, and the
+/// squeeze to validate on.
+struct Files {
+    ChainLibrary chains;
+    HoldHistory holds;
+    std::optional<OtherSqueeze> other;
+};
+
+Exit identifyFile(const QString& file, const CsvReadOptions& reading, IdentificationOptions options,
+                  Files& files, bool json)
 {
-    const Expected<Recording> recording = readRecordingCsv(file, reading);
+    Expected<Recording> recording = readRecordingCsv(file, reading);
     if (!recording) {
         message(u"gripscope-cli: "_qs + recording.error().describe());
         if (json)
             printJson(errorDocument(file, recording.error()));
         return exitFor(recording.error());
     }
+    files.chains.complete(*recording, file);
+    options.earlierHold = files.holds.before(*recording, options);
     Identification identification = identify(*recording, options);
-    if (const Estimate* best = identification.best(); best != nullptr && other)
+    files.holds.add(*recording, identification);
+    if (const Estimate* best = identification.best(); best != nullptr && files.other)
         identification.validation =
-            validateOnRecording(*best, *recording, other->recording, other->file, options);
+            validateOnRecording(*best, *recording, files.other->recording, files.other->file, options);
     if (json)
         printJson(toJson(identification, *recording, file));
     else
@@ -72,9 +85,11 @@ Exit identifyFile(const QString& file, const CsvReadOptions& reading, const Iden
 
 int runIdentify(const QStringList& arguments)
 {
-    CommandLine line(u"identify"_qs,
-                     u"Finds m, b and k, with their errors, in recordings of force and position."_qs,
-                     u"FILE..."_qs);
+    CommandLine line(
+        u"identify"_qs,
+        u"Finds m, b and k, with their errors, in recordings of force and position. Several files "
+        "of one gripper tell together how it holds its force."_qs,
+        u"FILE..."_qs);
     line.option(u"estimator"_qs, u"LIST"_qs,
                 u"Estimators, separated by commas: %1; all means every one of these."_qs.arg(
                     estimatorNames().join(u", "_qs)),
@@ -83,6 +98,7 @@ int runIdentify(const QStringList& arguments)
                 u"Another squeeze, to hold the estimate against: only its start and offset are fitted anew. "
                 u"Without it the first 60 % of each record are held against the rest."_qs);
     addReadingOptions(line);
+    addLibraryOption(line);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
     const CsvReadOptions reading = csvReadOptions(line);
@@ -93,17 +109,21 @@ int runIdentify(const QStringList& arguments)
     if (!chosen)
         return fail(chosen.error());
     options.estimators = *chosen;
-    std::optional<OtherSqueeze> other;
+    const Expected<QString> library = namedLibraryFile(line);
+    if (!library)
+        return fail(library.error(), line.isSet(u"json"_qs));
+    Files files{ChainLibrary(*library), {}, {}};
     if (const QString file = line.text(u"validate"_qs); !file.isEmpty()) {
         Expected<Recording> recording = readRecordingCsv(file, reading);
         if (!recording)
             return fail(recording.error(), line.isSet(u"json"_qs));
-        other = OtherSqueeze{file, std::move(*recording)};
+        files.chains.complete(*recording, file);
+        files.other = OtherSqueeze{file, std::move(*recording)};
     }
 
     ExitCode exit;
     for (const QString& file : line.files())
-        exit.add(identifyFile(file, reading, options, other, line.isSet(u"json"_qs)));
+        exit.add(identifyFile(file, reading, options, files, line.isSet(u"json"_qs)));
     return exit.value();
 }
 

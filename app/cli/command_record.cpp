@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/chain_library.h"
 #include "app/cli/commands.h"
 #include "app/cli/drive.h"
 #include "app/cli/exit_code.h"
@@ -59,7 +60,11 @@ QString person()
 /// connection closes.
 class Recorder {
 public:
-    Recorder() : m_connection(m_devices), m_job(m_connection) { m_job.setOperator(person()); }
+    explicit Recorder(const QString& library)
+        : m_chains(library), m_connection(m_devices), m_job(m_connection)
+    {
+        m_job.setOperator(person());
+    }
     ~Recorder()
     {
         m_job.cancel();
@@ -73,6 +78,7 @@ public:
             return tl::unexpected<Error>(started.error());
         if (const std::optional<Error> error = open())
             return tl::unexpected<Error>(*error);
+        takeKnownChain();
         const Expected<void> started = request.arm ? squeeze(request) : m_job.listen(request.seconds);
         if (!started)
             return tl::unexpected<Error>(started.error());
@@ -114,6 +120,18 @@ private:
             Error{ErrorCode::DeviceLost, {m_connection.address(), u"it did not open"_qs}});
     }
 
+    /// The recording gets what was measured of this gripper's channels.
+    void takeKnownChain()
+    {
+        const QString serial = m_connection.identity().serial;
+        const std::optional<MeasuringChainRecord> known = m_chains.find(serial);
+        if (!known)
+            return;
+        putInForce(m_connection, *known);
+        message(
+            u"The recording has the measuring chain of gripper %1; lag %2."_qs.arg(serial, lagText(*known)));
+    }
+
     Expected<void> squeeze(const Request& request)
     {
         const GripperIdentity device = m_connection.identity();
@@ -142,6 +160,7 @@ private:
         return m_job.start(excitation, {largest_N, device.limits.maxTravel_m});
     }
 
+    ChainLibrary m_chains;
     DeviceFactory m_devices;
     ConnectSession m_connection;
     SqueezeJob m_job;
@@ -189,6 +208,7 @@ void addOptions(CommandLine& line)
                 u"0.005"_qs);
     line.flag(u"arm"_qs,
               u"Arms the gripper and squeezes; without it nothing moves, and the program only listens."_qs);
+    addLibraryOption(line);
     line.shortOption(u'o', u"output"_qs, u"FILE"_qs, u"The recording to write."_qs);
 }
 
@@ -198,7 +218,7 @@ int runRecord(const QStringList& arguments)
 {
     CommandLine line(
         u"record"_qs,
-        u"Records force and position from a gripper. Ctrl-C stops the gripper and writes nothing."_qs);
+        u"Records force and position from a gripper, with what the library knows of its channels. Ctrl-C stops the gripper and writes nothing."_qs);
     addOptions(line);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
@@ -207,8 +227,12 @@ int runRecord(const QStringList& arguments)
         return *exit;
     const bool json = line.isSet(u"json"_qs);
 
+    const Expected<QString> library = namedLibraryFile(line);
+    if (!library)
+        return fail(library.error(), json);
+
     catchInterrupts();
-    Recorder recorder;
+    Recorder recorder(*library);
     const Expected<Recording> recording = recorder.record(request);
     if (!recording)
         return fail(recording.error(), json);

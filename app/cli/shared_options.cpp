@@ -3,6 +3,8 @@
 
 #include "core/store/library.h"
 
+#include <QFileInfo>
+
 namespace gripscope::cli {
 
 using namespace Qt::StringLiterals;
@@ -87,6 +89,14 @@ Expected<QString> libraryFile(const CommandLine& line)
     if (line.isSet(u"library"_qs) && name.isEmpty())
         return failure(ErrorCode::Usage, {u"--library needs the name of a file."_qs});
     return name.isEmpty() ? Library::defaultFile() : name;
+}
+
+Expected<QString> namedLibraryFile(const CommandLine& line)
+{
+    Expected<QString> file = libraryFile(line);
+    if (file && line.isSet(u"library"_qs) && !QFileInfo::exists(*file))
+        return failure(ErrorCode::StorageOpen, {*file, u"there is no such file"_qs});
+    return file;
 }
 
 } // namespace gripscope::cli

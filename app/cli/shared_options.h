@@ -22,5 +22,7 @@ void addExcitationKind(CommandLine& line);
 /// `--library DB`, the user's own file without it.
 void addLibraryOption(CommandLine& line);
 [[nodiscard]] Expected<QString> libraryFile(const CommandLine& line);
+/// The same where nothing is to be made: StorageOpen for a file that was named and is not there.
+[[nodiscard]] Expected<QString> namedLibraryFile(const CommandLine& line);
 
 } // namespace gripscope::cli

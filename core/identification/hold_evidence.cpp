@@ -135,11 +135,6 @@ void evaluate(HoldEvidence& evidence)
     evidence.gain = cross - squared / 2;
 }
 
-bool declareTheSame(const HoldEvidence& a, const HoldEvidence& b)
-{
-    return a.declared == b.declared && a.lag_s == b.lag_s && a.lagUncertainty_s == b.lagUncertainty_s;
-}
-
 } // namespace
 
 double HoldEvidence::otherProbability() const
@@ -150,6 +145,11 @@ double HoldEvidence::otherProbability() const
 double HoldEvidence::limit() const
 {
     return expectedGain > tellableGain ? enoughGain : clearGain;
+}
+
+bool HoldEvidence::declaresAs(const HoldEvidence& other) const
+{
+    return declared == other.declared && lag_s == other.lag_s && lagUncertainty_s == other.lagUncertainty_s;
 }
 
 HoldVerdict HoldEvidence::verdict() const
@@ -236,7 +236,7 @@ HoldEvidence combine(std::span<const HoldEvidence> squeezes)
     all.parameters = last.parameters;
     all.otherParameters = last.otherParameters;
     for (const HoldEvidence& one : squeezes) {
-        if (!one.gain || !declareTheSame(one, last))
+        if (!one.gain || !one.declaresAs(last))
             continue;
         all.sums.difference += one.sums.difference;
         all.sums.residual += one.sums.residual;

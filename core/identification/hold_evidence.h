@@ -58,6 +58,8 @@ struct HoldEvidence {
     [[nodiscard]] HoldVerdict verdict() const;
     /// The gain above which the verdict is Contradicts.
     [[nodiscard]] double limit() const;
+    /// The same hold, lag and uncertainty of the lag are declared: only then does the evidence add up.
+    [[nodiscard]] bool declaresAs(const HoldEvidence& other) const;
 };
 
 /// `oe` is the estimate by output error under `options`. Nothing is judged for an estimate that did not

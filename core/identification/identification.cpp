@@ -91,9 +91,20 @@ const Estimate* Identification::best() const
     return estimate != nullptr && estimate->parameters ? estimate : nullptr;
 }
 
+HoldEvidence holdDeclaration(const Recording& recording, const IdentificationOptions& options)
+{
+    HoldEvidence declaration;
+    declaration.declared = options.hold.value_or(recording.hold.value_or(ForceHold::First));
+    declaration.lag_s = recording.forceLag_s;
+    declaration.lagUncertainty_s = recording.chain.forceLagUncertainty_s;
+    return declaration;
+}
+
 const HoldEvidence& Identification::tellingHold() const
 {
-    return holdEvidence.verdict() == HoldVerdict::Contradicts ? holdEvidence : summedHold;
+    const bool alone = holdEvidence.verdict() == HoldVerdict::Contradicts &&
+                       summedHold.verdict() != HoldVerdict::Contradicts;
+    return alone ? holdEvidence : summedHold;
 }
 
 Identification identify(const Recording& recording, const IdentificationOptions& options)
@@ -103,10 +114,8 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     const PreparedRecord record = prepare(recording, preparation);
     Identification result;
     result.choice = record.choice;
-    result.hold = options.hold.value_or(recording.hold.value_or(ForceHold::First));
-    result.holdEvidence.declared = result.hold;
-    result.holdEvidence.lag_s = record.forceLag_s;
-    result.holdEvidence.lagUncertainty_s = recording.chain.forceLagUncertainty_s;
+    result.holdEvidence = holdDeclaration(recording, options);
+    result.hold = result.holdEvidence.declared;
     result.sampleTime_s = record.sampleTime_s;
     const EstimatorTask task{result.hold, options.initialState == InitialState::Free, options.freeOffset,
                              excitationPeriod(recording)};

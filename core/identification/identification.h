@@ -25,8 +25,11 @@ struct IdentificationOptions {
     bool assess = true;     ///< budget, comparison of models and validation, too: about as much work again
     /// What earlier squeezes of the same device say about the hold. It counts where they declared the same
     /// hold and lag.
-    HoldEvidence earlierHold;
+    HoldEvidence earlierHold = {};
 };
+
+/// Hold, lag and its uncertainty as identify() takes them to be declared: evidence that says nothing yet.
+[[nodiscard]] HoldEvidence holdDeclaration(const Recording& recording, const IdentificationOptions& options);
 
 /// All that was found out about one recording.
 struct Identification {
@@ -53,8 +56,7 @@ struct Identification {
     /// The recommended estimate, or null when there is none with parameters.
     [[nodiscard]] const Estimate* best() const;
     [[nodiscard]] const Estimate* find(Estimator estimator) const;
-    /// What check and budget go by: this squeeze where it contradicts the declared hold by itself, else the
-    /// sum.
+    /// What check and budget go by: the sum, or this squeeze where it alone contradicts the declared hold.
     [[nodiscard]] const HoldEvidence& tellingHold() const;
 };
 

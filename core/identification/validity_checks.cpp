@@ -218,11 +218,11 @@ ValidityCheck feedback(const Estimate& estimate)
                         "with a repeated excitation and use periodic, or control the force less stiffly"_s);
 }
 
-/// "gripper SERIAL" where the recording names one.
-QString gripperOf(const Recording& recording)
+/// " with gripper SERIAL" where the recording names one.
+QString withGripper(const Recording& recording)
 {
     const QString serial = recording.provenance.value(u"serial"_s);
-    return serial.isEmpty() ? u"the gripper"_s : u"gripper "_s + serial;
+    return serial.isEmpty() ? QString() : u" with gripper "_s + serial;
 }
 
 /// A contradiction: what speaks against the declared hold, where, and what to do.
@@ -234,12 +234,12 @@ QString contradictedHold(const Identification& data, const Recording& recording,
         return u"the position fits the force hold %1 clearly better than %2, which was used: m and b are "
                u"off. "
                "Name the right hold, or check the lag between the channels."_s.arg(other, name);
-    QString words = u"over %1 squeezes with %2 the position fits the force hold %3 clearly better than %4, "
+    QString words = u"over %1 squeezes%2 the position fits the force hold %3 clearly better than %4, "
                     u"which was used: m "
                     "and b of this squeeze are off, and those of the earlier ones too. Name the right hold, "
                     "or measure the "
                     "lag between the channels, and identify them again."_s.arg(telling.squeezes)
-                        .arg(gripperOf(recording), other, name);
+                        .arg(withGripper(recording), other, name);
     if (data.holdEvidence.verdict() == HoldVerdict::Agrees)
         words += u" This squeeze alone agrees with %1: see whether the gripper was changed in between."_s.arg(
             name);
@@ -263,9 +263,9 @@ ValidityCheck hold(const Identification& data, const Recording& recording,
         check.message = contradictedHold(data, recording, name, other);
     else if (verdict == HoldVerdict::Agrees)
         check.message =
-            several ? u"over %1 squeezes with %2 the position agrees with the force hold %3 and not with %4"_s
+            several ? u"over %1 squeezes%2 the position agrees with the force hold %3 and not with %4"_s
                           .arg(telling.squeezes)
-                          .arg(gripperOf(recording), name, other)
+                          .arg(withGripper(recording), name, other)
                     : u"the position agrees with the force hold %1 and not with %2"_s.arg(name, other);
     else if (options.hold)
         check.message = u"the force hold %1 was asked for"_s.arg(name);

@@ -3,6 +3,7 @@
 
 #include "core/session/comparable_units.h"
 #include "core/session/enrollment_storage.h"
+#include "core/session/hold_history.h"
 #include "core/session/library_answer.h"
 
 #include <algorithm>
@@ -96,7 +97,13 @@ void EnrollSession::Private::identify(Recording recording, const QString& from)
     source = from;
     error.reset();
     activity = Activity::Identifying;
-    task.start(std::move(recording), options);
+    HoldHistory history;
+    for (const EnrollSqueeze& earlier : squeezes)
+        if (earlier.decision == Decision::Accepted)
+            history.add(earlier.recording, earlier.identification);
+    IdentificationOptions withEarlier = options;
+    withEarlier.earlierHold = history.before(recording, options);
+    task.start(std::move(recording), withEarlier);
 }
 
 void EnrollSession::Private::identified(Identification identification)

@@ -30,6 +30,8 @@ struct EnrollSqueeze {
 /// reads or writes the library (setRecipe, accept, drop, approve) is Storing until a later poll() has the
 /// answer; the step or the decision changes then, or lastError() says why not.
 ///
+/// The accepted squeezes of this session tell together how a gripper holds its force (hold_evidence.h).
+///
 /// A name that the library knows is resumed, with the recipe it has. A new type comes into the library with
 /// its first accepted squeeze, in the units of that squeeze.
 class EnrollSession {

@@ -3,6 +3,7 @@
 
 #include "core/session/comparable_units.h"
 #include "core/session/enrollment_storage.h"
+#include "core/session/hold_history.h"
 #include "core/session/library_answer.h"
 #include "core/signal/units.h"
 
@@ -89,6 +90,7 @@ struct InspectSession::Private {
     State state = State::Loading;
     Loaded loaded;
     Recording measured; // what is being identified
+    HoldHistory holds;
     QString source, measuredExpectedType;
     std::uint64_t squeezes = 0;
     std::optional<Result> result;
@@ -163,11 +165,14 @@ void InspectSession::Private::identify(Recording recording, const QString& from)
     state = State::Judging;
     measured = recording;
     source = from;
-    task.start(std::move(recording), options);
+    IdentificationOptions withEarlier = options;
+    withEarlier.earlierHold = holds.before(recording, options);
+    task.start(std::move(recording), withEarlier);
 }
 
 void InspectSession::Private::judgeIt(Identification identification)
 {
+    holds.add(measured, identification);
     const Expected<ComparableTypes::Choice> choice =
         loaded.comparable.modelsFor(measured.forceUnit, measured.positionUnit);
     if (!choice)

@@ -21,6 +21,9 @@ enum class InspectionOutcome { AsExpected, OtherType, Unknown, Inconclusive, Not
 ///
 ///     Loading -> Ready -> Squeezing -> Judging -> Ready (result()) ...
 ///
+/// The squeezes of a session tell together how a gripper holds its force (hold_evidence.h); what was judged
+/// before stays as it was.
+///
 /// The verdict is shown as soon as it is known; storing goes on behind it, and a failure to store is
 /// lastError().
 class InspectSession {

@@ -107,6 +107,8 @@ Expected<void> RecordingParser::readSetting(std::string_view key, std::string_vi
         if (!lag)
             return m_lines.bad(1, u"found the force lag "_s + quoted(value), u"expected seconds"_s);
         m_recording.forceLag_s = *lag;
+        if (*lag == 0)
+            m_recording.provenance.insert(forceLagSourceKey(), u"stated"_s);
     } else if (key == "force_hold") {
         m_recording.hold = forceHoldFromString(text(value));
         if (!m_recording.hold)

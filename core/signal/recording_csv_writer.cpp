@@ -43,9 +43,11 @@ void appendHead(QByteArray& text, const Recording& recording)
     appendSetting(text, QStringLiteral("position_unit"), recording.positionUnit);
     if (recording.hold)
         appendSetting(text, QStringLiteral("force_hold"), toString(*recording.hold));
-    text += "# force_lag_s: ";
-    append(text, recording.forceLag_s);
-    text += '\n';
+    if (recording.forceLag_s != 0 || recording.provenance.contains(forceLagSourceKey())) {
+        text += "# force_lag_s: ";
+        append(text, recording.forceLag_s);
+        text += '\n';
+    }
     text += measuringChainLines(recording.chain);
     for (auto it = recording.provenance.begin(); it != recording.provenance.end(); ++it)
         appendSetting(text, it.key(), it.value());

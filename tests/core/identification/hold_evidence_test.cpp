@@ -6,7 +6,7 @@
 #include <QTest>
 #include <boost/math/distributions/binomial.hpp>
 
-#include <limits>
+#include <array>
 
 using namespace gripscope;
 using test::Synthetic;
@@ -129,6 +129,73 @@ private slots:
         QVERIFY(combine(right).verdict() == HoldVerdict::Agrees);
         QVERIFY(combine({}).verdict() == HoldVerdict::NotJudged);
         QCOMPARE(combine({}).otherProbability(), 0.5);
+    }
+    void whatWasDeclaredOtherwiseDoesNotCount()
+    {
+        const Recording recording = object(90, ForceHold::Zero, 1).make();
+        const HoldEvidence last = weigh(recording, ForceHold::Zero);
+        HoldEvidence otherLag = last;
+        otherLag.lag_s = 1e-4;
+        HoldEvidence otherUncertainty = last;
+        otherUncertainty.lagUncertainty_s = 1e-4;
+        const HoldEvidence all = combine(
+            std::array{weigh(recording, ForceHold::First), otherLag, otherUncertainty, HoldEvidence(), last});
+        QCOMPARE(all.squeezes, 1);
+        QCOMPARE(*all.gain, *last.gain);
+        QVERIFY(all.otherParameters);
+        // A last squeeze that says nothing leaves what the earlier ones said.
+        HoldEvidence silent;
+        silent.declared = ForceHold::Zero;
+        const HoldEvidence kept = combine(std::array{last, silent});
+        QCOMPARE(*kept.gain, *last.gain);
+        QVERIFY(!kept.otherParameters);
+    }
+    void aLagThatAllSqueezesShareBoundsWhatTheyCanTell()
+    {
+        // The other hold is half a sample of lag, T/2. Known to u, however many squeezes there are, that is
+        // worth (T / 2u)^2 / 2 = 3.1 for u = T/5; a hundredth more comes from where the holds differ
+        // otherwise.
+        std::vector<HoldEvidence> squeezes;
+        for (std::uint64_t seed = 1; seed <= 30; ++seed)
+            squeezes.push_back(weigh(object(90, ForceHold::Zero, seed).make(), ForceHold::Zero, 0.01));
+        const HoldEvidence all = combine(squeezes);
+        QCOMPARE(all.squeezes, 30);
+        QVERIFY2(all.expectedGain < 3.5, qPrintable(QString::number(all.expectedGain)));
+        QVERIFY(all.expectedGain > squeezes.front().expectedGain);
+        QVERIFY(all.verdict() == HoldVerdict::Ambiguous);
+    }
+    void aRightHoldIsSeldomAccusedHoweverOftenTheSumIsLookedAt()
+    {
+        // At most 1.2 % of sessions by the law of the random walk; sums of ten squeezes each, looked at after
+        // every one.
+        constexpr int sessions = 60;
+        int accused = 0;
+        for (int session = 0; session < sessions; ++session) {
+            HoldEvidence sum;
+            bool ever = false;
+            for (int squeeze = 0; squeeze < 10; ++squeeze) {
+                const auto seed = std::uint64_t(100 * session + squeeze) + 1;
+                const Recording recording = object(88, ForceHold::Zero, seed).make();
+                sum = combine(std::array{sum, weigh(recording, ForceHold::Zero)});
+                ever = ever || sum.verdict() == HoldVerdict::Contradicts;
+            }
+            accused += ever ? 1 : 0;
+            QVERIFY(sum.verdict() == HoldVerdict::Agrees);
+        }
+        const boost::math::binomial alarms(sessions, 0.012);
+        QVERIFY2(accused <= boost::math::quantile(boost::math::complement(alarms, 1e-3)),
+                 qPrintable(QString::number(accused)));
+    }
+    void eitherDeclarationSaysTheSame()
+    {
+        for (const double lagUncertainty_s : {0.0, 0.01}) {
+            const Recording recording = object(92, ForceHold::Zero, 5).make();
+            const HoldEvidence zero = weigh(recording, ForceHold::Zero, lagUncertainty_s);
+            const HoldEvidence first = weigh(recording, ForceHold::First, lagUncertainty_s);
+            // Both searches end within about 1e-6 of their minimum.
+            QVERIFY(std::abs(*zero.gain + *first.gain) < 1e-3 * zero.expectedGain);
+            QVERIFY(std::abs(zero.expectedGain - first.expectedGain) < 1e-3 * zero.expectedGain);
+        }
     }
     void scaleDoesNotMatter()
     {

@@ -266,6 +266,14 @@ private slots:
             uncertaintyBudget(e, recording.force, recording.position, options, {}, ambiguous);
         for (std::size_t i = 0; i < 3; ++i)
             QVERIFY(covers(wide.intervals[i], other.parameters->vector()(static_cast<Eigen::Index>(i))));
+        // At a probability of one half nineteen of twenty values about the other mean lie within: 1.645
+        // standard errors beyond it, which a share or a logarithm measures alike to a percent.
+        const double m = e.parameters->m;
+        const double away = std::abs(std::log(other.parameters->m / m));
+        const double error = (*e.standardErrors())(0) / m;
+        const double reach = std::log(wide.intervals[0].upper / m);
+        QVERIFY2(std::abs(reach - away - 1.645 * error) < 0.15 * error + 0.5 * away * away,
+                 qPrintable(QStringLiteral("%1 %2 %3").arg(reach).arg(away).arg(error)));
         ambiguous.hold->probability = 1e-6;
         const UncertaintyBudget settled =
             uncertaintyBudget(e, recording.force, recording.position, options, {}, ambiguous);

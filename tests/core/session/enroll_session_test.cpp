@@ -59,6 +59,26 @@ private:
 private slots:
     void init() { m_folder = std::make_unique<QTemporaryDir>(); }
 
+    void acceptedSqueezesTellTheHoldTogether()
+    {
+        Run run(file());
+        QVERIFY(run.begin(QStringLiteral("A")));
+        const auto squeezesSummed = [&run] {
+            return run.enrollment.squeezes().back().identification.summedHold.squeezes;
+        };
+        QVERIFY(run.addAndAccept(squeezeOf(canA, 1)));
+        QCOMPARE(squeezesSummed(), 1);
+        QVERIFY(run.enrollment.addRecording(squeezeOf(canA, 2), QStringLiteral("2.csv")));
+        QVERIFY(run.waitFor(Activity::Deciding));
+        QCOMPARE(squeezesSummed(), 2);
+        QVERIFY(run.enrollment.reject(QStringLiteral("slipped")));
+        QVERIFY(run.addAndAccept(squeezeOf(canA, 3)));
+        QCOMPARE(squeezesSummed(), 2); // the rejected one does not count
+        Recording elsewhere = squeezeOf(canA, 4);
+        elsewhere.provenance.insert(QStringLiteral("serial"), QStringLiteral("G-2"));
+        QVERIFY(run.addAndAccept(elsewhere));
+        QCOMPARE(squeezesSummed(), 1);
+    }
     void fromNameToApprovalWithSqueezesFromTheGripper()
     {
         Run run(file());

@@ -151,6 +151,20 @@ private slots:
         QCOMPARE(run.inspection.result()->number, qint64(2));
         QCOMPARE(run.inspection.counts().total, qint64(2));
     }
+    void squeezesOfOneGripperTellTheHoldTogether()
+    {
+        Run run(m_file);
+        QVERIFY(run.ready());
+        const std::pair<const char*, int> squeezes[] = {{"G-1", 1}, {"G-1", 2}, {"G-2", 1}, {"G-1", 3}};
+        std::uint64_t seed = 0;
+        for (const auto& squeeze : squeezes) {
+            Recording recording = squeezeOf(canA, ++seed);
+            recording.provenance.insert(QStringLiteral("serial"), QString::fromLatin1(squeeze.first));
+            QVERIFY(run.inspection.judgeRecording(recording, QStringLiteral("file.csv")));
+            QVERIFY(run.ready());
+            QCOMPARE(run.inspection.result()->identification.summedHold.squeezes, squeeze.second);
+        }
+    }
     void otherUnitsOfTheSameKindAreConverted()
     {
         Run run(m_file);

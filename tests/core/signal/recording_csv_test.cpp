@@ -45,6 +45,17 @@ CsvReadOptions uAndY()
 class RecordingCsvTest : public QObject {
     Q_OBJECT
 private slots:
+    void aLagOfZeroIsStatedOnlyWhereTheFileNamesIt()
+    {
+        const QByteArray rows = "time_s,force,position\n0,1,2\n0.1,1,2\n0.2,1,2\n";
+        const auto silent = parseRecordingCsv(rows, u"x.csv"_s);
+        QVERIFY(silent && !silent->provenance.contains(forceLagSourceKey()));
+        QVERIFY(!toCsv(*silent).contains("force_lag_s"));
+        const auto stated = parseRecordingCsv("# force_lag_s: 0\n" + rows, u"x.csv"_s);
+        QVERIFY(stated && stated->provenance.contains(forceLagSourceKey()));
+        QVERIFY(toCsv(*stated).contains("# force_lag_s: 0\n"));
+        QVERIFY(*parseRecordingCsv(toCsv(*stated), u"x.csv"_s) == *stated);
+    }
     void everythingReadsBackToTheSameBits()
     {
         const Recording recording = fullRecording();

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/identification.h"
+
+#include <vector>
+
+namespace gripscope {
+
+/// What the squeezes so far say about the force hold, for each gripper (the recording's `serial`; recordings
+/// without one count as one gripper) and each declaration of hold, lag and the lag's uncertainty.
+class HoldHistory {
+public:
+    /// What goes into IdentificationOptions::earlierHold for `recording`.
+    [[nodiscard]] HoldEvidence before(const Recording& recording, const IdentificationOptions& options) const;
+    /// Counts a squeeze, unless its measurement is invalid.
+    void add(const Recording& recording, const Identification& identification);
+
+private:
+    struct Entry {
+        QString serial;
+        HoldEvidence sum;
+    };
+    std::vector<Entry> m_entries;
+};
+
+} // namespace gripscope
