@@ -100,6 +100,8 @@ QJsonObject toJson(const Estimate& e)
                  {u"whiteness_p"_s, jsonNumber(e.residuals.whitenessP)},
                  {u"input_independence_p"_s, jsonNumber(e.residuals.inputIndependenceP)}}},
             {u"noise"_s, toJson(e.noise)},
+            {u"part"_s, QJsonObject{{u"first"_s, static_cast<qint64>(e.part.first)},
+                                    {u"samples"_s, static_cast<qint64>(e.part.count)}}},
             {u"iterations"_s, e.iterations}};
 }
 

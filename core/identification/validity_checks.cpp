@@ -51,6 +51,15 @@ ValidityCheck samplesLost(const Identification& data)
             u"%1 samples are missing in %2 places, too much of the squeeze. Check the cable and the load of "
             "the computer, then squeeze again."_s.arg(choice.lostSamples)
                 .arg(choice.gaps);
+    else if (const Estimate* const best = data.best(); best && best->part.count < data.position.size())
+        check.message = u"%1 samples are missing in %2 places. The estimate (%3) is of the longest stretch "
+                        u"without any, %4 "
+                        "of %5 samples; oe uses all. Check the cable and the load of the computer."_s
+                            .arg(choice.lostSamples)
+                            .arg(choice.gaps)
+                            .arg(toString(best->estimator))
+                            .arg(best->part.count)
+                            .arg(data.position.size());
     else
         check.message =
             u"%1 samples are missing in %2 places. Their forces count as unknown, which the errors "

@@ -142,6 +142,22 @@ private slots:
         QCOMPARE(check(found, u"samples_lost"_s).value.value_or(-1), double(count));
         QCOMPARE(check(found, u"samples_lost"_s).ok, count == 0);
     }
+    void anEstimateOfAPartSaysSo()
+    {
+        Synthetic synthetic = siCan();
+        synthetic.fitPercent = 95;
+        Recording recording = synthetic.make();
+        drop(recording, 1200, 1);
+        IdentificationOptions options;
+        options.estimators = {Estimator::InstrumentalVariables};
+        options.assess = false;
+        const Identification found = identify(recording, options);
+        QVERIFY(found.best());
+        QCOMPARE(found.best()->part, (Window{0, 1200}));
+        QVERIFY2(check(found, u"samples_lost"_s).message.contains(u"1200 of 2000"_s),
+                 qPrintable(check(found, u"samples_lost"_s).message));
+        QVERIFY(!check(identifyByOutputError(recording), u"samples_lost"_s).message.contains(u"longest"_s));
+    }
     void saturationMakesAMeasurementSuspectThenInvalid()
     {
         Synthetic synthetic = siCan();
