@@ -2,9 +2,8 @@
 #include "core/identification/force_noise.h"
 
 #include "core/identification/discretization.h"
+#include "core/identification/error_expansion.h"
 #include "core/identification/noise_model.h"
-
-#include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +22,6 @@ constexpr Eigen::Index longestUsed = 20000;
 constexpr double lowest = -10, highest = 8;
 constexpr int gridPoints = 13;
 constexpr int refinements = 14;
-constexpr double quantile975 = 1.959963984540054; // standard normal, 97.5 %
-constexpr double fewestDegreesOfFreedom = 3;
 
 using Three = std::array<double, 3>;
 
@@ -183,13 +180,6 @@ double mostLikely(const Likelihood& likelihood)
     return 0.5 * (left + right);
 }
 
-Eigen::Vector3d logVariances(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& gains,
-                             const AutoregressiveNoise& noise)
-{
-    const Eigen::MatrixXd spread = gains * spreadUnderNoise(basis, noise) * gains.transpose();
-    return spread.diagonal().array().log();
-}
-
 /// From the curvature of the likelihood, which says how well the ratio is known, and the change of the
 /// variances with it.
 Eigen::Vector3d expansion(const Likelihood& likelihood, double logit, const Eigen::MatrixXd& basis,
@@ -204,14 +194,9 @@ Eigen::Vector3d expansion(const Likelihood& likelihood, double logit, const Eige
     const Eigen::Vector3d slope =
         (logVariances(basis, gains, above.noise) - logVariances(basis, gains, below.noise)) / (2 * step);
     for (Eigen::Index i = 0; i < 3; ++i) {
-        // Var(ln variance) of a chi-square with f degrees of freedom is about 2 / f.
         const double spread =
             curvature > 0 ? slope(i) * slope(i) * 2 / curvature : std::numeric_limits<double>::infinity();
-        double degrees = 2 / spread;
-        if (std::isnan(degrees) || degrees < fewestDegreesOfFreedom)
-            degrees = fewestDegreesOfFreedom;
-        if (degrees < 1e6)
-            factors(i) = boost::math::quantile(boost::math::students_t(degrees), 0.975) / quantile975;
+        factors(i) = errorExpansion(spread);
     }
     return factors;
 }

@@ -2,6 +2,7 @@
 #include "core/identification/orthonormal_rows.h"
 
 #include <cmath>
+#include <utility>
 
 namespace gripscope {
 
@@ -12,9 +13,10 @@ constexpr double newShare = 1e-6;
 OrthonormalRows orthonormalize(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& against)
 {
     const Eigen::Index count = rows.rows();
-    Eigen::VectorXd norms(count);
-    for (Eigen::Index i = 0; i < count; ++i)
-        norms(i) = rows.row(i).norm();
+    Eigen::VectorXd norms = Eigen::VectorXd::Zero(count);
+    for (Eigen::Index t = 0; t < rows.cols(); ++t)
+        norms += rows.col(t).cwiseAbs2();
+    norms = norms.cwiseSqrt().eval();
     const Eigen::VectorXd inverse = norms.unaryExpr(
         [](double n) { return n > 0 && std::isfinite(n) && std::isfinite(1 / n) ? 1 / n : 0.0; });
     Eigen::MatrixXd left = inverse.asDiagonal() * rows;
@@ -44,12 +46,16 @@ OrthonormalRows orthonormalize(const Eigen::MatrixXd& rows, const Eigen::MatrixX
         ++rank;
     }
     const Eigen::MatrixXd triangle = lower.topLeftCorner(rank, rank);
-    out.basis = Eigen::MatrixXd(rank, rows.cols());
     out.factor = triangle;
     out.against = Eigen::MatrixXd(rank, against.rows());
+    if (rank < count) {
+        for (Eigen::Index j = 0; j < rank; ++j)
+            left.row(j) = left.row(out.kept[static_cast<std::size_t>(j)]).eval();
+        left = left.topRows(rank).eval();
+    }
+    out.basis = std::move(left);
     for (Eigen::Index j = 0; j < rank; ++j) {
         const Eigen::Index i = out.kept[static_cast<std::size_t>(j)];
-        out.basis.row(j) = left.row(i);
         out.factor.row(j) *= norms(i);
         out.against.row(j) = norms(i) * coordinates.row(i);
     }

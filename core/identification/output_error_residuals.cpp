@@ -93,13 +93,17 @@ Eigen::Vector3d shiftBy(const OrthonormalRows& extra, const Eigen::RowVectorXd& 
 /// The tests of input, feedback and spring on rows whose noise is white.
 class RegressionTests {
 public:
+    /// `model`: the basis of the sensitivities, for noise that is white already.
     RegressionTests(const OutputErrorProblem& problem, const Eigen::Vector3d& theta,
-                    const OutputErrorRows& data, const AutoregressiveNoise& noise,
+                    const OutputErrorRows& data, OrthonormalRows model, const AutoregressiveNoise& noise,
                     const Eigen::Matrix3d& covariance)
         : m_problem(problem), m_data(data), m_noise(noise), m_theta(theta), m_covariance(covariance),
-          m_residual(whitened(Eigen::MatrixXd(data.residual()), noise)),
-          m_model(orthonormalize(whitened(data.sensitivities(), noise), {}))
+          m_residual(data.residual()), m_model(std::move(model))
     {
+        if (isWhite())
+            return;
+        m_residual = whitened(Eigen::MatrixXd(m_residual), noise);
+        m_model = orthonormalize(whitened(data.sensitivities(), noise), {});
     }
     void run(int fittedNumbers, ResidualSummary& summary) const
     {
@@ -116,23 +120,37 @@ public:
     }
 
 private:
-    [[nodiscard]] OrthonormalRows news(Eigen::MatrixXd rows, const Eigen::MatrixXd& model) const
+    [[nodiscard]] bool isWhite() const { return m_noise.coefficients.empty(); }
+    /// What other regressors, given at every sample, add to the model.
+    [[nodiscard]] OrthonormalRows news(Eigen::MatrixXd series) const
     {
-        return orthonormalize(whitened(m_data.rowsOf(std::move(rows)), m_noise), model);
+        Eigen::MatrixXd rows = m_data.rowsOf(std::move(series));
+        if (!isWhite())
+            rows = whitened(rows, m_noise);
+        return orthonormalize(rows, m_model.basis);
     }
+    /// Past input beside the model, future input beside both.
     void testInput(ResidualSummary& summary) const
     {
+        constexpr auto lags = static_cast<Eigen::Index>(inputLags.size());
         const std::ptrdiff_t first = m_problem.firstRow() + m_problem.lag.samples;
-        const OrthonormalRows past =
-            news(pastInputs(m_problem.force, first, m_problem.rows()), m_model.basis);
-        if (const auto test = testExplained(m_residual, m_model.basis, past.basis)) {
+        Eigen::MatrixXd inputs(inputLags.size() + inputLeads.size(), m_problem.rows());
+        inputs << pastInputs(m_problem.force, first, m_problem.rows()),
+            futureInputs(m_problem.force, first, m_problem.rows());
+        const OrthonormalRows added = news(std::move(inputs));
+        const auto past =
+            std::count_if(added.kept.begin(), added.kept.end(), [](Eigen::Index row) { return row < lags; });
+        const double power = m_residual.squaredNorm();
+        const Eigen::VectorXd fitted = m_model.basis * m_residual.transpose();
+        const Eigen::VectorXd explained = added.basis * m_residual.transpose();
+        if (const auto test = testExplained(power, m_residual.size(), fitted, explained.head(past))) {
             summary.inputIndependenceP = test->p;
             summary.inputMisfit = std::sqrt(test->f);
         }
-        Eigen::MatrixXd both(m_model.basis.rows() + past.basis.rows(), m_residual.size());
-        both << m_model.basis, past.basis;
-        const OrthonormalRows future = news(futureInputs(m_problem.force, first, m_problem.rows()), both);
-        if (const auto test = testExplained(m_residual, both, future.basis)) {
+        Eigen::VectorXd both(fitted.size() + past);
+        both << fitted, explained.head(past);
+        const Eigen::Index future = explained.size() - past;
+        if (const auto test = testExplained(power, m_residual.size(), both, explained.tail(future))) {
             summary.feedbackP = test->p;
             summary.feedbackMisfit = std::sqrt(test->f);
         }
@@ -140,7 +158,7 @@ private:
     void testSpring(ResidualSummary& summary) const
     {
         const std::optional<Eigen::MatrixXd> gains = gainsOf(m_model, m_data.sensitivities().rows());
-        const OrthonormalRows spring = news(springRows(m_theta, m_data), m_model.basis);
+        const OrthonormalRows spring = news(springRows(m_theta, m_data));
         const auto test = testExplained(m_residual, m_model.basis, spring.basis);
         if (!gains || !test)
             return;
@@ -179,7 +197,7 @@ OutputErrorResiduals testOutputError(const OutputErrorProblem& problem, const Ei
 {
     OutputErrorResiduals out;
     const OutputErrorRows data(problem, theta, nuisance);
-    const OrthonormalRows model = orthonormalize(data.sensitivities(), {});
+    OrthonormalRows model = orthonormalize(data.sensitivities(), {});
     const std::optional<Eigen::MatrixXd> gains = gainsOf(model, data.sensitivities().rows());
     const auto free = static_cast<double>(data.residual().size() - model.basis.rows());
     if (data.isRounding() || !gains || free < 1)
@@ -202,7 +220,8 @@ OutputErrorResiduals testOutputError(const OutputErrorProblem& problem, const Ei
         out.summary.errorInflation =
             std::sqrt(found->covariance.diagonal().cwiseQuotient(white.diagonal()).maxCoeff());
     }
-    const RegressionTests tests(problem, theta, data, found ? found->noise : AutoregressiveNoise(),
+    const RegressionTests tests(problem, theta, data, std::move(model),
+                                found ? found->noise : AutoregressiveNoise(),
                                 found ? found->covariance : white);
     tests.run(found ? found->fittedNumbers : 0, out.summary);
     return out;

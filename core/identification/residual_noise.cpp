@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/residual_noise.h"
 
+#include "core/identification/error_expansion.h"
 #include "core/identification/noise_model.h"
 #include "core/identification/residual_tests.h"
 
@@ -23,15 +24,19 @@ constexpr std::size_t scoreLags = 20;
 /// Autocorrelation of what white noise of the force does to the position.
 std::vector<double> responseShape(const ForceResponse& g, std::size_t count)
 {
-    std::vector<double> h(count);
-    for (std::size_t t = 0; t < count; ++t)
-        h[t] = (t < 3 ? g.b[t] : 0.0) - (t > 0 ? g.a[1] * h[t - 1] : 0.0) - (t > 1 ? g.a[2] * h[t - 2] : 0.0);
+    Eigen::VectorXd h(static_cast<Eigen::Index>(count));
+    double last = 0;
+    double beforeLast = 0;
+    for (std::size_t t = 0; t < count; ++t) {
+        const double next = (t < 3 ? g.b[t] : 0.0) - g.a[1] * last - g.a[2] * beforeLast;
+        h(static_cast<Eigen::Index>(t)) = next;
+        beforeLast = last;
+        last = next;
+    }
     std::vector<double> shape;
     for (std::size_t lag = 0; lag <= std::min(scoreLags, count / 5); ++lag) {
-        double sum = 0;
-        for (std::size_t t = lag; t < count; ++t)
-            sum += h[t] * h[t - lag];
-        shape.push_back(sum);
+        const Eigen::Index rest = h.size() - static_cast<Eigen::Index>(lag);
+        shape.push_back(h.head(rest).dot(h.tail(rest)));
     }
     for (std::size_t lag = shape.size(); lag-- > 0;)
         shape[lag] = shape[0] > 0 ? shape[lag] / shape[0] : 0;
@@ -77,6 +82,7 @@ std::optional<ResidualNoise> findResidualNoise(std::span<const double> residuals
         if (order > 0 && gain > best) {
             best = gain;
             found.noise = noise;
+            expansion = autoregressiveExpansion(basis, gains, noise);
             found.fittedNumbers = static_cast<int>(noise.coefficients.size());
         }
     }

@@ -51,9 +51,13 @@ std::vector<double> autocorrelations(std::span<const double> residuals, std::siz
     for (std::size_t lag = 0; lag <= lags; ++lag) {
         const Eigen::Index rest = count - static_cast<Eigen::Index>(lag);
         double value = e.head(rest).dot(e.tail(rest)) / power * (corrected ? share : 1);
-        if (corrected)
+        if (corrected) {
+            // Columns stand side by side, so that both parts are one row of numbers.
+            const Eigen::Index size = basis.rows() * rest;
+            const Eigen::Map<const Eigen::VectorXd> later(basis.data() + basis.size() - size, size);
             value +=
-                basis.leftCols(rest).cwiseProduct(basis.rightCols(rest)).sum() / static_cast<double>(count);
+                Eigen::Map<const Eigen::VectorXd>(basis.data(), size).dot(later) / static_cast<double>(count);
+        }
         r.push_back(value);
     }
     return r;
@@ -126,21 +130,29 @@ Eigen::MatrixXd futureInputs(std::span<const double> input, std::ptrdiff_t first
     return rows;
 }
 
-std::optional<ExplainedTest> testExplained(const Eigen::RowVectorXd& residuals, const Eigen::MatrixXd& model,
-                                           const Eigen::MatrixXd& extra)
+std::optional<ExplainedTest> testExplained(double power, Eigen::Index count, const Eigen::VectorXd& fitted,
+                                           const Eigen::VectorXd& explained)
 {
-    const Eigen::Index rank = extra.rows();
-    const auto free = static_cast<double>(residuals.size() - model.rows() - rank);
+    const Eigen::Index rank = explained.size();
+    const auto free = static_cast<double>(count - fitted.size() - rank);
     if (rank < 1 || free < 1)
         return std::nullopt;
-    const double explained = (extra * residuals.transpose()).squaredNorm();
-    const double fitted = model.rows() > 0 ? (model * residuals.transpose()).squaredNorm() : 0;
-    const double rest = residuals.squaredNorm() - fitted - explained;
-    const double f = (explained / static_cast<double>(rank)) / (rest / free);
+    const double square = explained.squaredNorm();
+    const double rest = power - fitted.squaredNorm() - square;
+    const double f = (square / static_cast<double>(rank)) / (rest / free);
     if (!(rest > 0) || !std::isfinite(f))
         return std::nullopt;
     const boost::math::fisher_f distribution(static_cast<double>(rank), free);
     return ExplainedTest{boost::math::cdf(boost::math::complement(distribution, f)), f};
+}
+
+std::optional<ExplainedTest> testExplained(const Eigen::RowVectorXd& residuals, const Eigen::MatrixXd& model,
+                                           const Eigen::MatrixXd& extra)
+{
+    Eigen::VectorXd fitted;
+    if (model.rows() > 0)
+        fitted = model * residuals.transpose();
+    return testExplained(residuals.squaredNorm(), residuals.size(), fitted, extra * residuals.transpose());
 }
 
 Eigen::RowVector<double, inputLags.size()> laggedInputs(std::span<const double> input, std::size_t t)

@@ -52,6 +52,11 @@ struct ExplainedTest {
                                                          const Eigen::MatrixXd& model,
                                                          const Eigen::MatrixXd& extra);
 
+/// The same from the coordinates of `count` residuals of that power (sum of squares) in both bases.
+[[nodiscard]] std::optional<ExplainedTest> testExplained(double power, Eigen::Index count,
+                                                         const Eigen::VectorXd& fitted,
+                                                         const Eigen::VectorXd& explained);
+
 /// The input at those lags before sample t, the first sample standing for what was before it.
 [[nodiscard]] Eigen::RowVector<double, inputLags.size()> laggedInputs(std::span<const double> input,
                                                                       std::size_t t);
