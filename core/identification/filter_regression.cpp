@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/filter_regression.h"
 
+#include "core/identification/aligned_samples.h"
 #include "core/identification/column_elimination.h"
 #include "core/identification/second_order_filter.h"
 #include "core/identification/tall_qr.h"
@@ -13,26 +14,8 @@ namespace {
 
 /// A column of which less than this is left beside the others is dependent on them.
 constexpr double dependent = 1e-14;
-
-/// Position and force at the same time index, the lag rounded to whole samples.
-struct AlignedSamples {
-    const ScaledRecord& record;
-    std::ptrdiff_t shift, count;
-
-    explicit AlignedSamples(const ScaledRecord& r)
-        : record(r), shift(r.lag.samples + (r.lag.rest >= 0.5 ? 1 : 0)),
-          count(static_cast<std::ptrdiff_t>(r.force.size()) - std::abs(shift))
-    {
-    }
-    [[nodiscard]] double force(std::ptrdiff_t t) const
-    {
-        return record.force[static_cast<std::size_t>(t + std::max<std::ptrdiff_t>(shift, 0))];
-    }
-    [[nodiscard]] double position(std::ptrdiff_t t) const
-    {
-        return record.position[static_cast<std::size_t>(t + std::max<std::ptrdiff_t>(-shift, 0))];
-    }
-};
+/// Far below anything that counts, far above denormal numbers and their squares.
+constexpr double gone = 1e-150;
 
 /// Which column holds which power of y; negative: none.
 struct PowerColumns {
@@ -61,9 +44,10 @@ std::optional<FilterRegression> filterRegression(const ScaledRecord& record, dou
     powers.fill(SecondOrderFilter(squared, 2 * bandwidth, ForceHold::First));
     const PowerColumns columns(record.freeOffset, cubic);
     TallQr qr(columns.count + 1);
+    const double factor = std::exp(-bandwidth);
+    double decay = 1; // exp(-bandwidth t)
     for (std::ptrdiff_t t = 0; t < samples.count; ++t) {
         const double y = samples.position(t);
-        const double decay = std::exp(-bandwidth * static_cast<double>(t));
         auto row = qr.nextRow();
         row.head<5>() << powers[0].curvature(y), powers[0].slope(), powers[0].value(), decay,
             decay * bandwidth * static_cast<double>(t);
@@ -82,6 +66,7 @@ std::optional<FilterRegression> filterRegression(const ScaledRecord& record, dou
             powers[1].advance(y * y, next * next);
             powers[2].advance(y * y * y, next * next * next);
         }
+        decay = decay > gone ? decay * factor : 0;
     }
     const Eigen::MatrixXd& triangle = qr.triangle();
     if (!triangle.allFinite())

@@ -4,6 +4,7 @@
 #include "core/identification/discretization.h"
 #include "core/identification/identifiability.h"
 #include "core/identification/instrumental_variables_search.h"
+#include "core/identification/output_error_start.h"
 #include "core/identification/scaled_residuals.h"
 #include "core/identification/tall_qr.h"
 
@@ -84,7 +85,7 @@ std::optional<InstrumentalResult> findSolution(const ScaledRecord& record,
     if (!tries.good())
         tries.run(instrumentalStarts(record));
     if (!tries.good())
-        tries.run(instrumentalGrid(record));
+        tries.run(outputErrorGrid(record));
     return tries.best();
 }
 

@@ -2,7 +2,7 @@
 #include "core/identification/instrumental_variables_search.h"
 
 #include "core/identification/filter_regression.h"
-#include "core/identification/identifiability.h"
+#include "core/identification/output_error_start.h"
 #include "core/identification/scaled_record.h"
 
 #include <Eigen/LU>
@@ -30,7 +30,6 @@ constexpr int halvings = 4;
 constexpr double smallestDamping = 1e-12, largestDamping = 1e16;
 /// Less damping than this share of the critical is taken for an error of the first estimate.
 constexpr double leastDamping = 0.01;
-constexpr std::size_t gridSamples = 2000;
 
 class Iteration {
 public:
@@ -193,32 +192,6 @@ std::optional<Eigen::Vector3d> reflected(const FilterRegression& regression)
     return theta.allFinite() ? std::optional(theta) : std::nullopt;
 }
 
-/// Candidates with their compliance refitted and the cost they then have.
-struct Candidates {
-    const ScaledRecord& record;
-    std::vector<AuxiliaryModel> all;
-
-    void offer(const Eigen::Vector3d& theta)
-    {
-        const AuxiliaryModel model = auxiliaryModel(record, theta);
-        if (!model.finite || !(model.gain > 0) || model.ownShare < smallestOwnShare)
-            return;
-        // A compliance times g is M, B and K divided by g.
-        const AuxiliaryModel refitted = auxiliaryModel(record, theta.array() - std::log(model.gain));
-        if (refitted.finite)
-            all.push_back(refitted);
-    }
-    [[nodiscard]] std::vector<Eigen::Vector3d> bestFirst(std::size_t most)
-    {
-        std::stable_sort(all.begin(), all.end(),
-                         [](const AuxiliaryModel& a, const AuxiliaryModel& b) { return a.cost < b.cost; });
-        std::vector<Eigen::Vector3d> best;
-        for (std::size_t i = 0; i < std::min(most, all.size()); ++i)
-            best.push_back(all[i].theta);
-        return best;
-    }
-};
-
 } // namespace
 
 InstrumentalResult iterateInstruments(const ScaledRecord& record, const Eigen::Vector3d& start,
@@ -229,26 +202,14 @@ InstrumentalResult iterateInstruments(const ScaledRecord& record, const Eigen::V
 
 std::vector<Eigen::Vector3d> instrumentalStarts(const ScaledRecord& record)
 {
-    Candidates candidates{record, {}};
+    std::vector<Eigen::Vector3d> candidates;
     for (const double bandwidth : filterBandwidths) {
         const std::optional<FilterRegression> regression = filterRegression(record, bandwidth, false);
         const std::optional<Eigen::Vector3d> theta = regression ? reflected(*regression) : std::nullopt;
         if (theta)
-            candidates.offer(*theta);
+            candidates.push_back(*theta);
     }
-    return candidates.bestFirst(2);
-}
-
-std::vector<Eigen::Vector3d> instrumentalGrid(const ScaledRecord& record)
-{
-    const ScaledRecord part = firstSamples(record, gridSamples);
-    Candidates candidates{part, {}};
-    const double lowest = 0.5 / static_cast<double>(part.force.size());
-    for (double frequency = lowest; frequency < 3; frequency *= 1.6) {
-        for (const double damping : {0.05, 0.3, 1.0, 4.0})
-            candidates.offer(Eigen::Vector3d(-2 * std::log(frequency), std::log(2 * damping / frequency), 0));
-    }
-    return candidates.bestFirst(4);
+    return rankByResponse(record, candidates, 2).bestFirst;
 }
 
 } // namespace gripscope

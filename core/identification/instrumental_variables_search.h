@@ -36,7 +36,4 @@ struct InstrumentalResult {
 /// refitted; the one whose simulation fits best first.
 [[nodiscard]] std::vector<Eigen::Vector3d> instrumentalStarts(const ScaledRecord& record);
 
-/// The best points of a coarse grid over natural frequency and damping, for records that defeat those.
-[[nodiscard]] std::vector<Eigen::Vector3d> instrumentalGrid(const ScaledRecord& record);
-
 } // namespace gripscope

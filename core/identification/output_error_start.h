@@ -3,6 +3,7 @@
 
 #include "core/identification/output_error_model.h"
 
+#include <limits>
 #include <vector>
 
 namespace gripscope {
@@ -21,6 +22,16 @@ struct OutputErrorStarts {
 /// The compliance of each is refitted, which is linear; those that then pull where the force pushes are
 /// dropped.
 [[nodiscard]] OutputErrorStarts outputErrorStarts(const OutputErrorProblem& problem);
+
+/// Points that may be near the solution, the compliance of each refitted, which is linear; those that then
+/// pull where the force pushes are dropped, and of the others the `most` that fit best are kept.
+struct RankedCandidates {
+    std::vector<Eigen::Vector3d> bestFirst;
+    double leastCost = std::numeric_limits<double>::infinity(); ///< sum of squared residuals of the first
+};
+[[nodiscard]] RankedCandidates rankByResponse(const OutputErrorProblem& problem,
+                                              const std::vector<Eigen::Vector3d>& candidates,
+                                              std::size_t most);
 
 /// Candidates for records that defeat those: the best points of a coarse grid over natural frequency (from a
 /// twelfth of a swing a record to near half the sample rate) and damping, ranked on the first 2,000 samples.

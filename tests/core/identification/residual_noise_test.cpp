@@ -73,7 +73,7 @@ private slots:
     }
     void intervalsCover()
     {
-        // Over 2,000 runs a setting: 95 to 96 % with force noise, 93 to 95 % with the correlated one, where
+        // Over 2,000 runs a setting: 95 to 96 % with force noise, 94 to 96 % with the correlated one, where
         // without a noise model it is 43 to 65 %. Here 120 to 200 runs, and the binomial bound around 93 to
         // 97 %.
         QFETCH(double, fit);
