@@ -29,13 +29,28 @@ void takeOwnSpread(const TypeModel& type, double likeness, double types, const C
     prediction.degreesOfFreedom = ownDegreesOfFreedom(type.own, likeness, prediction.degreesOfFreedom, types);
 }
 
-void findDensity(TypePrediction& prediction, double degreesOfFreedom)
+/// What depends on the degrees of freedom alone; most types share them.
+class DensityConstant {
+public:
+    double operator()(double v)
+    {
+        if (v != m_degrees) {
+            m_degrees = v;
+            m_value = boost::math::lgamma((v + 1) / 2) - boost::math::lgamma((v - 2) / 2) -
+                      dimensions / 2 * std::log(std::numbers::pi * v);
+        }
+        return m_value;
+    }
+
+private:
+    double m_degrees = 0, m_value = 0;
+};
+
+void findDensity(TypePrediction& prediction, double degreesOfFreedom, DensityConstant& constant)
 {
     const double v = std::max(dimensions, degreesOfFreedom);
     prediction.tailDegrees = v;
-    prediction.logDensityAtMean = boost::math::lgamma((v + 1) / 2) - boost::math::lgamma((v - 2) / 2) -
-                                  dimensions / 2 * std::log(std::numbers::pi * v) -
-                                  prediction.logDeterminant / 2;
+    prediction.logDensityAtMean = constant(v) - prediction.logDeterminant / 2;
     prediction.logDensity =
         prediction.logDensityAtMean - (v + 1) / 2 * std::log1p(prediction.squaredDistance / v);
 }
@@ -54,6 +69,7 @@ std::vector<TypePrediction> predictTypes(const TypeModels& models, const Eigen::
         likeness = std::min(likeness.value_or(robustLikeness), robustLikeness);
     std::vector<TypePrediction> predictions;
     predictions.reserve(models.types.size());
+    DensityConstant constant;
     for (const TypeModel& type : models.types) {
         TypePrediction prediction;
         prediction.meanLog = type.meanLog;
@@ -68,8 +84,10 @@ std::vector<TypePrediction> predictTypes(const TypeModels& models, const Eigen::
         const Cholesky total(prediction.covariance + spread * type.meanCovarianceLog);
         prediction.squaredDistance = total.matrixL().solve(log - type.meanLog).squaredNorm();
         prediction.logDeterminant = 2 * total.matrixLLT().diagonal().array().log().sum();
-        findDensity(prediction, options.robust ? std::min(prediction.degreesOfFreedom, robustDegrees)
-                                               : prediction.degreesOfFreedom);
+        findDensity(prediction,
+                    options.robust ? std::min(prediction.degreesOfFreedom, robustDegrees)
+                                   : prediction.degreesOfFreedom,
+                    constant);
         predictions.push_back(prediction);
     }
     return predictions;

@@ -89,12 +89,13 @@ NamingTest testNaming(const std::vector<TypePrediction>& predictions, std::size_
 {
     NamingTest test;
     Quantiles alone(options.wrongType, options.robust);
+    std::vector<std::optional<Separation>> found(predictions.size());
     int near = 0;
     for (std::size_t other = 0; other < predictions.size(); ++other) {
         if (other == named)
             continue;
-        const auto found = separationWith(alone, predictions[named], predictions[other], log);
-        near += !found || found->distance < outOfReach * found->needed;
+        found[other] = separationWith(alone, predictions[named], predictions[other], log);
+        near += !found[other] || found[other]->distance < outOfReach * found[other]->needed;
     }
     Quantiles shared(options.wrongType / std::max(1, near), options.robust);
     double least = 0;
@@ -102,8 +103,9 @@ NamingTest testNaming(const std::vector<TypePrediction>& predictions, std::size_
     for (std::size_t other = 0; other < predictions.size(); ++other) {
         if (other == named)
             continue;
-        const auto found = separationWith(shared, predictions[named], predictions[other], log);
-        const double margin = found ? found->reached - found->needed : -1e300;
+        if (near > 1)
+            found[other] = separationWith(shared, predictions[named], predictions[other], log);
+        const double margin = found[other] ? found[other]->reached - found[other]->needed : -1e300;
         test.passed = test.passed && margin > 0;
         if (!test.rival || margin < least) {
             least = margin;

@@ -90,10 +90,10 @@ private slots:
     {
         QFETCH(int, squeezes);
         QFETCH(double, leastDecided);
-        constexpr int enrolments = 8000;
+        constexpr int enrolments = 4000;
         const Counts counts = judgeNeighbours(squeezes, 3.5, 0.01, enrolments);
         // 1.2 %, and three standard deviations of the count.
-        QVERIFY2(counts.wrong < 96 + 3 * 10, qPrintable(QString::number(counts.wrong)));
+        QVERIFY2(counts.wrong < 48 + 3 * 7, qPrintable(QString::number(counts.wrong)));
         QVERIFY2(counts.right + counts.wrong > leastDecided * enrolments,
                  qPrintable(QString::number(counts.right)));
     }
@@ -108,7 +108,7 @@ private slots:
         NoisyTypes narrow(31, unit), wide(32, 4 * unit);
         VerdictOptions robust;
         robust.robust = true;
-        constexpr int enrolments = 4000;
+        constexpr int enrolments = 2000;
         int plainly = 0, robustly = 0;
         for (int run = 0; run < enrolments; ++run) {
             std::vector<TypeSqueeze> enrolled = narrow.enrolment(3, 10, noNoise);

@@ -28,13 +28,12 @@ private slots:
     void oneSeedGivesOneResultWhateverTheThreads()
     {
         RecognitionStudyOptions options;
-        options.runs = 3;
+        options.runs = 2;
         options.threads = 1;
         const RecognitionStudy one = studyRecognition(options);
-        options.threads = 3;
-        const RecognitionStudy three = studyRecognition(options);
-        QCOMPARE(QJsonDocument(toJson(one, options)).toJson(),
-                 QJsonDocument(toJson(three, options)).toJson());
+        options.threads = 2;
+        const RecognitionStudy two = studyRecognition(options);
+        QCOMPARE(QJsonDocument(toJson(one, options)).toJson(), QJsonDocument(toJson(two, options)).toJson());
         options.seed = 2;
         QVERIFY(QJsonDocument(toJson(studyRecognition(options), options)).toJson() !=
                 QJsonDocument(toJson(one, options)).toJson());
