@@ -8,7 +8,8 @@
 namespace gripscope {
 
 /// What the squeezes so far say about the force hold, for each gripper (the recording's `serial`; recordings
-/// without one count as one gripper) and each declaration of hold, lag and the lag's uncertainty.
+/// without one count as one gripper) and each declaration of hold, lag and the lag's uncertainty. A recording
+/// that comes again, as it was, is the same squeeze and counts once.
 class HoldHistory {
 public:
     /// What goes into IdentificationOptions::earlierHold for `recording`.
@@ -19,7 +20,8 @@ public:
 private:
     struct Entry {
         QString serial;
-        HoldEvidence sum;
+        std::size_t fingerprint = 0; ///< of the samples
+        HoldEvidence evidence;
     };
     std::vector<Entry> m_entries;
 };

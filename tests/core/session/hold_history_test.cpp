@@ -44,15 +44,20 @@ private slots:
         const Identification second = quickly(two);
         history.add(one, first);
         history.add(two, second);
-        QCOMPARE(history.before(one, {}).squeezes, 2);
-        QCOMPARE(*history.before(one, {}).gain, *first.holdEvidence.gain + *second.holdEvidence.gain);
+        const Recording next = squeezeWith(QStringLiteral("G-1"), 4);
+        QCOMPARE(history.before(next, {}).squeezes, 2);
+        QCOMPARE(*history.before(next, {}).gain, *first.holdEvidence.gain + *second.holdEvidence.gain);
         QCOMPARE(history.before(elsewhere, {}).squeezes, 0);
         QCOMPARE(history.before(one, straight).squeezes, 0);
         QCOMPARE(history.before(late, {}).squeezes, 0);
 
         history.add(one, quickly(one, straight));
-        QCOMPARE(history.before(one, straight).squeezes, 1);
-        QCOMPARE(history.before(one, {}).squeezes, 2);
+        QCOMPARE(history.before(next, straight).squeezes, 1);
+        QCOMPARE(history.before(next, {}).squeezes, 2);
+        // The same recording again is no more evidence, before or after.
+        QCOMPARE(history.before(one, {}).squeezes, 1);
+        history.add(one, first);
+        QCOMPARE(history.before(next, {}).squeezes, 2);
     }
     void aMeasurementThatIsNoneDoesNotCount()
     {
