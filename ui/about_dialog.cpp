@@ -43,9 +43,18 @@ AboutDialog::AboutDialog(const QStringList& pageTitles, QWidget* parent) : QDial
     keys->setColumnStretch(1, 1);
     column->addLayout(keys);
     column->addStretch(1);
+    auto* line = new QHBoxLayout;
+    QPushButton* manual = makeButton(tr("Manual"), {}, "", this);
+    connect(manual, &QPushButton::clicked, this, [this] {
+        emit manualAsked();
+        accept();
+    });
     QPushButton* close = makeButton(tr("Close"), {}, "primary", this);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
-    column->addWidget(close, 0, Qt::AlignRight);
+    line->addWidget(manual);
+    line->addStretch(1);
+    line->addWidget(close);
+    column->addLayout(line);
     resize(520, layout()->totalHeightForWidth(520));
 }
 

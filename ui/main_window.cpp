@@ -3,6 +3,7 @@
 
 #include "ui/about_dialog.h"
 #include "ui/header_bar.h"
+#include "ui/manual_dialog.h"
 #include "ui/pages/enroll_page.h"
 #include "ui/pages/fit_page.h"
 #include "ui/pages/history_page.h"
@@ -155,6 +156,8 @@ void MainWindow::showHelp()
     for (const Page* page : m_pages)
         titles << page->title();
     auto* dialog = new AboutDialog(titles, this);
+    connect(dialog, &AboutDialog::manualAsked, this,
+            [this] { (new ManualDialog(currentPage()->id(), this))->open(); });
     dialog->open();
 }
 

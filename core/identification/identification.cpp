@@ -74,6 +74,23 @@ Estimator reconsidered(const Identification& data)
     return cubicIsBetter(data) ? Estimator::Duffing : data.recommended;
 }
 
+/// Without the empty gripper nothing may be left: then there is no object to speak of.
+void judgeBaseline(Identification& data)
+{
+    if (data.best() == nullptr || data.object())
+        return;
+    for (ValidityCheck& check : data.validity.checks) {
+        if (check.id != QLatin1String("physical_range"))
+            continue;
+        check.ok = false;
+        check.decisive = true;
+        check.message = QStringLiteral(
+            "the squeeze is not told from the empty gripper: with its m, b and k taken off, not all that is "
+            "left is above zero. Check that the part was between the fingers, and measure the empty gripper "
+            "again");
+    }
+}
+
 } // namespace
 
 const Estimate* Identification::find(Estimator estimator) const
@@ -107,6 +124,17 @@ const HoldEvidence& Identification::tellingHold() const
     return alone ? holdEvidence : summedHold;
 }
 
+std::optional<CorrectedParameters> Identification::object() const
+{
+    const Estimate* estimate = best();
+    if (estimate == nullptr)
+        return std::nullopt;
+    const Eigen::Matrix3d covariance = estimate->covariance.value_or(Eigen::Matrix3d::Zero());
+    if (baseline)
+        return withoutGripper(*estimate->parameters, covariance, *baseline);
+    return CorrectedParameters{*estimate->parameters, covariance};
+}
+
 Identification identify(const Recording& recording, const IdentificationOptions& options)
 {
     PreparationOptions preparation;
@@ -117,6 +145,7 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     result.holdEvidence = holdDeclaration(recording, options);
     result.hold = result.holdEvidence.declared;
     result.sampleTime_s = record.sampleTime_s;
+    result.baseline = recording.chain.baseline;
     const EstimatorTask task{result.hold, options.initialState == InitialState::Free, options.freeOffset,
                              excitationPeriod(recording)};
 
@@ -145,6 +174,7 @@ Identification identify(const Recording& recording, const IdentificationOptions&
         result.recommended = better;
         result.validity.checks = checkValidity(result, recording, options);
     }
+    judgeBaseline(result);
     result.validity.verdict = overallVerdict(result.validity.checks);
     if (const Estimate* const best = result.best(); best != nullptr && options.assess) {
         result.budget = budgetOf(*best, record, task, result.tellingHold());

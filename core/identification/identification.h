@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/identification/baseline.h"
 #include "core/identification/estimate.h"
 #include "core/identification/hold_evidence.h"
 #include "core/identification/model_comparison.h"
@@ -48,6 +49,7 @@ struct Identification {
     /// What the periods of a repeating force tell; where `periodic` was asked for and found parameters.
     std::optional<PeriodicDiagnostics> repetition;
     std::vector<PreparationStep> preparation; ///< what was done to the recording before, and noticed
+    std::optional<GripperBaseline> baseline;  ///< the recording's: what the empty gripper alone is
     /// The window that was used, on a regular grid; at the indexes `lost` nothing was measured and the values
     /// are for plots only.
     std::vector<double> time_s, force, position;
@@ -58,6 +60,10 @@ struct Identification {
     [[nodiscard]] const Estimate* find(Estimator estimator) const;
     /// What check and budget go by: the sum, or this squeeze where it alone contradicts the declared hold.
     [[nodiscard]] const HoldEvidence& tellingHold() const;
+    /// The recommended estimate of the object alone, the empty gripper taken off where its m, b, k are known:
+    /// what is shown, enrolled and judged. A covariance of zero: the estimate has none. Nothing without an
+    /// estimate, or when the object is not told from the empty gripper.
+    [[nodiscard]] std::optional<CorrectedParameters> object() const;
 };
 
 /// Prepares the record (preparation.h), runs every estimator asked for, and judges the measurement. Pure;

@@ -2,14 +2,10 @@
 #include "core/identification/validation.h"
 
 #include "core/identification/fit.h"
-#include "core/identification/given_model.h"
 #include "core/identification/noise_model.h"
-#include "core/identification/orthonormal_rows.h"
 #include "core/identification/residual_tests.h"
 #include "core/identification/run_estimator.h"
-
-#include <Eigen/Cholesky>
-#include <boost/math/distributions/fisher_f.hpp>
+#include "core/identification/validation_contrast.h"
 
 #include <array>
 #include <cmath>
@@ -48,102 +44,25 @@ std::optional<Eigen::MatrixXd> covarianceOfLogarithms(const Estimate& estimate)
     return covariance.size() > 0 && covariance.allFinite() ? std::optional(covariance) : std::nullopt;
 }
 
-/// The residual taken apart: what start and offset explain is gone, then the coordinates in the directions of
-/// the parameters, and the rest.
-class Contrast {
-public:
-    Contrast(const GivenModel& model, const AutoregressiveNoise& noise,
-             const Eigen::MatrixXd& estimateCovariance)
-        : m_nuisances(orthonormalize(whitened(model.nuisances, noise), {})),
-          m_parameters(orthonormalize(whitened(model.parameters, noise), m_nuisances.basis))
-    {
-        Eigen::RowVectorXd residual = whitened(Eigen::MatrixXd(model.residual), noise);
-        residual -= (residual * m_nuisances.basis.transpose()) * m_nuisances.basis;
-        coordinates = m_parameters.basis * residual.transpose();
-        rest = residual - coordinates.transpose() * m_parameters.basis;
-        degreesOfFreedom = static_cast<double>(residual.size() - m_nuisances.basis.rows() - rank());
-        variance = degreesOfFreedom > 0 ? rest.squaredNorm() / degreesOfFreedom : 0;
-        const Eigen::MatrixXd along = whitened(model.parameters, noise) * m_parameters.basis.transpose();
-        fromEstimate = along.transpose() * estimateCovariance * along;
-        m_root.compute(fromEstimate + variance * Eigen::MatrixXd::Identity(rank(), rank()));
-    }
-
-    [[nodiscard]] bool usable() const
-    {
-        return degreesOfFreedom > 0 && variance > 0 && rank() > 0 && fromEstimate.allFinite() &&
-               m_root.info() == Eigen::Success;
-    }
-    [[nodiscard]] Eigen::Index rank() const { return m_parameters.basis.rows(); }
-    /// z'V^-1 z over the number of coordinates, and its p-value.
-    [[nodiscard]] ExplainedTest test(double estimateFreedom) const
-    {
-        const auto p = static_cast<double>(rank());
-        const Eigen::VectorXd weighted = m_root.solve(coordinates);
-        const double squared = coordinates.dot(weighted);
-        const double ofEstimate = weighted.dot(fromEstimate * weighted) / squared;
-        const double ofNoise = 1 - ofEstimate;
-        const double pooled = 1 / (ofEstimate * ofEstimate / std::max(estimateFreedom, 1.0) +
-                                   ofNoise * ofNoise / degreesOfFreedom);
-        const double freedom = std::max(pooled - p + 1, 1.0);
-        ExplainedTest out;
-        out.f = squared * freedom / (std::max(pooled, p) * p);
-        if (!(squared > 0) || !std::isfinite(out.f))
-            return out;
-        out.p = boost::math::cdf(boost::math::complement(boost::math::fisher_f(p, freedom), out.f));
-        return out;
-    }
-    /// The residual with the coordinates scaled to what noise alone would give them: white when all is well.
-    [[nodiscard]] Eigen::RowVectorXd standardized() const
-    {
-        const Eigen::VectorXd scaled = std::sqrt(variance) * m_root.matrixL().solve(coordinates);
-        return rest + scaled.transpose() * m_parameters.basis;
-    }
-    /// The step of the parameters that explains the coordinates, and its expected standard errors; nothing
-    /// when the record does not determine all of them.
-    [[nodiscard]] std::optional<std::pair<Eigen::VectorXd, Eigen::VectorXd>>
-    change(const Eigen::MatrixXd& estimateCovariance) const
-    {
-        if (rank() != estimateCovariance.rows())
-            return std::nullopt;
-        const Eigen::MatrixXd triangle = m_parameters.factor.transpose();
-        const Eigen::MatrixXd inverse =
-            triangle.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(rank(), rank()));
-        const Eigen::MatrixXd covariance = estimateCovariance + variance * (inverse * inverse.transpose());
-        return std::pair(Eigen::VectorXd(inverse * coordinates),
-                         Eigen::VectorXd(covariance.diagonal().cwiseMax(0).cwiseSqrt()));
-    }
-    [[nodiscard]] const Eigen::MatrixXd& nuisanceBasis() const { return m_nuisances.basis; }
-    [[nodiscard]] const Eigen::MatrixXd& parameterBasis() const { return m_parameters.basis; }
-
-    Eigen::VectorXd coordinates;
-    Eigen::MatrixXd fromEstimate; ///< covariance of the coordinates from the estimate's errors
-    Eigen::RowVectorXd rest;
-    double variance = 0, degreesOfFreedom = 0;
-
-private:
-    OrthonormalRows m_nuisances, m_parameters;
-    Eigen::LLT<Eigen::MatrixXd> m_root;
-};
-
 /// Which noise the rest has: white, or an autoregression.
-AutoregressiveNoise noiseOf(const Contrast& contrast)
+AutoregressiveNoise noiseOf(const ValidationContrast& contrast)
 {
-    Eigen::MatrixXd basis(contrast.nuisanceBasis().rows() + contrast.rank(), contrast.rest.size());
+    Eigen::MatrixXd basis(contrast.nuisanceBasis().rows() + contrast.rank(), contrast.rest().size());
     basis << contrast.nuisanceBasis(), contrast.parameterBasis();
-    const std::optional<double> p = ljungBoxP(asSpan(contrast.rest), 0, basis);
+    const std::optional<double> p = ljungBoxP(asSpan(contrast.rest()), 0, basis);
     if (!p || *p >= certainlyColoured)
         return {};
-    return fitAutoregressiveNoise(asSpan(contrast.rest), basis);
+    return fitAutoregressiveNoise(asSpan(contrast.rest()), basis);
 }
 
 /// The simulation fit when the sum of squares is what it is to be expected to be.
-std::optional<double> expectedPercent(const GivenModel& model, const Contrast& contrast,
+std::optional<double> expectedPercent(const GivenModel& model, const ValidationContrast& contrast,
                                       const AutoregressiveNoise& noise)
 {
     const double fromNoise = noise.coefficients.empty()
-                                 ? contrast.variance * static_cast<double>(contrast.rank())
+                                 ? contrast.variance() * static_cast<double>(contrast.rank())
                                  : spreadUnderNoise(contrast.parameterBasis(), noise).trace();
-    const double squares = contrast.rest.squaredNorm() + contrast.fromEstimate.trace() + fromNoise;
+    const double squares = contrast.rest().squaredNorm() + contrast.fromEstimate().trace() + fromNoise;
     const auto first = static_cast<Eigen::Index>(model.record.firstRow());
     const Eigen::Map<const Eigen::RowVectorXd> all(model.record.position.data(),
                                                    static_cast<Eigen::Index>(model.record.position.size()));
@@ -153,7 +72,7 @@ std::optional<double> expectedPercent(const GivenModel& model, const Contrast& c
     return std::isfinite(percent) ? std::optional(percent) : std::nullopt;
 }
 
-std::optional<double> inputP(const GivenModel& model, const Contrast& contrast,
+std::optional<double> inputP(const GivenModel& model, const ValidationContrast& contrast,
                              const AutoregressiveNoise& noise)
 {
     const std::ptrdiff_t first = model.record.firstRow() + model.record.lag.samples;
@@ -163,14 +82,13 @@ std::optional<double> inputP(const GivenModel& model, const Contrast& contrast,
     return test ? std::optional(test->p) : std::nullopt;
 }
 
-void setChange(const Contrast& contrast, const Eigen::MatrixXd& covariance, Validation& out)
+void setChange(const ValidationContrast& contrast, Validation& out)
 {
-    const auto found = contrast.change(covariance);
-    if (!found || !found->first.allFinite() || !found->second.allFinite() ||
-        found->first.head(3).cwiseAbs().maxCoeff() > longestChange)
+    const std::optional<ValidationContrast::Change> found = contrast.change();
+    if (!found || found->step.head(3).cwiseAbs().maxCoeff() > longestChange)
         return;
-    out.change = found->first.head(3).array().exp() - 1;
-    out.changeErrors = found->second.head(3);
+    out.change = found->step.head(3).array().exp() - 1;
+    out.changeErrors = found->errors.head(3);
 }
 
 QString changeWords(const Validation& validation)
@@ -209,13 +127,13 @@ void conclude(Validation& out)
 void judge(const Estimate& estimate, const GivenModel& model, const Eigen::MatrixXd& covariance,
            Validation& out)
 {
-    const Contrast raw(model, {}, covariance);
+    const ValidationContrast raw(model, {}, covariance);
     if (!raw.usable()) {
         out.message = u"this record does not tell m, b and k, so that the misfit could not be judged"_s;
         return;
     }
     const AutoregressiveNoise noise = noiseOf(raw);
-    const Contrast white(model, noise, covariance);
+    const ValidationContrast white(model, noise, covariance);
     if (!white.usable()) {
         out.message = u"the noise of this record could not be told from the misfit"_s;
         return;
@@ -234,7 +152,7 @@ void judge(const Estimate& estimate, const GivenModel& model, const Eigen::Matri
             predicted[i] -= steps[i];
         out.fit.predictionPercent = fitPercent(out.position, predicted);
     }
-    setChange(white, covariance, out);
+    setChange(white, out);
     conclude(out);
 }
 

@@ -108,15 +108,15 @@ Verdict judge(const TypeModels& models, const MassDampingStiffness& parameters, 
 Verdict judge(const TypeModels& models, const Identification& identification, double siScale,
               const VerdictOptions& options)
 {
-    const Estimate* best = identification.best();
+    const std::optional<CorrectedParameters> object = identification.object();
     Verdict verdict;
-    if (identification.validity.verdict == ValidityVerdict::Invalid || !best || !best->parameters) {
+    if (identification.validity.verdict == ValidityVerdict::Invalid || !object) {
         verdict.reasons = invalidReasons(identification);
     } else {
-        const MassDampingStiffness& p = *best->parameters;
+        const MassDampingStiffness& p = object->parameters;
         std::optional<Eigen::Matrix3d> covariance;
-        if (best->covariance)
-            covariance = siScale * *best->covariance * siScale;
+        if (!object->covariance.isZero(0))
+            covariance = siScale * object->covariance * siScale;
         verdict = judge(models, MassDampingStiffness{p.m * siScale, p.b * siScale, p.k * siScale}, options,
                         covariance);
     }

@@ -15,8 +15,15 @@ NewGrasp makeGrasp(const Recording& recording, const Identification& identificat
 {
     NewGrasp grasp;
     grasp.recording = recording;
-    if (const Estimate* best = identification.best())
-        grasp.estimates.push_back(*best);
+    // The first one stands for the squeeze: the object alone. The others stay as they were measured.
+    if (const Estimate* best = identification.best()) {
+        Estimate alone = *best;
+        const std::optional<CorrectedParameters> object = identification.object();
+        alone.parameters = object ? std::optional(object->parameters) : std::nullopt;
+        if (alone.covariance)
+            alone.covariance = object ? std::optional(object->covariance) : std::nullopt;
+        grasp.estimates.push_back(std::move(alone));
+    }
     for (const Estimate& estimate : identification.estimates)
         if (&estimate != identification.best())
             grasp.estimates.push_back(estimate);

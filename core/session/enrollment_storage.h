@@ -9,7 +9,8 @@
 
 namespace gripscope {
 
-/// A squeeze as the library takes it: the recommended estimate first, the whole identification for audit.
+/// A squeeze as the library takes it: first the recommended estimate of the object alone (the empty gripper
+/// taken off where there is a baseline), then the others as measured; the whole identification for audit.
 /// Without m, b and k (an invalid inspection) the estimates come in the order they were made.
 [[nodiscard]] NewGrasp makeGrasp(const Recording& recording, const Identification& identification,
                                  const QString& source, const QString& operatorName);

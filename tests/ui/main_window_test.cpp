@@ -2,6 +2,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
 #include "ui/about_dialog.h"
+#include "ui/manual_dialog.h"
 #include "ui/status_line.h"
 
 #include <QLineEdit>
@@ -30,6 +31,7 @@ private slots:
     void escapeStopsWhereverTheFocusIs_data();
     void escapeStopsWhereverTheFocusIs();
     void escapeStopsInADialogToo();
+    void theManualOpensAtThePageOfTheScreen();
     void anErrorIsShownUntilItIsDismissed();
     void theOperatorIsKnownToTheSessions();
     void aLostGripperIsToldInWords();
@@ -163,6 +165,24 @@ void MainWindowTest::escapeStopsInADialogToo()
     QTest::keyClick(f.window->findChild<AboutDialog*>(), Qt::Key_Escape);
     QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), patience_ms);
     QTRY_VERIFY(!f.window->findChild<AboutDialog*>() || !f.window->findChild<AboutDialog*>()->isVisible());
+}
+
+void MainWindowTest::theManualOpensAtThePageOfTheScreen()
+{
+    WindowFixture f(false);
+    f.window->showPage(QStringLiteral("fit"));
+    QTest::keyClick(f.window.get(), Qt::Key_F1);
+    QTRY_VERIFY(f.window->findChild<AboutDialog*>());
+    auto* about = f.window->findChild<AboutDialog*>();
+    for (QPushButton* button : about->findChildren<QPushButton*>())
+        if (button->text() == QStringLiteral("Manual"))
+            QTest::mouseClick(button, Qt::LeftButton);
+    QTRY_VERIFY(f.window->findChild<ManualDialog*>());
+    auto* browser = f.window->findChild<ManualDialog*>()->browser();
+    QVERIFY(browser->toPlainText().startsWith(QStringLiteral("From a squeeze to m, b and k")));
+    // Every page that a screen names is there.
+    for (const char* screen : {"inspect", "enroll", "live", "types", "history", "calibrate"})
+        QVERIFY(QFile::exists(QStringLiteral(":/manual/") + manualPageFor(QLatin1String(screen))));
 }
 
 void MainWindowTest::anErrorIsShownUntilItIsDismissed()

@@ -7,6 +7,7 @@
 #include "ui/models/derived_quantities.h"
 #include "ui/models/estimate_table_model.h"
 #include "ui/models/shown_budget.h"
+#include "ui/models/validation_words.h"
 
 #include <QLocale>
 #include <QStringList>
@@ -94,6 +95,16 @@ QString budgetBlock(const UncertaintyBudget& budget, const QString& forceUnit, c
     return u'\n' + table.toTsv();
 }
 
+QString factBlock(const QString& head, const std::vector<Fact>& facts)
+{
+    if (facts.empty())
+        return {};
+    QString text = u'\n' + line({head});
+    for (const Fact& fact : facts)
+        text += line({fact.name, fact.text});
+    return text;
+}
+
 } // namespace
 
 QString fitNumbers(const Identification& identification, const QString& forceUnit,
@@ -113,6 +124,9 @@ QString fitNumbers(const Identification& identification, const QString& forceUni
         models.setComparison(identification.comparison);
         text += u'\n' + models.toTsv();
     }
+    text += factBlock(u"validation"_s, validationFacts(identification.validation));
+    if (identification.repetition)
+        text += factBlock(u"periods"_s, periodFacts(*identification.repetition, forceUnit, positionUnit));
     return text + checkBlock(identification.validity);
 }
 

@@ -11,6 +11,8 @@
 #include "ui/pages/fit_page_example.h"
 #include "ui/pages/fit_page_export.h"
 #include "ui/pages/fit_page_summary.h"
+#include "ui/pages/fit_page_validate.h"
+#include "ui/pages/fit_page_validation.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/workbench.h"
@@ -44,6 +46,7 @@ struct FitPage::Private {
     FitPlots* plots = nullptr;
     FitSummary* summary = nullptr;
     FitExporter* exporter = nullptr;
+    ValidationChooser* chooser = nullptr;
     QLabel* state = nullptr;
     QPushButton* all = nullptr;
     QPushButton* copy = nullptr;
@@ -89,6 +92,7 @@ FitPage::FitPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d(std
     line->addWidget(plotCard, 64);
     summaryCard->setMinimumWidth(404); // what the table of estimators needs
     prepareExport();
+    prepareValidation();
     line->addWidget(summaryCard, 36);
 
     d->stack = new QStackedWidget;
@@ -130,6 +134,7 @@ void FitPage::prepareExport()
     d->exporter->add(d->plots->autocorrelations());
     d->exporter->add(d->plots->crossCorrelations());
     d->exporter->add(d->summary->regionPlot());
+    d->exporter->add(d->summary->validation()->plot());
     d->exporter->setNumbers([this] {
         if (!d->subject)
             return QByteArray();
@@ -138,6 +143,18 @@ void FitPage::prepareExport()
     });
     connect(d->exporter, &FitExporter::told, this,
             [this](const QString& words) { d->state->setText(words); });
+}
+
+void FitPage::prepareValidation()
+{
+    d->chooser = new ValidationChooser(workbench(), d->summary->validation()->choices(), this);
+    connect(d->chooser, &ValidationChooser::started, this, [this] { d->state->setText(tr("validating…")); });
+    connect(d->chooser, &ValidationChooser::failed, this, [this] { d->state->clear(); });
+    connect(d->chooser, &ValidationChooser::validated, this, [this](const Validation& validation) {
+        d->state->clear();
+        d->subject->identification.validation = validation;
+        d->summary->showValidation(validation);
+    });
 }
 
 QWidget* FitPage::buildBar()
@@ -242,6 +259,7 @@ void FitPage::showSubject()
     d->copy->setEnabled(true);
     d->save->setEnabled(true);
     d->exporter->setSubject(subject.title);
+    d->chooser->setSubject(d->subject);
     d->state->setText(d->identifying ? tr("identifying…") : QString());
     d->summary->show(subject.title, subject.identification, subject.recording.forceUnit,
                      subject.recording.positionUnit);

@@ -35,6 +35,7 @@ private:
     [[nodiscard]] QWidget* buildBar();
     [[nodiscard]] QWidget* buildEmpty();
     void prepareExport();
+    void prepareValidation();
     void chooseFile();
     void copyNumbers();
     void takeSubject();

@@ -2,6 +2,7 @@
 #include "ui/pages/fit_page_checks.h"
 
 #include "ui/models/estimate_words.h"
+#include "ui/models/fact.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -55,14 +56,6 @@ void CheckSignLabel::paintEvent(QPaintEvent*)
 
 namespace {
 
-QString sentence(QString text)
-{
-    if (text.isEmpty())
-        return text;
-    text[0] = text[0].toUpper();
-    return text.endsWith(u'.') ? text : text + u'.';
-}
-
 QWidget* findingRow(CheckSign sign, const QString& name, const QString& message)
 {
     auto* row = new QWidget;
@@ -70,7 +63,7 @@ QWidget* findingRow(CheckSign sign, const QString& name, const QString& message)
     line->setContentsMargins(0, 4, 0, 4);
     line->setSpacing(metrics::step);
     line->addWidget(new CheckSignLabel(sign), 0, Qt::AlignTop);
-    auto* text = makeLabel(u"<b>%1.</b> %2"_s.arg(name.toHtmlEscaped(), sentence(message).toHtmlEscaped()));
+    auto* text = makeLabel(u"<b>%1.</b> %2"_s.arg(name.toHtmlEscaped(), asSentence(message).toHtmlEscaped()));
     text->setWordWrap(true);
     text->setTextFormat(Qt::RichText);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -50,6 +50,9 @@ void EstimatorPanel::setIdentification(const Identification& identification, con
     if (identification.budget.parameters)
         notes << tr("The error bars here are those of noise alone; the intervals above count everything that "
                     "is known (see Uncertainty).");
+    if (identification.baseline)
+        notes << tr("The table holds what was measured; the empty gripper's own m, b and k are taken off the "
+                    "numbers above.");
     if (identification.find(Estimator::Arx) || identification.find(Estimator::ArxMeanForce) ||
         identification.find(Estimator::Arx221))
         notes << tr(

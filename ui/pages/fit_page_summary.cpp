@@ -12,6 +12,7 @@
 #include "ui/pages/fit_page_estimators.h"
 #include "ui/pages/fit_page_models.h"
 #include "ui/pages/fit_page_uncertainty.h"
+#include "ui/pages/fit_page_validation.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/elided_label.h"
@@ -157,6 +158,17 @@ EstimateTableModel* FitSummary::table() const
     return m_estimators->model();
 }
 
+ValidationPanel* FitSummary::validation() const
+{
+    return m_models->validation();
+}
+
+void FitSummary::showValidation(const Validation& validation)
+{
+    m_identification.validation = validation;
+    m_models->validation()->setValidation(validation, m_positionUnit);
+}
+
 void FitSummary::show(const QString& title, const Identification& identification, const QString& forceUnit,
                       const QString& positionUnit)
 {
@@ -183,7 +195,7 @@ void FitSummary::show(const QString& title, const Identification& identification
                       [](const ValidityCheck& check) { return !check.ok; });
     m_tabs->setTabText(checksTab, failed > 0 ? tr("Checks (%1)").arg(failed) : tr("Checks"));
     m_uncertainty->setIdentification(identification, forceUnit, positionUnit);
-    m_models->setComparison(identification.comparison);
+    m_models->setIdentification(identification, forceUnit, positionUnit);
     if (!identification.best())
         m_tabs->setCurrentIndex(checksTab); // without an estimate they are all there is to read
 }

@@ -18,6 +18,7 @@ class EstimatorPanel;
 class ModelPanel;
 class RegionPlot;
 class UncertaintyPanel;
+class ValidationPanel;
 class ValidityLine;
 
 /// The right third of the Fit page. Always in view: what was squeezed, the verdict on the measurement, m, b
@@ -33,6 +34,8 @@ public:
     using QWidget::show;
     [[nodiscard]] EstimateTableModel* table() const;
     [[nodiscard]] RegionPlot* regionPlot() const { return m_region; }
+    [[nodiscard]] ValidationPanel* validation() const;
+    void showValidation(const Validation& validation);
 
 signals:
     void estimatorChosen(gripscope::Estimator estimator); ///< a row of the table

@@ -7,6 +7,7 @@
 #include "ui/models/interval_text.h"
 #include "ui/models/shown_budget.h"
 #include "ui/pages/fit_page_budget.h"
+#include "ui/pages/fit_page_facts.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_format.h"
@@ -22,14 +23,9 @@ namespace {
 
 constexpr double quantile975 = 1.959963984540054; // half a 95 % interval in standard errors
 
-struct DerivedRow {
-    QString name, text;
-    bool number = true; ///< else words in place of one
-};
-
-std::vector<DerivedRow> rowsOf(const std::vector<DerivedQuantity>& quantities)
+std::vector<Fact> rowsOf(const std::vector<DerivedQuantity>& quantities)
 {
-    std::vector<DerivedRow> rows;
+    std::vector<Fact> rows;
     for (const DerivedQuantity& one : quantities) {
         QString name = one.name;
         if (!name.isEmpty())
@@ -42,7 +38,7 @@ std::vector<DerivedRow> rowsOf(const std::vector<DerivedQuantity>& quantities)
 }
 
 /// From noise alone, without a budget.
-std::vector<DerivedRow> rowsOf(const Estimate& estimate)
+std::vector<Fact> rowsOf(const Estimate& estimate)
 {
     const auto derived = derivedQuantities(estimate);
     if (!derived)
@@ -62,16 +58,12 @@ UncertaintyPanel::UncertaintyPanel(QWidget* parent)
     : QWidget(parent), m_adviceHead(makeLabel(tr("What would make it better"), "strong")),
       m_advice(makeLabel({})), m_budgetHead(makeLabel(tr("What the error bars are made of"), "strong")),
       m_budget(new BudgetPanel),
-      m_derivedHead(makeLabel(tr("What follows from m, b and k (95 %)"), "strong")),
-      m_derived(new QGridLayout)
+      m_derivedHead(makeLabel(tr("What follows from m, b and k (95 %)"), "strong")), m_derived(makeFactGrid())
 {
     auto* column = new QVBoxLayout(this);
     setSpacing(column, 0, metrics::step);
     m_advice->setWordWrap(true);
     m_advice->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_derived->setHorizontalSpacing(2 * metrics::step);
-    m_derived->setVerticalSpacing(metrics::insideControl);
-    m_derived->setColumnStretch(1, 1);
     column->addWidget(m_adviceHead);
     column->addWidget(m_advice);
     column->addWidget(m_budgetHead);
@@ -111,26 +103,13 @@ void UncertaintyPanel::showBudget(const Identification& identification, const QS
 
 void UncertaintyPanel::showDerived(const Identification& identification)
 {
-    while (QLayoutItem* item = m_derived->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
-    std::vector<DerivedRow> rows;
+    std::vector<Fact> rows;
     if (const UncertaintyBudget* budget = shownBudget(identification))
         rows = rowsOf(derivedFrom(*budget));
     else if (const Estimate* best = identification.best())
         rows = rowsOf(*best);
     m_derivedHead->setVisible(!rows.empty());
-    for (const DerivedRow& row : rows) {
-        const int at = m_derived->rowCount();
-        auto* name = makeLabel(row.name, "second");
-        auto* text = makeLabel(row.text, row.number ? "strong" : "");
-        text->setWordWrap(!row.number);
-        text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        text->setAccessibleName(u"%1: %2"_s.arg(row.name, row.text));
-        m_derived->addWidget(name, at, 0, row.number ? Qt::AlignBaseline : Qt::AlignTop);
-        m_derived->addWidget(text, at, 1, row.number ? Qt::AlignBaseline : Qt::AlignTop);
-    }
+    fillFacts(m_derived, rows);
 }
 
 } // namespace gripscope

@@ -306,8 +306,8 @@ void InspectPage::showHint()
 void InspectPage::showNumbers()
 {
     const auto& result = workbench().inspection().result();
-    const Estimate* best = result ? result->identification.best() : nullptr;
-    if (!best || !best->parameters) {
+    const std::optional<CorrectedParameters> object = result ? result->identification.object() : std::nullopt;
+    if (!object) {
         for (QLabel* label : {d->m, d->b, d->k})
             label->setText(u"–"_s);
         d->map->setPart(std::nullopt, std::nullopt);
@@ -323,12 +323,12 @@ void InspectPage::showNumbers()
         d->k->setText(texts.k.text());
         const std::optional<double> si = siFactor(recording.forceUnit, recording.positionUnit);
         std::optional<MassDampingStiffness> part;
-        std::optional<Eigen::Vector3d> errors = best->standardErrors();
+        std::optional<Eigen::Vector3d> errors;
         if (si && result->outcome != InspectionOutcome::NotValid)
-            part = MassDampingStiffness{best->parameters->m * *si, best->parameters->b * *si,
-                                        best->parameters->k * *si};
-        if (errors && si)
-            *errors *= *si;
+            part = MassDampingStiffness{object->parameters.m * *si, object->parameters.b * *si,
+                                        object->parameters.k * *si};
+        if (si && !object->covariance.isZero(0))
+            errors = object->covariance.diagonal().cwiseMax(0.0).cwiseSqrt() * *si;
         d->map->setPart(part, errors);
     }
     if (!result) {

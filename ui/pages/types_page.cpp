@@ -216,10 +216,10 @@ void TypesPage::takeInspection()
     d->highlightNumber = result->number;
     d->highlight.reset();
     d->highlightText.clear();
-    const Estimate* best = result->identification.best();
+    const std::optional<CorrectedParameters> object = result->identification.object();
     const std::optional<double> si = siFactor(result->recording.forceUnit, result->recording.positionUnit);
-    if (best && best->parameters && si) {
-        const Eigen::Vector3d at = best->parameters->vector() * *si;
+    if (object && si) {
+        const Eigen::Vector3d at = object->parameters.vector() * *si;
         const MassDampingStiffness parameters{at.x(), at.y(), at.z()};
         d->highlightText = result->number > 0 ? tr("Ringed: inspection %1").arg(result->number)
                                               : tr("Ringed: the latest inspection");
@@ -227,8 +227,8 @@ void TypesPage::takeInspection()
             {u"inspection"_s, at, 0, 0,
              d->highlightText + u'\n' + parametersText(parameters, parameterUnits(u"N"_s, u"m"_s))},
             std::nullopt};
-        if (best->covariance)
-            highlight.ellipsoid = estimateEllipsoid(parameters, *best->covariance * (*si * *si), 0.95);
+        if (!object->covariance.isZero(0))
+            highlight.ellipsoid = estimateEllipsoid(parameters, object->covariance * (*si * *si), 0.95);
         d->highlight = std::move(highlight);
     }
     refresh();

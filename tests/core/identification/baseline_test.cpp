@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/baseline.h"
 #include "core/identification/discretization.h"
+#include "core/identification/identification.h"
 #include "core/identification/output_error.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
@@ -26,6 +27,29 @@ Eigen::Matrix3d someCovariance()
 class BaselineTest : public QObject {
     Q_OBJECT
 private slots:
+    void whatIsShownEnrolledAndJudgedIsTheObjectAlone()
+    {
+        Synthetic synthetic;
+        synthetic.fitPercent = 95;
+        Recording recording = synthetic.make();
+        recording.chain.baseline = GripperBaseline{{0.01, 0.02, 0.03}, {1e-4, 1e-4, 1e-4}};
+        const Identification found = identify(recording);
+        QVERIFY(found.object() && found.best());
+        const Eigen::Vector3d off = found.best()->parameters->vector() - found.object()->parameters.vector();
+        QVERIFY((off - Eigen::Vector3d(0.01, 0.02, 0.03)).cwiseAbs().maxCoeff() < 1e-15);
+        // The budget's middle is the same, so that its interval belongs to what is judged.
+        QVERIFY(
+            (found.budget.parameters->vector() - found.object()->parameters.vector()).cwiseAbs().maxCoeff() <
+            1e-15);
+    }
+    void aSqueezeThatIsNotToldFromTheEmptyGripperIsInvalid()
+    {
+        Recording recording = Synthetic().make();
+        recording.chain.baseline = GripperBaseline{{0.01, 0.02, 0.2}, {1e-4, 1e-4, 1e-4}};
+        const Identification found = identify(recording);
+        QVERIFY(found.best() && !found.object());
+        QVERIFY(found.validity.verdict == ValidityVerdict::Invalid);
+    }
     void parallelPartsSubtractAndTheirVariancesAdd()
     {
         const auto object =

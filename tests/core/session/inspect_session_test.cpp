@@ -66,6 +66,16 @@ private slots:
         m_file = m_folder->filePath(QStringLiteral("run-%1.db").arg(++run));
         QVERIFY(QFile::copy(m_folder->filePath(QStringLiteral("enrolled.db")), m_file));
     }
+    void whatIsStoredOfASqueezeIsTheObjectAlone()
+    {
+        Recording recording = scatteredSqueezeOf(canA, 1);
+        recording.chain.baseline = GripperBaseline{{0.004, 4, 900}, {1e-5, 0.01, 5}};
+        const Identification found = identify(recording);
+        const NewGrasp grasp = makeGrasp(recording, found, QStringLiteral("file.csv"), {});
+        QCOMPARE(*grasp.estimates.front().parameters, found.object()->parameters);
+        QVERIFY(std::abs(grasp.estimates.front().parameters->k - (found.best()->parameters->k - 900)) < 1e-9);
+        QCOMPARE(grasp.estimates.size(), found.estimates.size());
+    }
     void outcomesNeverShareAWord()
     {
         const QString a = QStringLiteral("A"), c = QStringLiteral("C");

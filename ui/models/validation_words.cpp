@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/validation_words.h"
+
+#include "ui/charts/channel_scale.h"
+#include "ui/models/residual_words.h"
+#include "ui/widgets/number_format.h"
+
+#include <QCoreApplication>
+
+#include <array>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("gripscope::ValidationWords", text);
+}
+
+QString percentText(const std::optional<double>& percent)
+{
+    return percent ? formatPercent(*percent) : QString(QChar(0x2013));
+}
+
+QString samplesText(const Validation& validation)
+{
+    const QString count = formatCount(qint64(validation.validatedOn.count));
+    if (validation.source == ValidationSource::OtherRecording)
+        return tr("%1, %2 samples").arg(validation.name, count);
+    return tr("the last %1 samples, found from the first %2")
+        .arg(count, formatCount(qint64(validation.estimatedOn.count)));
+}
+
+QString testText(const std::optional<double>& p, const QString& good, const QString& bad)
+{
+    return u"%1, %2"_s.arg(*p < validationLimit ? bad : good, pValueText(*p));
+}
+
+/// "+1.2 ± 3.4 %": by how much, with the 95 % half-width to be expected.
+QString changeText(double change, double error)
+{
+    constexpr double quantile975 = 1.959963984540054;
+    QString number = formatNumber(100 * change, 100 * error * quantile975, {}).number();
+    if (change > 0)
+        number.prepend(u'+');
+    return number + u" %"_s;
+}
+
+/// In a unit that reads well, "5.2 µm".
+QString inUnit(double value, const QString& unit)
+{
+    const ChannelScale shown = channelScale(unit, std::abs(value));
+    return formatNumber(value * shown.factor, std::nullopt, shown.unit, 2).valueWithUnit();
+}
+
+/// The correlation of unrelated noises scatters by some tenths over few lines.
+constexpr double noticeableCorrelation = 0.3;
+constexpr double rarely = 0.01;
+
+} // namespace
+
+std::vector<Fact> validationFacts(const Validation& validation)
+{
+    if (!validation.available())
+        return {};
+    std::vector<Fact> facts{{tr("Held against"), samplesText(validation), false}};
+    QString simulation = percentText(validation.fit.simulationPercent);
+    if (validation.expectedPercent)
+        simulation = tr("%1, expected %2").arg(simulation, percentText(validation.expectedPercent));
+    facts.push_back({tr("Simulation fit"), simulation});
+    facts.push_back({tr("Prediction fit"), percentText(validation.fit.predictionPercent)});
+    if (validation.whitenessP)
+        facts.push_back({tr("Residuals"), testText(validation.whitenessP, tr("white"), tr("not white"))});
+    if (validation.inputIndependenceP)
+        facts.push_back({tr("Against force"),
+                         testText(validation.inputIndependenceP, tr("independent"), tr("dependent"))});
+    if (validation.misfitP)
+        facts.push_back({tr("m, b and k"), testText(validation.misfitP, tr("hold"), tr("do not hold"))});
+    static constexpr std::array names{"Change of m", "Change of b", "Change of k"};
+    for (Eigen::Index i = 0; validation.change && i < 3; ++i)
+        facts.push_back(
+            {tr(names[std::size_t(i)]), changeText((*validation.change)(i), (*validation.changeErrors)(i))});
+    return facts;
+}
+
+QString periodSentence(const PeriodicDiagnostics& periods)
+{
+    QStringList parts;
+    parts << (periods.noiseCorrelation > noticeableCorrelation
+                  ? tr("the force answers to disturbances of the position, which periodic allows for and "
+                       "output error does not")
+                  : tr("the force does not answer to the position"));
+    if (periods.distortionP)
+        parts
+            << (*periods.distortionP < rarely
+                    ? tr("harmonics that the force does not have show a spring or damper that is not linear")
+                    : tr("no harmonic shows more than a linear object"));
+    if (periods.costP < rarely)
+        parts << tr("the misfit is larger than what changes from period to period explains, and the errors "
+                    "were enlarged to match");
+    return asSentence(parts.join(u"; "_s));
+}
+
+std::vector<Fact> periodFacts(const PeriodicDiagnostics& periods, const QString& forceUnit,
+                              const QString& positionUnit)
+{
+    std::vector<Fact> facts{
+        {tr("Periods"),
+         tr("%1 of %2 samples")
+             .arg(formatCount(qint64(periods.periods)), formatCount(qint64(periods.periodSamples)))},
+        {tr("Force noise"), inUnit(periods.forceNoise, forceUnit)},
+        {tr("Position noise"), inUnit(periods.positionNoise, positionUnit)},
+        {tr("Their correlation"), formatNumber(periods.noiseCorrelation, std::nullopt, {}, 2).value},
+        {tr("Drift of force"), inUnit(periods.forceDrift, forceUnit)},
+        {tr("Drift of position"), inUnit(periods.positionDrift, positionUnit)},
+        {tr("Misfit over noise"), tr("%1, %2").arg(formatNumber(periods.costRatio, std::nullopt, {}, 3).value,
+                                                   pValueText(periods.costP))}};
+    if (periods.distortionPercent && periods.distortionP)
+        facts.push_back({tr("Distortion"), tr("%1, %2").arg(formatPercent(*periods.distortionPercent, 2),
+                                                            pValueText(*periods.distortionP))});
+    else
+        facts.push_back({tr("Distortion"), tr("not told: the force leaves no harmonic empty"), false});
+    return facts;
+}
+
+} // namespace gripscope
