@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
 #include "app/cli/commands.h"
 #include "app/cli/output.h"
-#include "app/cli/recognition_study_text.h"
-#include "core/identification/efficiency_study_json.h"
-#include "core/recognition/recognition_study_json.h"
+#include "app/cli/study_commands.h"
 
 #include <algorithm>
 
@@ -14,94 +11,33 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-std::vector<Estimator> readEstimators(CommandLine& line)
+struct Study {
+    QString name, summary;
+    int (*run)(const QStringList& arguments);
+};
+
+const std::vector<Study>& studies()
 {
-    QStringList names;
-    for (const Estimator estimator : studiedEstimators())
-        names << toString(estimator);
-    QStringList wanted = line.list(u"estimators"_qs);
-    if (wanted.contains(u"all"_qs))
-        wanted = names;
-    std::vector<Estimator> found;
-    for (const QString& name : wanted) {
-        const std::optional<Estimator> estimator = estimatorFromString(name);
-        if (!estimator || !names.contains(name))
-            line.reject(u"the study has no estimator \"%1\"; choose from %2, or all."_qs.arg(
-                name, names.join(u", "_qs)));
-        else if (std::find(found.begin(), found.end(), *estimator) == found.end())
-            found.push_back(*estimator);
-    }
-    if (found.empty())
-        line.reject(u"--estimators names none."_qs);
-    return found;
+    static const std::vector<Study> all{
+        {u"efficiency"_qs, u"the estimators' errors against the Cramer-Rao bound, and their intervals"_qs,
+         runEfficiencyStudy},
+        {u"recognition"_qs, u"the rates a verdict states beside those that are found"_qs,
+         runRecognitionStudy},
+        {u"early"_qs, u"squeezes that stop as soon as the stated error allows"_qs, runEarlyStudy},
+    };
+    return all;
 }
 
-int runs(CommandLine& line, int otherwise)
+} // namespace
+
+void addStudyOptions(CommandLine& line, int runs)
 {
-    return line.isSet(u"runs"_qs) ? line.integer(u"runs"_qs, 1, 1'000'000) : otherwise;
+    line.option(u"runs"_qs, u"N"_qs, u"Repetitions of each row."_qs, QString::number(runs));
+    line.option(u"seed"_qs, u"N"_qs, u"Seed of everything that is drawn."_qs, u"1"_qs);
+    line.option(u"threads"_qs, u"N"_qs,
+                u"Threads, 0 for as many as the machine has; no figure depends on it."_qs, u"0"_qs);
 }
 
-EfficiencyOptions readOptions(CommandLine& line)
-{
-    EfficiencyOptions options;
-    options.runs = runs(line, options.runs);
-    options.seed = line.seed();
-    options.threads = line.integer(u"threads"_qs, 0, 1024);
-    options.estimators = readEstimators(line);
-    options.settings = selectSettings(line.list(u"settings"_qs));
-    if (options.settings.empty())
-        line.reject(
-            u"--settings is \"%1\"; that leaves none of A, B, C, D, prbs, multisine, 85, 90, 95, 200, "
-            "1000, or names such as A-prbs-90-200."_qs.arg(line.text(u"settings"_qs)));
-    return options;
-}
-
-QString percent(double value)
-{
-    return QString::number(value, 'f', 1).rightJustified(7);
-}
-
-QString rowText(const SettingEfficiency& row)
-{
-    QString text = u"%1 %2"_qs.arg(row.setting.name(), -22).arg(toString(row.estimator), -14);
-    if (row.used == 0)
-        return text + u"  no run gave an estimate"_qs;
-    for (const ParameterEfficiency& parameter : row.parameters)
-        text += QString::number(parameter.ratio, 'f', 3).rightJustified(8);
-    text += u"  "_qs;
-    for (const ParameterEfficiency& parameter : row.parameters)
-        text += percent(parameter.coveragePercent);
-    return text + QString::number(row.runs - row.used).rightJustified(8);
-}
-
-QString pooledText(const PooledEfficiency& pooled)
-{
-    if (pooled.used == 0)
-        return u"%1: no run gave an estimate."_qs.arg(toString(pooled.estimator));
-    static const QStringList names{u"m"_qs, u"b"_qs, u"k"_qs};
-    return u"%1: error over bound %2 pooled, at most %3 (%4 of %5); 95 % intervals cover %6 %; %7 of %8 runs "
-           "failed and are left out."_qs.arg(
-               toString(pooled.estimator), QString::number(pooled.ratio, 'f', 4),
-               QString::number(pooled.worstRatio, 'f', 3), names[pooled.worstParameter], pooled.worstSetting,
-               QString::number(pooled.coveragePercent, 'f', 2), QString::number(pooled.runs - pooled.used),
-               QString::number(pooled.runs));
-}
-
-QString text(const EfficiencyStudy& study)
-{
-    QStringList lines{
-        u"Root-mean-square error over the Cramer-Rao bound, and how many 95 % intervals hold the "
-        "truth; x0, v0 and offset free."_qs,
-        u"%1 %2       m       b       k       m %    b %    k %  failed"_qs.arg(u"setting"_qs, -22)
-            .arg(u"estimator"_qs, -14)};
-    for (const SettingEfficiency& row : study.rows)
-        lines << rowText(row);
-    for (const PooledEfficiency& pooled : study.pooled)
-        lines << pooledText(pooled);
-    return lines.join(u'\n');
-}
-
-/// A line on standard error at each twentieth of the way.
 std::function<void(std::int64_t, std::int64_t)> progressLines()
 {
     return [told = std::int64_t(0)](std::int64_t done, std::int64_t total) mutable {
@@ -112,69 +48,31 @@ std::function<void(std::int64_t, std::int64_t)> progressLines()
     };
 }
 
-void addOptions(CommandLine& line)
-{
-    line.option(u"runs"_qs, u"N"_qs,
-                u"efficiency: repetitions of each setting, 500 if not given. recognition: enrolments a row, "
-                "2000."_qs);
-    line.option(u"seed"_qs, u"N"_qs, u"Seed of the noise."_qs, u"1"_qs);
-    line.option(u"estimators"_qs, u"LIST"_qs, u"Estimators, or all."_qs, u"oe"_qs);
-    line.option(
-        u"settings"_qs, u"LIST"_qs,
-        u"Only these: types (A to D), prbs, multisine, fits (85, 90, 95), samples (200, 1000), or names "
-        "such as A-prbs-90-200. Without it all 48."_qs);
-    line.option(u"threads"_qs, u"N"_qs,
-                u"Threads, 0 for as many as the machine has; no figure depends on it."_qs, u"0"_qs);
-}
-
-int runRecognition(CommandLine& line)
-{
-    RecognitionStudyOptions options;
-    options.runs = runs(line, options.runs);
-    options.seed = line.seed();
-    options.threads = line.integer(u"threads"_qs, 0, 1024);
-    for (const QString& name : {u"estimators"_qs, u"settings"_qs})
-        if (line.isSet(name))
-            line.reject(u"--%1 belongs to the study efficiency."_qs.arg(name));
-    if (const std::optional<int> exit = line.finish())
-        return *exit;
-    options.progress = [](int done, int rows) { message(u"%1 of %2 rows"_qs.arg(done).arg(rows)); };
-    const RecognitionStudy study = studyRecognition(options);
-    if (line.isSet(u"json"_qs))
-        printJson(toJson(study, options));
-    else
-        print(recognitionText(study));
-    return 0;
-}
-
-} // namespace
-
 int runStudy(const QStringList& arguments)
 {
+    QStringList names, lines;
+    for (const Study& study : studies()) {
+        names << study.name;
+        lines << u"%1: %2"_qs.arg(study.name, study.summary);
+    }
     CommandLine line(
         u"study"_qs,
-        u"Repeats experiments with known truth. efficiency: how close the estimators come to the "
-        "Cramer-Rao bound, and how often their 95 % intervals hold the truth. recognition: the rates a "
-        "verdict states beside those that are found."_qs,
-        u"efficiency|recognition"_qs);
-    addOptions(line);
+        u"Repeats experiments with known truth. %1. \"study NAME --help\" tells a study's options."_qs.arg(
+            lines.join(u"; "_qs)),
+        u"NAME"_qs);
+    addStudyOptions(line, 500);
+    for (const Study& study : studies()) {
+        if (!arguments.contains(study.name))
+            continue;
+        QStringList others = arguments;
+        others.removeOne(study.name);
+        return study.run(others);
+    }
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
-    if (line.files() == QStringList{u"recognition"_qs})
-        return runRecognition(line);
-    if (line.files() != QStringList{u"efficiency"_qs})
-        line.reject(u"there is no study \"%1\"; efficiency or recognition was expected."_qs.arg(
-            line.files().join(u' ')));
-    EfficiencyOptions options = readOptions(line);
-    if (const std::optional<int> exit = line.finish())
-        return *exit;
-    options.progress = progressLines();
-    const EfficiencyStudy study = studyEfficiency(options);
-    if (line.isSet(u"json"_qs))
-        printJson(toJson(study, options));
-    else
-        print(text(study));
-    return 0;
+    line.reject(u"there is no study \"%1\"; the name of one was expected first: %2."_qs.arg(
+        line.files().join(u' '), names.join(u", "_qs)));
+    return line.finish().value_or(2);
 }
 
 } // namespace gripscope::cli

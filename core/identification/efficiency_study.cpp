@@ -4,16 +4,13 @@
 #include "core/identification/arx.h"
 #include "core/identification/instrumental_variables.h"
 #include "core/identification/output_error.h"
+#include "core/parallel_runs.h"
 #include "core/signal/gaussian.h"
-#include "core/signal/mixed_seed.h"
 
 #include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <mutex>
-#include <thread>
 
 namespace gripscope {
 
@@ -54,15 +51,7 @@ Estimate estimateWith(Estimator estimator, const EfficiencySetting& setting, con
     return {};
 }
 
-std::uint64_t noiseSeed(std::uint64_t seed, const EfficiencySetting& setting, int run)
-{
-    std::uint64_t mix = mixedSeed(seed);
-    for (const QChar letter : setting.name())
-        mix = mixedSeed(mix ^ letter.unicode());
-    return mixedSeed(mix ^ static_cast<std::uint64_t>(run));
-}
-
-/// The runs of all settings and estimators, shared out among threads in small portions.
+/// The runs of all settings and estimators.
 class Runs {
 public:
     explicit Runs(const EfficiencyOptions& options)
@@ -76,14 +65,8 @@ public:
 
     void perform()
     {
-        const unsigned wanted = m_options.threads > 0 ? static_cast<unsigned>(m_options.threads)
-                                                      : std::max(1U, std::thread::hardware_concurrency());
-        std::vector<std::thread> helpers;
-        for (unsigned i = 1; i < wanted; ++i)
-            helpers.emplace_back([this] { work(); });
-        work();
-        for (std::thread& helper : helpers)
-            helper.join();
+        performRuns(m_total, m_options.threads, m_options.progress,
+                    [this](std::int64_t run) { performOne(static_cast<std::size_t>(run)); });
     }
 
     [[nodiscard]] const EfficiencyExperiment& experiment(std::size_t setting) const
@@ -98,27 +81,13 @@ public:
     }
 
 private:
-    void work()
-    {
-        constexpr std::int64_t portion = 20;
-        while (true) {
-            const std::int64_t begin = m_next.fetch_add(portion);
-            if (begin >= m_total)
-                return;
-            const std::int64_t end = std::min(begin + portion, m_total);
-            for (std::int64_t i = begin; i < end; ++i)
-                performOne(static_cast<std::size_t>(i));
-            report(end - begin);
-        }
-    }
-
     void performOne(std::size_t index)
     {
         const std::size_t at = index / static_cast<std::size_t>(m_runs);
         const int run = static_cast<int>(index % static_cast<std::size_t>(m_runs));
         const EfficiencySetting& setting = m_options.settings[at];
         const EfficiencyExperiment& experiment = m_experiments[at];
-        GaussianNoise noise(noiseSeed(m_options.seed, setting, run));
+        GaussianNoise noise(runSeed(m_options.seed, setting.name(), static_cast<std::uint64_t>(run)));
         std::vector<double> position = experiment.position;
         for (double& y : position)
             y += experiment.noiseDeviation * noise();
@@ -136,22 +105,11 @@ private:
         }
     }
 
-    void report(std::int64_t done)
-    {
-        const std::lock_guard guard(m_reporting);
-        m_done += done;
-        if (m_options.progress)
-            m_options.progress(m_done, m_total);
-    }
-
     const EfficiencyOptions& m_options;
     int m_runs;
     std::int64_t m_total;
     std::vector<EfficiencyExperiment> m_experiments;
     std::vector<Outcome> m_outcomes; ///< each element is written by one thread
-    std::atomic<std::int64_t> m_next = 0;
-    std::mutex m_reporting; ///< guards m_done and the callback
-    std::int64_t m_done = 0;
 };
 
 /// Two-sided 95 % quantiles of Student's t, each found once.

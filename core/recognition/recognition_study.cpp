@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/recognition_study.h"
 
+#include "core/parallel_runs.h"
 #include "core/recognition/paper_appendix.h"
 
 #include <algorithm>
@@ -143,7 +144,7 @@ RecognitionStudy studyRecognition(const RecognitionStudyOptions& options)
         const int runs = identified ? std::max(1, options.runs / 10) : std::max(1, options.runs);
         const QString name = scenario.name();
         const auto one = [&](int run) {
-            const std::uint64_t seed = studySeed(options.seed, name, run);
+            const std::uint64_t seed = runSeed(options.seed, name, static_cast<std::uint64_t>(run));
             return identified ? runNoiseMismatch(scenario, seed) : runScenario(scenario, seed);
         };
         RecognitionRow row{scenario, pooled(tallyRuns(runs, options.threads, one)), {}};

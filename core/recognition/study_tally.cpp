@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/study_tally.h"
 
-#include "core/signal/mixed_seed.h"
+#include "core/parallel_runs.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 
 namespace gripscope {
 
@@ -34,28 +32,9 @@ StudyTally pooled(const std::vector<EnrolmentTally>& enrolments)
 std::vector<EnrolmentTally> tallyRuns(int runs, int threads, const std::function<EnrolmentTally(int)>& one)
 {
     std::vector<EnrolmentTally> tallies(std::size_t(std::max(0, runs)));
-    std::atomic<int> next = 0;
-    const auto work = [&] {
-        for (int run = next++; run < runs; run = next++)
-            tallies[std::size_t(run)] = one(run);
-    };
-    const unsigned wanted =
-        threads > 0 ? unsigned(threads) : std::max(1U, std::thread::hardware_concurrency());
-    std::vector<std::thread> helpers;
-    for (unsigned i = 1; i < wanted && int(i) < runs; ++i)
-        helpers.emplace_back(work);
-    work();
-    for (std::thread& helper : helpers)
-        helper.join();
+    shareAmongThreads(std::int64_t(tallies.size()), threads,
+                      [&](std::int64_t run) { tallies[std::size_t(run)] = one(int(run)); });
     return tallies;
-}
-
-std::uint64_t studySeed(std::uint64_t seed, const QString& row, int run)
-{
-    std::uint64_t mix = mixedSeed(seed);
-    for (const QChar letter : row)
-        mix = mixedSeed(mix ^ letter.unicode());
-    return mixedSeed(mix ^ static_cast<std::uint64_t>(run));
 }
 
 } // namespace gripscope

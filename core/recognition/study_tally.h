@@ -36,7 +36,4 @@ struct StudyTally {
 [[nodiscard]] std::vector<EnrolmentTally> tallyRuns(int runs, int threads,
                                                     const std::function<EnrolmentTally(int)>& one);
 
-/// A seed of its own for each run of each named row.
-[[nodiscard]] std::uint64_t studySeed(std::uint64_t seed, const QString& row, int run);
-
 } // namespace gripscope

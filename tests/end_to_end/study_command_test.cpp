@@ -65,6 +65,21 @@ private slots:
         QVERIFY(run.out.contains("40 of 40 right"));
         QVERIFY(run.out.contains("met"));
     }
+    void earlyIsOneDocumentWithARowASetting()
+    {
+        const ProgramRun run =
+            m_work.cli({u"study"_s, u"early"_s, u"--runs"_s, u"6"_s, u"--seed"_s, u"2"_s, u"--json"_s});
+        QCOMPARE(run.exit, 0);
+        const QJsonObject document = run.json();
+        QCOMPARE(document[u"stated_error"].toDouble(), 0.01);
+        const QJsonArray settings = document[u"settings"].toArray();
+        QCOMPARE(settings.size(), 8);
+        for (const QJsonValue& row : settings) {
+            QCOMPARE(row[u"decided"].toInt() + row[u"undecided"].toInt(), 6);
+            QVERIFY(row[u"mean_samples"].toDouble() >= 10 && row[u"mean_samples"].toDouble() <= 400);
+        }
+        QCOMPARE(settings[0][u"setting"].toString(), u"rest-90-white"_s);
+    }
 };
 
 GRIPSCOPE_TEST(StudyCommandTest)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/parallel_runs.h"
 #include "core/recognition/recognition_study_json.h"
 #include "tests/support/test_registry.h"
 
@@ -66,7 +67,8 @@ private slots:
         scenario.options.siUnits = false;
         std::vector<EnrolmentTally> tallies;
         for (int run = 0; run < 5; ++run)
-            tallies.push_back(runNoiseMismatch(scenario, studySeed(1, scenario.name(), run)));
+            tallies.push_back(
+                runNoiseMismatch(scenario, runSeed(1, scenario.name(), static_cast<std::uint64_t>(run))));
         const StudyTally tally = pooled(tallies);
         // Stated 1 % of 400 unknown, clustered by enrolment; 4 +- 3.
         QVERIFY(tally.shares[u"type"_s].count >= 385);
