@@ -58,7 +58,7 @@ private slots:
         const QJsonObject oe = estimateOf(document, u"oe"_s);
         QCOMPARE(oe.keys(), sorted({u"estimator"_s, u"status"_s, u"parameters"_s, u"standard_errors"_s,
                                     u"covariance"_s, u"nuisance"_s, u"coefficients"_s, u"fit"_s,
-                                    u"residuals"_s, u"noise"_s, u"iterations"_s}));
+                                    u"residuals"_s, u"noise"_s, u"iterations"_s, u"part"_s}));
         QCOMPARE(oe[u"nuisance"].toObject().keys(), sorted({u"x0"_s, u"v0"_s, u"offset"_s}));
         QCOMPARE(oe[u"coefficients"].toObject().keys(),
                  sorted({u"a1"_s, u"a2"_s, u"b1"_s, u"b2"_s, u"constant"_s}));
