@@ -68,7 +68,10 @@ LagDialog::LagDialog(Workbench& workbench, QWidget* parent)
             refresh();
     });
     connect(&workbench, &Workbench::connectionChanged, this, &LagDialog::refresh);
-    connect(&workbench, &Workbench::stopped, this, [this] { d->session.cancel(); });
+    connect(&workbench, &Workbench::stopped, this, [this] {
+        d->session.cancel();
+        refresh(); // the window must not think that the squeeze goes on
+    });
     refresh();
 }
 
