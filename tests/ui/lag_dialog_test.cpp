@@ -45,7 +45,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(f.bench->squeezing(), 15000);
         f.bench->stop();
         QTRY_VERIFY_WITH_TIMEOUT(!f.bench->squeezing(), 15000);
-        QVERIFY(!f.bench->connection().armed());
+        QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), 15000);
         QTRY_COMPARE_WITH_TIMEOUT(act->text(), u"Arm"_s, 15000);
         QCOMPARE(f.bench->connection().measuringChain().forceLagUncertainty_s, 0.0);
     }
