@@ -26,6 +26,7 @@ struct ConnectSession::Private {
     int nextHandle = 1;
     std::vector<Sample> batch;
     bool ended = false;
+    bool armed = false; // at the last poll
 
     void drain();
     void follow(LinkState link);
@@ -61,6 +62,7 @@ Error ConnectSession::Private::lossReason() const
 
 void ConnectSession::Private::follow(LinkState link)
 {
+    armed = link == LinkState::Armed;
     switch (link) {
     case LinkState::Opening:
         return;
@@ -114,13 +116,14 @@ Expected<void> ConnectSession::connectTo(const QString& address)
 void ConnectSession::disconnect()
 {
     if (d->port) {
-        if (armed())
+        if (d->port->state() == LinkState::Armed)
             d->port->stop();
         d->port->close();
     }
     d->gate.reset();
     d->port.reset();
     d->ended = false;
+    d->armed = false;
     d->state = State::Disconnected;
 }
 
@@ -170,7 +173,7 @@ LinkCounters ConnectSession::counters() const
 
 bool ConnectSession::armed() const
 {
-    return d->port && d->port->state() == LinkState::Armed;
+    return d->armed;
 }
 
 GripperPort* ConnectSession::port()

@@ -39,6 +39,7 @@ public:
     [[nodiscard]] GripperIdentity
     identity() const; ///< of the last gripper that answered, also after it was lost
     [[nodiscard]] LinkCounters counters() const; ///< as of the last poll()
+    /// As of the last poll(), so that whoever looks after each poll misses no change.
     [[nodiscard]] bool armed() const;
     [[nodiscard]] GripperPort* port(); ///< null unless connected
     [[nodiscard]] SafetyGate* gate();  ///< null unless connected

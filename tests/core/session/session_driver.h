@@ -37,7 +37,11 @@ struct ArmedConnection {
         session.poll();
         if (session.state() != ConnectSession::State::Connected)
             return false;
-        return !arm || (session.arm(QStringLiteral("Ada")) && session.armed());
+        if (!arm)
+            return true;
+        const bool accepted = session.arm(QStringLiteral("Ada")).has_value();
+        session.poll(); // which is when a session learns it
+        return accepted && session.armed();
     }
 };
 
