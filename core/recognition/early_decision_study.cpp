@@ -250,6 +250,7 @@ EarlyDecisionStudy studyEarlyDecisions(const EarlyDecisionStudyOptions& options)
     if (outcomes.empty())
         return study;
     std::vector<double> samples;
+    samples.reserve(outcomes.size());
     for (const Outcome& outcome : outcomes)
         samples.push_back(
             static_cast<double>(outcome.decidedAt ? lengths[*outcome.decidedAt] : options.setting.longest));
