@@ -39,9 +39,7 @@ QString text(const std::vector<EarlyDecisionStudy>& rows, const EarlyDecisionStu
 EarlyDecisionStudyOptions readOptions(CommandLine& line)
 {
     EarlyDecisionStudyOptions options;
-    options.runs = line.integer(u"runs"_qs, 1, 1'000'000);
-    options.seed = line.seed();
-    options.threads = line.integer(u"threads"_qs, 0, 1024);
+    readStudyOptions(line, options);
     options.statedError = line.number(u"stated-error"_qs, CommandLine::Range::Positive);
     options.strangerShare = line.number(u"strangers"_qs, CommandLine::Range::Positive);
     for (const auto& [name, value] : {std::pair(u"stated-error"_qs, options.statedError),

@@ -36,9 +36,7 @@ std::vector<Estimator> readEstimators(CommandLine& line)
 EfficiencyOptions readOptions(CommandLine& line)
 {
     EfficiencyOptions options;
-    options.runs = line.integer(u"runs"_qs, 1, 1'000'000);
-    options.seed = line.seed();
-    options.threads = line.integer(u"threads"_qs, 0, 1024);
+    readStudyOptions(line, options);
     options.estimators = readEstimators(line);
     options.settings = selectSettings(line.list(u"settings"_qs));
     if (options.settings.empty())

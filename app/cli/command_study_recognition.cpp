@@ -17,9 +17,7 @@ int runRecognitionStudy(const QStringList& arguments)
     addStudyOptions(line, options.runs);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
-    options.runs = line.integer(u"runs"_qs, 1, 1'000'000);
-    options.seed = line.seed();
-    options.threads = line.integer(u"threads"_qs, 0, 1024);
+    readStudyOptions(line, options);
     if (const std::optional<int> exit = line.finish())
         return *exit;
     options.progress = [](int done, int rows) { message(u"%1 of %2 rows"_qs.arg(done).arg(rows)); };

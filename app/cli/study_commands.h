@@ -14,6 +14,14 @@ int runEarlyStudy(const QStringList& arguments);
 
 /// --runs (`runs` if not given), --seed and --threads, which every study has.
 void addStudyOptions(CommandLine& line, int runs);
+/// Their values, into options that name them alike.
+template <typename Options>
+void readStudyOptions(CommandLine& line, Options& options)
+{
+    options.runs = line.integer(QStringLiteral("runs"), 1, 1'000'000);
+    options.seed = line.seed();
+    options.threads = line.integer(QStringLiteral("threads"), 0, 1024);
+}
 /// A line on standard error at each twentieth of the way.
 [[nodiscard]] std::function<void(std::int64_t, std::int64_t)> progressLines();
 

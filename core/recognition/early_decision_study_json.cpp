@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/early_decision_study_json.h"
 
+#include "core/identification/json_number.h"
+
 #include <QJsonArray>
 
 namespace gripscope {
@@ -33,7 +35,7 @@ QJsonObject rowJson(const EarlyDecisionStudy& row)
             {u"wrong_when_forced"_s, row.wrongWhenForced},
             {u"equal_fixed_length"_s,
              row.equalFixedLength ? QJsonValue(static_cast<qint64>(*row.equalFixedLength)) : QJsonValue()},
-            {u"saving"_s, row.saving ? QJsonValue(*row.saving) : QJsonValue()}};
+            {u"saving"_s, jsonNumber(row.saving)}};
 }
 
 } // namespace
