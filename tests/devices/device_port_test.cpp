@@ -303,7 +303,9 @@ private slots:
             QVERIFY(gripper.ready() && gripper.arm());
             wire->readTakes = std::chrono::milliseconds(read_ms);
             wire->writeTakes = std::chrono::milliseconds(write_ms);
-            QVERIFY(waitFor([&] { return wire->heartbeats.load() > 1; })); // a writer that hangs does so now
+            // A writer that hangs does so from the next heartbeat on; there is none unless the screen lives.
+            const int before = wire->heartbeats.load();
+            QVERIFY(gripper.pollUntil([&] { return wire->heartbeats.load() > before; }));
         }
         const auto before = Clock::now();
         gripper.port->close();
