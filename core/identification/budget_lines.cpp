@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/budget_lines.h"
 
-#include "core/identification/discretization.h"
-
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <QStringList>
 #include <boost/math/distributions/normal.hpp>
 
@@ -20,18 +16,6 @@ namespace {
 QString percent(double share)
 {
     return QString::number(100 * share, 'g', 2);
-}
-
-/// A line whose covariance in (ln m, ln b, ln k) is `relative`.
-BudgetLine lineOf(const QString& id, const QString& words, EvaluationType type, const Eigen::Vector3d& p,
-                  const Eigen::Matrix3d& relative)
-{
-    BudgetLine line;
-    line.id = id;
-    line.words = words;
-    line.type = type;
-    line.covariance = p.asDiagonal() * relative * p.asDiagonal();
-    return line;
 }
 
 /// Values within +-a, all alike (JCGM 100, 4.3.7): a shift that may be there wholly, in part or not at all.
@@ -70,81 +54,17 @@ Eigen::Vector3d reachingDeviations(const Eigen::Vector3d& shift, const Eigen::Ve
     return deviations;
 }
 
-/// What white noise of standard deviation 1 on the force does to (ln m, ln b, ln k), and to the variance of
-/// the position: the model's impulse response g runs through the projected sensitivities backwards.
-struct ForceNoiseEffect {
-    Eigen::Matrix3d relative = Eigen::Matrix3d::Zero();
-    Eigen::Matrix3d whiteRelative = Eigen::Matrix3d::Zero(); ///< of unit white noise of the position itself
-    double positionVariance = 0;
-};
-ForceNoiseEffect forceNoiseEffect(const Estimate& e, const LinearizedRecord& record,
-                                  const OutputErrorOptions& options)
-{
-    const std::size_t samples = record.velocity.size();
-    std::vector<double> impulse(samples, 0.0);
-    impulse.front() = 1;
-    const SimulationOptions rest{options.sampleTime_s, options.hold, options.lag_s, 0, 0, 0};
-    ForceNoiseEffect out;
-    for (const double g : simulate(*e.parameters, impulse, rest))
-        out.positionVariance += g * g;
-
-    // A' = (S'S)^-1 S' with the nuisances projected out, row by row of the record, from its Gram matrices.
-    const Eigen::MatrixXd& n = record.nuisances;
-    Eigen::MatrixXd own = record.sensitivities;
-    if (n.cols() > 0) {
-        const Eigen::MatrixXd gram = n.transpose() * n;
-        own -= n * gram.completeOrthogonalDecomposition().solve(n.transpose() * own);
-    }
-    const Eigen::Matrix3d information = own.transpose() * own;
-    const Eigen::Matrix3d inverse = information.inverse();
-    const Eigen::MatrixXd influence = own * inverse / record.positionScale;
-    Eigen::MatrixXd answered(static_cast<Eigen::Index>(samples), 3);
-    for (Eigen::Index i = 0; i < 3; ++i) {
-        std::vector<double> backwards(samples, 0.0);
-        for (std::size_t r = 0; r < record.rows.size(); ++r)
-            backwards[samples - 1 - record.rows[r]] = influence(static_cast<Eigen::Index>(r), i);
-        const std::vector<double> filtered = simulate(*e.parameters, backwards, rest);
-        for (std::size_t t = 0; t < samples; ++t)
-            answered(static_cast<Eigen::Index>(t), i) = filtered[t];
-    }
-    out.relative = answered.transpose() * answered;
-    out.whiteRelative = influence.transpose() * influence;
-    return out;
-}
-
 } // namespace
 
-std::vector<BudgetLine> noiseLines(const Estimate& estimate, const LinearizedRecord& record,
-                                   const OutputErrorOptions& options, double forceNoiseDeviation)
+BudgetLine lineOf(const QString& id, const QString& words, EvaluationType type, const Eigen::Vector3d& p,
+                  const Eigen::Matrix3d& relative)
 {
-    BudgetLine noise;
-    noise.type = EvaluationType::A;
-    noise.covariance = *estimate.covariance;
-    const double degreesOfFreedom = std::max(estimate.residuals.degreesOfFreedom, 1.0);
-    const double inflation = std::max(estimate.residuals.errorInflation.value_or(1), 1.0);
-    const bool coloured = estimate.noise && !estimate.noise->coefficients.empty();
-    const double independent = coloured ? degreesOfFreedom / (inflation * inflation) : degreesOfFreedom;
-    noise.degreesOfFreedom = Eigen::Vector3d::Constant(std::max(independent, 1.0));
-    noise.id = coloured ? u"noise"_s : u"position_noise"_s;
-    noise.words = coloured ? u"noise of position and force, correlated over time (an autoregressive model of "
-                             "order %1)"_s.arg(estimate.noise->coefficients.size())
-                           : u"white noise of the position"_s;
-    if (!(forceNoiseDeviation > 0) || !record.usable())
-        return {noise};
-
-    const ForceNoiseEffect unit = forceNoiseEffect(estimate, record, options);
-    const double variance = forceNoiseDeviation * forceNoiseDeviation;
-    const Eigen::Vector3d p = estimate.parameters->vector();
-    const BudgetLine force = lineOf(u"force_noise"_s, u"white noise of the force, as stated"_s,
-                                    EvaluationType::B, p, variance * unit.relative);
-    const double residual = estimate.residuals.sse / degreesOfFreedom;
-    const double explained = variance * unit.positionVariance;
-    if (!force.covariance.allFinite() || !unit.whiteRelative.allFinite() || !(residual > 0))
-        return {noise};
-    BudgetLine position = lineOf(u"position_noise"_s, u"white noise of the position"_s, EvaluationType::A, p,
-                                 std::max(residual - explained, 0.0) * unit.whiteRelative);
-    position.degreesOfFreedom = Eigen::Vector3d::Constant(degreesOfFreedom);
-    return {position, force};
+    BudgetLine line;
+    line.id = id;
+    line.words = words;
+    line.type = type;
+    line.covariance = p.asDiagonal() * relative * p.asDiagonal();
+    return line;
 }
 
 std::vector<BudgetLine> effectLines(const Eigen::Vector3d& p, const LinearizedRecord& record,

@@ -9,12 +9,14 @@
 
 namespace gripscope {
 
-/// The single lines of an uncertainty budget before they are added up; see uncertaintyBudget(). Effects that
-/// are not there give no line. `p` is what the line is about, in the channels' units.
+/// The single lines of an uncertainty budget before they are added up; see uncertaintyBudget(), and
+/// noise_lines.h for those of the noise. Effects that are not there give no line. `p` is what the line is
+/// about, in the channels' units.
 
-[[nodiscard]] std::vector<BudgetLine> noiseLines(const Estimate& estimate, const LinearizedRecord& record,
-                                                 const OutputErrorOptions& options,
-                                                 double forceNoiseDeviation);
+/// A line whose covariance in (ln m, ln b, ln k) is `relative`.
+[[nodiscard]] BudgetLine lineOf(const QString& id, const QString& words, EvaluationType type,
+                                const Eigen::Vector3d& p, const Eigen::Matrix3d& relative);
+
 /// Lag and frame compliance.
 [[nodiscard]] std::vector<BudgetLine> effectLines(const Eigen::Vector3d& p, const LinearizedRecord& record,
                                                   const MeasuringChain& chain);

@@ -2,6 +2,7 @@
 #include "core/identification/uncertainty_budget.h"
 
 #include "core/identification/budget_lines.h"
+#include "core/identification/noise_lines.h"
 
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -138,7 +139,7 @@ UncertaintyBudget uncertaintyBudget(const Estimate& estimate, const std::vector<
         known.push_back(record.forceAtSample);
     const ModelMisfit misfit = modelMisfit(estimate, record, force, options, known);
     const Eigen::Vector3d measured = estimate.parameters->vector();
-    append(budget.lines, noiseLines(estimate, record, options, budgetOptions.forceNoiseDeviation));
+    append(budget.lines, noiseLines(estimate, record, options, chain.forceNoiseDeviation));
     append(budget.lines, effectLines(measured, record, chain));
     append(budget.lines, discrepancyLines(measured, budgetOptions.discrepancy, misfit));
 

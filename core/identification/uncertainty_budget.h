@@ -74,17 +74,15 @@ struct HoldAmbiguity {
 struct BudgetOptions {
     std::optional<HoldAmbiguity> hold;
     std::optional<ModelDiscrepancy> discrepancy; ///< between windows, amplitudes or squeezes
-    /// Standard deviation of white noise on the force channel, in its unit, where it is known. The budget
-    /// then tells force noise from position noise; else the residuals hold both.
-    double forceNoiseDeviation = 0;
-    bool subtractBaseline = true; ///< false: `estimate` is that of the object alone already
+    bool subtractBaseline = true;                ///< false: `estimate` is that of the object alone already
     double coverage = 0.95;
 };
 
 /// The budget of an output-error estimate (or another one of the same model) of this record. Linear
 /// propagation (effect_regression.h):
-/// - noise: the estimate's own covariance; where the force noise is stated, the covariance that its filtered
-///   answer causes and s^2 (J'J)^-1 with the rest of s^2;
+/// - noise: the estimate's own covariance; where the chain states the noise of the force, the covariance that
+///   its filtered answer causes and s^2 (J'J)^-1 with the rest of s^2, unless the residuals are coloured so
+///   strongly that their own noise model asks for more;
 /// - lag: the velocity is what a second of lag adds; frame compliance: the force is what a unit of compliance
 ///   adds (a declared compliance was taken off the position before the estimate);
 /// - calibration: m, b, k are proportional to force over position, exactly; after the baseline, which the

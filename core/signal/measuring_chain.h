@@ -16,8 +16,9 @@ struct GripperBaseline {
 /// What is known of the device that measured: systematic effects with their standard uncertainties (GUM, JCGM
 /// 100). A zero means: known exactly, or not there.
 struct MeasuringChain {
-    double forceLagUncertainty_s = 0;      ///< of Recording::forceLag_s
-    double forceScaleUncertainty = 0;      ///< relative, of the force channel's calibration
+    double forceLagUncertainty_s = 0; ///< of Recording::forceLag_s
+    double forceNoiseDeviation = 0;   ///< standard deviation of white noise on the force channel, force unit
+    double forceScaleUncertainty = 0; ///< relative, of the force channel's calibration
     double positionScaleUncertainty = 0;   ///< relative, of the position channel's calibration
     double frameCompliance = 0;            ///< of frame and fingers in series, position unit per force unit
     double frameComplianceUncertainty = 0; ///< same unit

@@ -16,8 +16,9 @@ struct NumberKey {
     std::string_view key;
     double MeasuringChain::*member;
 };
-constexpr std::array<NumberKey, 5> numberKeys{{
+constexpr std::array<NumberKey, 6> numberKeys{{
     {"force_lag_uncertainty_s", &MeasuringChain::forceLagUncertainty_s},
+    {"force_noise", &MeasuringChain::forceNoiseDeviation},
     {"force_scale_uncertainty", &MeasuringChain::forceScaleUncertainty},
     {"position_scale_uncertainty", &MeasuringChain::positionScaleUncertainty},
     {"frame_compliance", &MeasuringChain::frameCompliance},

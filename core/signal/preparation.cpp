@@ -6,6 +6,7 @@
 #include "core/signal/lost_share.h"
 #include "core/signal/preparation_steps.h"
 #include "core/signal/regular_grid.h"
+#include "core/signal/resting_force.h"
 #include "core/signal/sample_clock.h"
 
 #include <algorithm>
@@ -137,6 +138,22 @@ void removeFrame(PreparedRecord& prepared, ForceHold hold)
     prepared.steps.push_back(frameStep(compliance));
 }
 
+/// What the force channel's noise is, from before the squeeze, unless it was stated.
+void measureForceNoise(PreparedRecord& prepared, const Recording& recording)
+{
+    if (prepared.chain.forceNoiseDeviation > 0)
+        return;
+    const ContactPhases& phases = prepared.phases;
+    // The last of an approach feels the object already.
+    const std::size_t rest =
+        phases.hasApproach ? phases.touch - phases.touch / 5 : movingWindow(recording).first;
+    const std::optional<double> deviation = restingForceNoise(part(recording.force, {0, rest}));
+    if (!deviation)
+        return;
+    prepared.chain.forceNoiseDeviation = *deviation;
+    prepared.steps.push_back(forceNoiseStep(rest, *deviation));
+}
+
 void notice(PreparedRecord& prepared, const Recording& recording, Window used)
 {
     if (auto step = saturationStep(recording, used))
@@ -192,6 +209,7 @@ PreparedRecord prepare(const Recording& recording, const PreparationOptions& opt
     if (recording.size() == 0)
         return prepared;
     const Window squeeze = chooseSqueeze(prepared, recording, options);
+    measureForceNoise(prepared, recording);
     prepared.choice.window = fillGrid(prepared, recording, squeeze, options);
     if (options.findContact)
         exciseContactLoss(prepared);

@@ -23,7 +23,7 @@ struct PreparationOptions {
 };
 
 /// One thing that was done to a recording or noticed in it. Ids: unusable, contact, clock_drift,
-/// clock_jitter, clock_break, samples_lost, window_cut, contact_loss, saturation, quantization,
+/// force_noise, clock_jitter, clock_break, samples_lost, window_cut, contact_loss, saturation, quantization,
 /// frame_compliance.
 struct PreparationStep {
     QString id;
@@ -41,7 +41,9 @@ struct PreparedRecord {
     std::vector<std::size_t> lost;
     std::optional<ForceHold> hold; ///< as the recording said
     double forceLag_s = 0;
-    MeasuringChain chain; ///< as the recording said; the frame's share is out of `position` already
+    /// As the recording said; the frame's share is out of `position` already. A force noise that was not
+    /// stated is that of the samples before the squeeze, where there are enough of them.
+    MeasuringChain chain;
     std::vector<PreparationStep> steps;
 
     /// The recording's samples from the first to the last used; `eligible` those there are in the squeeze,
@@ -56,7 +58,8 @@ struct PreparedRecord {
 [[nodiscard]] PreparedRecord windowOf(const PreparedRecord& record, Window window);
 
 /// Takes a recording through, in this order: the samples the device calls the squeeze (StatusMoving), the
-/// phases of contact (findContact), the clock and the lost samples (readSampleClock), where more than
+/// phases of contact (findContact), the noise of the force before them
+/// (restingForceNoise), the clock and the lost samples (readSampleClock), where more than
 /// `largestLostShare` are lost the best part between gaps, the regular grid (placeOnGrid, or resampleToGrid
 /// for a jittered clock), contact loss, the frame's compliance; and looks for saturation and quantisation.
 ///

@@ -118,6 +118,14 @@ PreparationStep contactLossStep(const std::vector<std::size_t>& away, std::size_
             .arg(number(100 * share))};
 }
 
+PreparationStep forceNoiseStep(std::size_t samples, double deviation)
+{
+    return {u"force_noise"_s, samples, deviation, true,
+            u"the force channel's noise, %1 force units, was taken from the %2 samples before the squeeze"_s
+                .arg(number(deviation))
+                .arg(samples)};
+}
+
 PreparationStep frameStep(double compliance)
 {
     return {u"frame_compliance"_s, 0, compliance, true,

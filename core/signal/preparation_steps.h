@@ -13,6 +13,7 @@ namespace gripscope {
 
 [[nodiscard]] PreparationStep unusableStep();
 [[nodiscard]] PreparationStep contactStep(const ContactPhases& phases, Window asked);
+[[nodiscard]] PreparationStep forceNoiseStep(std::size_t samples, double deviation);
 [[nodiscard]] PreparationStep driftStep(const SampleClock& clock, double nominal_s);
 [[nodiscard]] PreparationStep breakStep(const SampleClock& clock);
 [[nodiscard]] PreparationStep jitterStep(const SampleClock& clock, bool moved);

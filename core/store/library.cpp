@@ -186,9 +186,13 @@ Expected<void> Library::addMeasuringChain(const NewMeasuringChain& measured)
         return failure(ErrorCode::Usage,
                        {u"This gripper has no serial number to keep what was measured under."_s});
     const MeasuringChain& chain = measured.chain;
-    std::vector<double> numbers{measured.forceLag_s,         chain.forceLagUncertainty_s,
-                                chain.forceScaleUncertainty, chain.positionScaleUncertainty,
-                                chain.frameCompliance,       chain.frameComplianceUncertainty};
+    std::vector<double> numbers{measured.forceLag_s,
+                                chain.forceLagUncertainty_s,
+                                chain.forceNoiseDeviation,
+                                chain.forceScaleUncertainty,
+                                chain.positionScaleUncertainty,
+                                chain.frameCompliance,
+                                chain.frameComplianceUncertainty};
     if (chain.baseline) {
         numbers.insert(numbers.end(), chain.baseline->parameters.begin(), chain.baseline->parameters.end());
         numbers.insert(numbers.end(), chain.baseline->standardErrors.begin(),

@@ -17,8 +17,8 @@ MeasuringChainRecord take(Statement& row, const QString& gripperSerial)
     record.forceLag_s = row.takeReal();
     MeasuringChain& chain = record.chain;
     for (double* value :
-         {&chain.forceLagUncertainty_s, &chain.forceScaleUncertainty, &chain.positionScaleUncertainty,
-          &chain.frameCompliance, &chain.frameComplianceUncertainty})
+         {&chain.forceLagUncertainty_s, &chain.forceNoiseDeviation, &chain.forceScaleUncertainty,
+          &chain.positionScaleUncertainty, &chain.frameCompliance, &chain.frameComplianceUncertainty})
         *value = row.takeReal();
     GripperBaseline baseline;
     bool complete = true;
@@ -41,14 +41,18 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const NewMeasur
         database, u"store what was measured of the gripper"_s,
         u"INSERT INTO measuring_chains (id, station, created_utc, gripper_serial, operator_name, basis, "
         u"force_lag_s, "
-        "force_lag_uncertainty_s, force_scale_uncertainty, position_scale_uncertainty, frame_compliance, "
+        "force_lag_uncertainty_s, force_noise_deviation, force_scale_uncertainty, "
+        "position_scale_uncertainty, frame_compliance, "
         "frame_compliance_uncertainty, baseline_m, baseline_b, baseline_k, baseline_error_m, "
         "baseline_error_b, "
-        "baseline_error_k) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+        "baseline_error_k) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     const MeasuringChain& chain = measured.chain;
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc);
     row.bind(measured.gripperSerial).bind(measured.operatorName).bind(measured.basis);
-    row.bind(measured.forceLag_s).bind(chain.forceLagUncertainty_s).bind(chain.forceScaleUncertainty);
+    row.bind(measured.forceLag_s)
+        .bind(chain.forceLagUncertainty_s)
+        .bind(chain.forceNoiseDeviation)
+        .bind(chain.forceScaleUncertainty);
     row.bind(chain.positionScaleUncertainty)
         .bind(chain.frameCompliance)
         .bind(chain.frameComplianceUncertainty);
@@ -64,7 +68,7 @@ Expected<std::optional<MeasuringChainRecord>> newest(Database& database, const Q
     Statement query(
         database, u"read what is known of the gripper"_s,
         u"SELECT created_utc, operator_name, basis, force_lag_s, force_lag_uncertainty_s, "
-        u"force_scale_uncertainty, "
+        u"force_noise_deviation, force_scale_uncertainty, "
         "position_scale_uncertainty, frame_compliance, frame_compliance_uncertainty, baseline_m, baseline_b, "
         "baseline_k, baseline_error_m, baseline_error_b, baseline_error_k FROM measuring_chains "
         "WHERE gripper_serial = ? ORDER BY created_utc DESC, id DESC LIMIT 1"_s);

@@ -91,6 +91,7 @@ const std::vector<Migration>& migrations()
     static const std::vector<Migration> steps = {
         {1, u"types, squeezes and inspections"_s, statementsOf(QString::fromUtf8(migrationScript1))},
         {2, u"what is known of a gripper's channels"_s, statementsOf(QString::fromUtf8(migrationScript2))},
+        {3, u"the noise of a gripper's force channel"_s, statementsOf(QString::fromUtf8(migrationScript3))},
     };
     return steps;
 }

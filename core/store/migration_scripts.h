@@ -7,5 +7,6 @@ namespace gripscope {
 /// sees it).
 extern const char* const migrationScript1;
 extern const char* const migrationScript2;
+extern const char* const migrationScript3;
 
 } // namespace gripscope

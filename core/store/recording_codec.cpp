@@ -14,6 +14,7 @@ namespace {
 constexpr char magic[4] = {'G', 'S', 'R', 'B'};
 constexpr std::uint16_t plainVersion = 1;
 constexpr std::uint16_t chainVersion = 2;
+constexpr std::uint16_t forceNoiseVersion = 3; ///< the chain states the noise of the force as well
 enum Columns : std::uint8_t { HasSequence = 1, HasStatus = 2 };
 
 class Writer {
@@ -109,6 +110,8 @@ void putChain(Writer& out, const MeasuringChain& chain)
     out.put(chain.positionScaleUncertainty);
     out.put(chain.frameCompliance);
     out.put(chain.frameComplianceUncertainty);
+    if (chain.forceNoiseDeviation != 0)
+        out.put(chain.forceNoiseDeviation);
     out.put(std::uint8_t(chain.baseline ? 1 : 0));
     if (!chain.baseline)
         return;
@@ -118,7 +121,7 @@ void putChain(Writer& out, const MeasuringChain& chain)
         out.put(value);
 }
 
-MeasuringChain getChain(Reader& in)
+MeasuringChain getChain(Reader& in, std::uint16_t version)
 {
     MeasuringChain chain;
     chain.forceLagUncertainty_s = in.get<double>();
@@ -126,6 +129,8 @@ MeasuringChain getChain(Reader& in)
     chain.positionScaleUncertainty = in.get<double>();
     chain.frameCompliance = in.get<double>();
     chain.frameComplianceUncertainty = in.get<double>();
+    if (version == forceNoiseVersion)
+        chain.forceNoiseDeviation = in.get<double>();
     if (in.get<std::uint8_t>() == 0)
         return chain;
     chain.baseline.emplace();
@@ -153,7 +158,9 @@ Expected<QByteArray> encodeRecording(const Recording& recording)
     Writer out;
     out.raw(magic, sizeof(magic));
     const bool hasChain = !(recording.chain == MeasuringChain());
-    out.put(hasChain ? chainVersion : plainVersion);
+    // The oldest layout that holds it all, so that earlier programs read on what they can.
+    const bool statesForceNoise = recording.chain.forceNoiseDeviation != 0;
+    out.put(statesForceNoise ? forceNoiseVersion : hasChain ? chainVersion : plainVersion);
     out.put(recording.sampleTime_s);
     out.put(recording.forceLag_s);
     out.put(holdCode(recording.hold));
@@ -184,9 +191,9 @@ Expected<Recording> decodeRecording(const QByteArray& bytes)
     const QByteArray body = bytes.mid(sizeof(magic));
     Reader in(body);
     const auto version = in.get<std::uint16_t>();
-    if (version != plainVersion && version != chainVersion)
+    if (version < plainVersion || version > forceNoiseVersion)
         return damaged(
-            u"its layout has version %1; this program knows up to %2"_s.arg(version).arg(chainVersion));
+            u"its layout has version %1; this program knows up to %2"_s.arg(version).arg(forceNoiseVersion));
     Recording recording;
     recording.sampleTime_s = in.get<double>();
     recording.forceLag_s = in.get<double>();
@@ -210,8 +217,8 @@ Expected<Recording> decodeRecording(const QByteArray& bytes)
         in.get(recording.sequence, samples);
     if (columns & HasStatus)
         in.get(recording.status, samples);
-    if (version == chainVersion)
-        recording.chain = getChain(in);
+    if (version >= chainVersion)
+        recording.chain = getChain(in, version);
     if (!in.ok() || !in.atEnd())
         return damaged(u"it is shorter or longer than it says"_s);
     return recording;

@@ -216,26 +216,48 @@ private slots:
         VERIFY_COVERAGE(covered, runs);
     }
 
+    void aStatedForceNoiseIsCovered_data()
+    {
+        QTest::addColumn<double>("fit");
+        QTest::addColumn<double>("deviation");
+        QTest::newRow("5 %, little noise on the position") << 97.0 << 0.5;
+        QTest::newRow("10 %, much noise on the position") << 90.0 << 1.0;
+    }
     void aStatedForceNoiseIsCovered()
     {
-        // 5 % of peak, white; taken for position noise the intervals of k would cover far less.
-        BudgetOptions options;
-        options.forceNoiseDeviation = 0.5;
+        // Taken for position noise the intervals of k would cover far less: 83 % in the second row.
+        QFETCH(double, fit);
+        MeasuringChain chain;
+        QFETCH(double, deviation);
+        chain.forceNoiseDeviation = deviation;
         Synthetic synthetic = canA();
-        std::array<int, 3> covered{};
-        GaussianNoise draw(5);
-        for (int run = 0; run < runs; ++run) {
-            synthetic.seed = static_cast<std::uint64_t>(run) + 1;
-            Recording recording = synthetic.make();
-            for (double& u : recording.force)
-                u += options.forceNoiseDeviation * draw();
-            const UncertaintyBudget budget = budgetOf(recording, optionsFor(synthetic), {}, options);
-            for (std::size_t i = 0; i < 3; ++i) {
-                const double truth = synthetic.truth.vector()(static_cast<Eigen::Index>(i));
-                covered[i] += covers(budget.intervals[i], truth) ? 1 : 0;
-            }
-        }
+        synthetic.fitPercent = fit;
+        const auto covered =
+            countCovered(synthetic, runs, chain, [&](Recording& recording, GaussianNoise& draw) {
+                for (double& u : recording.force)
+                    u += chain.forceNoiseDeviation * draw();
+            });
         VERIFY_COVERAGE(covered, runs);
+    }
+
+    void aColourThatForceNoiseDoesNotExplainKeepsItsOwnModel()
+    {
+        const Synthetic synthetic = canA();
+        const Recording recording = synthetic.make();
+        const OutputErrorOptions options = optionsFor(synthetic);
+        MeasuringChain chain;
+        chain.forceNoiseDeviation = 0.01; // a thousandth of the force: no colour to speak of
+        Estimate e = estimateOutputError(recording.force, recording.position, options);
+        *e.covariance *= 9;
+        e.noise = AutoregressiveNoise{{0.8}, {}, 1e-5, std::nullopt};
+        const UncertaintyBudget own =
+            uncertaintyBudget(e, recording.force, recording.position, options, chain);
+        QVERIFY(own.find(u"noise"_s) != nullptr && own.find(u"force_noise"_s) == nullptr);
+        QVERIFY((own.covariance - *e.covariance).norm() == 0);
+        e.noise->coefficients = {0.05}; // within what chance gives 400 residuals
+        const UncertaintyBudget split =
+            uncertaintyBudget(e, recording.force, recording.position, options, chain);
+        QVERIFY(split.find(u"noise"_s) == nullptr && split.find(u"force_noise"_s) != nullptr);
     }
 
     void theEmptyGrippersPartIsTakenOff()

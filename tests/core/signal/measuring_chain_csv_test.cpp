@@ -13,6 +13,7 @@ MeasuringChain fullChain()
 {
     MeasuringChain chain;
     chain.forceLagUncertainty_s = 1e-5 / 3;
+    chain.forceNoiseDeviation = 0.02;
     chain.forceScaleUncertainty = 0.001;
     chain.positionScaleUncertainty = 2e-300;
     chain.frameCompliance = 1e-5;

@@ -137,7 +137,9 @@ private slots:
         const SqueezeRecord record;
         const Recording recording = record.make();
         const PreparedRecord prepared = prepare(recording);
-        QCOMPARE(ids(prepared), u"contact"_s);
+        QCOMPARE(ids(prepared), u"contact force_noise"_s);
+        QVERIFY(std::abs(prepared.chain.forceNoiseDeviation / record.forceNoise_N - 1) <
+                4 * std::sqrt(3.0 / 960));
         QVERIFY(prepared.phases.hasApproach && prepared.phases.hasRelease);
         QVERIFY(prepared.choice.window == prepared.phases.squeeze);
         QCOMPARE(prepared.force.size(), prepared.choice.window.count);

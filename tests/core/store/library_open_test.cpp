@@ -22,16 +22,19 @@ void write(const QString& name, const QByteArray& bytes)
         qFatal("%s", qPrintable(file.errorString()));
 }
 
-/// A library as version 1 of the schema makes it, with one type, squeeze and inspection, from SQL alone.
-void makeVersionOne(const QString& file)
+/// A library as an earlier version of the schema left it, with one type, squeeze and inspection and, from
+/// version 2, one gripper's channels; from SQL alone.
+void makeVersion(const QString& file, int version)
 {
     RawDatabase raw(file);
-    const QString script =
-        QString::fromUtf8(bytesOf(QStringLiteral(GRIPSCOPE_TEST_DATA) + u"/library_version_1.sql"_s));
-    if (script.isEmpty())
-        qFatal("tests/data/library_version_1.sql is missing");
-    for (const QString& statement : statementsOf(script))
-        raw.run(statement);
+    for (int part = 1; part <= version; ++part) {
+        const QString name = u"/library_version_%1.sql"_s.arg(part);
+        const QString script = QString::fromUtf8(bytesOf(QStringLiteral(GRIPSCOPE_TEST_DATA) + name));
+        if (script.isEmpty())
+            qFatal("tests/data%s is missing", qPrintable(name));
+        for (const QString& statement : statementsOf(script))
+            raw.run(statement);
+    }
 }
 
 /// As an ordinary user, since root may write everywhere. Back to what it was at the end.
@@ -83,10 +86,17 @@ private slots:
         write(folder.file(), {});
         QVERIFY(Library::open(folder.file()));
     }
-    void aFileOfVersionOneOpensWithAllThatIsInIt()
+    void aFileOfAnEarlierVersionOpensWithAllThatIsInIt_data()
     {
+        QTest::addColumn<int>("version");
+        for (int version = 1; version < migrations().back().version; ++version)
+            QTest::addRow("version %d", version) << version;
+    }
+    void aFileOfAnEarlierVersionOpensWithAllThatIsInIt()
+    {
+        QFETCH(int, version);
         const LibraryFolder folder;
-        makeVersionOne(folder.file());
+        makeVersion(folder.file(), version);
         const auto library = folder.open();
         QCOMPARE(library->schemaVersion(), migrations().back().version);
         const auto type = valueOf(library->findType(u"Can"_s));
@@ -100,12 +110,20 @@ private slots:
         QCOMPARE(inspections.size(), std::size_t(1));
         QCOMPARE(inspections[0].reason, u"It was so."_s);
         QCOMPARE(valueOf(library->addInspection(anInspection())).number, 8);
+        const auto chain = valueOf(library->measuringChain(u"0001"_s));
+        QCOMPARE(chain.has_value(), version > 1);
+        const MeasuringChain stored{
+            2e-6, 0, 0.002, 0.001, 1e-5, 1e-6, GripperBaseline{{0.01, 2, 300}, {0.001, 0.2, 30}}};
+        if (chain)
+            QVERIFY(chain->chain == stored);
     }
-    void migrationOneIsNeverEdited()
+    void migrationsAreNeverEdited()
     {
         // What was released is in users' files: a change needs a further step, not another text.
         QCOMPARE(migrations()[0].checksum(),
                  u"3fe0d89f2b05a7707d258048112e93e811eaeedda21d2fd53aa4554bb97e77c9"_s);
+        QCOMPARE(migrations()[1].checksum(),
+                 u"9372b5894d92b40436f836603ca4079adff5daaa3771bb30cafc6a3b373a5afe"_s);
     }
     void furtherStepsAreAppliedInOrderAndOnce()
     {

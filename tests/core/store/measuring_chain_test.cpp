@@ -17,6 +17,7 @@ NewMeasuringChain measuredOf(const QString& serial, double lag_s)
     measured.gripperSerial = serial;
     measured.forceLag_s = lag_s;
     measured.chain.forceLagUncertainty_s = 2e-6;
+    measured.chain.forceNoiseDeviation = 0.02;
     measured.chain.forceScaleUncertainty = 0.002;
     measured.chain.positionScaleUncertainty = 0.001;
     measured.chain.frameCompliance = 1e-5;

@@ -78,17 +78,22 @@ private slots:
     void theMeasuringChainComesBack_data()
     {
         QTest::addColumn<bool>("baseline");
-        QTest::newRow("without a baseline") << false;
-        QTest::newRow("with one") << true;
+        QTest::addColumn<double>("force_noise");
+        QTest::addColumn<int>("version");
+        QTest::newRow("without a baseline") << false << 0.0 << 2;
+        QTest::newRow("with one") << true << 0.0 << 2;
+        QTest::newRow("with the force's noise") << true << 0.02 << 3;
     }
     void theMeasuringChainComesBack()
     {
         QFETCH(bool, baseline);
+        QFETCH(double, force_noise);
         Recording recording = awkwardRecording(3);
-        recording.chain = {1.0 / 3e5, 0.001, 0.002, 1e-5, 1e-7, std::nullopt};
+        recording.chain = {1.0 / 3e5, force_noise, 0.001, 0.002, 1e-5, 1e-7, std::nullopt};
         if (baseline)
             recording.chain.baseline = GripperBaseline{{0.0025, 1.0 / 7, 12}, {1e-5, 0.01, 2}};
         const QByteArray bytes = valueOf(encodeRecording(recording));
+        QTEST(int(bytes[4]), "version"); // the oldest that holds it
         QVERIFY(valueOf(decodeRecording(bytes)) == recording);
         for (qsizetype size = 0; size < bytes.size(); ++size)
             QCOMPARE(decodeRecording(bytes.left(size)).error().code, ErrorCode::StorageCorrupt);
