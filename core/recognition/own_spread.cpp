@@ -41,15 +41,18 @@ double logLikelihoodGain(const OwnScatter& type, double likeness)
 
 std::optional<double> degreesOfLikeness(const std::vector<OwnScatter>& types)
 {
+    return types.size() < 2 ? std::nullopt : likelyDegrees(types);
+}
+
+std::optional<double> likelyDegrees(const std::vector<OwnScatter>& scatters)
+{
     double best = leastGain;
     std::optional<double> likeness;
-    if (types.size() < 2)
-        return likeness;
     for (const double candidate : candidates) {
         double gain = 0;
-        for (const OwnScatter& type : types)
-            if (type.degreesOfFreedom > 0)
-                gain += logLikelihoodGain(type, candidate);
+        for (const OwnScatter& scatter : scatters)
+            if (scatter.degreesOfFreedom > 0)
+                gain += logLikelihoodGain(scatter, candidate);
         if (gain > best) {
             best = gain;
             likeness = candidate;

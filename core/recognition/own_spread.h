@@ -21,6 +21,8 @@ struct OwnScatter {
 /// time in forty. (Greene and Rayens, Partially pooled covariance matrix estimation in discriminant analysis,
 /// Communications in Statistics 1989.)
 [[nodiscard]] std::optional<double> degreesOfLikeness(const std::vector<OwnScatter>& types);
+/// The same for scatters that need not be those of types; also for a single one.
+[[nodiscard]] std::optional<double> likelyDegrees(const std::vector<OwnScatter>& scatters);
 
 /// The type's own covariance in those coordinates, ((nu - 4) I + A) / (nu + f), nu of likeness and A over f:
 /// with nu + f degrees of freedom its predictive Student t is the exact one of that prior.

@@ -65,6 +65,10 @@ std::vector<TypePrediction> predictTypes(const TypeModels& models, const Eigen::
     const Cholesky shared(sharedCovariance);
     const double degrees = degreesOfFreedom(models.scatter, sharedCovariance);
     std::optional<double> likeness = models.likeness;
+    std::optional<Eigen::Matrix3d> alike;
+    if (models.scatter.alikeVariance)
+        alike = sharedCovariance - models.scatter.between +
+                *models.scatter.alikeVariance * Eigen::Matrix3d::Identity();
     if (options.robust && models.types.size() > 1)
         likeness = std::min(likeness.value_or(robustLikeness), robustLikeness);
     std::vector<TypePrediction> predictions;
@@ -80,6 +84,8 @@ std::vector<TypePrediction> predictTypes(const TypeModels& models, const Eigen::
         if (likeness) {
             takeOwnSpread(type, *likeness, double(models.types.size()), shared, prediction);
             spread = shared.solve(prediction.covariance).trace() / dimensions;
+        } else {
+            prediction.alikeCovariance = alike;
         }
         const Cholesky total(prediction.covariance + spread * type.meanCovarianceLog);
         prediction.squaredDistance = total.matrixL().solve(log - type.meanLog).squaredNorm();

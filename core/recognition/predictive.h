@@ -22,6 +22,8 @@ struct TypePrediction {
     double logDensity = 0;
     double logDensityAtMean = 0; ///< the same at d = 0
     double tailDegrees = 3;      ///< v of these densities, at least 3
+    /// S + C where S is alike in log m, log b and log k; absent: the squeezes speak against that.
+    std::optional<Eigen::Matrix3d> alikeCovariance = {};
 };
 
 /// How a squeeze is held against types.

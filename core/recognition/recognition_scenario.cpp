@@ -5,6 +5,7 @@
 #include "core/signal/gaussian.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 
@@ -34,6 +35,11 @@ public:
     Source(const RecognitionScenario& scenario, std::uint64_t seed)
         : m_kind(scenario.kind), m_squeezes(scenario.squeezes), m_noise(seed)
     {
+        if (scenario.unlikeScatter) {
+            const Eigen::Vector3d shape(1, 1.5, 2);
+            const Eigen::Matrix3d axes = rotation(), directions = rotation();
+            m_toLogs = scatter * std::sqrt(3.0) * axes * shape.normalized().asDiagonal() * directions;
+        }
     }
 
     Eigen::Vector3d normals()
@@ -65,9 +71,14 @@ public:
         return mean(type) + (m_kind == ScenarioKind::TwiceTheSpread && type == 0 ? 2 : 1) * z;
     }
 
-    static MassDampingStiffness parameters(const Eigen::Vector3d& deviations)
+    [[nodiscard]] Eigen::Vector3d logs(const Eigen::Vector3d& deviations) const
     {
-        const Eigen::Vector3d p = (scatter * deviations).array().exp();
+        return m_toLogs * deviations;
+    }
+
+    [[nodiscard]] MassDampingStiffness parameters(const Eigen::Vector3d& deviations) const
+    {
+        const Eigen::Vector3d p = logs(deviations).array().exp();
         return {p(0), p(1), p(2)};
     }
 
@@ -81,9 +92,16 @@ public:
     }
 
 private:
+    Eigen::Matrix3d rotation()
+    {
+        const double w = m_noise(), x = m_noise(), y = m_noise(), z = m_noise();
+        return Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix();
+    }
+
     ScenarioKind m_kind;
     int m_squeezes;
     GaussianNoise m_noise;
+    Eigen::Matrix3d m_toLogs = scatter * Eigen::Matrix3d::Identity();
 };
 
 double chiSquaredGate(double rate)
@@ -120,16 +138,16 @@ void countOracles(const Eigen::Vector3d& deviations, int type, const VerdictOpti
 /// Whether this enrolment keeps the rate, by its gate and what it thinks of the first type.
 bool keepsPromise(const TypeModels& models, Source& source, const VerdictOptions& options)
 {
-    const Verdict verdict = judge(models, Source::parameters(source.mean(0)), options);
+    const Verdict verdict = judge(models, source.parameters(source.mean(0)), options);
     if (!verdict.gate)
         return true; // it says that it cannot tell, and refuses nobody
     const std::vector<TypePrediction> predictions =
-        predictTypes(models, scatter * source.mean(0), {}, {options.robust});
+        predictTypes(models, source.logs(source.mean(0)), {}, {options.robust});
     const Eigen::LLT<Eigen::Matrix3d> cholesky(predictions[0].covariance);
     int outside = 0;
     for (int i = 0; i < promisePoints; ++i) {
         const Eigen::Vector3d difference =
-            scatter * (source.mean(0) + source.normals()) - predictions[0].meanLog;
+            source.logs(source.mean(0) + source.normals()) - predictions[0].meanLog;
         outside += cholesky.matrixL().solve(difference).squaredNorm() > *verdict.gate;
     }
     return outside <= options.falseReject * promisePoints;
@@ -168,6 +186,8 @@ QString RecognitionScenario::name() const
     QString name = u"%1-%2-%3"_s.arg(toString(kind)).arg(squeezes).arg(statedRate());
     if (kind == ScenarioKind::Strangers)
         name += u"-%1sd"_s.arg(deviations);
+    if (unlikeScatter)
+        name += u"-unlike"_s;
     return options.robust ? name + u"-robust"_s : name;
 }
 
@@ -195,7 +215,7 @@ EnrolmentTally runScenario(const RecognitionScenario& scenario, std::uint64_t se
         if (scenario.kind == ScenarioKind::Strangers) {
             const Eigen::Vector3d off =
                 scenario.deviations * source.normals().normalized() + source.normals();
-            const Verdict verdict = judge(models, Source::parameters(source.mean(0) + off), scenario.options);
+            const Verdict verdict = judge(models, source.parameters(source.mean(0) + off), scenario.options);
             tally.cases += 1;
             tally.counts[u"accepted"_s] += verdict.kind == VerdictKind::Type;
             tally.counts[u"oracle_accepted"_s] +=
@@ -207,7 +227,7 @@ EnrolmentTally runScenario(const RecognitionScenario& scenario, std::uint64_t se
                                                                               : types;
         const int type = i % judgedTypes;
         const Eigen::Vector3d at = source.squeeze(type);
-        count(judge(models, Source::parameters(at), scenario.options), typeName(type), tally);
+        count(judge(models, source.parameters(at), scenario.options), typeName(type), tally);
         if (scenario.kind == ScenarioKind::Neighbours)
             countOracles(at, type, scenario.options, tally);
     }

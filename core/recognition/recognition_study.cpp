@@ -49,6 +49,10 @@ std::vector<RecognitionScenario> scenarios()
                 continue;
             }
             all.push_back(plain);
+            if (kind == ScenarioKind::KnownParts || kind == ScenarioKind::Neighbours) {
+                plain.unlikeScatter = true;
+                all.push_back(plain);
+            }
             if (kind == ScenarioKind::TwiceTheSpread || kind == ScenarioKind::HeavyTails) {
                 plain.options.robust = true;
                 all.push_back(plain);
@@ -95,6 +99,8 @@ std::vector<StudyLimit> limitsOf(const RecognitionScenario& scenario, const Stud
     case ScenarioKind::Promise:
         return {bounded(limitOf(tally, u"kept"_s, 1, u"enrolments that keep the rate"_s), 0.94, {})};
     case ScenarioKind::Neighbours:
+        if (scenario.unlikeScatter)
+            return {};
         return {bounded(limitOf(tally, u"wrong_type"_s, stated, u"wrong type / stated"_s), {}, 1.2),
                 bounded(decidedOver(tally, u"oracle_posterior"_s, u"decided / oracle's"_s), 0.9, {})};
     case ScenarioKind::TwiceTheSpread:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/scatter.h"
 
+#include "core/recognition/alike_scatter.h"
 #include "core/recognition/part_scatter.h"
 #include "core/recognition/scatter_likelihood.h"
 
@@ -149,9 +150,8 @@ void refine(const std::vector<std::vector<LogSqueeze>>& types, Scatter& scatter)
     scatter.degreesOfFreedom = degreesOfFreedom(scatter, total);
 }
 
-} // namespace
-
-Scatter estimateScatter(const std::vector<std::vector<LogSqueeze>>& types)
+/// All but whether the scatter is alike in m, b and k.
+Scatter estimateCovariances(const std::vector<std::vector<LogSqueeze>>& types)
 {
     Scatter scatter;
     const PartScatter parts = partScatter(types);
@@ -167,6 +167,15 @@ Scatter estimateScatter(const std::vector<std::vector<LogSqueeze>>& types)
     if (parts.withinDegrees == 0 && scatter.degreesOfFreedom >= enoughForLikelihood &&
         !noiseIsAlike(types, *parts.noise, scatter.factor))
         refine(types, scatter);
+    return scatter;
+}
+
+} // namespace
+
+Scatter estimateScatter(const std::vector<std::vector<LogSqueeze>>& types)
+{
+    Scatter scatter = estimateCovariances(types);
+    scatter.alikeVariance = alikeVariance(scatter);
     return scatter;
 }
 

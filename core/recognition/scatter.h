@@ -41,6 +41,7 @@ struct Scatter {
     bool noiseKnown = false;
     /// B and R, where parts were squeezed more than once; B not when each type is of one part only.
     std::optional<Eigen::Matrix3d> partToPart, regrip;
+    std::optional<double> alikeVariance = {}; ///< see alikeVariance(); absent: S is of another shape
 };
 
 /// One element a type. The pooled covariance is shrunk towards its own diagonal, so that few squeezes do not

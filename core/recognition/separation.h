@@ -16,12 +16,23 @@ struct SeparationOptions {
 };
 
 /// From the other type's mean towards the named one's, in standard deviations of a squeeze:
-///     s = (x - mu_j)' S^-1 (mu_i - mu_j) / D,  D^2 = (mu_i - mu_j)' S^-1 (mu_i - mu_j).
-/// A squeeze of j gets beyond `needed` that way with a probability of `rate`. With S estimated, v degrees of
-/// freedom, and the direction taken from it, s is sqrt((1 + 1/n) v X) t with t ~ Student(v - 2) / sqrt(v - 2)
-/// and X = 1 + chi2_2 / chi2_{v-1}, taken at its mean; 2/(n D) is how much the error of mu_j turns the
-/// direction to itself (Anderson, An asymptotic expansion of the distribution of the studentized
-/// classification statistic W, Annals of Statistics 1973).
+///     s = u' (x - mu_j) / sqrt(u' S u),  D = u' (mu_i - mu_j) / sqrt(u' S u).
+/// A squeeze of j gets beyond `needed` that way with a probability of `rate`; 2/(n D) of it is how much the
+/// error of mu_j turns the direction to itself (Anderson, An asymptotic expansion of the distribution of the
+/// studentized classification statistic W, Annals of Statistics 1973).
+///
+/// Scatter of any shape: u = S^-1 (mu_i - mu_j), S with v degrees of freedom; s is sqrt((1 + 1/n) v X) t with
+/// t ~ Student(v - 2) / sqrt(v - 2) and X = 1 + chi2_2 / chi2_{v-1}, taken at its mean, since the direction
+/// is taken from S too.
+///
+/// Scatter that may be alike in log m, log b and log k (TypePrediction::alikeCovariance A): u = A^-1 (mu_i -
+/// mu_j), a direction that owes nothing to the shape of S. The variance along it has a conjugate prior,
+/// scaled inverse chi-square about u' A u with p = min(8, v) degrees of freedom,
+///     u' (p A + v S) u / (p + v),
+/// and s is sqrt(1 + 1/n) Student(f), f = 3 v / (3 - 4 w + 2 w^2), w = p / (p + v), the degrees of freedom of
+/// that sum when the scatter is alike: 2 v for p = v. The prior never counts for more than the squeezes do,
+/// so that the rate is kept on average over the directions in which types may differ also where the
+/// deviations are as 1 : 1.5 : 2; figures in resources/manual/recognition.md.
 struct Separation {
     double distance = 0; ///< D
     double reached = 0;  ///< s

@@ -82,9 +82,11 @@ private slots:
     {
         QTest::addColumn<int>("squeezes");
         QTest::addColumn<double>("leastDecided");
-        // An oracle that knows the types and asks for a posterior of 99 % decides 67 %.
-        QTest::newRow("10") << 10 << 0.67;
-        QTest::newRow("5") << 5 << 0.58;
+        // An oracle that knows the types and asks for a posterior of 99 % decides 67 %; nine tenths of that
+        // are 60 %. 4,000 squeezes know their share to 0.8 %; three times that off what was found.
+        QTest::newRow("10") << 10 << 0.78;
+        QTest::newRow("5") << 5 << 0.7;
+        QTest::newRow("3") << 3 << 0.58;
     }
     void neighboursAreMistakenAtMostAtTheStatedRate()
     {

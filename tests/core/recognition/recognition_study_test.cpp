@@ -59,6 +59,25 @@ private slots:
         StudyLimit unknown{u"unknown / stated"_s, 0, 0, 0.8, 1.2};
         QVERIFY(!unknown.met());
     }
+    void neighboursKeepTheirRateWhereScatterIsUnlike()
+    {
+        RecognitionScenario scenario;
+        scenario.kind = ScenarioKind::Neighbours;
+        scenario.squeezes = 3;
+        scenario.options.siUnits = false;
+        scenario.options.wrongType = 0.01;
+        scenario.unlikeScatter = true;
+        std::vector<EnrolmentTally> tallies;
+        for (int run = 0; run < 300; ++run)
+            tallies.push_back(
+                runScenario(scenario, runSeed(1, scenario.name(), static_cast<std::uint64_t>(run))));
+        const StudyTally tally = pooled(tallies);
+        // 1.2 times the stated rate, and three standard errors, clustered by enrolment.
+        QVERIFY2(tally.shares[u"wrong_type"_s].share < 0.012 + 3 * 0.0016,
+                 qPrintable(QString::number(tally.shares[u"wrong_type"_s].share)));
+        QVERIFY(tally.shares[u"type"_s].share > 0.45); // scatter of any shape: 0.35
+        QVERIFY(tally.shares[u"unknown"_s].share < 0.02);
+    }
     void squeezesOfLouderNoiseKeepTheirNames()
     {
         RecognitionScenario scenario;
