@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 
-#include "app/cli/output.h"
-
 namespace gripscope::cli {
 
 using namespace Qt::StringLiterals;
@@ -19,30 +17,11 @@ const std::vector<Command>& commands()
         {u"enroll"_qs, u"adds recordings to a type of a library"_qs, runEnroll},
         {u"classify"_qs, u"says which enrolled type each recording shows"_qs, runClassify},
         {u"reproduce-paper"_qs, u"Table 1 of the paper, and what Gripscope adds"_qs, runReproducePaper},
-        {u"calibrate"_qs, u"not yet: fits sensor curves"_qs, runCalibrate},
+        {u"calibrate"_qs, u"fits the curve of a sensor, and inverts it"_qs, runCalibrate},
         {u"design"_qs, u"finds the excitation that best tells given objects apart"_qs, runDesign},
         {u"study"_qs, u"repeats experiments with known truth: how good the estimates are"_qs, runStudy},
     };
     return table;
-}
-
-namespace {
-
-int notYet(const QString& command, const QStringList& arguments)
-{
-    const QString text = u"gripscope-cli %1 is not supported yet."_qs.arg(command);
-    if (arguments.contains(u"--help"_qs) || arguments.contains(u"-h"_qs)) {
-        print(text);
-        return 0;
-    }
-    return fail({ErrorCode::NotSupportedYet, {command}});
-}
-
-} // namespace
-
-int runCalibrate(const QStringList& arguments)
-{
-    return notYet(u"calibrate"_qs, arguments);
 }
 
 } // namespace gripscope::cli

@@ -27,7 +27,7 @@ int runCluster(const QStringList& arguments);
 int runEnroll(const QStringList& arguments);
 int runClassify(const QStringList& arguments);
 int runReproducePaper(const QStringList& arguments);
-int runCalibrate(const QStringList& arguments); ///< not yet
+int runCalibrate(const QStringList& arguments);
 int runStudy(const QStringList& arguments);
 int runDesign(const QStringList& arguments);
 

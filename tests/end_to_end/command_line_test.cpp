@@ -108,7 +108,6 @@ private slots:
     {
         QTest::addColumn<QStringList>("arguments");
         m_work.write(u"r.csv"_s, "u,y\n1,2\n2,3\n");
-        QTest::newRow("calibrate") << QStringList{u"calibrate"_s, u"points.csv"_s, u"--degree"_s, u"2"_s};
         QTest::newRow("postgresql") << QStringList{u"classify"_s, u"--library"_s,
                                                    u"postgresql://me@host/name"_s, u"r.csv"_s};
     }

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/calibration_curve.h"
+
+#include "core/calibration/polynomial.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+using Vector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+
+Error unusable(const QString& found, const QString& expected)
+{
+    return {ErrorCode::BadInput, {u"calibration points"_s, found, expected}};
+}
+
+std::optional<Error> problemOf(const std::vector<CalibrationPoint>& points, int degree)
+{
+    if (degree < 1 || degree > highestCalibrationDegree)
+        return unusable(u"degree %1"_s.arg(degree),
+                        u"expected a degree from 1 to %1"_s.arg(highestCalibrationDegree));
+    std::set<double> loads;
+    for (const CalibrationPoint& point : points) {
+        if (!std::isfinite(point.load) || !std::isfinite(point.reading))
+            return unusable(u"found a number that is not finite"_s, u"expected finite loads and readings"_s);
+        loads.insert(point.load);
+    }
+    if (static_cast<int>(points.size()) < degree + 2 || static_cast<int>(loads.size()) < degree + 1)
+        return unusable(
+            u"found %1 points at %2 different loads"_s.arg(points.size()).arg(loads.size()),
+            u"degree %1 needs at least %2 points at %3 loads"_s.arg(degree).arg(degree + 2).arg(degree + 1));
+    if (!std::isfinite(*loads.rbegin() - *loads.begin()))
+        return unusable(u"found loads from %1 to %2"_s.arg(*loads.begin()).arg(*loads.rbegin()),
+                        u"expected a range that is a number"_s);
+    return std::nullopt;
+}
+
+/// Column i holds the coefficients of the i-th Chebyshev polynomial.
+Matrix chebyshevPolynomials(Eigen::Index count)
+{
+    Matrix all = Matrix::Zero(count, count);
+    all(0, 0) = 1;
+    all(1, 1) = 1;
+    for (Eigen::Index i = 2; i < count; ++i) {
+        all.col(i).tail(count - 1) = 2 * all.col(i - 1).head(count - 1);
+        all.col(i) -= all.col(i - 2);
+    }
+    return all;
+}
+
+/// Row i takes the coefficients of powers of z = (x - center) / half to that of x^i.
+Matrix toUnscaledPowers(Eigen::Index count, long double center, long double half)
+{
+    // Powers of z as polynomials in x, one column each: the one before times (x - center) / half.
+    Matrix all = Matrix::Zero(count, count);
+    all(0, 0) = 1;
+    for (Eigen::Index i = 1; i < count; ++i) {
+        all.col(i).tail(count - 1) = all.col(i - 1).head(count - 1) / half;
+        all.col(i) -= all.col(i - 1) * (center / half);
+    }
+    return all;
+}
+
+} // namespace
+
+Expected<CalibrationCurve> CalibrationCurve::fit(const std::vector<CalibrationPoint>& points, int degree)
+{
+    if (const std::optional<Error> problem = problemOf(points, degree))
+        return tl::unexpected<Error>(*problem);
+    const auto [least, largest] = std::minmax_element(
+        points.begin(), points.end(),
+        [](const CalibrationPoint& a, const CalibrationPoint& b) { return a.load < b.load; });
+    CalibrationCurve curve;
+    curve.m_center = least->load + (largest->load - least->load) / 2;
+    curve.m_halfRange = (largest->load - least->load) / 2;
+    const auto count = static_cast<Eigen::Index>(points.size());
+    const Eigen::Index unknowns = degree + 1;
+    const Matrix chebyshev = chebyshevPolynomials(unknowns);
+    Matrix columns(count, unknowns);
+    Vector readings(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const CalibrationPoint& point = points[static_cast<std::size_t>(i)];
+        const long double z = curve.scaled(point.load);
+        for (Eigen::Index j = 0; j < unknowns; ++j)
+            columns(i, j) = polynomialValue({chebyshev.col(j).data(), static_cast<std::size_t>(unknowns)}, z);
+        readings(i) = point.reading;
+    }
+    const Eigen::HouseholderQR<Matrix> qr(columns);
+    const Vector solution = qr.solve(readings);
+    const Vector powers = chebyshev * solution;
+    curve.m_powers.assign(powers.begin(), powers.end());
+    curve.m_degreesOfFreedom = static_cast<int>(count - unknowns);
+    const long double variance = (readings - columns * solution).squaredNorm() / curve.m_degreesOfFreedom;
+    curve.m_residualDeviation = static_cast<double>(std::sqrt(variance));
+    const Matrix inverse = qr.matrixQR().topRows(unknowns).triangularView<Eigen::Upper>().solve(
+        Matrix::Identity(unknowns, unknowns));
+    const Matrix root = chebyshev * inverse;
+    curve.m_covariance = variance * (root * root.transpose());
+    if (!curve.coefficients().allFinite() || !curve.standardDeviations().allFinite())
+        return tl::unexpected<Error>(
+            unusable(u"the numbers are too large or too small"_s, u"choose other units"_s));
+    constexpr long double inside = 1 - 1e-9L; // a curve may be level at its very end
+    const std::vector<long double> turns =
+        polynomialRoots(polynomialDerivative(curve.m_powers), -inside, inside);
+    if (!turns.empty() || curve.readingAt(curve.leastLoad()) == curve.readingAt(curve.largestLoad()))
+        return tl::unexpected<Error>(
+            unusable(u"the curve does not only rise or only fall between the least and the largest load"_s,
+                     u"a reading would belong to two loads: choose a lower degree or look at the points"_s));
+    return curve;
+}
+
+long double CalibrationCurve::scaled(double load) const
+{
+    return (static_cast<long double>(load) - m_center) / m_halfRange;
+}
+
+CalibrationCurve::Vector CalibrationCurve::powersOf(long double z) const
+{
+    Vector powers(static_cast<Eigen::Index>(m_powers.size()));
+    long double power = 1;
+    for (long double& value : powers) {
+        value = power;
+        power *= z;
+    }
+    return powers;
+}
+
+Eigen::VectorXd CalibrationCurve::coefficients() const
+{
+    const auto count = static_cast<Eigen::Index>(m_powers.size());
+    const Vector unscaled =
+        toUnscaledPowers(count, m_center, m_halfRange) * Eigen::Map<const Vector>(m_powers.data(), count);
+    return unscaled.cast<double>();
+}
+
+Eigen::VectorXd CalibrationCurve::standardDeviations() const
+{
+    const Matrix change = toUnscaledPowers(static_cast<Eigen::Index>(m_powers.size()), m_center, m_halfRange);
+    const Vector variances = (change * m_covariance * change.transpose()).diagonal();
+    return variances.cwiseMax(0.0L).cwiseSqrt().cast<double>();
+}
+
+double CalibrationCurve::readingAt(double load) const
+{
+    return static_cast<double>(polynomialValue(m_powers, scaled(load)));
+}
+
+double CalibrationCurve::curveUncertaintyAt(double load) const
+{
+    const Vector powers = powersOf(scaled(load));
+    return static_cast<double>(std::sqrt(std::max(powers.dot(m_covariance * powers), 0.0L)));
+}
+
+std::optional<LoadEstimate> CalibrationCurve::loadAt(double reading) const
+{
+    if (!std::isfinite(reading))
+        return std::nullopt;
+    std::vector<long double> shifted = m_powers;
+    shifted[0] -= reading;
+    // A reading that was rounded may lie beyond the end by its last digit.
+    constexpr long double end = 1 + 1e-12L;
+    const std::vector<long double> roots = polynomialRoots(shifted, -end, end);
+    if (roots.empty())
+        return std::nullopt;
+    const long double root = std::clamp(roots.front(), -1.0L, 1.0L);
+    LoadEstimate found;
+    found.load = static_cast<double>(m_center + root * m_halfRange);
+    const auto slope =
+        static_cast<double>(polynomialValue(polynomialDerivative(m_powers), root) / m_halfRange);
+    if (slope == 0)
+        return std::nullopt;
+    found.standardUncertainty =
+        std::hypot(m_residualDeviation, curveUncertaintyAt(found.load)) / std::abs(slope);
+    return found;
+}
+
+} // namespace gripscope

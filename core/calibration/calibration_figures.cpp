@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/calibration_figures.h"
+
+#include <boost/math/distributions/fisher_f.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace gripscope {
+
+namespace {
+
+/// Readings of one load.
+struct Group {
+    std::vector<double> readings;
+
+    [[nodiscard]] double mean() const
+    {
+        double sum = 0;
+        for (const double reading : readings)
+            sum += reading - readings.front();
+        return readings.front() + sum / static_cast<double>(readings.size());
+    }
+    [[nodiscard]] double squares() const
+    {
+        const double middle = mean();
+        double sum = 0;
+        for (const double reading : readings)
+            sum += (reading - middle) * (reading - middle);
+        return sum;
+    }
+};
+using Groups = std::map<double, Group>; ///< by load
+
+struct Scatter {
+    double squares = 0;
+    int degreesOfFreedom = 0;
+
+    void add(const Groups& groups)
+    {
+        for (const auto& [load, group] : groups) {
+            squares += group.squares();
+            degreesOfFreedom += static_cast<int>(group.readings.size()) - 1;
+        }
+    }
+};
+
+/// The points reached from a lower load and those from a higher one; a repeated load keeps its direction, and
+/// the first point goes the way the second does.
+struct Directions {
+    Groups up, down;
+};
+Directions directionsOf(const std::vector<CalibrationPoint>& points)
+{
+    Directions directions;
+    const auto turn = std::adjacent_find(points.begin(), points.end(),
+                                         [](const auto& a, const auto& b) { return a.load != b.load; });
+    bool rising = turn == points.end() || (turn + 1)->load > turn->load;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i > 0 && points[i].load != points[i - 1].load)
+            rising = points[i].load > points[i - 1].load;
+        (rising ? directions.up : directions.down)[points[i].load].readings.push_back(points[i].reading);
+    }
+    return directions;
+}
+
+double linearity(const CalibrationCurve& curve)
+{
+    const double least = curve.leastLoad(), largest = curve.largestLoad();
+    const double first = curve.readingAt(least), last = curve.readingAt(largest);
+    constexpr int places = 1000;
+    double distance = 0;
+    for (int i = 1; i < places; ++i) {
+        const double share = static_cast<double>(i) / places;
+        const double straight = first + share * (last - first);
+        const double load = least + share * (largest - least);
+        distance = std::max(distance, std::abs(curve.readingAt(load) - straight));
+    }
+    return distance;
+}
+
+std::optional<double> reversibility(const Directions& directions)
+{
+    std::optional<double> largest;
+    for (const auto& [load, up] : directions.up) {
+        const auto down = directions.down.find(load);
+        if (down != directions.down.end())
+            largest = std::max(largest.value_or(0), std::abs(up.mean() - down->second.mean()));
+    }
+    return largest;
+}
+
+std::optional<double> zeroReturn(const CalibrationCurve& curve, const std::vector<CalibrationPoint>& points)
+{
+    const CalibrationPoint& first = points.front();
+    const CalibrationPoint& last = points.back();
+    if (first.load != last.load || first.load > curve.leastLoad())
+        return std::nullopt;
+    return last.reading - first.reading;
+}
+
+std::optional<double> lackOfFit(const CalibrationCurve& curve, const std::vector<CalibrationPoint>& points)
+{
+    Groups all;
+    for (const CalibrationPoint& point : points)
+        all[point.load].readings.push_back(point.reading);
+    Scatter pure;
+    pure.add(all);
+    const int missing = curve.degreesOfFreedom() - pure.degreesOfFreedom;
+    if (pure.degreesOfFreedom < 1 || missing < 1 || !(pure.squares > 0))
+        return std::nullopt;
+    const double whole = std::pow(curve.residualDeviation(), 2) * curve.degreesOfFreedom();
+    const double ratio =
+        (std::max(whole - pure.squares, 0.0) / missing) / (pure.squares / pure.degreesOfFreedom);
+    if (!std::isfinite(ratio))
+        return std::nullopt;
+    return boost::math::cdf(
+        boost::math::complement(boost::math::fisher_f(missing, pure.degreesOfFreedom), ratio));
+}
+
+} // namespace
+
+CalibrationFigures calibrationFigures(const CalibrationCurve& curve,
+                                      const std::vector<CalibrationPoint>& points)
+{
+    CalibrationFigures figures;
+    const double fullScale =
+        std::abs(curve.readingAt(curve.largestLoad()) - curve.readingAt(curve.leastLoad()));
+    const auto percent = [fullScale](double value) { return 100 * value / fullScale; };
+    figures.linearityPercent = percent(linearity(curve));
+    const Directions directions = directionsOf(points);
+    Scatter repeated;
+    repeated.add(directions.up);
+    repeated.add(directions.down);
+    figures.repeatabilityDegreesOfFreedom = repeated.degreesOfFreedom;
+    if (repeated.degreesOfFreedom > 0) {
+        figures.repeatability = std::sqrt(repeated.squares / repeated.degreesOfFreedom);
+        figures.repeatabilityPercent = percent(*figures.repeatability);
+    }
+    if (const std::optional<double> difference = reversibility(directions))
+        figures.reversibilityPercent = percent(*difference);
+    if (const std::optional<double> difference = zeroReturn(curve, points))
+        figures.zeroReturnPercent = percent(*difference);
+    figures.lackOfFitProbability = lackOfFit(curve, points);
+    return figures;
+}
+
+} // namespace gripscope

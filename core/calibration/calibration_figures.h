@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/calibration_curve.h"
+
+#include <optional>
+#include <vector>
+
+namespace gripscope {
+
+/// What a calibration says of its sensor, beside the curve. Percentages are of the full scale, the span of
+/// the curve's readings from the least to the largest load. What the points do not tell is absent.
+struct CalibrationFigures {
+    /// Largest distance of the curve from the straight line through its ends.
+    double linearityPercent = 0;
+    /// Standard deviation of readings at one load reached in the same direction, pooled over all; percent,
+    /// and in units of the reading with its degrees of freedom.
+    std::optional<double> repeatabilityPercent, repeatability;
+    int repeatabilityDegreesOfFreedom = 0;
+    /// Largest difference, at one load, of the mean readings on the way up and on the way down.
+    std::optional<double> reversibilityPercent;
+    /// Last reading less the first, where both are at the least load and others lie between.
+    std::optional<double> zeroReturnPercent;
+    /// p-value of so much misfit, were the curve true: the scatter about the curve beyond that at equal loads
+    /// (F test of lack of fit; Draper and Smith, Applied Regression Analysis, ch. 2). Below 0.01 a higher
+    /// degree, or a look at the points, is due.
+    std::optional<double> lackOfFitProbability;
+};
+
+/// Points in the order they were taken: that is what tells up from down.
+[[nodiscard]] CalibrationFigures calibrationFigures(const CalibrationCurve& curve,
+                                                    const std::vector<CalibrationPoint>& points);
+
+} // namespace gripscope
