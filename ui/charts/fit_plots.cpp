@@ -211,7 +211,7 @@ QString estimatorName(Estimator estimator)
     case Estimator::Arx221:
         return FitPlots::tr("ARX(2,2,1)");
     case Estimator::InstrumentalVariables:
-        return FitPlots::tr("instrumental variables");
+        return FitPlots::tr("instrumental var.");
     case Estimator::OutputError:
         return FitPlots::tr("output error");
     case Estimator::Duffing:

@@ -141,8 +141,8 @@ QVariant EstimateTableModel::cubicText(const Row& row) const
     if (!row.cubic)
         return {};
     const auto [k3, half] = *row.cubic;
-    // A can's k3 runs to billions of newtons a cubic metre.
-    const bool perMillimetre = m_cubicUnit == u"N/m\u00B3" && std::abs(k3) >= 1e6;
+    // A can's k3, or the error of one that has none, runs to billions of newtons a cubic metre.
+    const bool perMillimetre = m_cubicUnit == u"N/m\u00B3" && std::max(std::abs(k3), half) >= 1e6;
     const double factor = perMillimetre ? 1e-9 : 1;
     const QString unit = perMillimetre ? u"N/mm\u00B3"_s : m_cubicUnit;
     return u"k3 = %1"_s.arg(formatNumber(k3 * factor, half * factor, unit).text());
@@ -162,8 +162,10 @@ QVariant EstimateTableModel::data(const QModelIndex& index, int role) const
     }
     if (role == CubicRole)
         return cubicText(row);
+    if (role == Qt::ToolTipRole && column == Column::Estimator) // a narrow window cuts both
+        return estimatorName(row.estimator) + u'\n' + row.verdict;
     if (role == Qt::ToolTipRole)
-        return column == Column::Estimator || column == Column::Verdict ? row.verdict : QVariant();
+        return column == Column::Verdict ? row.verdict : QVariant();
     if (role != Qt::DisplayRole && role != Qt::EditRole && role != SortRole)
         return {};
     if (column == Column::Estimator)
