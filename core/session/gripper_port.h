@@ -77,6 +77,9 @@ public:
     virtual void disarm() = 0;
     /// Uploads the whole force signal, waits for the acknowledgement, then starts it.
     virtual void startExcitation(const AdmittedExcitation& excitation) = 0;
+    /// Ends the squeeze that runs as if it were over: force off, still armed, Finished. A device that cannot
+    /// goes on to the squeeze's own end.
+    virtual void finishExcitation() = 0;
     [[nodiscard]] virtual SqueezeState squeezeState() const = 0;
     /// Handed to the device before anything else that is queued.
     virtual void stop() noexcept = 0;

@@ -89,6 +89,11 @@ Expected<void> SafetyGate::start(const std::vector<double>& force_N)
     return {};
 }
 
+void SafetyGate::finish()
+{
+    m_port->finishExcitation();
+}
+
 void SafetyGate::stop() noexcept
 {
     m_port->stop();

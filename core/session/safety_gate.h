@@ -65,6 +65,8 @@ public:
     /// only listens).
     [[nodiscard]] Expected<void> arm(const QString& person);
     [[nodiscard]] Expected<void> start(const std::vector<double>& force_N);
+    /// Ends a squeeze before its time: it only takes force away, so nothing is asked of it.
+    void finish();
     void stop() noexcept;
 
     /// The check alone, for previews.

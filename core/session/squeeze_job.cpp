@@ -68,6 +68,8 @@ struct SqueezeJob::Private {
     Recording recording;
     int listener = 0;
     bool listening = false;
+    std::optional<QString> finishing; // why the squeeze may end before its time
+    bool endedEarly = false;
     double seconds = 0;
     std::chrono::steady_clock::time_point started, lastNews;
 
@@ -117,6 +119,8 @@ void SqueezeJob::Private::begin(std::size_t samples, QMap<QString, QString> prov
     recorder.begin(listening ? SqueezeRecorder::Mode::Everything : SqueezeRecorder::Mode::Movement, samples,
                    identity.sampleTime_s);
     error.reset();
+    finishing.reset();
+    endedEarly = false;
     state = State::Starting;
     seconds = static_cast<double>(samples) * identity.sampleTime_s;
     started = lastNews = clock();
@@ -163,7 +167,11 @@ void SqueezeJob::Private::followStop(const GripperPort& port)
 void SqueezeJob::Private::finishSqueeze()
 {
     // A report or two may be lost at the end; a tenth of the squeeze is more than that.
-    if (recorder.movingSeconds() > 0.9 * seconds)
+    const bool whole = recorder.movingSeconds() > 0.9 * seconds;
+    endedEarly = finishing && !whole;
+    if (endedEarly)
+        recording.provenance[u"ended_early"_qs] = *finishing;
+    if (whole || endedEarly)
         return end(State::Done);
     const QString reason = stopReason(recorder.statusSeen());
     fail(
@@ -278,6 +286,17 @@ void SqueezeJob::poll()
     }
 }
 
+void SqueezeJob::finish(const QString& reason)
+{
+    if (d->state != State::Squeezing || d->listening || d->finishing)
+        return;
+    SafetyGate* gate = d->connection.gate();
+    if (!gate)
+        return;
+    d->finishing = reason;
+    gate->finish();
+}
+
 void SqueezeJob::cancel()
 {
     if (!d->running())
@@ -297,6 +316,11 @@ double SqueezeJob::progress() const
     if (d->state == State::Done)
         return 1;
     return d->running() ? d->recorder.progress() : 0;
+}
+
+bool SqueezeJob::endedEarly() const
+{
+    return d->endedEarly;
 }
 
 const Recording& SqueezeJob::recording() const

@@ -48,10 +48,16 @@ public:
     /// has sent something, what came until then is the recording.
     [[nodiscard]] Expected<void> listen(double seconds);
     void poll();
+    /// Enough is known: the force goes off, the gripper stays armed, and what was measured is the recording,
+    /// with `reason` as its provenance "ended_early". A device that cannot goes on to the squeeze's end.
+    /// Nothing while nothing is squeezed, and for one that only listens.
+    void finish(const QString& reason);
     void cancel(); ///< stops the gripper, too, unless it only listens
 
     [[nodiscard]] State state() const;
     [[nodiscard]] double progress() const; ///< 0 to 1
+    /// The recording is shorter than the excitation that was asked for, because of finish().
+    [[nodiscard]] bool endedEarly() const;
     [[nodiscard]] const Recording& recording() const;
     [[nodiscard]] std::optional<Error> error() const;
 

@@ -31,6 +31,8 @@ QString inWords(const CommandBody& body)
         return u"take the force signal"_qs;
     case ReportId::Start:
         return u"start the squeeze"_qs;
+    case ReportId::Finish:
+        return u"end the squeeze early"_qs;
     default:
         return u"answer"_qs;
     }
@@ -152,6 +154,17 @@ void DeviceLink::startExcitation(const AdmittedExcitation& excitation)
     m_changed.notify_all();
 }
 
+void DeviceLink::finishExcitation()
+{
+    {
+        const Lock lock(m_mutex);
+        if (!live() || m_squeeze.state != SqueezeState::Running)
+            return;
+        m_commands.push(FinishCommand{m_squeeze.number});
+    }
+    m_changed.notify_all();
+}
+
 void DeviceLink::stop() noexcept
 {
     {
@@ -221,7 +234,8 @@ void DeviceLink::follow(std::uint16_t status, ExcitationState excitation, std::u
 void DeviceLink::settle(const CommandQueue::Outcome& outcome)
 {
     const bool fine = outcome.result == CommandResult::Done || outcome.result == CommandResult::Repeated;
-    if (!fine)
+    // A device that does not end a squeeze early ends it later by itself.
+    if (!fine && !std::holds_alternative<FinishCommand>(outcome.body))
         return refuse(outcome);
     if (std::holds_alternative<ArmCommand>(outcome.body)) {
         m_armAnswered = true;

@@ -51,6 +51,7 @@ public:
     void confirmAlive() noexcept;
 
     // From any thread.
+    void finishExcitation();
     void stop() noexcept;
     void beginClosing();   ///< the writer sends a last stop where one is due, then ends
     void closeTransport(); ///< the reader ends

@@ -127,6 +127,12 @@ SqueezeState DevicePort::squeezeState() const
     return link ? link->squeezeState() : SqueezeState::Idle;
 }
 
+void DevicePort::finishExcitation()
+{
+    if (const auto link = d->current())
+        link->finishExcitation();
+}
+
 void DevicePort::stop() noexcept
 {
     if (const auto link = d->current())

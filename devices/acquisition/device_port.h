@@ -33,6 +33,7 @@ public:
     void disarm() override;
     void startExcitation(const AdmittedExcitation& excitation) override;
     [[nodiscard]] SqueezeState squeezeState() const override;
+    void finishExcitation() override;
     void stop() noexcept override;
     void confirmAlive() noexcept override;
 

@@ -43,7 +43,8 @@ enum {
     GRIPSCOPE_HEARTBEAT = 0x23,
     GRIPSCOPE_SET_LIMITS = 0x24,
     GRIPSCOPE_UPLOAD = 0x25,
-    GRIPSCOPE_START = 0x26
+    GRIPSCOPE_START = 0x26,
+    GRIPSCOPE_FINISH = 0x27
 };
 
 /* Status bits. */
@@ -89,8 +90,8 @@ enum {
             0x85, 0x01, 0x09, 0x01, 0x81, 0x02, 0x85, 0x02, 0x09, 0x01, 0x81, 0x02, 0x85, 0x20, 0x09, 0x01,  \
             0x91, 0x02, 0x85, 0x21, 0x09, 0x01, 0x91, 0x02, 0x85, 0x22, 0x09, 0x01, 0x91, 0x02, 0x85, 0x23,  \
             0x09, 0x01, 0x91, 0x02, 0x85, 0x24, 0x09, 0x01, 0x91, 0x02, 0x85, 0x25, 0x09, 0x01, 0x91, 0x02,  \
-            0x85, 0x26, 0x09, 0x01, 0x91, 0x02, 0x85, 0x10, 0x09, 0x01, 0xb1, 0x02, 0x85, 0x11, 0x09, 0x01,  \
-            0xb1, 0x02, 0x85, 0x12, 0x09, 0x01, 0xb1, 0x02, 0xc0                                             \
+            0x85, 0x26, 0x09, 0x01, 0x91, 0x02, 0x85, 0x27, 0x09, 0x01, 0x91, 0x02, 0x85, 0x10, 0x09, 0x01,  \
+            0xb1, 0x02, 0x85, 0x11, 0x09, 0x01, 0xb1, 0x02, 0x85, 0x12, 0x09, 0x01, 0xb1, 0x02, 0xc0         \
     }
 
 /* Force and position in counts. */
@@ -143,10 +144,10 @@ typedef struct {
 
 /* What a command carries; fields that do not belong to its ID are zero. */
 typedef struct {
-    uint8_t id; /* GRIPSCOPE_ARM to GRIPSCOPE_START, or one that is not known */
+    uint8_t id; /* GRIPSCOPE_ARM to GRIPSCOPE_FINISH, or one that is not known */
     uint16_t number;
     int32_t max_force, max_travel; /* set limits */
-    uint16_t excitation;           /* upload, start */
+    uint16_t excitation;           /* upload, start, finish */
     uint32_t first;                /* upload: index of the first force */
     uint8_t force_count;           /* upload */
     int32_t forces[GRIPSCOPE_FORCES_PER_UPLOAD];
@@ -334,6 +335,9 @@ static inline bool gripscope_read_fields(const uint8_t* report, gripscope_comman
         command->forces_crc = gripscope_load16(report + 6);
         command->samples = gripscope_load32(report + 8);
         return true;
+    case GRIPSCOPE_FINISH:
+        command->excitation = gripscope_load16(report + 4);
+        return true;
     default:
         return true; /* disarm, stop, heartbeat: nothing but a number */
     }
@@ -351,7 +355,7 @@ static inline gripscope_reading gripscope_read_command(const uint8_t* report, si
         return GRIPSCOPE_DROP;
     command->id = report[0];
     command->number = gripscope_load16(report + 2);
-    if (command->id < GRIPSCOPE_ARM || command->id > GRIPSCOPE_START)
+    if (command->id < GRIPSCOPE_ARM || command->id > GRIPSCOPE_FINISH)
         return GRIPSCOPE_ANSWER_UNKNOWN;
     return gripscope_read_fields(report, command) ? GRIPSCOPE_OBEY : GRIPSCOPE_ANSWER_BAD;
 }

@@ -55,6 +55,7 @@ void storeBody(Report& report, const CommandBody& body)
                        store(report, 6, start.forcesCrc);
                        store(report, 8, start.samples);
                    },
+                   [&](const FinishCommand& finish) { store(report, 4, finish.excitationNumber); },
                    [](const auto&) {},
                },
                body);
@@ -128,6 +129,8 @@ Decoded<CommandBody> decodeBody(ReportView bytes)
     case ReportId::Start:
         return StartCommand{load<std::uint16_t>(bytes, 4), load<std::uint32_t>(bytes, 8),
                             load<std::uint16_t>(bytes, 6)};
+    case ReportId::Finish:
+        return FinishCommand{load<std::uint16_t>(bytes, 4)};
     default:
         return tl::unexpected(DecodeError::UnknownReport);
     }
@@ -289,8 +292,8 @@ Decoded<LimitsFeature> decodeLimits(ReportView bytes)
 
 ReportId reportId(const CommandBody& body)
 {
-    constexpr std::array ids{ReportId::Arm,       ReportId::Disarm, ReportId::Stop, ReportId::Heartbeat,
-                             ReportId::SetLimits, ReportId::Upload, ReportId::Start};
+    constexpr std::array ids{ReportId::Arm,       ReportId::Disarm, ReportId::Stop,  ReportId::Heartbeat,
+                             ReportId::SetLimits, ReportId::Upload, ReportId::Start, ReportId::Finish};
     static_assert(ids.size() == std::variant_size_v<CommandBody>);
     return ids[body.index()];
 }

@@ -79,8 +79,13 @@ struct StartCommand {
     std::uint16_t forcesCrc = 0;
     friend bool operator==(const StartCommand&, const StartCommand&) = default;
 };
+/// Ends that excitation as if its last force were reached: enough is known. The device stays armed.
+struct FinishCommand {
+    std::uint16_t excitationNumber = 0;
+    friend bool operator==(const FinishCommand&, const FinishCommand&) = default;
+};
 using CommandBody = std::variant<ArmCommand, DisarmCommand, StopCommand, HeartbeatCommand, SetLimitsCommand,
-                                 UploadCommand, StartCommand>;
+                                 UploadCommand, StartCommand, FinishCommand>;
 struct Command {
     std::uint16_t number = 0;
     CommandBody body;

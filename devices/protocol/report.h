@@ -35,6 +35,7 @@ enum class ReportId : std::uint8_t {
     SetLimits = 0x24,
     Upload = 0x25,
     Start = 0x26,
+    Finish = 0x27,
 };
 
 /// What a device answers to a command.

@@ -32,7 +32,7 @@ std::vector<std::uint8_t> reportDescriptor()
     for (const ReportId id : {ReportId::Stream, ReportId::Acknowledgement})
         add(id, input);
     for (const ReportId id : {ReportId::Arm, ReportId::Disarm, ReportId::Stop, ReportId::Heartbeat,
-                              ReportId::SetLimits, ReportId::Upload, ReportId::Start})
+                              ReportId::SetLimits, ReportId::Upload, ReportId::Start, ReportId::Finish})
         add(id, output);
     for (const ReportId id : {ReportId::Identity, ReportId::Measurement, ReportId::Limits})
         add(id, feature);

@@ -34,6 +34,7 @@ public:
     void disarm() override {}
     void startExcitation(const AdmittedExcitation&) override {}
     [[nodiscard]] SqueezeState squeezeState() const override { return SqueezeState::Idle; }
+    void finishExcitation() override {}
     void stop() noexcept override {}
     void confirmAlive() noexcept override {}
 

@@ -95,6 +95,8 @@ VirtualFirmware::Answer VirtualFirmware::execute(const CommandBody& body)
         return upload(*chunk);
     if (const auto* order = std::get_if<StartCommand>(&body))
         return start(*order);
+    if (const auto* early = std::get_if<FinishCommand>(&body))
+        return finish(*early);
     return {}; // Heartbeat: its arrival is all it says.
 }
 
@@ -213,6 +215,16 @@ VirtualFirmware::Answer VirtualFirmware::start(const StartCommand& order)
         return refused;
     m_length = order.samples;
     beginSqueeze();
+    return {};
+}
+
+VirtualFirmware::Answer VirtualFirmware::finish(const FinishCommand& early)
+{
+    if (early.excitationNumber != m_lastStarted || (m_phase != Phase::RestBefore && m_phase != Phase::Moving))
+        return {CommandResult::Repeated, 0};
+    flush(); // what was sampled before was sampled in motion
+    m_phase = Phase::RestAfter;
+    m_phaseIndex = 0;
     return {};
 }
 

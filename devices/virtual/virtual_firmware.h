@@ -83,6 +83,7 @@ private:
     Answer setLimits(const protocol::SetLimitsCommand& limits);
     Answer upload(const protocol::UploadCommand& upload);
     Answer start(const protocol::StartCommand& start);
+    Answer finish(const protocol::FinishCommand& finish);
     Answer refuseForces(const std::int32_t* forces, std::size_t count, std::uint32_t firstIndex) const;
     void acknowledge(std::uint16_t number, protocol::ReportId command, Answer answer);
     void halt(std::uint16_t cause); ///< force off, disarmed, cause shown until the next Arm

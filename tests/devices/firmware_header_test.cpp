@@ -179,6 +179,8 @@ private slots:
         QCOMPARE(start.samples, 15u);
         QCOMPARE(int(start.forces_crc), 0x35C2);
         QCOMPARE(start.excitation, std::uint16_t(8));
+        QCOMPARE(int(readBack(FinishCommand{8}, 5).id), int(GRIPSCOPE_FINISH));
+        QCOMPARE(readBack(FinishCommand{8}, 5).excitation, std::uint16_t(8));
     }
     void whatIsDamagedIsDropped()
     {

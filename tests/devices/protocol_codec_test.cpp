@@ -64,7 +64,7 @@ Acknowledgement randomAnswer(Random& random)
 Command randomCommand(Random& random)
 {
     Command command{random.number<std::uint16_t>(), {}};
-    switch (random.below(7)) {
+    switch (random.below(8)) {
     case 0:
         command.body = ArmCommand{};
         break;
@@ -90,6 +90,9 @@ Command randomCommand(Random& random)
         command.body = upload;
         break;
     }
+    case 6:
+        command.body = FinishCommand{random.number<std::uint16_t>()};
+        break;
     default:
         command.body = StartCommand{random.number<std::uint16_t>(), random.number<std::uint32_t>(),
                                     random.number<std::uint16_t>()};

@@ -89,7 +89,7 @@ Fields fieldsOf(const Command& command)
         {ReportId::Arm, u"Arm"_qs},       {ReportId::Disarm, u"Disarm"_qs},
         {ReportId::Stop, u"Stop"_qs},     {ReportId::Heartbeat, u"Heartbeat"_qs},
         {ReportId::Upload, u"Upload"_qs}, {ReportId::SetLimits, u"Set limits"_qs},
-        {ReportId::Start, u"Start"_qs}};
+        {ReportId::Start, u"Start"_qs},   {ReportId::Finish, u"Finish"_qs}};
     Fields fields{{u"report"_qs, names.value(reportId(command.body))}, {u"number"_qs, text(command.number)}};
     if (const auto* limits = std::get_if<SetLimitsCommand>(&command.body)) {
         fields[u"force"_qs] = text(limits->maxForce);
@@ -108,6 +108,8 @@ Fields fieldsOf(const Command& command)
         fields[u"samples"_qs] = text(start->samples);
         fields[u"crc"_qs] = hex(start->forcesCrc, 4);
     }
+    if (const auto* finish = std::get_if<FinishCommand>(&command.body))
+        fields[u"excitation"_qs] = text(finish->excitationNumber);
     return fields;
 }
 
@@ -188,7 +190,7 @@ private slots:
             seen << example.fields.value(u"report"_qs);
         }
         seen.removeDuplicates();
-        QCOMPARE(seen.size(), 12); // one of each report ID at least
+        QCOMPARE(seen.size(), 13); // one of each report ID at least
     }
 
     void theReportDescriptorIsTheOneThatIsPrinted()

@@ -164,6 +164,26 @@ private slots:
         QCOMPARE(device.pushedSamples(), std::size_t(0));
     }
 
+    void finishEndsASqueezeInGoodOrderAndStaysArmed()
+    {
+        Device device;
+        device.send(ArmCommand{});
+        const std::vector<std::int32_t> longPush(400, 10000);
+        device.upload(longPush, 1);
+        device.start(longPush, 1);
+        device.run(150);                                                          // 50 of force
+        QVERIFY(device.send(FinishCommand{2}).result == CommandResult::Repeated); // another's
+        QVERIFY(device.lastStatus() & StatusMoving);
+        QVERIFY(device.send(FinishCommand{1}).result == CommandResult::Done);
+        QVERIFY(device.send(FinishCommand{1}).result == CommandResult::Repeated);
+        device.run(500);
+        QCOMPARE(device.pushedSamples(), std::size_t(50));
+        QCOMPARE(device.lastStatus(), std::uint16_t(StatusArmed));
+        QVERIFY(device.stream.back().excitation == ExcitationState::Finished);
+        QCOMPARE(device.upload(push, 2), CommandResult::Done);
+        QCOMPARE(device.start(push, 2), CommandResult::Done); // the next one needs no arming
+    }
+
     void repeatedCommandsDoNoHarm()
     {
         Device device;

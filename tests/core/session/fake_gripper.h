@@ -29,11 +29,13 @@ struct FakeGripper {
     bool refusesExcitation = false;
     bool neverStarts = false; ///< takes the excitation and does nothing
     bool armsOnRequest = true;
+    bool finishesOnRequest = true;
+    std::function<bool()> holdsBack;     ///< true: samples wait, as if the squeeze stood still
     std::optional<int> lostAfterSamples; ///< goes away after so many samples of a squeeze
     std::function<bool(int)> dropSample; ///< true: the sample with this index in the squeeze is lost
     int chunk = 100;                     ///< samples handed over a drain()
 
-    int opened = 0, closed = 0, armRequests = 0, disarmRequests = 0, started = 0, confirmed = 0;
+    int opened = 0, closed = 0, armRequests = 0, disarmRequests = 0, started = 0, finished = 0, confirmed = 0;
     std::atomic<int> stops{0};
     QString armedBy;
     std::vector<double> commanded_N;
@@ -73,6 +75,19 @@ struct FakeGripper {
         for (int i = 0; i < 12; ++i)
             sum += static_cast<double>(random() >> 11) * 0x1.0p-53;
         return noise_m * sum;
+    }
+
+    /// What was to come of the squeeze does not come; it ends with 50 samples at rest.
+    void finishSqueeze()
+    {
+        const auto moving = [](const Sample& sample) { return sample.status & StatusMoving; };
+        if (std::none_of(pending.begin(), pending.end(), moving))
+            return;
+        sequence = pending.front().sequence;
+        const Sample last = pending.front();
+        pending.clear();
+        for (int i = 0; i < 50; ++i)
+            push(commanded_N.front(), last.position + noise(), StatusArmed);
     }
 
     /// The whole squeeze in one go: 50 samples at rest, the excitation, 50 at rest.
@@ -124,6 +139,8 @@ public:
     std::size_t drain(std::vector<Sample>& samples, std::size_t most) override
     {
         FakeGripper& g = *m_gripper;
+        if (g.holdsBack && g.holdsBack())
+            return 0;
         const std::size_t count = std::min({most, g.pending.size(), static_cast<std::size_t>(g.chunk)});
         samples.insert(samples.end(), g.pending.begin(),
                        g.pending.begin() + static_cast<std::ptrdiff_t>(count));
@@ -162,6 +179,12 @@ public:
         g.squeezeState = g.refusesExcitation ? SqueezeState::Refused : SqueezeState::Running;
         if (!g.refusesExcitation && !g.neverStarts)
             g.runSqueeze();
+    }
+    void finishExcitation() override
+    {
+        ++m_gripper->finished;
+        if (m_gripper->finishesOnRequest)
+            m_gripper->finishSqueeze();
     }
     SqueezeState squeezeState() const override { return m_gripper->squeezeState; }
     void stop() noexcept override

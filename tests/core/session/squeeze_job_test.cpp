@@ -42,6 +42,38 @@ private slots:
         m_recipe = {};
         m_recipe.seconds = 0.25; // 500 samples
     }
+    void enoughKnownEndsTheSqueezeInGoodOrder()
+    {
+        QVERIFY(m_job->start(m_recipe, 3));
+        m_job->finish(QStringLiteral("too soon")); // nothing is squeezed yet
+        QVERIFY(pollUntil([this] { poll(); }, [this] { return m_job->progress() > 0.3; }));
+        m_job->finish(QStringLiteral("A after 0.1 s"));
+        QVERIFY(finish());
+        QCOMPARE(m_job->state(), State::Done);
+        QVERIFY(m_job->endedEarly());
+        QVERIFY(m_connection->session.armed());
+        QCOMPARE(gripper().finished, 1);
+        QCOMPARE(gripper().stops.load(), 0);
+        const Recording& recording = m_job->recording();
+        QVERIFY(recording.size() < 400 && recording.size() > 150);
+        QCOMPARE(recording.provenance.value(QStringLiteral("ended_early")), QStringLiteral("A after 0.1 s"));
+        QVERIFY(m_job->start(m_recipe, 4)); // and the next is whole again
+        QVERIFY(finish());
+        QVERIFY(!m_job->endedEarly());
+        QVERIFY(m_job->recording().size() > 500);
+    }
+    void aGripperThatCannotEndEarlyGoesOnToTheEnd()
+    {
+        gripper().finishesOnRequest = false;
+        QVERIFY(m_job->start(m_recipe, 3));
+        QVERIFY(pollUntil([this] { poll(); }, [this] { return m_job->progress() > 0.3; }));
+        m_job->finish(QStringLiteral("A after 0.1 s"));
+        QVERIFY(finish());
+        QCOMPARE(m_job->state(), State::Done);
+        QVERIFY(!m_job->endedEarly());
+        QVERIFY(m_job->recording().size() > 500);
+        QVERIFY(!m_job->recording().provenance.contains(QStringLiteral("ended_early")));
+    }
     void aRecipeIsItsExcitationInNewtonsAtTheDevicesRate()
     {
         GripperIdentity identity;
