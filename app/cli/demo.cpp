@@ -54,6 +54,8 @@ public:
     {
         m_enrollment.setOperator(u"demo"_qs);
         m_inspection.setOperator(u"demo"_qs);
+        m_inspection.setEarlyEnd(
+            false); // at full speed the whole squeeze is there before it could be decided
     }
 
     std::optional<Error> enroll(const QString& type);

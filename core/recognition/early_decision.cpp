@@ -53,6 +53,32 @@ std::vector<NoiseNode> noiseNodes(const LinearizedRecord& likeliest, std::span<c
     return nodes;
 }
 
+bool positiveDefinite(const Eigen::Matrix3d& matrix)
+{
+    return matrix.allFinite() && matrix.llt().info() == Eigen::Success;
+}
+
+/// Of the likeliest parameters, under the noise that is likeliest.
+std::optional<Eigen::Matrix3d> covarianceAt(const LinearizedRecord& likeliest,
+                                            const LinearizedEvidence& evidence,
+                                            const std::vector<NoiseNode>& nodes, const ThetaRange& range)
+{
+    auto place = static_cast<std::size_t>(std::max_element(evidence.log.begin(), evidence.log.end()) -
+                                          evidence.log.begin());
+    for (const NoiseNode& node : nodes) {
+        if (place >= node.deviations.size()) {
+            place -= node.deviations.size();
+            continue;
+        }
+        const double variance = node.deviations[place] * node.deviations[place];
+        Eigen::Matrix3d precision = reduceRecord(likeliest.products, node.pole, ridge).information / variance;
+        precision.diagonal() += range.variance().cwiseInverse();
+        const Eigen::Matrix3d covariance = precision.llt().solve(Eigen::Matrix3d::Identity());
+        return positiveDefinite(covariance) ? std::optional(covariance) : std::nullopt;
+    }
+    return {};
+}
+
 double logOfSum(const std::vector<double>& logs)
 {
     const double largest = *std::max_element(logs.begin(), logs.end());
@@ -70,34 +96,29 @@ double flatOverGaussian()
     return 1.5 * std::log(2 * std::numbers::pi / 12);
 }
 
-bool positiveDefinite(const Eigen::Matrix3d& matrix)
-{
-    return matrix.allFinite() && matrix.llt().info() == Eigen::Success;
-}
-
 } // namespace
 
-StrangerBackground backgroundAround(const std::vector<CandidateType>& types, double share)
+InstrumentRange rangeAround(const std::vector<CandidateType>& types)
 {
-    StrangerBackground background;
-    background.share = share;
     if (types.empty())
-        return background;
-    background.lowestLog = background.highestLog = types.front().meanLog;
+        return {};
+    Eigen::Vector3d lowest = types.front().meanLog, highest = lowest;
     for (const CandidateType& type : types) {
-        background.lowestLog = background.lowestLog.cwiseMin(type.meanLog);
-        background.highestLog = background.highestLog.cwiseMax(type.meanLog);
+        lowest = lowest.cwiseMin(type.meanLog);
+        highest = highest.cwiseMax(type.meanLog);
     }
-    background.lowestLog.array() -= std::log(3.0);
-    background.highestLog.array() += std::log(3.0);
-    return background;
+    lowest = lowest.array().exp() / 3;
+    highest = highest.array().exp() * 3;
+    return {{lowest(0), lowest(1), lowest(2)}, {highest(0), highest(1), highest(2)}};
 }
 
-EarlyDecider::EarlyDecider(std::vector<CandidateType> types, const StrangerBackground& background,
+EarlyDecider::EarlyDecider(std::vector<CandidateType> types, const InstrumentRange& range,
                            const EarlyDecisionOptions& options)
-    : m_types(std::move(types)), m_background(background), m_options(options),
-      m_nextLook(options.firstSamples)
+    : m_types(std::move(types)), m_options(options), m_nextLook(options.firstSamples)
 {
+    const InstrumentRange strangers = range.logVolume() ? range : rangeAround(m_types);
+    m_lowestLog = strangers.lowest.vector().array().log();
+    m_highestLog = strangers.highest.vector().array().log();
     for (const CandidateType& type : m_types)
         m_points.push_back(type.meanLog);
 }
@@ -157,7 +178,12 @@ void EarlyDecider::conclude(const std::vector<double>& logs)
     const bool known = best < m_types.size();
     if (known)
         m_judgement.best = best;
-    if (m_judgement.posterior[best] >= 1 - spentOnDeciding * m_options.statedError)
+    double others = 0; // types
+    for (std::size_t i = 0; i < m_types.size(); ++i)
+        others += i == best ? 0 : m_judgement.posterior[i];
+    const bool ruledOut =
+        !known || others <= spentOnDeciding * m_options.otherTypes.value_or(m_options.statedError);
+    if (ruledOut && m_judgement.posterior[best] >= 1 - spentOnDeciding * m_options.statedError)
         m_judgement.verdict = known ? EarlyVerdict::Type : EarlyVerdict::Unknown;
 }
 
@@ -169,7 +195,7 @@ const EarlyJudgement& EarlyDecider::look()
         return m_judgement;
     const OutputErrorProblem problem = this->problem();
     const Eigen::Vector3d toTheta = problem.toTheta({1, 1, 1});
-    const ThetaRange range{m_background.lowestLog + toTheta, m_background.highestLog + toTheta};
+    const ThetaRange range{m_lowestLog + toTheta, m_highestLog + toTheta};
     std::vector<Eigen::Vector3d> starts;
     for (const Eigen::Vector3d& point : m_points)
         starts.push_back(point + toTheta);
@@ -183,12 +209,13 @@ const EarlyJudgement& EarlyDecider::look()
     const std::vector<NoiseNode> nodes = noiseNodes(stranger, poles);
     std::vector<double> logs;
     for (std::size_t i = 0; i < m_types.size(); ++i)
-        logs.push_back(std::log((1 - m_background.share) / static_cast<double>(m_types.size())) +
+        logs.push_back(std::log((1 - m_options.strangerShare) / static_cast<double>(m_types.size())) +
                        logEvidence(i, problem, nodes));
     const Eigen::Matrix3d spread = range.variance().asDiagonal();
     const LinearizedEvidence evidence =
         linearizedEvidence(stranger.products, {Eigen::Vector3d::Zero(), spread}, nodes, ridge);
-    logs.push_back(std::log(m_background.share) + flatOverGaussian() + logOfSum(evidence.log));
+    logs.push_back(std::log(m_options.strangerShare) + flatOverGaussian() + logOfSum(evidence.log));
+    m_judgement.covarianceLog = covarianceAt(stranger, evidence, nodes, range);
     m_points.push_back(stranger.theta - toTheta);
     conclude(logs);
     return m_judgement;

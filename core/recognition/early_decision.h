@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/identification/output_error_problem.h"
+#include "core/recognition/instrument_range.h"
 #include "core/recognition/linearized_evidence.h"
 
 #include <Eigen/Core>
@@ -22,25 +23,25 @@ struct CandidateType {
     Eigen::Matrix3d covarianceLog = Eigen::Matrix3d::Zero();
 };
 
-/// Where strangers may be: spread evenly in ln m, ln b and ln k between two corners.
-struct StrangerBackground {
-    Eigen::Vector3d lowestLog = Eigen::Vector3d::Zero(), highestLog = Eigen::Vector3d::Zero();
-    double share = 0.1; ///< of strangers among the objects squeezed
-};
-
-/// From a third of the smallest to three times the largest value of any type, each parameter by itself.
-[[nodiscard]] StrangerBackground backgroundAround(const std::vector<CandidateType>& types, double share);
+/// From a third of the smallest to three times the largest value of any type, each parameter by itself: for
+/// channels whose units say nothing of what a gripper may meet.
+[[nodiscard]] InstrumentRange rangeAround(const std::vector<CandidateType>& types);
 
 struct EarlyDecisionOptions {
     double sampleTime_s = 0;
     ForceHold hold = ForceHold::First;
     double lag_s = 0; ///< how much later the position channel samples than the force channel
     bool freeInitialState = true, freeOffset = true;
-    double statedError = 0.01;        ///< of the squeezes decided, wrong at the most
+    double strangerShare = 0.1; ///< of strangers among the objects squeezed
+    double statedError = 0.01;  ///< of the squeezes decided, wrong at the most
+    /// Of the squeezes decided to be a type, those of another type at the most; absent: as statedError has
+    /// it.
+    std::optional<double> otherTypes = {};
     bool colouredNoise = true;        ///< noise may be first-order autoregressive; else it is white
     std::size_t firstSamples = 10;    ///< before the first look
     double growth = 1.03;             ///< of the record from one look to the next
     std::size_t mostSamples = 20'000; ///< kept; no looks after that many
+    friend bool operator==(const EarlyDecisionOptions&, const EarlyDecisionOptions&) = default;
 };
 
 enum class EarlyVerdict { Undecided, Type, Unknown };
@@ -53,6 +54,7 @@ struct EarlyJudgement {
     std::vector<double> posterior;   ///< one a candidate, in order, then that of a stranger; sums to 1
     /// The likeliest mass, damping, stiffness with no type assumed.
     std::optional<MassDampingStiffness> parameters;
+    std::optional<Eigen::Matrix3d> covarianceLog; ///< of their logarithms, the range a weak prior
 };
 
 /// Follows a squeeze and stops it as soon as the stated error rate is reached.
@@ -69,8 +71,9 @@ struct EarlyJudgement {
 class EarlyDecider {
 public:
     /// Types whose covariance is not positive definite are never the verdict. With no type at all nothing is
-    /// decided.
-    EarlyDecider(std::vector<CandidateType> types, const StrangerBackground& background,
+    /// decided. Strangers lie in `range`, in the channels' units; one that is no range is taken for
+    /// rangeAround().
+    EarlyDecider(std::vector<CandidateType> types, const InstrumentRange& range,
                  const EarlyDecisionOptions& options);
 
     /// The next sample, in the channels' units; one that was lost has a value that is not a number. True: it
@@ -88,7 +91,7 @@ private:
     void conclude(const std::vector<double>& logs);
 
     std::vector<CandidateType> m_types;
-    StrangerBackground m_background;
+    Eigen::Vector3d m_lowestLog, m_highestLog; ///< the strangers' range
     EarlyDecisionOptions m_options;
     std::vector<double> m_force, m_position;
     std::vector<std::size_t> m_lost;

@@ -116,9 +116,11 @@ Draw drawSqueeze(const EarlyDecisionStudyOptions& options, int run)
     draw.force = prbs(setting, seed);
     Eigen::Vector3d logs;
     if (noise.uniform() < options.strangerShare) {
-        const StrangerBackground range = backgroundAround(truth, options.strangerShare);
+        const InstrumentRange range = rangeAround(truth);
+        const Eigen::Vector3d lowest = range.lowest.vector().array().log();
+        const Eigen::Vector3d highest = range.highest.vector().array().log();
         for (Eigen::Index i = 0; i < 3; ++i)
-            logs(i) = range.lowestLog(i) + noise.uniform() * (range.highestLog(i) - range.lowestLog(i));
+            logs(i) = lowest(i) + noise.uniform() * (highest(i) - lowest(i));
     } else {
         draw.truth = std::min(static_cast<std::size_t>(noise.uniform() * static_cast<double>(truth.size())),
                               truth.size() - 1);
@@ -142,6 +144,7 @@ EarlyDecisionOptions deciderOptions(const EarlyDecisionStudyOptions& options)
     decision.hold = ForceHold::Zero;
     decision.freeInitialState = decision.freeOffset = !options.setting.restKnown;
     decision.statedError = options.statedError;
+    decision.strangerShare = options.strangerShare;
     decision.colouredNoise = options.setting.colouredNoise;
     return decision;
 }
@@ -149,8 +152,7 @@ EarlyDecisionOptions deciderOptions(const EarlyDecisionStudyOptions& options)
 Outcome perform(const EarlyDecisionStudyOptions& options, int run)
 {
     const Draw draw = drawSqueeze(options, run);
-    EarlyDecider decider(draw.library, backgroundAround(draw.library, options.strangerShare),
-                         deciderOptions(options));
+    EarlyDecider decider(draw.library, rangeAround(draw.library), deciderOptions(options));
     Outcome outcome;
     outcome.truth = draw.truth;
     for (std::size_t t = 0; t < draw.force.size(); ++t) {

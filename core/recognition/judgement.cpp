@@ -3,6 +3,7 @@
 
 #include "core/recognition/gates.h"
 #include "core/recognition/separation.h"
+#include "core/recognition/stranger_background.h"
 #include "core/recognition/verdict_reasons.h"
 
 #include <algorithm>
@@ -32,13 +33,6 @@ std::vector<double> normalised(std::vector<double> logWeights)
     for (double& weight : logWeights)
         weight /= total;
     return logWeights;
-}
-
-std::optional<double> rangeVolume(const VerdictOptions& options)
-{
-    if (options.range)
-        return options.range->logVolume();
-    return options.siUnits ? InstrumentRange{}.logVolume() : std::nullopt;
 }
 
 } // namespace
@@ -98,13 +92,16 @@ void Judgement::findNearest()
 
 bool Judgement::heldForStranger(Verdict& verdict) const
 {
-    const std::optional<double> volume = rangeVolume(m_options);
+    const std::optional<InstrumentRange> range = m_options.strangerRange();
+    const std::optional<double> volume = range ? range->logVolume() : std::nullopt;
     if (!volume)
         return false;
     std::vector<double> logWeights;
+    logWeights.reserve(m_predictions.size() + 1);
     const double share = m_options.strangerShare;
+    const double each = std::log((1 - share) / double(m_predictions.size()));
     for (const TypePrediction& prediction : m_predictions)
-        logWeights.push_back(prediction.logDensity + std::log((1 - share) / double(m_predictions.size())));
+        logWeights.push_back(prediction.logDensity + each);
     logWeights.push_back(std::log(share / *volume));
     verdict.strangerPosterior = normalised(logWeights).back();
     const StrangerLimit limit = strangerLimit(m_predictions, m_gates, *volume, m_options.strangerAccept);
@@ -165,8 +162,8 @@ Verdict Judgement::verdict() const
     for (const TypePrediction& prediction : m_predictions)
         logDensities.push_back(prediction.logDensity);
     const std::vector<double> posterior = normalised(logDensities);
-    for (std::size_t i = 0; i < posterior.size(); ++i)
-        verdict.posterior.insert(m_models.types[i].name, posterior[i]);
+    for (std::size_t i = 0; i < posterior.size(); ++i) // by name, so that each goes to the end
+        verdict.posterior.insert(verdict.posterior.cend(), m_models.types[i].name, posterior[i]);
     verdict.distance = spread(nearest) * m_predictions[m_nearest].squaredDistance;
     if (m_gates.empty()) {
         verdict.reasons = noGateReasons(m_models);

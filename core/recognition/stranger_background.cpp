@@ -11,7 +11,7 @@ namespace {
 
 double ellipsoidVolume(const TypePrediction& prediction, double squared)
 {
-    return 4 * std::numbers::pi / 3 * std::pow(squared, 1.5) * std::exp(prediction.logDeterminant / 2);
+    return 4 * std::numbers::pi / 3 * squared * std::sqrt(squared) * std::exp(prediction.logDeterminant / 2);
 }
 
 /// Squared distance at which the type's density falls to a level.
@@ -32,15 +32,6 @@ double volumeAbove(const std::vector<TypePrediction>& predictions, const std::ve
 }
 
 } // namespace
-
-std::optional<double> InstrumentRange::logVolume() const
-{
-    const Eigen::Vector3d low = lowest.vector();
-    const Eigen::Vector3d high = highest.vector();
-    if (!low.allFinite() || !high.allFinite() || !(low.minCoeff() > 0) || !((high - low).minCoeff() > 0))
-        return {};
-    return (high.array().log() - low.array().log()).prod();
-}
 
 StrangerLimit strangerLimit(const std::vector<TypePrediction>& predictions, const std::vector<double>& gates,
                             double logVolume, double rate)

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/recognition/instrument_range.h"
 #include "core/recognition/predictive.h"
 
 #include <optional>
 #include <vector>
 
 namespace gripscope {
-
-/// What a gripper may meet: strangers are spread evenly in log m, log b and log k over it. In the models'
-/// units; in SI, if nothing else is said, what parts of a gram to ten kilograms have, four decades each.
-struct InstrumentRange {
-    MassDampingStiffness lowest{1e-3, 1e-1, 1e2};
-    MassDampingStiffness highest{1e1, 1e3, 1e6};
-    /// (ln of the ratio) of m, b and k, multiplied; nothing unless 0 < lowest < highest, all finite.
-    [[nodiscard]] std::optional<double> logVolume() const;
-};
 
 /// Where a squeeze is named a type rather than taken for a stranger.
 struct StrangerLimit {

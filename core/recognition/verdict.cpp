@@ -60,6 +60,11 @@ std::optional<VerdictKind> verdictKindFromString(const QString& text)
     return {};
 }
 
+std::optional<InstrumentRange> VerdictOptions::strangerRange() const
+{
+    return range || !siUnits ? range : InstrumentRange{};
+}
+
 std::optional<Error> VerdictOptions::validate() const
 {
     const auto check = [](const QString& name, double rate) -> std::optional<Error> {

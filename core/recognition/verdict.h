@@ -3,7 +3,7 @@
 
 #include "core/error.h"
 #include "core/identification/identification.h"
-#include "core/recognition/stranger_background.h"
+#include "core/recognition/instrument_range.h"
 #include "core/recognition/type_model.h"
 
 #include <QMap>
@@ -40,8 +40,11 @@ struct VerdictOptions {
     std::optional<InstrumentRange> range = {};
     /// Share of strangers among all that is squeezed; only Verdict::strangerPosterior uses it.
     double strangerShare = 0.1;
+    /// `range`, or InstrumentRange{} where the models are in SI.
+    [[nodiscard]] std::optional<InstrumentRange> strangerRange() const;
     /// Rates at least 1e-6 and at most 0.5, confidence from 0.5 to 0.9999, a range that is one.
     [[nodiscard]] std::optional<Error> validate() const;
+    friend bool operator==(const VerdictOptions&, const VerdictOptions&) = default;
 };
 
 struct Verdict {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/inspect_session.h"
 
+#include "core/recognition/early_verdict.h"
 #include "core/session/comparable_units.h"
+#include "core/session/early_watch.h"
 #include "core/session/enrollment_storage.h"
 #include "core/session/hold_history.h"
 #include "core/session/library_answer.h"
+#include "core/session/squeeze_forecast.h"
 #include "core/signal/units.h"
 
 #include <algorithm>
@@ -60,6 +63,12 @@ const InspectionCounts& newer(const InspectionCounts& one, const InspectionCount
     return one.total >= other.total ? one : other;
 }
 
+/// An identification and the verdict on it, found together in the pool: a gate may take 50 ms.
+struct Judged {
+    Identification identification;
+    Verdict verdict;
+};
+
 double lengthOf(const Recording& recording)
 {
     return recording.time_s.empty()
@@ -78,20 +87,25 @@ struct InspectSession::Private {
     ConnectSession& connection;
     LibraryService& library;
     SqueezeJob job;
-    IdentificationTask task;
+    PoolTask<Judged> task;
+    EarlyWatch watch;
+    SqueezeForecast forecast;
+    int listener = 0;
     LibraryAnswer loading;
     std::list<LibraryAnswer> storing; // in the order the inspections were made
     IdentificationOptions options;
     VerdictOptions rates;
     Recipe recipe;
     QString operatorName, expectedType;
-    bool storeResults = true;
+    bool storeResults = true, endsEarly = true, forecasting = false;
 
     State state = State::Loading;
     Loaded loaded;
     Recording measured; // what is being identified
     HoldHistory holds;
     QString source, measuredExpectedType;
+    std::optional<EarlyEnd> measuredEarlyEnd;
+    VerdictOptions measuredRates; // those in force then; they may be set anew while it is judged
     std::uint64_t squeezes = 0;
     std::optional<Result> result;
     std::optional<Error> error;
@@ -99,10 +113,13 @@ struct InspectSession::Private {
     void reload();
     [[nodiscard]] Expected<void> ready() const;
     [[nodiscard]] Recipe wantedRecipe() const;
+    [[nodiscard]] std::optional<EarlyStopSetup> earlyStopSetup() const;
     void begin(State next);
+    void followSqueeze();
+    bool pollForecast();
     void fail(const Error& reason);
     void identify(Recording recording, const QString& from);
-    void judgeIt(Identification identification);
+    void show(Judged judged);
     void keep();
     bool pollStoring();
 };
@@ -151,6 +168,8 @@ void InspectSession::Private::begin(State next)
     state = next;
     result.reset();
     error.reset();
+    watch.end();
+    measuredEarlyEnd.reset();
     measuredExpectedType = expectedType;
 }
 
@@ -160,31 +179,89 @@ void InspectSession::Private::fail(const Error& reason)
     state = State::Ready;
 }
 
+std::optional<EarlyStopSetup> InspectSession::Private::earlyStopSetup() const
+{
+    const GripperIdentity identity = connection.identity();
+    if (!endsEarly || !identity.commandable)
+        return {};
+    const Expected<ComparableTypes::Choice> choice =
+        loaded.comparable.modelsFor(identity.forceUnit, identity.positionUnit);
+    if (!choice)
+        return {};
+    EarlyStopSetup setup{choice->models, choice->factor, rates, {}, connection.measuringChain()};
+    setup.rates.siUnits = siFactor(identity.forceUnit, identity.positionUnit).has_value();
+    setup.decision.sampleTime_s = identity.sampleTime_s;
+    setup.decision.hold = options.hold.value_or(identity.hold);
+    setup.decision.lag_s = connection.forceLag_s();
+    setup.decision.freeInitialState = options.initialState == InitialState::Free;
+    setup.decision.freeOffset = options.freeOffset;
+    return setup;
+}
+
+void InspectSession::Private::followSqueeze()
+{
+    job.poll();
+    watch.poll();
+    if (watch.decision())
+        job.finish(inWords(*watch.decision(), static_cast<double>(watch.decision()->samples) *
+                                                  connection.identity().sampleTime_s));
+    if (job.state() == SqueezeJob::State::Done) {
+        if (job.endedEarly())
+            measuredEarlyEnd = watch.decision();
+        identify(job.recording(), connection.address());
+    } else if (job.state() == SqueezeJob::State::Failed) {
+        fail(*job.error());
+    }
+}
+
+bool InspectSession::Private::pollForecast()
+{
+    if (!forecasting || state != State::Ready)
+        return false;
+    const std::optional<EarlyStopSetup> setup =
+        connection.state() == ConnectSession::State::Connected ? earlyStopSetup() : std::nullopt;
+    if (setup)
+        forecast.ask(*setup, wantedRecipe());
+    else
+        forecast.forget();
+    return forecast.poll();
+}
+
 void InspectSession::Private::identify(Recording recording, const QString& from)
 {
+    const Expected<ComparableTypes::Choice> choice =
+        loaded.comparable.modelsFor(recording.forceUnit, recording.positionUnit);
+    if (!choice)
+        return fail(choice.error());
     state = State::Judging;
-    measured = recording;
     source = from;
     IdentificationOptions withEarlier = options;
     withEarlier.earlierHold = holds.before(recording, options);
-    task.start(std::move(recording), withEarlier);
+    measuredRates = rates;
+    measuredRates.siUnits = siFactor(recording.forceUnit, recording.positionUnit).has_value();
+    measured = recording;
+    task.start([recording = std::move(recording), withEarlier, judging = measuredRates,
+                models = choice->models, factor = choice->factor] {
+        Judged judged{gripscope::identify(recording, withEarlier), {}};
+        judged.verdict = judge(*models, judged.identification, factor, judging);
+        return judged;
+    });
 }
 
-void InspectSession::Private::judgeIt(Identification identification)
+void InspectSession::Private::show(Judged judged)
 {
-    holds.add(measured, identification);
-    const Expected<ComparableTypes::Choice> choice =
-        loaded.comparable.modelsFor(measured.forceUnit, measured.positionUnit);
-    if (!choice)
-        return fail(choice.error());
-    VerdictOptions judging = rates;
-    judging.siUnits = siFactor(measured.forceUnit, measured.positionUnit).has_value();
+    holds.add(measured, judged.identification);
     Result found;
-    found.verdict = judge(*choice->models, identification, choice->factor, judging);
+    found.verdict = std::move(judged.verdict);
+    found.earlyEnd = measuredEarlyEnd;
+    if (found.earlyEnd)
+        found.verdict =
+            verdictOnEarlyEnd(std::move(found.verdict), *found.earlyEnd,
+                              static_cast<double>(found.earlyEnd->samples) * measured.sampleTime_s);
     found.outcome = inspectionOutcome(found.verdict.kind, found.verdict.type, measuredExpectedType);
     found.expectedType = measuredExpectedType;
     found.seconds = lengthOf(measured);
-    found.identification = std::move(identification);
+    found.identification = std::move(judged.identification);
     found.recording = std::move(measured);
     result = std::move(found);
     state = State::Ready;
@@ -197,7 +274,7 @@ void InspectSession::Private::keep()
     NewInspection inspection;
     inspection.grasp = makeGrasp(result->recording, result->identification, source, operatorName);
     inspection.verdict = result->verdict;
-    inspection.rates = rates;
+    inspection.rates = measuredRates;
     inspection.expectedType = result->expectedType;
     inspection.seconds = result->seconds;
     const std::uint64_t which = squeezes;
@@ -227,10 +304,17 @@ bool InspectSession::Private::pollStoring()
 InspectSession::InspectSession(ConnectSession& connection, LibraryService& library)
     : d(std::make_unique<Private>(connection, library))
 {
+    d->listener = connection.addListener([this](const std::vector<Sample>& batch) {
+        if (d->state == State::Squeezing)
+            d->watch.take(batch);
+    });
     d->reload();
 }
 
-InspectSession::~InspectSession() = default;
+InspectSession::~InspectSession()
+{
+    d->connection.removeListener(d->listener);
+}
 
 void InspectSession::setOperator(const QString& name)
 {
@@ -263,6 +347,16 @@ void InspectSession::setStoring(bool store)
     d->storeResults = store;
 }
 
+void InspectSession::setEarlyEnd(bool early)
+{
+    d->endsEarly = early;
+}
+
+void InspectSession::setForecasting(bool on)
+{
+    d->forecasting = on;
+}
+
 void InspectSession::reload()
 {
     d->reload();
@@ -280,6 +374,8 @@ Expected<void> InspectSession::squeeze()
         return started;
     ++d->squeezes;
     d->begin(State::Squeezing);
+    if (const std::optional<EarlyStopSetup> setup = d->earlyStopSetup())
+        d->watch.begin(*setup);
     return {};
 }
 
@@ -307,20 +403,16 @@ bool InspectSession::poll()
     bool changed = d->pollStoring();
     changed = d->loading.poll() || changed;
     if (d->state == State::Squeezing) {
-        d->job.poll();
-        if (d->job.state() == SqueezeJob::State::Done)
-            d->identify(d->job.recording(), d->connection.address());
-        else if (d->job.state() == SqueezeJob::State::Failed)
-            d->fail(*d->job.error());
+        d->followSqueeze();
         return true; // progress, at least
     }
     if (d->state == State::Judging) {
-        if (std::optional<Identification> identification = d->task.take()) {
-            d->judgeIt(std::move(*identification));
+        if (std::optional<Judged> judged = d->task.take()) {
+            d->show(std::move(*judged));
             return true;
         }
     }
-    return changed;
+    return d->pollForecast() || changed;
 }
 
 InspectSession::State InspectSession::state() const
@@ -336,6 +428,31 @@ double InspectSession::progress() const
 const std::optional<InspectSession::Result>& InspectSession::result() const
 {
     return d->result;
+}
+
+bool InspectSession::looking() const
+{
+    return d->watch.busy();
+}
+
+const std::optional<EarlyTimes>& InspectSession::forecast() const
+{
+    return d->forecast.times();
+}
+
+double InspectSession::longestSeconds() const
+{
+    return d->wantedRecipe().seconds;
+}
+
+bool InspectSession::earlyEnd() const
+{
+    return d->endsEarly;
+}
+
+const VerdictOptions& InspectSession::rates() const
+{
+    return d->rates;
 }
 
 InspectionCounts InspectSession::counts() const

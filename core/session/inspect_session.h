@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/recognition/early_stop.h"
 #include "core/session/squeeze_job.h"
 #include "core/store/library_service.h"
 
@@ -24,6 +25,10 @@ enum class InspectionOutcome { AsExpected, OtherType, Unknown, Inconclusive, Not
 /// The squeezes of a session tell together how a gripper holds its force (hold_evidence.h); what was judged
 /// before stays as it was.
 ///
+/// A squeeze of the gripper ends as soon as it is decided (EarlyStop, in the thread pool; a decision that
+/// comes late only makes the squeeze longer). Its record is identified and judged as any other, and where
+/// that says something else than the decision, the verdict is inconclusive (verdictOnEarlyEnd()).
+///
 /// The verdict is shown as soon as it is known; storing goes on behind it, and a failure to store is
 /// lastError().
 class InspectSession {
@@ -41,7 +46,10 @@ public:
     void setIdentificationOptions(const IdentificationOptions& options);
     void setRecipe(const Recipe& recipe); ///< used when nothing is expected; else the type's own
     void setStoring(bool store);          ///< off: classify only (the command line)
-    void reload();                        ///< the library changed
+    void setEarlyEnd(bool early);         ///< on unless told otherwise
+    /// Whether forecast() is worked out while nothing else is done; off unless told otherwise.
+    void setForecasting(bool on);
+    void reload(); ///< the library changed
 
     [[nodiscard]] Expected<void> squeeze();
     [[nodiscard]] Expected<void> judgeRecording(Recording recording, const QString& source);
@@ -56,10 +64,19 @@ public:
         InspectionOutcome outcome = InspectionOutcome::NotValid;
         QString expectedType;
         double seconds = 0;
+        /// What ended the squeeze before its time.
+        std::optional<EarlyEnd> earlyEnd = {};
     };
     [[nodiscard]] State state() const;
     [[nodiscard]] double progress() const;
     [[nodiscard]] const std::optional<Result>& result() const; ///< of the last squeeze
+    [[nodiscard]] bool looking() const;                        ///< samples of the squeeze are being looked at
+    /// How long squeezes of the enrolled types take until they are decided. Nothing while this is worked out,
+    /// where it cannot be, and where squeezes do not end early.
+    [[nodiscard]] const std::optional<EarlyTimes>& forecast() const;
+    [[nodiscard]] double longestSeconds() const; ///< of the next squeeze: the recipe's
+    [[nodiscard]] bool earlyEnd() const;
+    [[nodiscard]] const VerdictOptions& rates() const;
     [[nodiscard]] InspectionCounts counts() const;
     [[nodiscard]] const TypeModels& models() const; ///< in SI where any type's units are known
     [[nodiscard]] const std::vector<TypeRecord>& types() const;

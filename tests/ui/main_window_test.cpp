@@ -120,6 +120,7 @@ void MainWindowTest::stopOnEveryPageStopsAndDisarms()
     Recipe recipe;
     recipe.seconds = 5; // long enough to be stopped in the middle, however busy the machine
     f.bench->inspection().setRecipe(recipe);
+    f.bench->inspection().setEarlyEnd(false); // decided, it would be over before
     QVERIFY(f.bench->inspection().squeeze());
     QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().port()->squeezeState() == SqueezeState::Running,
                              patience_ms);

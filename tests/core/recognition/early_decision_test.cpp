@@ -71,7 +71,7 @@ EarlyJudgement follow(EarlyDecider& decider, const Squeeze& squeeze)
 
 EarlyJudgement follow(const std::vector<CandidateType>& types, const Squeeze& squeeze)
 {
-    EarlyDecider decider(types, backgroundAround(types, 0.1), heldForce());
+    EarlyDecider decider(types, rangeAround(types), heldForce());
     return follow(decider, squeeze);
 }
 

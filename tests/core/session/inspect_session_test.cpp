@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/enrollment_storage.h"
-#include "core/session/inspect_session.h"
-#include "tests/core/session/session_driver.h"
-#include "tests/core/session/session_recordings.h"
+#include "tests/core/session/inspection_run.h"
 #include "tests/support/test_registry.h"
 
 #include <QTemporaryDir>
@@ -15,50 +12,16 @@ using State = InspectSession::State;
 class InspectSessionTest : public QObject {
     Q_OBJECT
 private:
-    struct Run {
-        explicit Run(const QString& file) : library(file), inspection(connection.session, library) {}
-        ArmedConnection connection;
-        LibraryService library;
-        InspectSession inspection;
-
-        bool until(const std::function<bool()>& done)
-        {
-            return pollUntil(
-                [this] {
-                    connection.session.poll();
-                    inspection.poll();
-                },
-                done);
-        }
-        bool ready()
-        {
-            return until([this] { return inspection.state() == State::Ready && !inspection.storing(); });
-        }
-    };
+    using Run = InspectionRun;
     std::unique_ptr<QTemporaryDir> m_folder;
     QString m_file;
-
-    /// Types A and C with five squeezes each, enrolled without a session.
-    static void enrol(const QString& file)
-    {
-        std::unique_ptr<Library> library = std::move(*Library::open(file));
-        const std::pair<QString, MassDampingStiffness> types[] = {{QStringLiteral("A"), canA},
-                                                                  {QStringLiteral("C"), canC}};
-        for (const auto& type : types) {
-            for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-                const Recording recording = scatteredSqueezeOf(type.second, seed);
-                const NewGrasp grasp =
-                    makeGrasp(recording, identify(recording), QStringLiteral("file.csv"), {});
-                QVERIFY(storeSqueeze(*library, type.first, {}, grasp));
-            }
-        }
-    }
 
 private slots:
     void initTestCase()
     {
         m_folder = std::make_unique<QTemporaryDir>();
-        enrol(m_folder->filePath(QStringLiteral("enrolled.db")));
+        enrolTypes(m_folder->filePath(QStringLiteral("enrolled.db")),
+                   {{QStringLiteral("A"), canA}, {QStringLiteral("C"), canC}}, 5);
     }
     void init()
     {
