@@ -22,6 +22,9 @@ QString tr(const char* text)
     return QCoreApplication::translate("ClusterAdvice", text);
 }
 
+/// How much of the time the criteria other than the gap take.
+constexpr double shareOfFigures = 0.5;
+
 QString nameOf(ClusterCriterion criterion)
 {
     switch (criterion) {
@@ -216,14 +219,24 @@ Expected<ClusterAdvice> adviseClusters(const Eigen::MatrixXd& items, const Clust
     const Eigen::MatrixXd judged = sample * scale;
     advice.itemsUsed = judged.rows();
     const int different = differentItems(judged, options.maxClusters + 1);
-    for (int clusters = 1; clusters <= std::min(options.maxClusters, different); ++clusters)
+    const int most = std::min(options.maxClusters, different);
+    for (int clusters = 1; clusters <= most; ++clusters) {
         advice.figures.push_back(figuresFor(judged, clusters, clusters == different, options));
+        if (isStopped(options.watch))
+            return tl::unexpected(clusteringCancelled());
+        if (options.watch)
+            options.watch->setShare(shareOfFigures * clusters / most);
+    }
     std::vector<double> inertias;
     for (const ClusterFigures& figures : advice.figures)
         inertias.push_back(figures.inertia);
     GapOptions gapOptions;
     gapOptions.seed = options.seed;
+    gapOptions.watch = options.watch;
+    gapOptions.shareBefore = shareOfFigures;
     const std::vector<std::optional<GapStatistic>> gaps = gapStatistics(judged, inertias, gapOptions);
+    if (isStopped(options.watch))
+        return tl::unexpected(clusteringCancelled());
     for (std::size_t i = 0; i < gaps.size(); ++i) {
         advice.figures[i].gap = gaps[i];
         advice.figures[i].inertia = inertias[i] / scale / scale;

@@ -38,6 +38,7 @@ struct ClusterAdviceOptions {
     int restarts = 10;             ///< of K-means; mixtures take 3
     Eigen::Index mostItems = 2000; ///< longer tables are judged by that many items, drawn by the seed
     std::uint64_t seed = 1;
+    std::shared_ptr<WorkWatch> watch; ///< told how far it is; may stop it: Cancelled
 };
 
 struct ClusterAdvice {
@@ -52,7 +53,7 @@ struct ClusterAdvice {
 /// have. Silhouette and Calinski-Harabasz are highest at their number, Davies-Bouldin and BIC lowest; the gap
 /// has its own rule (cluster_gap.h). One group is advised when all that can say so do; else the number with
 /// most votes, of equals the silhouette's, else the smallest. Errors: Usage (options), BadInput (no items;
-/// numbers that are not finite, or too large to be squared).
+/// numbers that are not finite, or too large to be squared), Cancelled.
 [[nodiscard]] Expected<ClusterAdvice> adviseClusters(const Eigen::MatrixXd& items,
                                                      const ClusterAdviceOptions& options = {});
 

@@ -61,8 +61,14 @@ gapStatistics(const Eigen::MatrixXd& items, const std::vector<double>& inertias,
     const ReferenceBox box(scaled);
     std::mt19937_64 random(options.seed);
     Eigen::MatrixXd logs(Eigen::Index(inertias.size()), options.references);
-    for (Eigen::Index reference = 0; reference < options.references; ++reference)
+    for (Eigen::Index reference = 0; reference < options.references; ++reference) {
+        if (isStopped(options.watch))
+            return gaps;
         logs.col(reference) = referenceLogs(box.draw(items.rows(), random), logs.rows(), options);
+        if (options.watch)
+            options.watch->setShare(options.shareBefore +
+                                    (1 - options.shareBefore) * double(reference + 1) / options.references);
+    }
     for (std::size_t k = 0; k < gaps.size(); ++k) {
         const Eigen::VectorXd own = logs.row(Eigen::Index(k));
         if (!(inertias[k] > 0) || !own.allFinite())

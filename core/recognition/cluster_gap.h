@@ -23,9 +23,12 @@ struct GapOptions {
     int references = 20;
     int restarts = 3; ///< of K-means on each reference
     std::uint64_t seed = 1;
+    std::shared_ptr<WorkWatch> watch; ///< told the references done, from `shareBefore` on; may stop it
+    double shareBefore = 0;
 };
 
-/// `inertias`: of K-means on `items` with 1, 2, 3, ... clusters. Nothing where an inertia is 0.
+/// `inertias`: of K-means on `items` with 1, 2, 3, ... clusters. Nothing where an inertia is 0, nor anywhere
+/// once it was stopped.
 [[nodiscard]] std::vector<std::optional<GapStatistic>> gapStatistics(const Eigen::MatrixXd& items,
                                                                      const std::vector<double>& inertias,
                                                                      const GapOptions& options = {});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/cluster_items.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -20,6 +22,11 @@ std::optional<Error> clusterItemsProblem(const Eigen::MatrixXd& items)
     return Error{ErrorCode::BadInput,
                  {u"The table to be clustered"_s, u"found numbers that are not finite or too large"_s,
                   u"expected finite ones whose squares can be added"_s}};
+}
+
+Error clusteringCancelled()
+{
+    return {ErrorCode::Cancelled, {QCoreApplication::translate("ClusterItems", "The grouping")}};
 }
 
 std::optional<Error> countProblem(const QString& name, int value)

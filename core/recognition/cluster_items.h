@@ -17,6 +17,9 @@ using ItemRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 /// can be added. BadInput otherwise.
 [[nodiscard]] std::optional<Error> clusterItemsProblem(const Eigen::MatrixXd& items);
 
+/// What a grouping fails with that was stopped.
+[[nodiscard]] Error clusteringCancelled();
+
 /// Usage when a count that must be at least 1 is not.
 [[nodiscard]] std::optional<Error> countProblem(const QString& name, int value);
 

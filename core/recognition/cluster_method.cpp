@@ -49,6 +49,7 @@ Options optionsFor(const ClusterRequest& request, int Options::*clusters)
     options.restarts = request.restarts;
     options.seed = request.seed;
     options.recordSteps = request.recordSteps;
+    options.watch = request.watch;
     return options;
 }
 
@@ -56,8 +57,11 @@ std::optional<Error> run(ClusterOutcome& outcome, const Eigen::MatrixXd& items)
 {
     const ClusterRequest& request = outcome.request;
     switch (request.method) {
-    case ClusterMethod::KMeans:
-        return takeOver(outcome, items, kMeans(items, optionsFor(request, &KMeansOptions::clusters)));
+    case ClusterMethod::KMeans: {
+        KMeansOptions options = optionsFor(request, &KMeansOptions::clusters);
+        options.candidates = request.candidates;
+        return takeOver(outcome, items, kMeans(items, options));
+    }
     case ClusterMethod::SelfOrganizingMap:
         return takeOver(outcome, items,
                         selfOrganizingMap(items, optionsFor(request, &SelfOrganizingMapOptions::groups)));

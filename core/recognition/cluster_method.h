@@ -11,6 +11,7 @@
 #include <QString>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -29,8 +30,10 @@ struct ClusterRequest {
     MixtureCovariance covariance = MixtureCovariance::Full; ///< of the Gaussian mixture
     int clusters = 4;
     int restarts = 10;
+    int candidates = 3; ///< tried for each new centre of K-means; 1: plain k-means++
     std::uint64_t seed = 1;
     bool recordSteps = true;
+    std::shared_ptr<WorkWatch> watch; ///< may stop it: Cancelled
 };
 
 /// What every method finds, and beside it the method's own result, in the scaled space.

@@ -28,16 +28,16 @@ struct Run {
 };
 
 /// EM up to that many iterations.
-Run proceed(MixtureEm& em, int mostIterations, Eigen::Index items, bool recordSteps)
+Run proceed(MixtureEm& em, int mostIterations, Eigen::Index items, const GaussianMixtureOptions& options)
 {
     Run run;
     const auto record = [&] {
-        if (recordSteps)
+        if (options.recordSteps)
             run.steps.push_back({em.parameters(), em.labels(), em.logLikelihood(), em.objective()});
     };
     em.expect();
     record();
-    while (!run.converged && run.iterations < mostIterations) {
+    while (!run.converged && run.iterations < mostIterations && !isStopped(options.watch)) {
         const double before = em.objective();
         em.maximize();
         em.expect();
@@ -69,6 +69,8 @@ std::vector<std::vector<int>> kMeansLabels(const Eigen::MatrixXd& items,
 /// The start that a short run gets farthest from.
 MixtureStart bestStart(const Eigen::MatrixXd& items, const GaussianMixtureOptions& options)
 {
+    GaussianMixtureOptions trial = options;
+    trial.recordSteps = false;
     const ItemRows rows = items;
     const std::vector<std::vector<int>> labels = kMeansLabels(items, options);
     MixtureStart best = mixtureStart(rows, labels.front(), options.components);
@@ -78,7 +80,7 @@ MixtureStart bestStart(const Eigen::MatrixXd& items, const GaussianMixtureOption
     for (const std::vector<int>& own : labels) {
         MixtureStart start = mixtureStart(rows, own, options.components);
         MixtureEm em(rows, start, options.covariance);
-        (void)proceed(em, std::min(shortRun, options.maxIterations), items.rows(), false);
+        (void)proceed(em, std::min(shortRun, options.maxIterations), items.rows(), trial);
         if (!highest || em.objective() > *highest) {
             highest = em.objective();
             best = std::move(start);
@@ -145,7 +147,9 @@ Expected<GaussianMixtureResult> gaussianMixture(const Eigen::MatrixXd& items,
     const ItemRows rows = scores;
     const Eigen::Index compared = std::max<Eigen::Index>(mostCompared, options.components);
     MixtureEm em(rows, bestStart(sampleOfItems(scores, compared, options.seed), options), options.covariance);
-    Run run = proceed(em, options.maxIterations, rows.rows(), options.recordSteps);
+    Run run = proceed(em, options.maxIterations, rows.rows(), options);
+    if (isStopped(options.watch))
+        return tl::unexpected(clusteringCancelled());
 
     transform->scale /= scale;
     transform->shift /= scale;

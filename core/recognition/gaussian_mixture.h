@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/error.h"
+#include "core/work_watch.h"
 
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -31,7 +33,8 @@ struct GaussianMixtureOptions {
     int restarts = 10; ///< K-means starts; those that end in the same clusters count once
     int maxIterations = 500;
     std::uint64_t seed = 1;
-    bool recordSteps = true; ///< costs four bytes an item and step
+    bool recordSteps = true;          ///< costs four bytes an item and step
+    std::shared_ptr<WorkWatch> watch; ///< may stop it: Cancelled
     [[nodiscard]] std::optional<Error> validate() const;
 };
 
@@ -69,7 +72,7 @@ struct GaussianMixtureResult {
 /// `items`: rows are items, columns features, all finite. The start is the one whose short run ends
 /// highest in log-likelihood and prior.
 /// Converged: a step gained less than 1e-7 an item. Errors: Usage (options), BadInput (numbers that are not
-/// finite, or too large to be squared).
+/// finite, or too large to be squared), Cancelled.
 [[nodiscard]] Expected<GaussianMixtureResult> gaussianMixture(const Eigen::MatrixXd& items,
                                                               const GaussianMixtureOptions& options = {});
 

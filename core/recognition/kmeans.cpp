@@ -38,7 +38,7 @@ KMeansResult runFrom(ItemRows items, const Eigen::MatrixXd& centres, const KMean
     };
     assign(centres);
     std::optional<Eigen::MatrixXd> next = assignment.means();
-    while (next && result.iterations < options.maxIterations) {
+    while (next && result.iterations < options.maxIterations && !isStopped(options.watch)) {
         ++result.iterations;
         if (assign(*next) > 0)
             next = assignment.means();
@@ -110,6 +110,8 @@ Expected<KMeansResult> kMeans(const Eigen::MatrixXd& items, const KMeansOptions&
         KMeansResult result =
             runFrom(scaled, startingCentres(scaled, options.clusters, options.candidates, random), options,
                     Polish::Yes);
+        if (isStopped(options.watch))
+            return tl::unexpected(clusteringCancelled());
         if (run == 0 || result.inertia < best.inertia)
             best = std::move(result);
     }
@@ -132,6 +134,8 @@ Expected<KMeansResult> kMeansFrom(const Eigen::MatrixXd& items, const Eigen::Mat
         return failure(ErrorCode::BadInput, {u"The centres to start from"_s, u"found one too far away"_s,
                                              u"expected centres near the items"_s});
     KMeansResult result = runFrom(items * scale, start, options, Polish::No);
+    if (isStopped(options.watch))
+        return tl::unexpected(clusteringCancelled());
     finish(result, scale);
     return result;
 }

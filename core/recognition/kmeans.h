@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/error.h"
+#include "core/work_watch.h"
 
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -23,7 +25,8 @@ struct KMeansOptions {
         3; ///< tried for each new centre by greedy k-means++; 3 reach the optimum 99.9 % of the time
     int maxIterations = 300;
     std::uint64_t seed = 1;
-    bool recordSteps = true; ///< costs four bytes an item and step, which a million items don't want
+    bool recordSteps = true;          ///< costs four bytes an item and step, which a million items don't want
+    std::shared_ptr<WorkWatch> watch; ///< may stop it: Cancelled
     [[nodiscard]] std::optional<Error> validate() const;
 };
 
@@ -49,7 +52,7 @@ struct KMeansResult {
 /// `items`: rows are items, columns features, all finite. The best of the restarts; the earliest of equals.
 /// The seed feeds a Mersenne twister of 64 bits, so that every machine takes the same starts. Converged: no
 /// item changed its cluster or wants to. Errors: Usage (options), BadInput (numbers that are not finite, or
-/// too large to be squared).
+/// too large to be squared), Cancelled.
 [[nodiscard]] Expected<KMeansResult> kMeans(const Eigen::MatrixXd& items, const KMeansOptions& options = {});
 
 /// Lloyd's iteration alone, without single moves, from given centres (one a row, as many columns as the

@@ -42,26 +42,27 @@ void pass(MapTraining& map, double radius, Training& training, bool recordStep)
 }
 
 /// Passes with the last radius until no item changes its unit.
-void settle(MapTraining& map, Training& training, bool recordSteps)
+void settle(MapTraining& map, Training& training, const SelfOrganizingMapOptions& options)
 {
     training.converged = false;
-    for (int i = 0; i < mostSettlingPasses && !training.converged; ++i)
-        pass(map, lastRadius, training, recordSteps);
+    for (int i = 0; i < mostSettlingPasses && !training.converged && !isStopped(options.watch); ++i)
+        pass(map, lastRadius, training, options.recordSteps);
     training.weights = map.weights();
     training.distortion = map.distortion(lastRadius);
 }
 
-Training train(MapTraining& map, const MapGrid& grid, const Eigen::MatrixXd& start, bool recordSteps)
+Training train(MapTraining& map, const MapGrid& grid, const Eigen::MatrixXd& start,
+               const SelfOrganizingMapOptions& options)
 {
     Training training;
     map.place(start);
-    if (recordSteps)
+    if (options.recordSteps)
         training.steps.push_back({start, 0, map.quantizationError()});
     const double firstRadius = std::max(std::max(grid.rows, grid.columns) / 2.0, lastRadius);
-    for (int i = 0; i < orderingPasses; ++i)
+    for (int i = 0; i < orderingPasses && !isStopped(options.watch); ++i)
         pass(map, firstRadius * std::pow(lastRadius / firstRadius, double(i) / (orderingPasses - 1)),
-             training, recordSteps);
-    settle(map, training, recordSteps);
+             training, options.recordSteps);
+    settle(map, training, options);
     return training;
 }
 
@@ -116,17 +117,19 @@ SelfOrganizingMapResult mapOf(const Eigen::MatrixXd& items, const SelfOrganizing
     MapTraining ordering(ordered, grid);
     std::mt19937_64 random(options.seed);
     Training best;
-    for (int run = 0; run < options.restarts; ++run) {
-        Training training = train(
-            ordering, grid, run == 0 ? weightsOnPlane(grid, axes) : weightsFromItems(grid, ordered, random),
-            options.recordSteps);
+    for (int run = 0; run < options.restarts && !isStopped(options.watch); ++run) {
+        Training training =
+            train(ordering, grid,
+                  run == 0 ? weightsOnPlane(grid, axes) : weightsFromItems(grid, ordered, random), options);
         if (run == 0 || training.distortion < best.distortion)
             best = std::move(training);
     }
+    if (isStopped(options.watch))
+        return {}; // which the caller does not hand on
     MapTraining map(items, grid);
     map.place(best.weights);
     if (ordered.rows() < items.rows())
-        settle(map, best, options.recordSteps);
+        settle(map, best, options);
     SelfOrganizingMapResult result;
     result.status =
         best.converged ? SelfOrganizingMapStatus::Converged : SelfOrganizingMapStatus::NotConverged;
@@ -208,6 +211,8 @@ Expected<SelfOrganizingMapResult> selfOrganizingMap(const Eigen::MatrixXd& items
         return SelfOrganizingMapResult{};
     const double scale = powerOfTwoScale(items);
     SelfOrganizingMapResult result = mapOf(items * scale, options);
+    if (isStopped(options.watch))
+        return tl::unexpected(clusteringCancelled());
     divideBy(scale, result);
     return result;
 }

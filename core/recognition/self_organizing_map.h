@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/error.h"
+#include "core/work_watch.h"
 
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -31,6 +33,7 @@ struct SelfOrganizingMapOptions {
     int restarts = 10; ///< starts; the one with the least distortion is kept
     std::uint64_t seed = 1;
     bool recordSteps = true;
+    std::shared_ptr<WorkWatch> watch; ///< may stop it: Cancelled
     [[nodiscard]] std::optional<Error> validate() const;
 };
 /// A map has no more units than this.
@@ -73,7 +76,7 @@ struct SelfOrganizingMapResult {
 /// `items`: rows are items, columns features, all finite and scaled by the caller so that features weigh
 /// alike. Tables over 10,000 items are ordered on that many, drawn by the seed; the last passes take all.
 /// Errors: Usage (options; more groups than units), BadInput (numbers that are not finite, or too large to be
-/// squared).
+/// squared), Cancelled.
 [[nodiscard]] Expected<SelfOrganizingMapResult>
 selfOrganizingMap(const Eigen::MatrixXd& items, const SelfOrganizingMapOptions& options = {});
 
