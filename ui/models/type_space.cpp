@@ -3,8 +3,7 @@
 
 #include "core/recognition/paper_appendix.h"
 
-#include <QCoreApplication>
-
+#include <algorithm>
 #include <cmath>
 
 namespace gripscope {
@@ -12,6 +11,9 @@ namespace gripscope {
 using namespace Qt::StringLiterals;
 
 namespace {
+
+/// What an ellipsoid holds: of a type's squeezes, of where a squeeze may lie.
+constexpr double share = 0.95;
 
 std::optional<TypeSpace::Pair> nearestPair(const TypeModels& models)
 {
@@ -30,8 +32,8 @@ std::optional<TypeSpace::Pair> nearestPair(const TypeModels& models)
 /// Fills in what follows from `types` and `squeezes`.
 void complete(TypeSpace& space)
 {
-    constexpr double share = 0.95;
     std::vector<TypeSqueeze> squeezes;
+    squeezes.reserve(space.squeezes.size());
     space.counts.assign(std::size_t(space.types.size()), 0);
     for (const SpaceSqueeze& squeeze : space.squeezes) {
         squeezes.push_back({space.types[squeeze.type], squeeze.parameters});
@@ -47,6 +49,20 @@ void complete(TypeSpace& space)
 }
 
 } // namespace
+
+const SpaceSqueeze* TypeSpace::find(const QString& id) const
+{
+    const auto found = std::find_if(squeezes.begin(), squeezes.end(),
+                                    [&](const SpaceSqueeze& squeeze) { return squeeze.id == id; });
+    return found == squeezes.end() ? nullptr : &*found;
+}
+
+std::optional<Ellipsoid> ownEllipsoid(const SpaceSqueeze& squeeze)
+{
+    if (!squeeze.covariance || squeeze.covariance->isZero(0))
+        return {};
+    return estimateEllipsoid(squeeze.parameters, *squeeze.covariance, share);
+}
 
 TypeSpace paperTypeSpace()
 {
@@ -87,48 +103,17 @@ Expected<TypeSpace> libraryTypeSpace(Library& library)
                 space.units = parameterUnits(grasp.forceUnit, grasp.positionUnit);
             const auto [m, b, k] = *grasp.parameters;
             const double factor = si.value_or(1);
-            space.squeezes.push_back(
-                {grasp.id, index, ++number, {m * factor, b * factor, k * factor}, grasp.hasRecording});
+            SpaceSqueeze squeeze{
+                grasp.id, index, ++number, {m * factor, b * factor, k * factor}, grasp.hasRecording};
+            if (grasp.covariance)
+                squeeze.covariance = *grasp.covariance * (factor * factor);
+            space.squeezes.push_back(std::move(squeeze));
         }
         if (number > 0)
             space.types << type.name;
     }
     complete(space);
     return space;
-}
-
-Expected<SpaceClustering> clusterTypeSpace(const TypeSpace& space, FeatureScaling scaling, int start)
-{
-    if (space.types.size() < 2)
-        return failure(ErrorCode::Usage, {QCoreApplication::translate("gripscope::TypeSpace",
-                                                                      "clusters need at least two types")});
-    Eigen::MatrixXd features(Eigen::Index(space.squeezes.size()), 3);
-    QStringList truth;
-    for (std::size_t i = 0; i < space.squeezes.size(); ++i) {
-        features.row(Eigen::Index(i)) = space.squeezes[i].parameters.vector().transpose();
-        truth << space.types[space.squeezes[i].type];
-    }
-    const Expected<FeatureTransform> transform = featureTransform(features, scaling);
-    if (!transform)
-        return tl::unexpected<Error>(transform.error());
-    KMeansOptions options;
-    options.clusters = int(space.types.size());
-    if (start > 0) {
-        options.restarts = 1;
-        options.candidates = 1;
-        options.seed = std::uint64_t(start);
-    }
-    Expected<KMeansResult> result = kMeans(transform->apply(features), options);
-    if (!result)
-        return tl::unexpected<Error>(result.error());
-    SpaceClustering clustering;
-    clustering.scaling = scaling;
-    clustering.agreement = clusterAgreement(truth, result->labels, options.clusters);
-    clustering.table = clusterTable(truth, result->labels);
-    for (const KMeansStep& step : result->steps)
-        clustering.centroids.push_back(transform->undo(step.centroids));
-    clustering.result = std::move(*result);
-    return clustering;
 }
 
 } // namespace gripscope

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/recognition/cluster_agreement.h"
-#include "core/recognition/feature_scaling.h"
-#include "core/recognition/kmeans.h"
 #include "core/recognition/type_model.h"
 #include "core/signal/units.h"
 #include "core/store/library.h"
@@ -20,7 +17,10 @@ struct SpaceSqueeze {
     int number = 1; ///< within its type, from 1
     MassDampingStiffness parameters;
     bool hasRecording = false;
+    std::optional<Eigen::Matrix3d> covariance = {}; ///< of m, b, k, from its identification
 };
+/// Where the squeeze lies with 95 % confidence; none where its error is not known.
+[[nodiscard]] std::optional<Ellipsoid> ownEllipsoid(const SpaceSqueeze& squeeze);
 
 /// All that the Types page shows of one set of types, worked out away from the screen's thread.
 struct TypeSpace {
@@ -39,24 +39,12 @@ struct TypeSpace {
         double distance = 0; ///< Mahalanobis, in standard deviations
     };
     std::optional<Pair> nearest;
+
+    [[nodiscard]] const SpaceSqueeze* find(const QString& id) const;
 };
 /// Types A to D of the paper's appendix, units as printed.
 [[nodiscard]] TypeSpace paperTypeSpace();
 /// The accepted squeezes of a library, in SI where their units allow it. On the library's thread.
 [[nodiscard]] Expected<TypeSpace> libraryTypeSpace(Library& library);
-
-/// K-means without labels, as many clusters as there are types, and how it agrees with them.
-struct SpaceClustering {
-    FeatureScaling scaling = FeatureScaling::ZScore;
-    KMeansResult result;                    ///< in the scaled space
-    std::vector<Eigen::MatrixXd> centroids; ///< of each step, in the units of the space
-    ClusterAgreement agreement;
-    std::vector<std::vector<int>> table; ///< Table 1 of the paper, cluster numbers from 1
-};
-/// `start` 0: the best of ten greedy k-means++ starts. From 1 on: one plain random start with that seed,
-/// which takes more iterations and may end elsewhere. Usage with fewer than two types; otherwise what
-/// featureTransform() and kMeans() fail with.
-[[nodiscard]] Expected<SpaceClustering> clusterTypeSpace(const TypeSpace& space, FeatureScaling scaling,
-                                                         int start = 0);
 
 } // namespace gripscope

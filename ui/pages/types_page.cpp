@@ -2,8 +2,11 @@
 #include "ui/pages/types_page.h"
 
 #include "core/signal/units.h"
-#include "ui/models/type_space.h"
+#include "core/work_watch.h"
+#include "ui/models/space_clustering.h"
 #include "ui/pages/fit_page_open.h"
+#include "ui/pages/types_page_advice.h"
+#include "ui/pages/types_page_clusters.h"
 #include "ui/pages/types_page_side.h"
 #include "ui/pages/types_page_steps.h"
 #include "ui/pages/types_page_tools.h"
@@ -21,13 +24,49 @@ namespace gripscope {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+void stop(const std::shared_ptr<WorkWatch>& watch)
+{
+    if (watch)
+        watch->stop();
+}
+
+/// What the colours and the marks of the scene mean.
+QString sceneWords(const SpaceClustering& clustering)
+{
+    const QString colors = TypesPage::tr("Colour: cluster. Shape: type.") + u' ';
+    switch (clustering.outcome.request.method) {
+    case ClusterMethod::KMeans:
+        return colors + TypesPage::tr("The plus signs are the centroids.");
+    case ClusterMethod::GaussianMixture:
+        return colors +
+               TypesPage::tr("The plus signs are the means, the ellipsoids hold 95 % of each component.");
+    case ClusterMethod::SelfOrganizingMap:
+        return colors + TypesPage::tr("The net is the map: a dot a unit, a line between neighbours.");
+    }
+    return colors;
+}
+
+/// The words of a failure. A request that makes no sense is told in the words it comes with.
+QString wordsOf(const Error& error)
+{
+    return error.code == ErrorCode::Usage && !error.arguments.isEmpty() ? error.arguments.first()
+                                                                        : error.describe();
+}
+
+} // namespace
+
 struct TypesPage::Private {
     bool paper = false, loading = false, stale = true;
-    int loads = 0, clusterings = 0; ///< answers to older questions are dropped
-    TypeSpace space;
+    bool clusteringUnderWay = false;
+    int loads = 0, clusterings = 0, advices = 0; ///< answers to older questions are dropped
+    /// Shared with the work that is done on it elsewhere.
+    std::shared_ptr<const TypeSpace> space = std::make_shared<TypeSpace>();
     std::optional<SpaceClustering> clustering;
+    std::shared_ptr<WorkWatch> clusteringWatch, adviceWatch;
     std::optional<SceneHighlight> highlight;
-    QString highlightText;
+    QString highlightText, highlightTip;
     qint64 highlightNumber = 0;
 
     SceneToolBar* tools = nullptr;
@@ -51,9 +90,14 @@ TypesPage::TypesPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d
     line->addWidget(sideCard, 25);
 
     connect(d->side, &TypesSide::visibilityChanged, this, [this] { refresh(); });
-    connect(d->side, &TypesSide::clusteringAsked, this, [this] { cluster(); });
     connect(d->side, &TypesSide::openAsked, this, [this] { openPicked(); });
-    connect(d->view, &SceneView::picked, this, [this] { refresh(); });
+    connect(clusters(), &ClustersPanel::asked, this, [this] { cluster(); });
+    connect(clusters(), &ClustersPanel::cancelled, this, [this] { stop(d->clusteringWatch); });
+    connect(clusters(), &ClustersPanel::scalingChanged, this, [this] { dropAdvice(); });
+    connect(clusters()->advice(), &AdvicePanel::asked, this, [this] { advise(); });
+    connect(clusters()->advice(), &AdvicePanel::cancelled, this, [this] { stop(d->adviceWatch); });
+    connect(d->view, &SceneView::picked, this, [this](const QString& id) { takePick(id); });
+    d->view->setTips([this](const QString& id) { return tipOf(id); });
     connect(d->steps, &StepBar::changed, this, [this] { refresh(); });
     connect(d->tools, &SceneToolBar::paperAsked, this, [this](bool paper) { showPaper(paper); });
     connect(d->tools, &SceneToolBar::failed, &bench, &Workbench::report);
@@ -65,7 +109,11 @@ TypesPage::TypesPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d
     });
 }
 
-TypesPage::~TypesPage() = default;
+TypesPage::~TypesPage()
+{
+    stop(d->clusteringWatch);
+    stop(d->adviceWatch);
+}
 
 QString TypesPage::id() const
 {
@@ -85,7 +133,11 @@ SceneView* TypesPage::view() const
 }
 int TypesPage::stepCount() const
 {
-    return d->clustering ? int(d->clustering->result.steps.size()) : 0;
+    return d->clustering ? d->clustering->states() : 0;
+}
+ClustersPanel* TypesPage::clusters() const
+{
+    return d->side->clusters();
 }
 
 QWidget* TypesPage::buildSceneCard()
@@ -155,12 +207,8 @@ void TypesPage::load()
     d->loading = true;
     d->stale = false;
     const auto take = [this, number](TypeSpace space) {
-        if (number != d->loads)
-            return;
-        d->loading = false;
-        d->space = std::move(space);
-        d->side->setSpace(d->space);
-        cluster();
+        if (number == d->loads)
+            takeSpace(std::move(space));
     };
     if (d->paper) {
         workbench().compute<TypeSpace>(
@@ -176,31 +224,81 @@ void TypesPage::load()
         });
 }
 
+void TypesPage::takeSpace(TypeSpace space)
+{
+    d->loading = false;
+    d->space = std::make_shared<TypeSpace>(std::move(space));
+    d->side->setSpace(*d->space);
+    takeClustering(std::nullopt, {}); // of another space: not to be mixed with this one
+    dropAdvice();
+    cluster();
+}
+
 void TypesPage::cluster()
 {
+    stop(d->clusteringWatch);
     const int number = ++d->clusterings;
-    d->clustering.reset();
-    d->steps->setCount(0);
-    if (d->space.types.size() < 2) {
-        d->side->setClustering(nullptr, tr("Clusters need at least two types."));
-        refresh();
+    d->clusteringUnderWay = false;
+    if (d->space->squeezes.empty()) {
+        takeClustering(std::nullopt, {});
         return;
     }
+    d->clusteringUnderWay = true;
+    d->clusteringWatch = std::make_shared<WorkWatch>();
+    ClusterRequest request = clusters()->request();
+    request.watch = d->clusteringWatch;
+    clusters()->setRunning(true);
     workbench().compute<Expected<SpaceClustering>>(
-        this,
-        [space = d->space, scaling = d->side->scaling(), start = d->side->start()] {
-            return clusterTypeSpace(space, scaling, start);
-        },
+        this, [space = d->space, request] { return clusterTypeSpace(*space, request); },
         [this, number](Expected<SpaceClustering> found) {
             if (number != d->clusterings)
                 return;
-            if (found)
-                d->clustering = std::move(*found);
-            d->side->setClustering(d->clustering ? &*d->clustering : nullptr,
-                                   found ? QString() : found.error().describe());
-            d->steps->setCount(stepCount());
-            refresh();
+            d->clusteringUnderWay = false;
+            const QString words = found ? found->remark() : wordsOf(found.error());
+            takeClustering(found ? std::optional(std::move(*found)) : std::nullopt, words);
         });
+}
+
+void TypesPage::takeClustering(std::optional<SpaceClustering> clustering, const QString& words)
+{
+    d->clustering = std::move(clustering);
+    clusters()->setRunning(false);
+    clusters()->setClustering(*d->space, d->clustering ? &*d->clustering : nullptr, words);
+    d->steps->setCount(stepCount());
+    refresh();
+}
+
+void TypesPage::advise()
+{
+    stop(d->adviceWatch);
+    const int number = ++d->advices;
+    d->adviceWatch = std::make_shared<WorkWatch>();
+    clusters()->advice()->setRunning(d->adviceWatch);
+    workbench().compute<Expected<ClusterAdvice>>(
+        this,
+        [space = d->space, scaling = clusters()->request().scaling, watch = d->adviceWatch] {
+            return adviseTypeSpace(*space, scaling, watch);
+        },
+        [this, number](const Expected<ClusterAdvice>& found) {
+            if (number != d->advices)
+                return;
+            if (found)
+                clusters()->advice()->setAdvice(*found);
+            else if (found.error().code == ErrorCode::Cancelled)
+                clusters()->advice()->clear();
+            else
+                clusters()->advice()->setFailure(wordsOf(found.error()));
+        });
+}
+
+void TypesPage::dropAdvice()
+{
+    const bool wanted = clusters()->advice()->running() || clusters()->advice()->showsAdvice();
+    stop(d->adviceWatch);
+    ++d->advices;
+    clusters()->advice()->clear();
+    if (wanted)
+        advise();
 }
 
 void TypesPage::showStep(int step)
@@ -223,12 +321,14 @@ void TypesPage::takeInspection()
         const MassDampingStiffness parameters{at.x(), at.y(), at.z()};
         d->highlightText = result->number > 0 ? tr("Ringed: inspection %1").arg(result->number)
                                               : tr("Ringed: the latest inspection");
-        SceneHighlight highlight{
-            {u"inspection"_s, at, 0, 0,
-             d->highlightText + u'\n' + parametersText(parameters, parameterUnits(u"N"_s, u"m"_s))},
-            std::nullopt};
+        SceneHighlight highlight{{u"inspection"_s, at, 0, 0}, std::nullopt};
+        std::optional<Eigen::Matrix3d> covariance;
         if (!object->covariance.isZero(0))
-            highlight.ellipsoid = estimateEllipsoid(parameters, object->covariance * (*si * *si), 0.95);
+            covariance = object->covariance * (*si * *si);
+        if (covariance)
+            highlight.ellipsoid = estimateEllipsoid(parameters, *covariance, 0.95);
+        d->highlightTip =
+            d->highlightText + u'\n' + parametersText(parameters, parameterUnits(u"N"_s, u"m"_s), covariance);
         d->highlight = std::move(highlight);
     }
     refresh();
@@ -236,25 +336,37 @@ void TypesPage::takeInspection()
 
 void TypesPage::refresh()
 {
-    const bool empty = d->space.squeezes.empty() && !d->loading;
+    const bool empty = d->space->squeezes.empty() && !d->loading;
     d->stack->setCurrentIndex(empty ? 1 : 0);
+    d->side->showClusters(d->steps->byCluster());
     const bool byCluster = d->steps->byCluster() && d->clustering;
     const bool ringed = d->highlight && !d->paper && !byCluster;
-    if (d->space.types.size() == qsizetype(d->side->visibility().size()))
+    if (d->space->types.size() == qsizetype(d->side->visibility().size()))
         d->view->setContent(
-            byCluster ? clusterScene(d->space, d->side->visibility(), *d->clustering, d->steps->step())
-                      : typeScene(d->space, d->side->visibility(), ringed ? d->highlight : std::nullopt));
-    d->side->setHighlight(byCluster ? tr("Colour: cluster. Shape: type. The plus signs are the centroids.")
-                          : ringed  ? d->highlightText
-                                    : QString());
-    QString picked;
-    bool canOpen = false;
-    for (const ScenePoint& point : d->view->content().points)
-        if (point.id == d->view->pickedId())
-            picked = point.tip;
-    for (const SpaceSqueeze& squeeze : d->space.squeezes)
-        canOpen = canOpen || (!picked.isEmpty() && squeeze.id == d->view->pickedId() && squeeze.hasRecording);
-    d->side->setPicked(picked, canOpen);
+            byCluster ? clusterScene(*d->space, d->side->visibility(), *d->clustering, d->steps->step())
+                      : typeScene(*d->space, d->side->visibility(), ringed ? d->highlight : std::nullopt));
+    if (byCluster)
+        d->steps->setFigure(d->clustering->figure(d->steps->step()));
+    d->side->setHighlight(byCluster ? sceneWords(*d->clustering) : ringed ? d->highlightText : QString());
+    takePick(d->view->pickedId());
+}
+
+void TypesPage::takePick(const QString& id)
+{
+    const SpaceSqueeze* squeeze = id.isEmpty() ? nullptr : d->space->find(id);
+    const bool visible = squeeze && d->side->visibility()[std::size_t(squeeze->type)];
+    const bool ringed =
+        !id.isEmpty() && d->view->content().highlight && id == d->view->content().highlight->point.id;
+    d->view->pick(visible || ringed ? id : QString(), visible ? ownEllipsoid(*squeeze) : std::nullopt);
+    d->side->setPicked(visible || ringed ? tipOf(id) : QString(), visible && squeeze->hasRecording);
+}
+
+QString TypesPage::tipOf(const QString& id) const
+{
+    if (const SpaceSqueeze* squeeze = d->space->find(id))
+        return squeezeName(*d->space, *squeeze) + u'\n' +
+               parametersText(squeeze->parameters, d->space->units, squeeze->covariance);
+    return d->highlightTip;
 }
 
 void TypesPage::loadExamples()
@@ -271,12 +383,8 @@ void TypesPage::loadExamples()
 
 void TypesPage::openPicked()
 {
-    const QString id = d->view->pickedId();
-    QString name;
-    for (const SpaceSqueeze& squeeze : d->space.squeezes)
-        if (squeeze.id == id)
-            name = tr("%1, squeeze %2").arg(d->space.types[squeeze.type]).arg(squeeze.number);
-    openStoredSqueeze(workbench(), this, id, name);
+    if (const SpaceSqueeze* squeeze = d->space->find(d->view->pickedId()))
+        openStoredSqueeze(workbench(), this, squeeze->id, squeezeName(*d->space, *squeeze));
 }
 
 void TypesPage::prepareTour()
@@ -287,7 +395,7 @@ void TypesPage::prepareTour()
 
 bool TypesPage::tourReady() const
 {
-    return !d->loading && !d->stale && d->clustering && d->view->settled();
+    return !d->loading && !d->stale && !d->clusteringUnderWay && d->view->settled();
 }
 
 } // namespace gripscope

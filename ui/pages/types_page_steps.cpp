@@ -16,14 +16,15 @@ using namespace Qt::StringLiterals;
 using namespace std::chrono_literals;
 
 StepBar::StepBar(QWidget* parent)
-    : QWidget(parent), m_types(makeButton(tr("Types"))), m_clusters(makeButton(tr("K-means"))),
+    : QWidget(parent), m_types(makeButton(tr("Types"))), m_clusters(makeButton(tr("Clusters"))),
       m_play(makeToolButton({}, u"media-playback-start"_s, tr("Play the iterations"))),
       m_back(makeToolButton({}, u"go-previous"_s, tr("One iteration back"))),
       m_forward(makeToolButton({}, u"go-next"_s, tr("One iteration on"))),
-      m_slider(new QSlider(Qt::Horizontal)), m_text(makeLabel({}, "second"))
+      m_slider(new QSlider(Qt::Horizontal)), m_text(makeLabel({}, "second")),
+      m_figure(makeLabel({}, "caption"))
 {
     m_types->setToolTip(tr("Colour by type, with the ellipsoid that holds 95 % of its squeezes"));
-    m_clusters->setToolTip(tr("Colour by the cluster that K-means finds without knowing the types"));
+    m_clusters->setToolTip(tr("Colour by the clusters that are found without knowing the types"));
     auto* group = new QButtonGroup(this);
     for (QPushButton* button : {m_types, m_clusters}) {
         button->setCheckable(true);
@@ -31,9 +32,16 @@ StepBar::StepBar(QWidget* parent)
     }
     m_types->setChecked(true);
     m_play->setCheckable(true);
-    m_slider->setAccessibleName(tr("K-means iteration"));
+    m_slider->setAccessibleName(tr("Iteration of the method"));
     m_slider->setPageStep(1);
-    m_text->setMinimumWidth(92);
+    m_types->setObjectName(u"byType"_s);
+    m_clusters->setObjectName(u"byCluster"_s);
+    constexpr int textWidth = 140; // "quantisation error 0.412"
+    m_text->setMinimumWidth(textWidth);
+    auto* texts = new QVBoxLayout;
+    texts->setSpacing(0);
+    texts->addWidget(m_text);
+    texts->addWidget(m_figure);
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(12, 0, 12, 0);
     line->setSpacing(metrics::insideControl);
@@ -44,16 +52,13 @@ StepBar::StepBar(QWidget* parent)
         line->addWidget(button);
     line->addWidget(m_slider, 1);
     line->addSpacing(metrics::step);
-    line->addWidget(m_text);
+    line->addLayout(texts);
 
     m_playing.setInterval(700ms);
     connect(&m_playing, &QTimer::timeout, this,
             [this] { step() + 1 < m_count ? goTo(step() + 1) : play(false); });
-    connect(group, &QButtonGroup::buttonClicked, this, [this](QAbstractButton* button) {
-        m_byCluster = button == m_clusters;
-        play(false);
-        emit changed();
-    });
+    connect(group, &QButtonGroup::buttonClicked, this,
+            [this](QAbstractButton* button) { showClusters(button == m_clusters); });
     connect(m_play, &QToolButton::clicked, this, [this](bool on) { play(on); });
     connect(m_back, &QToolButton::clicked, this, [this] { goTo(step() - 1); });
     connect(m_forward, &QToolButton::clicked, this, [this] { goTo(step() + 1); });
@@ -73,11 +78,22 @@ void StepBar::setCount(int count)
     const QSignalBlocker quiet(m_slider);
     m_slider->setRange(0, std::max(0, count - 1));
     m_slider->setValue(m_slider->maximum());
-    if (count == 0) {
-        m_byCluster = false;
-        m_types->setChecked(true);
-    }
+    m_figure->clear();
     refresh();
+}
+
+void StepBar::setFigure(const QString& text)
+{
+    m_figure->setText(text);
+}
+
+void StepBar::showClusters(bool clusters)
+{
+    m_byCluster = clusters;
+    (clusters ? m_clusters : m_types)->setChecked(true);
+    play(false);
+    refresh();
+    emit changed();
 }
 
 void StepBar::goTo(int step)
@@ -105,11 +121,12 @@ void StepBar::play(bool on)
 
 void StepBar::refresh()
 {
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_clusters, m_play, m_slider})
-        widget->setEnabled(m_count > 0);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_play, m_slider})
+        widget->setEnabled(m_count > 1);
     m_back->setEnabled(step() > 0);
     m_forward->setEnabled(step() + 1 < m_count);
     const int last = m_slider->maximum();
+    m_figure->setVisible(m_byCluster && m_count > 0);
     m_text->setText(m_count == 0  ? QString()
                     : step() == 0 ? tr("start of %1").arg(last)
                                   : tr("step %1 of %2").arg(step()).arg(last));

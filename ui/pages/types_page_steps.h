@@ -11,14 +11,16 @@ class QToolButton;
 
 namespace gripscope {
 
-/// Below the scene: types or clusters, and the way through the iterations of K-means.
+/// Below the scene: types or clusters, and the way through the iterations of the method.
 class StepBar : public QWidget {
     Q_OBJECT
 public:
     explicit StepBar(QWidget* parent = nullptr);
 
-    /// States of K-means, the start among them; 0: there are none. Goes to the last one.
+    /// States of the method, the start among them; 0: there are none. Goes to the last one.
     void setCount(int count);
+    void setFigure(const QString& text); ///< what the method has reached in the state shown
+    void showClusters(bool clusters);
     [[nodiscard]] int step() const;
     [[nodiscard]] bool byCluster() const { return m_byCluster; }
     /// Shows a step; from then on by cluster.
@@ -41,6 +43,7 @@ private:
     QToolButton* m_forward;
     QSlider* m_slider;
     QLabel* m_text;
+    QLabel* m_figure;
 };
 
 } // namespace gripscope

@@ -57,4 +57,9 @@ QString AxisScale::valueText(double value) const
     return unit.isEmpty() ? number : number + QChar::Nbsp + unit;
 }
 
+QString AxisScale::numberText(double value) const
+{
+    return QLocale().toString(value * factor, 'g', 3);
+}
+
 } // namespace gripscope

@@ -21,9 +21,10 @@ struct AxisScale {
     /// 0 at low, 1 at high.
     [[nodiscard]] double unitPosition(double value) const { return (value - low) / (high - low); }
     [[nodiscard]] double valueAt(double position) const { return low + position * (high - low); }
-    [[nodiscard]] QString title() const;                 ///< "Mass m (g)"
-    [[nodiscard]] QString tickText(double value) const;  ///< as many digits as the step asks for
-    [[nodiscard]] QString valueText(double value) const; ///< four significant digits with unit
+    [[nodiscard]] QString title() const;                  ///< "Mass m (g)"
+    [[nodiscard]] QString tickText(double value) const;   ///< as many digits as the step asks for
+    [[nodiscard]] QString valueText(double value) const;  ///< four significant digits with unit
+    [[nodiscard]] QString numberText(double value) const; ///< three, without unit
 };
 
 /// A scale that holds [low, high] between round bounds, with at most `most` steps. An empty or reversed range

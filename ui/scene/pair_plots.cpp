@@ -54,6 +54,20 @@ std::vector<SceneView::Spot> PairPlots::spots() const
     return result;
 }
 
+std::vector<Eigen::Vector3d> PairPlots::outlineOf(const Ellipsoid& ellipsoid, const Plot& plot)
+{
+    const Eigen::Matrix2Xd shadow = ellipsoidOutline(ellipsoid, plot.horizontal, plot.vertical);
+    std::vector<Eigen::Vector3d> line;
+    line.reserve(std::size_t(shadow.cols()) + 1);
+    for (Eigen::Index i = 0; i <= shadow.cols(); ++i) { // back to the first: closed
+        Eigen::Vector3d value = ellipsoid.centre;
+        value[plot.horizontal] = shadow(0, i % shadow.cols());
+        value[plot.vertical] = shadow(1, i % shadow.cols());
+        line.push_back(value);
+    }
+    return line;
+}
+
 void PairPlots::paintFrame(QPainter& painter, const Plot& plot) const
 {
     const ThemeTokens& tokens = Theme::instance().tokens();
@@ -104,32 +118,30 @@ void PairPlots::paintContent(QPainter& painter, const Plot& plot) const
 {
     const ThemeTokens& tokens = Theme::instance().tokens();
     painter.setRenderHint(QPainter::Antialiasing);
-    const auto outline = [&](const Ellipsoid& ellipsoid, const QColor& color) {
-        const Eigen::Matrix2Xd values = ellipsoidOutline(ellipsoid, plot.horizontal, plot.vertical);
+    const auto outline = [&](const Ellipsoid& ellipsoid, const QColor& color, float opacity) {
         QPolygonF polygon;
-        for (Eigen::Index i = 0; i < values.cols(); ++i) {
-            Eigen::Vector3d value = ellipsoid.centre;
-            value[plot.horizontal] = values(0, i);
-            value[plot.vertical] = values(1, i);
+        for (const Eigen::Vector3d& value : outlineOf(ellipsoid, plot))
             polygon << place(plot, value);
-        }
         QColor tint = color;
-        tint.setAlphaF(0.14f);
+        tint.setAlphaF(opacity);
         painter.setBrush(tint);
         painter.setPen(QPen(color, tokens.lineWidth));
         painter.drawPolygon(polygon);
     };
     for (const SceneEllipsoid& ellipsoid : content().ellipsoids)
-        outline(ellipsoid.shape, Theme::typeColor(ellipsoid.color));
+        outline(ellipsoid.shape, Theme::typeColor(ellipsoid.color), 0.14f);
+    for (const SceneEllipsoid& error : content().errors)
+        outline(error.shape, Theme::typeColor(error.color), 0);
     if (content().highlight && content().highlight->ellipsoid)
-        outline(*content().highlight->ellipsoid, tokens.text);
+        outline(*content().highlight->ellipsoid, tokens.text, 0.14f);
     paintPoints(painter, plot);
-    for (const SceneCentroid& centroid : content().centroids) {
-        std::vector<QPointF> trail;
-        for (const Eigen::Vector3d& value : centroid.trail)
-            trail.push_back(place(plot, value));
-        drawCentroid(painter, trail, Theme::typeColor(centroid.color));
-    }
+    const ScenePlace at = [&](const Eigen::Vector3d& value) { return place(plot, value); };
+    if (pickedError())
+        drawOwnError(painter, outlineOf(*pickedError(), plot), at);
+    if (content().net)
+        drawNet(painter, *content().net, at);
+    for (const SceneCentroid& centroid : content().centroids)
+        drawCentroid(painter, centroid, at);
     if (content().highlight) {
         const ScenePoint& point = content().highlight->point;
         drawTypeSign(painter, place(plot, point.at), 4.5, point.shape, tokens.text, tokens.surface);

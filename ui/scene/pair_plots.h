@@ -28,6 +28,7 @@ private:
     };
     [[nodiscard]] std::vector<Plot> plots() const;
     [[nodiscard]] QPointF place(const Plot& plot, const Eigen::Vector3d& value) const;
+    [[nodiscard]] static std::vector<Eigen::Vector3d> outlineOf(const Ellipsoid& ellipsoid, const Plot& plot);
     void paintFrame(QPainter& painter, const Plot& plot) const;
     void paintContent(QPainter& painter, const Plot& plot) const;
     void paintPoints(QPainter& painter, const Plot& plot) const;

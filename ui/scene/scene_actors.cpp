@@ -237,6 +237,22 @@ EllipsoidActors ellipsoidActors(const SceneContent& content, const Ellipsoid& el
     return actors;
 }
 
+std::vector<vtkSmartPointer<vtkActor>> errorActors(const SceneContent& content, double lineWidth)
+{
+    std::map<int, std::vector<std::vector<Eigen::Vector3d>>> lines;
+    for (const SceneEllipsoid& error : content.errors)
+        for (std::vector<Eigen::Vector3d>& ring : ellipsoidRings(error.shape)) {
+            for (Eigen::Vector3d& at : ring)
+                at = cubePosition(content, at);
+            lines[error.color].push_back(std::move(ring));
+        }
+    std::vector<vtkSmartPointer<vtkActor>> actors;
+    actors.reserve(lines.size());
+    for (const auto& [color, rings] : lines)
+        actors.push_back(lineActor(rings, Theme::typeColor(color), lineWidth));
+    return actors;
+}
+
 std::vector<vtkSmartPointer<vtkActor>> gridActors(const SceneContent& content, const SceneLook& look,
                                                   const Eigen::Vector3i& farSide, double ratio)
 {

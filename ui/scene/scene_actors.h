@@ -28,6 +28,10 @@ struct EllipsoidActors {
 [[nodiscard]] EllipsoidActors ellipsoidActors(const SceneContent& content, const Ellipsoid& ellipsoid,
                                               const QColor& color, double opacity, double lineWidth);
 
+/// The rings of the errors of single squeezes, an actor a colour.
+[[nodiscard]] std::vector<vtkSmartPointer<vtkActor>> errorActors(const SceneContent& content,
+                                                                 double lineWidth);
+
 /// The three far walls of the cube as seen by the camera, with a line a tick.
 [[nodiscard]] std::vector<vtkSmartPointer<vtkActor>>
 gridActors(const SceneContent& content, const SceneLook& look, const Eigen::Vector3i& farSide, double ratio);

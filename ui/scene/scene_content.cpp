@@ -54,6 +54,9 @@ Eigen::Matrix<double, 3, 2> contentBounds(const SceneContent& content)
     for (const SceneCentroid& centroid : content.centroids)
         for (const Eigen::Vector3d& at : centroid.trail)
             bounds.include(at);
+    if (content.net)
+        for (const Eigen::Vector3d& at : content.net->nodes)
+            bounds.include(at);
     if (content.highlight) {
         bounds.include(content.highlight->point.at);
         if (content.highlight->ellipsoid)
@@ -65,6 +68,23 @@ Eigen::Matrix<double, 3, 2> contentBounds(const SceneContent& content)
     else
         result << Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones();
     return result;
+}
+
+std::vector<std::vector<Eigen::Vector3d>> ellipsoidRings(const Ellipsoid& ellipsoid, int segments)
+{
+    std::vector<std::vector<Eigen::Vector3d>> rings;
+    for (int across = 0; across < 3; ++across) {
+        const Eigen::Vector3d one = ellipsoid.axes.col((across + 1) % 3) * ellipsoid.radii[(across + 1) % 3];
+        const Eigen::Vector3d two = ellipsoid.axes.col((across + 2) % 3) * ellipsoid.radii[(across + 2) % 3];
+        std::vector<Eigen::Vector3d> ring;
+        ring.reserve(std::size_t(segments) + 1);
+        for (int i = 0; i <= segments; ++i) {
+            const double angle = 2 * std::numbers::pi * i / segments;
+            ring.emplace_back(ellipsoid.centre + std::cos(angle) * one + std::sin(angle) * two);
+        }
+        rings.push_back(std::move(ring));
+    }
+    return rings;
 }
 
 Eigen::Vector3d cubePosition(const SceneContent& content, const Eigen::Vector3d& value)

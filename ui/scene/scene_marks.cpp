@@ -9,6 +9,19 @@
 
 namespace gripscope {
 
+namespace {
+
+QPolygonF placed(const std::vector<Eigen::Vector3d>& values, const ScenePlace& place)
+{
+    QPolygonF places;
+    places.reserve(qsizetype(values.size()));
+    for (const Eigen::Vector3d& value : values)
+        places << place(value);
+    return places;
+}
+
+} // namespace
+
 void drawTypeSign(QPainter& painter, QPointF at, double radius, int shape, const QColor& fill,
                   const QColor& outline)
 {
@@ -68,24 +81,56 @@ void drawPickRing(QPainter& painter, QPointF at)
     painter.restore();
 }
 
-void drawCentroid(QPainter& painter, const std::vector<QPointF>& trail, const QColor& color)
+void drawOwnError(QPainter& painter, const std::vector<Eigen::Vector3d>& line, const ScenePlace& place)
 {
-    if (trail.empty())
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(tokens.accent, tokens.lineWidth));
+    painter.drawPolyline(placed(line, place));
+    painter.restore();
+}
+
+void drawNet(QPainter& painter, const SceneNet& net, const ScenePlace& place)
+{
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    constexpr double radius = 3.5;
+    const QPolygonF places = placed(net.nodes, place);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    QList<QLineF> lines;
+    for (const auto& edge : net.edges)
+        lines << QLineF(places[edge.first], places[edge.second]);
+    painter.setPen(QPen(Theme::mix(tokens.surface, tokens.text, 0.6), tokens.lineWidth));
+    painter.drawLines(lines);
+    painter.setPen(QPen(tokens.surface, 1));
+    for (qsizetype i = 0; i < places.size(); ++i) {
+        painter.setBrush(Theme::typeColor(net.colors[std::size_t(i)]));
+        painter.drawEllipse(places[i], radius, radius);
+    }
+    painter.restore();
+}
+
+void drawCentroid(QPainter& painter, const SceneCentroid& centroid, const ScenePlace& place)
+{
+    if (centroid.trail.empty())
         return;
+    const QPolygonF trail = placed(centroid.trail, place);
+    const QColor color = Theme::typeColor(centroid.color);
     const ThemeTokens& tokens = Theme::instance().tokens();
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     for (const auto& [width, ink] : {std::pair(4.0, tokens.surface), std::pair(2.0, color)}) {
         painter.setPen(QPen(ink, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.drawPolyline(QPolygonF(QList<QPointF>(trail.begin(), trail.end())));
+        painter.drawPolyline(trail);
     }
     painter.setPen(QPen(tokens.surface, 1));
     painter.setBrush(color);
-    for (std::size_t i = 0; i + 1 < trail.size(); ++i)
+    for (qsizetype i = 0; i + 1 < trail.size(); ++i)
         painter.drawEllipse(trail[i], 3, 3);
     // A plus in a disc: no type has that sign.
-    const QPointF at = trail.back();
+    const QPointF at = trail.constLast();
     painter.setPen(QPen(tokens.text, 2));
     painter.setBrush(tokens.surface);
     painter.drawEllipse(at, 10, 10);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/scene/scene_content.h"
+
 #include <QColor>
 #include <QPointF>
 
+#include <functional>
 #include <vector>
 
 class QPainter;
@@ -29,7 +32,14 @@ void drawTypeSign(QPainter& painter, QPointF at, double radius, int type);
 void drawHighlightRing(QPainter& painter, QPointF at);
 /// The ring around a picked point: thin.
 void drawPickRing(QPainter& painter, QPointF at);
+/// Where a value of m, b and k is on the screen.
+using ScenePlace = std::function<QPointF(const Eigen::Vector3d&)>;
+
+/// A thin line of the picked squeeze's own error.
+void drawOwnError(QPainter& painter, const std::vector<Eigen::Vector3d>& line, const ScenePlace& place);
+/// A map: lines between neighbours, a dot a unit.
+void drawNet(QPainter& painter, const SceneNet& net, const ScenePlace& place);
 /// A cluster centre where the trail ends, and the way it came.
-void drawCentroid(QPainter& painter, const std::vector<QPointF>& trail, const QColor& color);
+void drawCentroid(QPainter& painter, const SceneCentroid& centroid, const ScenePlace& place);
 
 } // namespace gripscope

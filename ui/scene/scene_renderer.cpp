@@ -147,6 +147,8 @@ void SceneRenderer::Private::build(const SceneRequest& request)
         add(ellipsoid.shape, Theme::typeColor(ellipsoid.color), 0.16);
     if (content->highlight && content->highlight->ellipsoid)
         add(*content->highlight->ellipsoid, look.text, 0.25);
+    for (const vtkSmartPointer<vtkActor>& actor : errorActors(*content, look.lineWidth * ratio))
+        renderer->AddActor(actor);
     grid.clear();
     farSide.setZero();
 }

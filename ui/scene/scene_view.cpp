@@ -54,9 +54,10 @@ QImage SceneView::picture()
     return grab().toImage();
 }
 
-void SceneView::pick(const QString& id)
+void SceneView::pick(const QString& id, const std::optional<Ellipsoid>& error)
 {
     m_pickedId = id;
+    m_pickedError = error;
     update();
 }
 
@@ -112,8 +113,9 @@ bool SceneView::event(QEvent* event)
 {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        if (const ScenePoint* point = pointNear(help->pos()))
-            QToolTip::showText(help->globalPos(), point->tip, this);
+        const ScenePoint* point = m_tips ? pointNear(help->pos()) : nullptr;
+        if (point)
+            QToolTip::showText(help->globalPos(), m_tips(point->id), this);
         else
             QToolTip::hideText();
         return true;

@@ -7,6 +7,7 @@
 #include <QImage>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 
 namespace gripscope {
@@ -33,8 +34,12 @@ public:
     /// The picture as it is on the screen, for the clipboard or a file.
     [[nodiscard]] virtual QImage picture();
 
-    /// Rings a point; an id that is not there rings none.
-    void pick(const QString& id);
+    /// What is shown of a point that is pointed at, by its id. Asked then, so that no words are made for
+    /// thousands of points that nobody points at.
+    void setTips(std::function<QString(const QString& id)> tips) { m_tips = std::move(tips); }
+
+    /// Rings a point, and shows the ellipsoid of its own error; an id that is not there rings none.
+    void pick(const QString& id, const std::optional<Ellipsoid>& error = std::nullopt);
     [[nodiscard]] const QString& pickedId() const { return m_pickedId; }
     /// Where a point is on the screen; null when it is not there. The first of several places.
     [[nodiscard]] std::optional<QPointF> placeOf(const QString& id) const;
@@ -60,6 +65,7 @@ protected:
     [[nodiscard]] const ScenePoint* pointNear(QPointF position) const;
     [[nodiscard]] const std::shared_ptr<const SceneContent>& sharedContent() const { return m_content; }
     [[nodiscard]] const QString& emptyText() const { return m_emptyText; }
+    [[nodiscard]] const std::optional<Ellipsoid>& pickedError() const { return m_pickedError; }
     [[nodiscard]] bool empty() const;
 
     bool event(QEvent* event) override;
@@ -72,6 +78,8 @@ private:
 
     std::shared_ptr<const SceneContent> m_content;
     QString m_pickedId;
+    std::optional<Ellipsoid> m_pickedError;
+    std::function<QString(const QString&)> m_tips;
     QString m_emptyText;
 };
 

@@ -204,17 +204,19 @@ void SceneWidget::paintEvent(QPaintEvent*)
     const SceneProjection projection(d->shownCamera, size());
     const auto at = [&](const Eigen::Vector3d& value) { return projection.at(cubePosition(shown, value)); };
     paintSceneAxes(painter, shown, d->shownCamera, size());
-    for (const SceneCentroid& centroid : shown.centroids) {
-        std::vector<QPointF> trail;
-        for (const Eigen::Vector3d& value : centroid.trail)
-            trail.push_back(at(value));
-        drawCentroid(painter, trail, Theme::typeColor(centroid.color));
-    }
+    if (shown.net)
+        drawNet(painter, *shown.net, at);
+    for (const SceneCentroid& centroid : shown.centroids)
+        drawCentroid(painter, centroid, at);
     if (shown.highlight)
         drawHighlightRing(painter, at(shown.highlight->point.at));
-    for (const ScenePoint& point : shown.points)
-        if (!pickedId().isEmpty() && point.id == pickedId())
-            drawPickRing(painter, at(point.at));
+    if (pickedError())
+        for (const std::vector<Eigen::Vector3d>& ring : ellipsoidRings(*pickedError()))
+            drawOwnError(painter, ring, at);
+    if (!pickedId().isEmpty())
+        for (const ScenePoint& point : shown.points)
+            if (point.id == pickedId())
+                drawPickRing(painter, at(point.at));
     if (hasFocus()) {
         painter.setPen(QPen(tokens.accent, 2));
         painter.drawRect(rect().adjusted(1, 1, -1, -1));

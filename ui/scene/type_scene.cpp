@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include <cmath>
+
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
@@ -28,20 +30,16 @@ std::array<AxisScale, 3> axesFor(const TypeSpace& space, const SceneContent& all
             axis(QT_TRANSLATE_NOOP("gripscope::TypeScene", "Stiffness k"), space.units.k, 2)};
 }
 
-ScenePoint pointOf(const TypeSpace& space, const SpaceSqueeze& squeeze)
-{
-    const QString name = words(QT_TRANSLATE_NOOP("gripscope::TypeScene", "%1, squeeze %2"))
-                             .arg(space.types[squeeze.type])
-                             .arg(squeeze.number);
-    return {squeeze.id, squeeze.parameters.vector(), squeeze.type, typeShape(squeeze.type),
-            name + u'\n' + parametersText(squeeze.parameters, space.units)};
-}
+/// More errors than this hide each other and the points.
+constexpr std::size_t mostErrors = 500;
 
 SceneContent everything(const TypeSpace& space)
 {
     SceneContent all;
+    all.points.reserve(space.squeezes.size());
     for (const SpaceSqueeze& squeeze : space.squeezes)
-        all.points.push_back(pointOf(space, squeeze));
+        all.points.push_back(
+            {squeeze.id, squeeze.parameters.vector(), squeeze.type, typeShape(squeeze.type)});
     for (std::size_t i = 0; i < space.ellipsoids.size(); ++i)
         if (space.ellipsoids[i])
             all.ellipsoids.push_back({*space.ellipsoids[i], int(i)});
@@ -58,6 +56,41 @@ void hidePoints(SceneContent& content, const TypeSpace& space, const TypeVisibil
     content.points = std::move(shown);
 }
 
+/// The map as it stands in a state, added to what is there.
+void includeNet(SceneContent& content, const SpaceClustering& clustering, int state)
+{
+    const auto* map = std::get_if<SelfOrganizingMapResult>(&clustering.outcome.details);
+    if (!map)
+        return;
+    const Eigen::MatrixXd weights = clustering.weights(state);
+    if (!content.net)
+        content.net.emplace();
+    SceneNet& net = *content.net;
+    for (Eigen::Index unit = 0; unit < weights.rows(); ++unit)
+        net.nodes.emplace_back(weights.row(unit).transpose());
+    net.colors = map->groupOfUnit;
+    net.edges.clear();
+    for (int unit = 0; unit < int(weights.rows()); ++unit) {
+        if ((unit + 1) % map->columns != 0)
+            net.edges.emplace_back(unit, unit + 1);
+        if (unit + map->columns < int(weights.rows()))
+            net.edges.emplace_back(unit, unit + map->columns);
+    }
+}
+
+void addCentres(SceneContent& content, const SpaceClustering& clustering, int state)
+{
+    for (int n = 0; n <= state; ++n) {
+        const Eigen::MatrixXd centres = clustering.centres(n);
+        content.centroids.resize(std::size_t(centres.rows()));
+        for (Eigen::Index cluster = 0; cluster < centres.rows(); ++cluster) {
+            SceneCentroid& centroid = content.centroids[std::size_t(cluster)];
+            centroid.color = int(cluster);
+            centroid.trail.emplace_back(centres.row(cluster).transpose());
+        }
+    }
+}
+
 } // namespace
 
 SceneContent typeScene(const TypeSpace& space, const TypeVisibility& visible,
@@ -69,38 +102,54 @@ SceneContent typeScene(const TypeSpace& space, const TypeVisibility& visible,
     hidePoints(content, space, visible);
     std::erase_if(content.ellipsoids,
                   [&](const SceneEllipsoid& e) { return !visible[std::size_t(e.color)]; });
+    if (space.squeezes.size() <= mostErrors)
+        for (const SpaceSqueeze& squeeze : space.squeezes)
+            if (const auto error = ownEllipsoid(squeeze); error && visible[std::size_t(squeeze.type)])
+                content.errors.push_back({*error, squeeze.type});
     return content;
 }
 
 SceneContent clusterScene(const TypeSpace& space, const TypeVisibility& visible,
-                          const SpaceClustering& clustering, int step)
+                          const SpaceClustering& clustering, int state)
 {
     SceneContent content = everything(space);
+    for (int n = 0; n < clustering.states(); ++n) // the net never leaves the axes
+        includeNet(content, clustering, n);
     content.axes = axesFor(space, content); // as with the ellipsoids: changing the view moves nothing
     content.ellipsoids.clear();
-    const std::vector<int>& labels = clustering.result.steps[std::size_t(step)].labels;
+    content.net.reset();
+    const std::vector<int>& labels = clustering.labels(state);
     for (std::size_t i = 0; i < content.points.size(); ++i)
         content.points[i].color = labels[i];
     hidePoints(content, space, visible);
-    const Eigen::Index clusters = clustering.centroids[std::size_t(step)].rows();
-    for (Eigen::Index cluster = 0; cluster < clusters; ++cluster) {
-        SceneCentroid centroid;
-        centroid.color = int(cluster);
-        for (int n = 0; n <= step; ++n)
-            centroid.trail.emplace_back(clustering.centroids[std::size_t(n)].row(cluster).transpose());
-        content.centroids.push_back(std::move(centroid));
-    }
+    addCentres(content, clustering, state);
+    const auto ellipsoids = clustering.ellipsoids(state);
+    for (std::size_t i = 0; i < ellipsoids.size(); ++i)
+        if (ellipsoids[i])
+            content.ellipsoids.push_back({*ellipsoids[i], int(i)});
+    includeNet(content, clustering, state);
     return content;
 }
 
-QString parametersText(const MassDampingStiffness& parameters, const ParameterUnits& units)
+QString squeezeName(const TypeSpace& space, const SpaceSqueeze& squeeze)
 {
-    const auto one = [](const QString& name, double value, const QString& unit) {
-        return u"%1 %2"_s.arg(
-            name, formatNumber(value, std::nullopt, unit == u"1" ? QString() : unit).valueWithUnit());
+    return words(QT_TRANSLATE_NOOP("gripscope::TypeScene", "%1, squeeze %2"))
+        .arg(space.types[squeeze.type])
+        .arg(squeeze.number);
+}
+
+QString parametersText(const MassDampingStiffness& parameters, const ParameterUnits& units,
+                       const std::optional<Eigen::Matrix3d>& covariance)
+{
+    constexpr double halfWidth = 1.96; // of a 95 % interval, in standard deviations
+    const auto one = [&](const QString& name, int at, double value, const QString& unit) {
+        const std::optional<double> error =
+            covariance ? std::optional(halfWidth * std::sqrt((*covariance)(at, at))) : std::nullopt;
+        return u"%1 %2"_s.arg(name, formatNumber(value, error, unit == u"1" ? QString() : unit).text());
     };
-    return u"%1, %2, %3"_s.arg(one(u"m"_s, parameters.m, units.m), one(u"b"_s, parameters.b, units.b),
-                               one(u"k"_s, parameters.k, units.k));
+    return QStringList{one(u"m"_s, 0, parameters.m, units.m), one(u"b"_s, 1, parameters.b, units.b),
+                       one(u"k"_s, 2, parameters.k, units.k)}
+        .join(covariance ? u"\n"_s : u", "_s);
 }
 
 } // namespace gripscope

@@ -20,7 +20,7 @@ inline SceneContent sceneExample()
         for (int n = 0; n < 10; ++n) {
             const Eigen::Vector3d offset((n % 3) - 1, (n / 3) % 3 - 1, (n * 7 % 5) / 2.0 - 1);
             const QString id = QStringLiteral("%1%2").arg(QChar(u'A' + type)).arg(n);
-            content.points.push_back({id, centre + offset.cwiseProduct(spread), type, type, id});
+            content.points.push_back({id, centre + offset.cwiseProduct(spread), type, type});
         }
         content.ellipsoids.push_back({{centre, Eigen::Matrix3d::Identity(), 2.2 * spread}, type});
     }

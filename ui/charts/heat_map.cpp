@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/heat_map.h"
+
+#include "ui/charts/color_scale.h"
+#include "ui/theme/theme.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr double titleHeight = 20, barHeight = 6, numbersHeight = 18, gap = 4;
+} // namespace
+
+HeatMap::HeatMap(QWidget* parent) : QWidget(parent)
+{
+    setMouseTracking(true);
+    setFocusPolicy(Qt::TabFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    connect(&Theme::instance(), &Theme::changed, this, [this] { update(); });
+}
+
+void HeatMap::setPlane(const MapPlanes& map, int plane, bool hits)
+{
+    m_map = map;
+    m_plane = plane;
+    m_hits = hits;
+    m_marked = -1;
+    if (!empty()) {
+        const AxisScale& scale = this->plane().scale;
+        setAccessibleName(this->plane().title);
+        setAccessibleDescription(
+            tr("%1 From %2 to %3.")
+                .arg(this->plane().meaning, scale.valueText(scale.low), scale.valueText(scale.high)));
+    }
+    update();
+}
+
+void HeatMap::setMarked(int unit)
+{
+    if (unit == m_marked)
+        return;
+    m_marked = unit;
+    update();
+}
+
+QRectF HeatMap::grid() const
+{
+    const QRectF area = QRectF(rect()).adjusted(2, titleHeight, -2, -(gap + barHeight + numbersHeight));
+    const double side = std::max(1.0, std::floor(std::min(area.width() / std::max(1, m_map.columns),
+                                                          area.height() / std::max(1, m_map.rows))));
+    QRectF grid(0, 0, side * m_map.columns, side * m_map.rows);
+    grid.moveCenter(area.center());
+    grid.moveTopLeft(QPointF(std::round(grid.left()), std::round(grid.top())));
+    return grid;
+}
+
+QRectF HeatMap::cell(int unit) const
+{
+    if (empty() || unit < 0 || unit >= m_map.rows * m_map.columns)
+        return {};
+    const QRectF all = grid();
+    const double side = all.width() / m_map.columns;
+    return {all.left() + side * (unit % m_map.columns), all.top() + side * (unit / m_map.columns), side,
+            side};
+}
+
+int HeatMap::unitAt(QPointF position) const
+{
+    const QRectF all = grid();
+    if (empty() || !all.contains(position))
+        return -1;
+    const double side = all.width() / m_map.columns;
+    const int row = std::min(int((position.y() - all.top()) / side), m_map.rows - 1);
+    const int column = std::min(int((position.x() - all.left()) / side), m_map.columns - 1);
+    return row * m_map.columns + column;
+}
+
+QColor HeatMap::color(int unit) const
+{
+    const AxisScale& scale = plane().scale;
+    const double value = plane().values(unit / m_map.columns, unit % m_map.columns);
+    return scaleColor(scale.high > scale.low ? scale.unitPosition(value) : 0.5);
+}
+
+QString HeatMap::tip(int unit) const
+{
+    return empty() ? QString() : m_map.describe(unit, m_plane);
+}
+
+void HeatMap::point(int unit)
+{
+    setMarked(unit);
+    emit pointedAt(unit);
+}
+
+void HeatMap::mouseMoveEvent(QMouseEvent* event)
+{
+    const int unit = unitAt(event->position());
+    if (unit != m_marked)
+        point(unit);
+    if (unit >= 0)
+        QToolTip::showText(event->globalPosition().toPoint(), tip(unit), this, cell(unit).toRect());
+}
+
+void HeatMap::leaveEvent(QEvent*)
+{
+    if (!hasFocus())
+        point(-1);
+}
+
+void HeatMap::focusOutEvent(QFocusEvent* event)
+{
+    QWidget::focusOutEvent(event);
+    point(-1);
+}
+
+void HeatMap::keyPressEvent(QKeyEvent* event)
+{
+    if (empty())
+        return QWidget::keyPressEvent(event);
+    int row = std::max(0, m_marked) / m_map.columns;
+    int column = std::max(0, m_marked) % m_map.columns;
+    switch (event->key()) {
+    case Qt::Key_Left:
+        --column;
+        break;
+    case Qt::Key_Right:
+        ++column;
+        break;
+    case Qt::Key_Up:
+        --row;
+        break;
+    case Qt::Key_Down:
+        ++row;
+        break;
+    default:
+        return QWidget::keyPressEvent(event);
+    }
+    if (m_marked < 0)
+        row = column = 0;
+    point(std::clamp(row, 0, m_map.rows - 1) * m_map.columns + std::clamp(column, 0, m_map.columns - 1));
+    QToolTip::showText(mapToGlobal(cell(m_marked).bottomRight().toPoint()), tip(m_marked), this);
+}
+
+void HeatMap::paintCells(QPainter& painter) const
+{
+    for (int unit = 0; unit < m_map.rows * m_map.columns; ++unit)
+        painter.fillRect(cell(unit), color(unit));
+}
+
+void HeatMap::paintBorders(QPainter& painter) const
+{
+    QList<QLineF> lines;
+    for (int unit = 0; unit < m_map.rows * m_map.columns; ++unit) {
+        const QRectF here = cell(unit);
+        const int group = m_map.groups[std::size_t(unit)];
+        if ((unit + 1) % m_map.columns != 0 && m_map.groups[std::size_t(unit) + 1] != group)
+            lines << QLineF(here.topRight(), here.bottomRight());
+        if (unit + m_map.columns < m_map.rows * m_map.columns &&
+            m_map.groups[std::size_t(unit + m_map.columns)] != group)
+            lines << QLineF(here.bottomLeft(), here.bottomRight());
+    }
+    // Black about white: it stands out from every colour of the scale.
+    for (const auto& [width, ink] : {std::pair(3.0, QColor(Qt::black)), std::pair(1.0, QColor(Qt::white))}) {
+        painter.setPen(QPen(ink, width, Qt::SolidLine, Qt::SquareCap));
+        painter.drawLines(lines);
+    }
+}
+
+void HeatMap::paintHits(QPainter& painter) const
+{
+    const int most = *std::max_element(m_map.hits.begin(), m_map.hits.end());
+    painter.setPen(QPen(Qt::black, 1));
+    painter.setBrush(Qt::white);
+    for (int unit = 0; unit < m_map.rows * m_map.columns; ++unit) {
+        const int hits = m_map.hits[std::size_t(unit)];
+        const QRectF here = cell(unit);
+        const double radius = 0.38 * here.width() * std::sqrt(double(hits) / most);
+        if (hits > 0)
+            painter.drawEllipse(here.center(), std::max(1.5, radius), std::max(1.5, radius));
+    }
+}
+
+void HeatMap::paintBar(QPainter& painter) const
+{
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    const AxisScale& scale = plane().scale;
+    const QRectF bar(2, height() - numbersHeight - barHeight, width() - 4, barHeight);
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
+    for (int stop = 0; stop <= 9; ++stop)
+        gradient.setColorAt(stop / 9.0, scaleColor(stop / 9.0));
+    painter.fillRect(bar, gradient);
+    painter.setPen(tokens.secondText);
+    painter.setFont(Theme::font(metrics::fontSmall));
+    const QRectF numbers(2, bar.bottom(), width() - 4, numbersHeight);
+    painter.drawText(numbers, Qt::AlignLeft | Qt::AlignVCenter, scale.numberText(scale.low));
+    painter.drawText(numbers, Qt::AlignRight | Qt::AlignVCenter, scale.numberText(scale.high));
+}
+
+void HeatMap::paintEvent(QPaintEvent*)
+{
+    if (empty())
+        return;
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    QPainter painter(this);
+    painter.setPen(tokens.text);
+    painter.setFont(Theme::font(metrics::fontSmall, true));
+    const QString& unit = plane().scale.unit;
+    const QString title = unit.isEmpty() ? plane().title : u"%1 (%2)"_s.arg(plane().title, unit);
+    painter.drawText(QRectF(2, 0, width() - 4, titleHeight), Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(title, Qt::ElideRight, width() - 4));
+    paintCells(painter);
+    paintBorders(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (m_hits)
+        paintHits(painter);
+    if (m_marked >= 0) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(tokens.surface, 4));
+        painter.drawRect(cell(m_marked));
+        painter.setPen(QPen(tokens.accent, 2));
+        painter.drawRect(cell(m_marked));
+    }
+    paintBar(painter);
+}
+
+} // namespace gripscope

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/map_planes.h"
+
+#include <QWidget>
+
+namespace gripscope {
+
+/// One plane of a self-organizing map: a cell a unit, its colour the number, borders where the cluster
+/// changes, a colour bar with the extremes and the unit below. Pointing at a cell, or going there with the
+/// arrow keys, tells the number and the squeezes there.
+class HeatMap : public QWidget {
+    Q_OBJECT
+public:
+    explicit HeatMap(QWidget* parent = nullptr);
+
+    /// `plane`: index into MapPlanes::planes. With `hits`, a dot grows with the squeezes of each unit.
+    void setPlane(const MapPlanes& map, int plane, bool hits);
+    /// Frames a unit, -1 none; the same one in all planes shows what belongs together.
+    void setMarked(int unit);
+    [[nodiscard]] int marked() const { return m_marked; }
+    /// The unit whose cell is there, -1 outside.
+    [[nodiscard]] int unitAt(QPointF position) const;
+    [[nodiscard]] QRectF cell(int unit) const;
+    [[nodiscard]] QColor color(int unit) const;
+    /// What pointing at a unit tells.
+    [[nodiscard]] QString tip(int unit) const;
+
+    QSize sizeHint() const override { return {116, 148}; }
+    QSize minimumSizeHint() const override { return {80, 112}; }
+
+signals:
+    void pointedAt(int unit); ///< -1: none any more
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    [[nodiscard]] bool empty() const { return m_map.planes.empty(); }
+    [[nodiscard]] const MapPlane& plane() const { return m_map.planes[std::size_t(m_plane)]; }
+    [[nodiscard]] QRectF grid() const;
+    void point(int unit);
+    void paintCells(QPainter& painter) const;
+    void paintBorders(QPainter& painter) const;
+    void paintHits(QPainter& painter) const;
+    void paintBar(QPainter& painter) const;
+
+    MapPlanes m_map;
+    int m_plane = 0;
+    int m_marked = -1;
+    bool m_hits = false;
+};
+
+} // namespace gripscope

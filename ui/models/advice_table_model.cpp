@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/advice_table_model.h"
+
+#include "ui/theme/theme.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr QChar dash(0x2013);
+
+/// The column a criterion has.
+AdviceTableModel::Column columnOf(ClusterCriterion criterion)
+{
+    switch (criterion) {
+    case ClusterCriterion::Silhouette:
+        return AdviceTableModel::Column::Silhouette;
+    case ClusterCriterion::CalinskiHarabasz:
+        return AdviceTableModel::Column::CalinskiHarabasz;
+    case ClusterCriterion::DaviesBouldin:
+        return AdviceTableModel::Column::DaviesBouldin;
+    case ClusterCriterion::Gap:
+        return AdviceTableModel::Column::Gap;
+    case ClusterCriterion::Bic:
+        return AdviceTableModel::Column::Bic;
+    }
+    return AdviceTableModel::Column::Clusters;
+}
+
+} // namespace
+
+void AdviceTableModel::setAdvice(const ClusterAdvice& advice)
+{
+    beginResetModel();
+    m_advice = advice;
+    endResetModel();
+}
+
+int AdviceTableModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : int(m_advice.figures.size());
+}
+
+int AdviceTableModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : columns;
+}
+
+std::optional<double> AdviceTableModel::value(const ClusterFigures& figures, Column column) const
+{
+    switch (column) {
+    case Column::Clusters:
+        return figures.clusters;
+    case Column::Silhouette:
+        return figures.silhouette;
+    case Column::CalinskiHarabasz:
+        return figures.calinskiHarabasz;
+    case Column::DaviesBouldin:
+        return figures.daviesBouldin;
+    case Column::Gap:
+        return figures.gap ? std::optional(figures.gap->value) : std::nullopt;
+    case Column::Bic:
+        return std::min(figures.bicTied, figures.bicFull);
+    }
+    return {};
+}
+
+bool AdviceTableModel::best(const ClusterFigures& figures, Column column) const
+{
+    if (column == Column::Clusters)
+        return figures.clusters == m_advice.clusters;
+    return std::any_of(m_advice.votes.begin(), m_advice.votes.end(), [&](const ClusterVote& vote) {
+        return columnOf(vote.criterion) == column && vote.clusters == figures.clusters;
+    });
+}
+
+QString AdviceTableModel::text(const ClusterFigures& figures, Column column) const
+{
+    const std::optional<double> number = value(figures, column);
+    if (!number || !std::isfinite(*number))
+        return dash;
+    const QLocale locale;
+    switch (column) {
+    case Column::Clusters:
+        return locale.toString(figures.clusters);
+    case Column::CalinskiHarabasz:
+    case Column::Bic:
+        return locale.toString(*number, 'f', std::abs(*number) < 10 ? 1 : 0);
+    default:
+        return locale.toString(*number, 'f', 2);
+    }
+}
+
+QVariant AdviceTableModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid())
+        return {};
+    const ClusterFigures& figures = m_advice.figures[std::size_t(index.row())];
+    const auto column = Column(index.column());
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(figures, column);
+    case SortRole: {
+        const std::optional<double> number = value(figures, column);
+        return number ? QVariant(*number) : QVariant();
+    }
+    case BestRole:
+        return best(figures, column);
+    case Qt::FontRole:
+        return Theme::font(metrics::fontSmall, best(figures, column));
+    case Qt::TextAlignmentRole:
+        return int(Qt::AlignCenter);
+    case Qt::ToolTipRole:
+        return best(figures, column) && column != Column::Clusters
+                   ? QVariant(tr("The best by this criterion"))
+                   : QVariant();
+    default:
+        return {};
+    }
+}
+
+QVariant AdviceTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || section < 0 || section >= columns)
+        return {};
+    if (role == Qt::TextAlignmentRole)
+        return int(Qt::AlignCenter);
+    struct Words {
+        QString name, meaning;
+    };
+    const std::array<Words, columns> words{{
+        {tr("K"), tr("Number of clusters")},
+        {tr("Silh."), tr("Silhouette: how much nearer a squeeze is to its own cluster than to the next. "
+                         "High is good.")},
+        {tr("C-H"), tr("Calinski-Harabasz: variance between the clusters over that within. High is good.")},
+        {tr("D-B"), tr("Davies-Bouldin: the worst overlap of each cluster with another, on average. Low is "
+                       "good.")},
+        {tr("Gap"), tr("Gap: how much tighter the clusters are than those of squeezes spread evenly. Its "
+                       "best is the smallest within an error of the first maximum.")},
+        {tr("BIC"), tr("Bayesian information criterion of Gaussian mixtures, the better of tied and full. "
+                       "Low is good.")},
+    }};
+    const Words& one = words[std::size_t(section)];
+    if (role == Qt::ToolTipRole)
+        return one.meaning;
+    return role == Qt::DisplayRole ? QVariant(one.name) : QVariant();
+}
+
+QString AdviceTableModel::toTsv() const
+{
+    QStringList lines;
+    QStringList names;
+    for (int section = 0; section < columns; ++section)
+        names << headerData(section, Qt::Horizontal, Qt::DisplayRole).toString();
+    lines << names.join(u'\t');
+    for (const ClusterFigures& figures : m_advice.figures) {
+        QStringList cells;
+        for (int section = 0; section < columns; ++section) {
+            const std::optional<double> number = value(figures, Column(section));
+            cells << (number ? QString::number(*number, 'g', 12) : QString());
+        }
+        lines << cells.join(u'\t');
+    }
+    return lines.join(u'\n') + u'\n';
+}
+
+} // namespace gripscope
