@@ -45,6 +45,7 @@ struct EnrollSession::Private {
     std::vector<EnrollSqueeze> squeezes;
     Recording measured; // what is being identified
     QString source;
+    QString part, measuredPart; // of the next squeeze, and of the one that is being identified
     std::optional<Error> error;
 
     [[nodiscard]] Expected<void> waitingIn(Step wanted) const;
@@ -94,6 +95,7 @@ void EnrollSession::Private::fail(const Error& reason, Activity next)
 void EnrollSession::Private::identify(Recording recording, const QString& from)
 {
     measured = recording;
+    measuredPart = part;
     source = from;
     error.reset();
     activity = Activity::Identifying;
@@ -110,6 +112,7 @@ void EnrollSession::Private::identified(Identification identification)
 {
     EnrollSqueeze squeeze;
     squeeze.recording = std::move(measured);
+    squeeze.part = measuredPart;
     squeeze.reason = whyNotEnrolled(identification);
     squeeze.identification = std::move(identification);
     squeezes.push_back(std::move(squeeze));
@@ -170,6 +173,16 @@ Expected<void> EnrollSession::setRecipe(const Recipe& recipe)
     return {};
 }
 
+void EnrollSession::setPart(const QString& part)
+{
+    d->part = part.trimmed();
+}
+
+QString EnrollSession::part() const
+{
+    return d->part;
+}
+
 Expected<void> EnrollSession::squeeze()
 {
     if (const Expected<void> may = d->waitingIn(Step::Squeeze); !may)
@@ -206,7 +219,8 @@ Expected<void> EnrollSession::accept()
         if (!factor)
             return tl::unexpected<Error>(factor.error());
     }
-    const NewGrasp grasp = makeGrasp(squeeze->recording, squeeze->identification, d->source, d->operatorName);
+    NewGrasp grasp = makeGrasp(squeeze->recording, squeeze->identification, d->source, d->operatorName);
+    grasp.part = squeeze->part;
     d->ask<StoredSqueeze>([name = d->typeName, recipe = d->recipe,
                            grasp](Library& library) { return storeSqueeze(library, name, recipe, grasp); },
                           [this](Expected<StoredSqueeze> stored) {
@@ -298,6 +312,7 @@ void EnrollSession::restart()
     d->step = Step::Name;
     d->activity = Activity::Waiting;
     d->typeName.clear();
+    d->part.clear();
     d->type.reset();
     d->squeezes.clear();
     d->error.reset();

@@ -17,8 +17,9 @@ struct EnrollSqueeze {
     Recording recording;
     Identification identification;
     Decision decision = Decision::Pending;
-    QString reason;  ///< why it was rejected, or is advised to be
-    QString graspId; ///< once it is in the library
+    QString reason;    ///< why it was rejected, or is advised to be
+    QString graspId;   ///< once it is in the library
+    QString part = {}; ///< which part of the type was squeezed, see setPart()
 };
 
 /// Enrolment of one type, step by step. An accepted squeeze is in the library before accept() is reported
@@ -50,6 +51,10 @@ public:
     [[nodiscard]] Expected<void> setName(const QString& name); ///< Name -> Recipe
     /// Recipe -> Squeeze; resumes the type when the library has one of that name.
     [[nodiscard]] Expected<void> setRecipe(const Recipe& recipe);
+    /// Which part the next squeezes are of, as the operator calls it; empty (as at first): each of another
+    /// one. A part that is squeezed again tells how much of the scatter is the grip and how much the part.
+    void setPart(const QString& part);
+    [[nodiscard]] QString part() const;
     [[nodiscard]] Expected<void> squeeze(); ///< from the connected gripper
     [[nodiscard]] Expected<void> addRecording(Recording recording, const QString& source); ///< from a file
     [[nodiscard]] Expected<void> accept();                      ///< the pending squeeze; not an invalid one

@@ -43,6 +43,9 @@ Expected<StoredType> findStoredType(Library& library, const QString& name)
     StoredType found{*type, {}};
     if (!found.type)
         return found;
+    if (found.type->status == TypeStatus::Retired)
+        return failure(ErrorCode::Usage,
+                       {u"%1 is retired. Put it back into use first, or choose another name."_qs.arg(name)});
     Expected<std::vector<GraspRecord>> grasps = library.grasps(found.type->id);
     if (!grasps)
         return tl::unexpected<Error>(grasps.error());
@@ -57,7 +60,8 @@ Expected<StoredSqueeze> storeSqueeze(Library& library, const QString& name, cons
     if (!known)
         return tl::unexpected<Error>(known.error());
     if (!*known) {
-        const Expected<TypeRecord> added = library.addType(name, recipe, grasp.forceUnit, grasp.positionUnit);
+        const Expected<TypeRecord> added =
+            library.addType(name, recipe, grasp.forceUnit, grasp.positionUnit, grasp.operatorName);
         if (!added)
             return tl::unexpected<Error>(added.error());
         known = *added;
@@ -79,6 +83,7 @@ EnrollSqueeze enrolledSqueeze(const GraspRecord& grasp)
     EnrollSqueeze squeeze;
     squeeze.decision = EnrollSqueeze::Decision::Accepted;
     squeeze.graspId = grasp.id;
+    squeeze.part = grasp.part;
     squeeze.recording.forceUnit = grasp.forceUnit;
     squeeze.recording.positionUnit = grasp.positionUnit;
     Estimate estimate;

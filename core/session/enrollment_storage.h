@@ -15,7 +15,7 @@ namespace gripscope {
 [[nodiscard]] NewGrasp makeGrasp(const Recording& recording, const Identification& identification,
                                  const QString& source, const QString& operatorName);
 
-/// What the library knows of a type by that name, dropped squeezes included.
+/// What the library knows of a type by that name, dropped squeezes included. Usage when it is retired.
 struct StoredType {
     std::optional<TypeRecord> type;
     std::vector<GraspRecord> grasps;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/paper_appendix.h"
-#include "core/store/approval_table.h"
+#include "core/store/change_table.h"
 #include "core/store/grasp_writer.h"
 #include "core/store/library_private.h"
 #include "core/store/type_table.h"
@@ -34,9 +34,18 @@ NewGrasp exampleGrasp(const QString& typeId, const TypeSqueeze& squeeze, double 
     return grasp;
 }
 
-Expected<void> addExampleType(Database& database, const QString& name)
+LibraryChange exampleChange()
 {
-    const auto type = createType(database, {name, Recipe{}, newton, metre});
+    LibraryChange change;
+    change.kind = ChangeKind::Examples;
+    change.squeezes = int(paperSqueezesInSi().size());
+    change.operatorName = u"example"_s;
+    return change;
+}
+
+Expected<void> addExampleType(Database& database, const QString& name, qint64 version)
+{
+    const auto type = createType(database, {name, Recipe{}, newton, metre}, TypeStatus::Approved, version);
     if (!type)
         return tl::unexpected(type.error());
     const std::vector<TypeSqueeze> squeezes = paperSqueezesInSi();
@@ -44,10 +53,10 @@ Expected<void> addExampleType(Database& database, const QString& name)
         if (squeezes[i].type != name)
             continue;
         const NewGrasp grasp = exampleGrasp(type->id, squeezes[i], paperAppendix().bestFitPercent[i]);
-        if (const auto id = storeGrasp(database, grasp); !id)
+        if (const auto id = storeGrasp(database, grasp, version); !id)
             return tl::unexpected(id.error());
     }
-    return approval_table::insert(database, RowStamp::now(), type->id, u"example"_s);
+    return {};
 }
 
 } // namespace
@@ -57,13 +66,20 @@ Expected<void> Library::loadExampleTypes()
     return d->write<void>(u"add the example types"_s, [&]() -> Expected<void> {
         QStringList names = paperAppendix().object;
         names.removeDuplicates();
+        qint64 version = 0;
         for (const QString& name : std::as_const(names)) {
             const auto present = type_table::findByName(*d->database, name);
             if (!present)
                 return tl::unexpected(present.error());
             if (*present)
                 continue;
-            if (auto done = addExampleType(*d->database, name); !done)
+            if (version == 0) {
+                const auto begun = change_table::insert(*d->database, exampleChange());
+                if (!begun)
+                    return tl::unexpected(begun.error());
+                version = *begun;
+            }
+            if (auto done = addExampleType(*d->database, name, version); !done)
                 return done;
         }
         return {};

@@ -9,14 +9,17 @@ namespace {
 
 const auto doing = u"read the squeezes"_s;
 
-const auto select = u"SELECT g.id, g.type_id, t.name, g.source, g.operator_name, g.recorded_utc, "
-                    u"g.force_unit, g.position_unit, "
-                    "(SELECT COUNT(*) FROM recordings r WHERE r.grasp_id = g.id), "
-                    "(SELECT COUNT(*) FROM decisions d WHERE d.grasp_id = g.id AND d.kind = 'dropped'), "
-                    "e.estimator, e.m, e.b, e.k, e.var_m, e.cov_mb, e.cov_mk, e.var_b, e.cov_bk, e.var_k, "
-                    "e.simulation_fit_percent "
-                    "FROM grasps g LEFT JOIN types t ON t.id = g.type_id "
-                    "LEFT JOIN estimates e ON e.grasp_id = g.id AND e.rank = 0 "_s;
+const auto select =
+    u"SELECT g.id, COALESCE(p.type_id, g.type_id), s.name, g.type_id, g.part, g.source, g.operator_name, "
+    u"g.recorded_utc, g.force_unit, g.position_unit, "
+    "(SELECT COUNT(*) FROM recordings r WHERE r.grasp_id = g.id), COALESCE(p.accepted, 1), "
+    "e.estimator, e.m, e.b, e.k, e.var_m, e.cov_mb, e.cov_mk, e.var_b, e.cov_bk, e.var_k, "
+    "e.simulation_fit_percent "
+    "FROM grasps g LEFT JOIN placements p ON p.grasp_id = g.id AND p.version = "
+    "(SELECT MAX(q.version) FROM placements q WHERE q.grasp_id = g.id) "
+    "LEFT JOIN type_states s ON s.type_id = COALESCE(p.type_id, g.type_id) AND s.version = "
+    "(SELECT MAX(w.version) FROM type_states w WHERE w.type_id = COALESCE(p.type_id, g.type_id)) "
+    "LEFT JOIN estimates e ON e.grasp_id = g.id AND e.rank = 0 "_s;
 
 std::optional<MassDampingStiffness> takeParameters(Statement& row)
 {
@@ -48,13 +51,15 @@ GraspRecord takeGrasp(Statement& row)
     grasp.id = row.takeText();
     grasp.typeId = row.takeText();
     grasp.typeName = row.takeText();
+    grasp.firstTypeId = row.takeText();
+    grasp.part = row.takeText();
     grasp.source = row.takeText();
     grasp.operatorName = row.takeText();
     grasp.recorded = row.takeUtc();
     grasp.forceUnit = row.takeText();
     grasp.positionUnit = row.takeText();
     grasp.hasRecording = row.takeInteger() > 0;
-    grasp.accepted = row.takeInteger() == 0;
+    grasp.accepted = row.takeInteger() != 0;
     grasp.estimator = estimatorFromString(row.takeText()).value_or(Estimator::OutputError);
     grasp.parameters = takeParameters(row);
     grasp.covariance = takeCovariance(row);
@@ -73,24 +78,29 @@ Expected<std::vector<GraspRecord>> read(Statement& query)
 
 } // namespace
 
-Expected<void> insert(Database& database, const RowStamp& stamp, const NewGrasp& grasp)
+Expected<void> insert(Database& database, const RowStamp& stamp, const NewGrasp& grasp, qint64 version)
 {
     Statement row(
         database, u"store the squeeze"_s,
         u"INSERT INTO grasps (id, station, recorded_utc, type_id, operator_name, source, force_unit, "
-        "position_unit) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"_s);
+        "position_unit, part, library_version) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bindOrNull(grasp.typeId);
     return row.bind(grasp.operatorName)
         .bind(grasp.source)
         .bind(grasp.forceUnit)
         .bind(grasp.positionUnit)
+        .bind(grasp.part)
+        .bind(version)
         .run();
 }
 
 Expected<std::vector<GraspRecord>> ofType(Database& database, const QString& typeId)
 {
-    Statement query(database, doing, select + u"WHERE g.type_id = ? ORDER BY g.recorded_utc, g.id"_s);
-    return read(query.bind(typeId));
+    Statement query(database, doing,
+                    select + u"WHERE (g.type_id = ? OR g.id IN (SELECT r.grasp_id FROM placements r WHERE "
+                             "r.type_id = ?)) AND COALESCE(p.type_id, g.type_id) = ? "
+                             "ORDER BY g.recorded_utc, g.id"_s);
+    return read(query.bind(typeId).bind(typeId).bind(typeId));
 }
 
 Expected<std::optional<GraspRecord>> find(Database& database, const QString& id)
@@ -106,8 +116,8 @@ Expected<std::vector<GraspRecord>> enrolled(Database& database)
 {
     Statement query(
         database, doing,
-        select + u"WHERE g.type_id IS NOT NULL AND e.m IS NOT NULL AND NOT EXISTS (SELECT 1 FROM decisions x "
-                 "WHERE x.grasp_id = g.id AND x.kind = 'dropped') ORDER BY t.name, g.recorded_utc, g.id"_s);
+        select + u"WHERE g.type_id IS NOT NULL AND e.m IS NOT NULL AND COALESCE(p.accepted, 1) = 1 AND "
+                 "s.status IN ('enrolled', 'approved') ORDER BY s.name, g.recorded_utc, g.id"_s);
     return read(query);
 }
 

@@ -6,11 +6,12 @@
 
 namespace gripscope::grasp_table {
 
-/// The squeeze's own row, without recording and estimates.
-[[nodiscard]] Expected<void> insert(Database& database, const RowStamp& stamp, const NewGrasp& grasp);
+/// The squeeze's own row, without recording and estimates. `version`: of the library, with which it came.
+[[nodiscard]] Expected<void> insert(Database& database, const RowStamp& stamp, const NewGrasp& grasp,
+                                    qint64 version);
 [[nodiscard]] Expected<std::vector<GraspRecord>> ofType(Database& database, const QString& typeId);
 [[nodiscard]] Expected<std::optional<GraspRecord>> find(Database& database, const QString& id);
-/// The accepted squeezes that have parameters, in their own units, by type and time.
+/// The accepted squeezes of types in use that have parameters, in their own units, by type and time.
 [[nodiscard]] Expected<std::vector<GraspRecord>> enrolled(Database& database);
 
 } // namespace gripscope::grasp_table

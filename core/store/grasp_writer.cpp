@@ -23,7 +23,7 @@ Expected<void> checkGrasp(Database& database, const NewGrasp& grasp)
         return {};
     if (grasp.estimates.empty())
         return failure(ErrorCode::Usage, {u"A squeeze of a type needs an estimate."_s});
-    const auto type = requireType(database, grasp.typeId);
+    const auto type = requireTypeInUse(database, grasp.typeId);
     if (!type)
         return tl::unexpected(type.error());
     return requireComparableUnits(grasp.forceUnit, grasp.positionUnit, type->forceUnit, type->positionUnit);
@@ -31,12 +31,12 @@ Expected<void> checkGrasp(Database& database, const NewGrasp& grasp)
 
 } // namespace
 
-Expected<QString> storeGrasp(Database& database, const NewGrasp& grasp)
+Expected<QString> storeGrasp(Database& database, const NewGrasp& grasp, qint64 version)
 {
     const RowStamp stamp = RowStamp::now();
     auto done = checkGrasp(database, grasp);
     if (done)
-        done = grasp_table::insert(database, stamp, grasp);
+        done = grasp_table::insert(database, stamp, grasp, version);
     if (done && grasp.recording)
         done = recording_table::insert(database, RowStamp::now(), stamp.id, *grasp.recording);
     for (std::size_t rank = 0; done && rank < grasp.estimates.size(); ++rank)

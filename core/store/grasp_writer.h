@@ -8,8 +8,9 @@ namespace gripscope {
 
 // Inside a write transaction of the caller; errors as in Library.
 
-/// Stores the squeeze with its recording, estimates and document; its key.
-[[nodiscard]] Expected<QString> storeGrasp(Database& database, const NewGrasp& grasp);
+/// Stores the squeeze with its recording, estimates and document; its key. `version`: of the library, for a
+/// squeeze of a type.
+[[nodiscard]] Expected<QString> storeGrasp(Database& database, const NewGrasp& grasp, qint64 version = 0);
 [[nodiscard]] Expected<GraspRecord> requireGrasp(Database& database, const QString& id);
 
 } // namespace gripscope

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/library.h"
 
-#include "core/signal/units.h"
-#include "core/store/approval_table.h"
-#include "core/store/decision_table.h"
+#include "core/store/change_table.h"
 #include "core/store/document_table.h"
 #include "core/store/grasp_table.h"
 #include "core/store/grasp_writer.h"
@@ -11,7 +9,9 @@
 #include "core/store/library_private.h"
 #include "core/store/measuring_chain_table.h"
 #include "core/store/migration.h"
+#include "core/store/placement_table.h"
 #include "core/store/recording_table.h"
+#include "core/store/type_squeeze.h"
 #include "core/store/type_table.h"
 #include "core/store/type_writer.h"
 
@@ -25,6 +25,20 @@
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
+
+namespace {
+
+/// One more squeeze of a type is a new version of the library.
+Expected<qint64> recordSqueeze(Database& database, const NewGrasp& grasp)
+{
+    const auto type = requireType(database, grasp.typeId);
+    if (!type)
+        return tl::unexpected(type.error());
+    return change_table::insert(database,
+                                {0, {}, {}, ChangeKind::Squeeze, type->name, {}, 1, grasp.operatorName, {}});
+}
+
+} // namespace
 
 Library::Library(std::unique_ptr<Private> p) : d(std::move(p)) {}
 Library::~Library() = default;
@@ -56,44 +70,14 @@ int Library::schemaVersion() const
     return migrations().back().version; // open() brought it there
 }
 
-Expected<TypeRecord> Library::addType(const QString& name, const Recipe& recipe, const QString& forceUnit,
-                                      const QString& positionUnit)
-{
-    return d->write<TypeRecord>(u"add the type"_s, [&] {
-        return createType(*d->database, {name, recipe, forceUnit, positionUnit});
-    });
-}
-
-Expected<TypeRecord> Library::reviseType(const QString& typeId, const Recipe& recipe)
-{
-    return d->write<TypeRecord>(u"store the recipe"_s,
-                                [&] { return changeRecipe(*d->database, typeId, recipe); });
-}
-
-Expected<void> Library::approveType(const QString& typeId, const QString& operatorName)
-{
-    return d->write<void>(u"approve the type"_s, [&]() -> Expected<void> {
-        const auto type = requireType(*d->database, typeId);
-        if (!type)
-            return tl::unexpected(type.error());
-        return approval_table::insert(*d->database, RowStamp::now(), typeId, operatorName);
-    });
-}
-
-Expected<std::vector<TypeRecord>> Library::types() const
-{
-    return type_table::all(*d->database);
-}
-
-Expected<std::optional<TypeRecord>> Library::findType(const QString& name) const
-{
-    return type_table::findByName(*d->database, name);
-}
-
 Expected<GraspRecord> Library::addGrasp(const NewGrasp& grasp)
 {
     return d->write<GraspRecord>(u"store the squeeze"_s, [&]() -> Expected<GraspRecord> {
-        const auto id = storeGrasp(*d->database, grasp);
+        const auto version =
+            grasp.typeId.isEmpty() ? Expected<qint64>(0) : recordSqueeze(*d->database, grasp);
+        if (!version)
+            return tl::unexpected(version.error());
+        const auto id = storeGrasp(*d->database, grasp, *version);
         return id ? requireGrasp(*d->database, *id) : tl::unexpected(id.error());
     });
 }
@@ -104,9 +88,15 @@ Expected<void> Library::dropGrasp(const QString& graspId, const QString& reason,
         const auto grasp = requireGrasp(*d->database, graspId);
         if (!grasp)
             return tl::unexpected(grasp.error());
+        if (grasp->typeId.isEmpty())
+            return failure(ErrorCode::Usage, {u"The squeeze of an inspection belongs to no type."_s});
         if (!grasp->accepted)
             return {};
-        return decision_table::insertDrop(*d->database, RowStamp::now(), graspId, reason, operatorName);
+        const auto version = change_table::insert(
+            *d->database, {0, {}, {}, ChangeKind::Drop, grasp->typeName, {}, 1, operatorName, reason});
+        if (!version)
+            return tl::unexpected(version.error());
+        return placement_table::insert(*d->database, *version, graspId, {grasp->typeId, false});
     });
 }
 
@@ -136,16 +126,10 @@ Expected<std::vector<TypeSqueeze>> Library::enrolledSqueezes() const
     if (!grasps)
         return tl::unexpected(grasps.error());
     std::vector<TypeSqueeze> squeezes;
-    for (const GraspRecord& grasp : *grasps) {
-        if (!grasp.parameters)
-            continue;
-        const double si = siFactor(grasp.forceUnit, grasp.positionUnit).value_or(1);
-        const MassDampingStiffness& p = *grasp.parameters;
-        TypeSqueeze squeeze{grasp.typeName, {p.m * si, p.b * si, p.k * si}};
-        if (grasp.covariance)
-            squeeze.covariance = si * *grasp.covariance * si;
-        squeezes.push_back(std::move(squeeze));
-    }
+    squeezes.reserve(grasps->size());
+    for (const GraspRecord& grasp : *grasps)
+        if (auto squeeze = typeSqueeze(grasp))
+            squeezes.push_back(std::move(*squeeze));
     return squeezes;
 }
 

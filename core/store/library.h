@@ -6,6 +6,7 @@
 #include "core/recognition/type_model.h"
 #include "core/recognition/verdict.h"
 #include "core/signal/recording.h"
+#include "core/store/library_change.h"
 
 #include <QDateTime>
 #include <QJsonObject>
@@ -33,6 +34,8 @@ struct TypeRecord {
     QDateTime created;
     int squeezes = 0; ///< accepted ones
     bool approved = false;
+    TypeStatus status = TypeStatus::Enrolled;
+    int recipeVersion = 1; ///< its recipes are numbered from 1
 };
 
 struct NewGrasp {
@@ -43,6 +46,7 @@ struct NewGrasp {
     QString source; ///< file or device it came from
     QString operatorName;
     QJsonObject identification; ///< the whole identify document, for audit; may be empty
+    QString part = {};          ///< which part of the type it was, as the operator calls it; may be empty
 };
 
 struct GraspRecord {
@@ -55,6 +59,8 @@ struct GraspRecord {
     std::optional<Eigen::Matrix3d> covariance;
     std::optional<double> simulationFitPercent;
     QString forceUnit, positionUnit;
+    QString firstTypeId; ///< the type it was enrolled in; typeId is where it belongs now
+    QString part;        ///< among the squeezes enrolled in that type; empty: not told
 };
 
 struct NewInspection {
@@ -106,6 +112,9 @@ struct MeasuringChainRecord : NewMeasuringChain {
 /// All types of a library have comparable units: channels that can be taken to SI, or all the same units
 /// ("1"). Several processes may use one file at once. An object belongs to the thread that opened it.
 ///
+/// Whatever changes the types is one version of the library, with who, when and why; any earlier version can
+/// be looked at and restored, which is a new version again, so that nothing is ever lost.
+///
 /// Every function may fail with StorageFailed (locked, disk full) or StorageCorrupt; nothing is changed then.
 class Library {
 public:
@@ -121,21 +130,52 @@ public:
     [[nodiscard]] QString file() const;
     [[nodiscard]] int schemaVersion() const;
 
-    // Types
+    // Types. NotFound: there is no such type. Usage: what is asked for makes no sense; says why.
     /// Usage: no name, or one that is taken. UnitsDiffer: not comparable with the types that are there.
     [[nodiscard]] Expected<TypeRecord> addType(const QString& name, const Recipe& recipe,
-                                               const QString& forceUnit, const QString& positionUnit);
-    /// A new version of the type with another recipe; the old one stays on record. NotFound.
+                                               const QString& forceUnit, const QString& positionUnit,
+                                               const QString& operatorName = {});
+    /// Another recipe for the type; the old one stays on record.
     [[nodiscard]] Expected<TypeRecord> reviseType(const QString& typeId, const Recipe& recipe);
     [[nodiscard]] Expected<void> approveType(const QString& typeId, const QString& operatorName);
-    [[nodiscard]] Expected<std::vector<TypeRecord>> types() const; ///< by name
+    [[nodiscard]] Expected<std::vector<TypeRecord>> types() const;        ///< those in use, by name
+    [[nodiscard]] Expected<std::vector<TypeRecord>> retiredTypes() const; ///< by name
+    /// In use or retired, see TypeRecord::status.
     [[nodiscard]] Expected<std::optional<TypeRecord>> findType(const QString& name) const;
+
+    // Changing types. Each asks for a reason.
+    /// Inspections that were made keep the old name.
+    [[nodiscard]] Expected<TypeRecord> renameType(const QString& typeId, const QString& name,
+                                                  const ChangeNote& note);
+    /// The accepted squeezes of `typeId` go to `intoId`, which then needs approval again; the first type is
+    /// gone.
+    [[nodiscard]] Expected<TypeRecord> mergeTypes(const QString& typeId, const QString& intoId,
+                                                  const ChangeNote& note);
+    /// These accepted squeezes of the type, not all of them, become a new type with its recipe. Both need
+    /// approval then. Returns the new one.
+    [[nodiscard]] Expected<TypeRecord> splitType(const QString& typeId, const QStringList& graspIds,
+                                                 const QString& name, const ChangeNote& note);
+    /// No longer recognised; kept.
+    [[nodiscard]] Expected<void> retireType(const QString& typeId, const ChangeNote& note);
+    /// A retired type is recognised again, and needs approval.
+    [[nodiscard]] Expected<void> reinstateType(const QString& typeId, const ChangeNote& note);
+
+    // Versions
+    [[nodiscard]] Expected<qint64> version() const;
+    [[nodiscard]] Expected<std::vector<LibraryChange>> changes(int limit,
+                                                               int offset = 0) const; ///< newest first
+    /// Usage: there is no such version.
+    [[nodiscard]] Expected<LibraryState> stateAt(qint64 version) const;
+    /// Types and squeezes are again as they were at that version; returns the new version. Squeezes that came
+    /// later stay on record. Usage: no such version, or nothing differs from it.
+    [[nodiscard]] Expected<qint64> restoreVersion(qint64 version, const ChangeNote& note);
 
     // Squeezes
     /// NotFound: no such type. UnitsDiffer: not comparable with the type's. Usage: no estimate for an
-    /// enrolment, a number that is not finite, channels of different length.
+    /// enrolment, a retired type, a number that is not finite, channels of different length.
     [[nodiscard]] Expected<GraspRecord> addGrasp(const NewGrasp& grasp);
-    /// Takes a squeeze out of its type; it stays on record. Dropping it again changes nothing. NotFound.
+    /// Takes a squeeze out of its type; it stays on record. Dropping it again changes nothing. NotFound;
+    /// Usage for the squeeze of an inspection.
     [[nodiscard]] Expected<void> dropGrasp(const QString& graspId, const QString& reason,
                                            const QString& operatorName);
     [[nodiscard]] Expected<std::vector<GraspRecord>>
@@ -145,9 +185,9 @@ public:
     [[nodiscard]] Expected<Recording> recording(const QString& graspId) const;
     /// The identify document that was stored with it; empty when there was none.
     [[nodiscard]] Expected<QJsonObject> identificationDocument(const QString& graspId) const;
-    /// The accepted squeezes of all types, what fitTypeModels() takes: m, b, k of the recommended estimate,
-    /// in SI where the channels' units are known, else in the units they have. Squeezes without parameters
-    /// are left out.
+    /// The accepted squeezes of all types in use, what fitTypeModels() takes: m, b, k of the recommended
+    /// estimate, in SI where the channels' units are known, else in the units they have. Squeezes without
+    /// parameters are left out.
     [[nodiscard]] Expected<std::vector<TypeSqueeze>> enrolledSqueezes() const;
 
     // Inspections

@@ -8,5 +8,6 @@ namespace gripscope {
 extern const char* const migrationScript1;
 extern const char* const migrationScript2;
 extern const char* const migrationScript3;
+extern const char* const migrationScript4;
 
 } // namespace gripscope

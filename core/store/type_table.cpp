@@ -8,13 +8,16 @@ using namespace Qt::StringLiterals;
 namespace {
 
 const auto select =
-    u"SELECT t.id, t.name, t.created_utc, v.recipe_name, v.peak_n, v.bias_n, v.bit_s, v.seconds, "
+    u"SELECT t.id, s.name, t.created_utc, v.recipe_name, v.peak_n, v.bias_n, v.bit_s, v.seconds, "
     "v.max_force_n, v.max_travel_m, v.force_unit, v.position_unit, "
-    "(SELECT COUNT(*) FROM grasps g WHERE g.type_id = t.id AND NOT EXISTS "
-    "(SELECT 1 FROM decisions d WHERE d.grasp_id = g.id AND d.kind = 'dropped')), "
-    "(SELECT COUNT(*) FROM approvals a WHERE a.type_id = t.id) "
-    "FROM types t JOIN type_versions v ON v.type_id = t.id AND v.version = "
-    "(SELECT MAX(w.version) FROM type_versions w WHERE w.type_id = t.id) "_s;
+    "(SELECT COUNT(*) FROM grasps g LEFT JOIN placements p ON p.grasp_id = g.id AND p.version = "
+    "(SELECT MAX(q.version) FROM placements q WHERE q.grasp_id = g.id) "
+    "WHERE (g.type_id = t.id OR g.id IN (SELECT r.grasp_id FROM placements r WHERE r.type_id = t.id)) "
+    "AND COALESCE(p.type_id, g.type_id) = t.id AND COALESCE(p.accepted, 1) = 1), "
+    "s.status, s.recipe_version "
+    "FROM types t JOIN type_states s ON s.type_id = t.id AND s.version = "
+    "(SELECT MAX(w.version) FROM type_states w WHERE w.type_id = t.id) "
+    "JOIN type_versions v ON v.type_id = t.id AND v.version = s.recipe_version "_s;
 
 TypeRecord takeType(Statement& row)
 {
@@ -32,7 +35,9 @@ TypeRecord takeType(Statement& row)
     type.forceUnit = row.takeText();
     type.positionUnit = row.takeText();
     type.squeezes = int(row.takeInteger());
-    type.approved = row.takeInteger() > 0;
+    type.status = typeStatusFromString(row.takeText()).value_or(TypeStatus::Gone);
+    type.approved = type.status == TypeStatus::Approved;
+    type.recipeVersion = int(row.takeInteger());
     return type;
 }
 
@@ -57,20 +62,23 @@ Expected<std::optional<TypeRecord>> readOne(Statement& query)
 
 Expected<void> insert(Database& database, const RowStamp& stamp, const QString& name)
 {
+    // The column is unique, and an earlier type may have had this name: its own is in type_states.
     Statement row(database, u"add the type"_s,
-                  u"INSERT INTO types (id, station, created_utc, name) VALUES (?, ?, ?, ?)"_s);
-    return row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(name).run();
+                  u"INSERT INTO types (id, station, created_utc, name) SELECT ?, ?, ?, "
+                  "CASE WHEN EXISTS (SELECT 1 FROM types o WHERE o.name = ?) THEN ? ELSE ? END"_s);
+    row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(name);
+    return row.bind(name + u' ' + stamp.id).bind(name).run();
 }
 
 Expected<std::vector<TypeRecord>> all(Database& database)
 {
-    Statement query(database, u"read the types"_s, select + u"ORDER BY t.name"_s);
+    Statement query(database, u"read the types"_s, select + u"WHERE s.status <> 'gone' ORDER BY s.name"_s);
     return read(query);
 }
 
 Expected<std::optional<TypeRecord>> findByName(Database& database, const QString& name)
 {
-    Statement query(database, u"read the types"_s, select + u"WHERE t.name = ?"_s);
+    Statement query(database, u"read the types"_s, select + u"WHERE s.name = ? AND s.status <> 'gone'"_s);
     return readOne(query.bind(name));
 }
 

@@ -20,4 +20,15 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
     return row.run();
 }
 
+Expected<int> newest(Database& database, const QString& typeId)
+{
+    int version = 0;
+    Statement query(database, u"read the recipe"_s,
+                    u"SELECT COALESCE(MAX(version), 0) FROM type_versions WHERE type_id = ?"_s);
+    const auto done = query.bind(typeId).forEach([&](Statement& row) { version = int(row.takeInteger()); });
+    if (!done)
+        return tl::unexpected(done.error());
+    return version;
+}
+
 } // namespace gripscope::type_version_table

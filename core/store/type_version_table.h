@@ -10,5 +10,6 @@ namespace gripscope::type_version_table {
 [[nodiscard]] Expected<void> insert(Database& database, const RowStamp& stamp, const QString& typeId,
                                     const Recipe& recipe, const QString& forceUnit,
                                     const QString& positionUnit);
+[[nodiscard]] Expected<int> newest(Database& database, const QString& typeId); ///< 0: none
 
 } // namespace gripscope::type_version_table

@@ -2,6 +2,7 @@
 #include "core/store/type_writer.h"
 
 #include "core/signal/units.h"
+#include "core/store/type_state_table.h"
 #include "core/store/type_table.h"
 #include "core/store/type_version_table.h"
 
@@ -39,23 +40,45 @@ Expected<TypeRecord> requireType(Database& database, const QString& typeId)
     const auto type = type_table::findById(database, typeId);
     if (!type)
         return tl::unexpected(type.error());
-    if (!*type)
+    if (!*type || (*type)->status == TypeStatus::Gone)
         return failure(ErrorCode::NotFound, {u"type with the key %1"_s.arg(typeId)});
     return **type;
 }
 
-Expected<TypeRecord> createType(Database& database, const NewType& type)
+Expected<TypeRecord> requireTypeInUse(Database& database, const QString& typeId)
 {
-    if (type.name.trimmed().isEmpty())
+    auto type = requireType(database, typeId);
+    if (type && type->status == TypeStatus::Retired)
+        return failure(
+            ErrorCode::Usage,
+            {u"%1 is retired. Put it back into use first, or choose another type."_s.arg(type->name)});
+    return type;
+}
+
+Expected<void> requireFreeName(Database& database, const QString& name)
+{
+    if (name.trimmed().isEmpty())
         return failure(ErrorCode::Usage, {u"A type needs a name."_s});
+    const auto other = type_table::findByName(database, name);
+    if (!other)
+        return tl::unexpected(other.error());
+    if (!*other)
+        return {};
+    return failure(ErrorCode::Usage, {(*other)->status == TypeStatus::Retired
+                                          ? u"There is already a type called %1; it is retired."_s.arg(name)
+                                          : u"There is already a type called %1."_s.arg(name)});
+}
+
+Expected<TypeRecord> createType(Database& database, const NewType& type, TypeStatus status, qint64 version)
+{
+    if (auto isFree = requireFreeName(database, type.name); !isFree)
+        return tl::unexpected(isFree.error());
     if (auto fine = checkRecipe(type.recipe); !fine)
         return tl::unexpected(fine.error());
     const auto others = type_table::all(database);
     if (!others)
         return tl::unexpected(others.error());
     for (const TypeRecord& other : *others) {
-        if (other.name == type.name)
-            return failure(ErrorCode::Usage, {u"There is already a type called %1."_s.arg(type.name)});
         auto comparable =
             requireComparableUnits(type.forceUnit, type.positionUnit, other.forceUnit, other.positionUnit);
         if (!comparable)
@@ -68,23 +91,22 @@ Expected<TypeRecord> createType(Database& database, const NewType& type)
                                            type.positionUnit);
     if (!done)
         return tl::unexpected(done.error());
+    TypeState state;
+    state.typeId = stamp.id;
+    state.name = type.name;
+    state.status = status;
+    if (done = type_state_table::insert(database, version, state); !done)
+        return tl::unexpected(done.error());
     return requireType(database, stamp.id);
 }
 
-Expected<TypeRecord> changeRecipe(Database& database, const QString& typeId, const Recipe& recipe)
+Expected<int> appendRecipe(Database& database, const TypeRecord& type, const Recipe& recipe)
 {
-    const auto type = requireType(database, typeId);
-    if (!type)
-        return type;
     if (auto fine = checkRecipe(recipe); !fine)
         return tl::unexpected(fine.error());
-    if (type->recipe == recipe)
-        return type;
-    auto done = type_version_table::insert(database, RowStamp::now(), typeId, recipe, type->forceUnit,
-                                           type->positionUnit);
-    if (!done)
-        return tl::unexpected(done.error());
-    return requireType(database, typeId);
+    return type_version_table::insert(database, RowStamp::now(), type.id, recipe, type.forceUnit,
+                                      type.positionUnit)
+        .and_then([&] { return type_version_table::newest(database, type.id); });
 }
 
 } // namespace gripscope

@@ -14,10 +14,17 @@ struct NewType {
 };
 
 // All inside a write transaction of the caller; errors as in Library.
-[[nodiscard]] Expected<TypeRecord> createType(Database& database, const NewType& type);
-[[nodiscard]] Expected<TypeRecord> changeRecipe(Database& database, const QString& typeId,
-                                                const Recipe& recipe);
+[[nodiscard]] Expected<TypeRecord> createType(Database& database, const NewType& type, TypeStatus status,
+                                              qint64 version);
+/// Appends the recipe to the type's; its number.
+[[nodiscard]] Expected<int> appendRecipe(Database& database, const TypeRecord& type, const Recipe& recipe);
+/// NotFound: there is no such type, or it is gone.
 [[nodiscard]] Expected<TypeRecord> requireType(Database& database, const QString& typeId);
+/// The same; Usage when it is retired.
+[[nodiscard]] Expected<TypeRecord> requireTypeInUse(Database& database, const QString& typeId);
+/// Nothing when no type that is there, retired or not, has this name; Usage when one has, or there is no
+/// name.
+[[nodiscard]] Expected<void> requireFreeName(Database& database, const QString& name);
 
 /// Nothing when m, b and k in the one pair of channel units can be compared with those in the other: both can
 /// be taken to SI, or they are the same. Else UnitsDiffer.

@@ -59,6 +59,36 @@ private:
 private slots:
     void init() { m_folder = std::make_unique<QTemporaryDir>(); }
 
+    void aPartThatWasNamedIsKeptWithItsSqueezes()
+    {
+        Run run(file());
+        QVERIFY(run.begin(QStringLiteral("A")));
+        run.enrollment.setPart(QStringLiteral(" 7 "));
+        QVERIFY(run.addAndAccept(squeezeOf(canA, 1)));
+        run.enrollment.setPart({});
+        QVERIFY(run.addAndAccept(squeezeOf(canA, 2)));
+        const auto squeezes =
+            run.ask<std::vector<TypeSqueeze>>([](Library& l) { return l.enrolledSqueezes(); });
+        QCOMPARE(squeezes[0].part, QStringLiteral("7"));
+        QVERIFY(squeezes[1].part.isEmpty());
+        QCOMPARE(run.enrollment.squeezes()[0].part, QStringLiteral("7"));
+    }
+    void aRetiredTypeIsNotGoneOnWith()
+    {
+        Run run(file());
+        QVERIFY(run.begin(QStringLiteral("A")));
+        QVERIFY(run.addAndAccept(squeezeOf(canA, 1)));
+        run.enrollment.restart();
+        const QString id = run.types()[0].id;
+        QVERIFY(run.library
+                    .run<void>([id](Library& l) {
+                        return l.retireType(id, {QStringLiteral("Ada"), QStringLiteral("out of production")});
+                    })
+                    .get());
+        QVERIFY(!run.begin(QStringLiteral("A")));
+        QVERIFY(run.enrollment.lastError().has_value());
+        QCOMPARE(run.enrollment.step(), Step::Recipe);
+    }
     void acceptedSqueezesTellTheHoldTogether()
     {
         Run run(file());

@@ -44,8 +44,12 @@ private slots:
         QTest::newRow("estimate of no squeeze") << u"UPDATE estimates SET grasp_id = 'nobody'"_s;
         QTest::newRow("two types of one name")
             << u"INSERT INTO types SELECT 'other', station, created_utc, name FROM types"_s;
-        QTest::newRow("unknown decision")
-            << u"INSERT INTO decisions SELECT 'd', '', '', id, 'liked', '', '' FROM grasps"_s;
+        QTest::newRow("placed in no type")
+            << u"INSERT INTO placements SELECT 'p', '', '', id, 9, 'nobody', 1 FROM grasps"_s;
+        QTest::newRow("unknown status")
+            << u"INSERT INTO type_states SELECT 's', '', '', id, 9, 'A', 'liked', 1 FROM types"_s;
+        QTest::newRow("two changes with one version")
+            << u"INSERT INTO library_changes SELECT 'c', '', '', version, kind, '', '', 0, '', '' FROM library_changes"_s;
     }
     void whatCannotBeIsKeptOutByTheTablesThemselves()
     {

@@ -110,6 +110,15 @@ private slots:
         QCOMPARE(inspections.size(), std::size_t(1));
         QCOMPARE(inspections[0].reason, u"It was so."_s);
         QCOMPARE(valueOf(library->addInspection(anInspection())).number, 8);
+        // What was approved and dropped before versions were kept is told as versions, and can be undone.
+        const auto changes = valueOf(library->changes(10));
+        QCOMPARE(changes.size(), std::size_t(2));
+        QCOMPARE(inWords(changes[0]), u"1 squeeze of Can was dropped."_s);
+        QCOMPARE(changes[0].reason, u"slipped"_s);
+        QCOMPARE(inWords(changes[1]), u"Can was approved."_s);
+        QCOMPARE(changes[1].operatorName, u"Ada"_s);
+        valueOf(library->restoreVersion(1, {u"Ada"_s, u"it had not slipped"_s}));
+        QCOMPARE(valueOf(library->findType(u"Can"_s))->squeezes, 2);
         const auto chain = valueOf(library->measuringChain(u"0001"_s));
         QCOMPARE(chain.has_value(), version > 1);
         const MeasuringChain stored{
@@ -124,6 +133,10 @@ private slots:
                  u"3fe0d89f2b05a7707d258048112e93e811eaeedda21d2fd53aa4554bb97e77c9"_s);
         QCOMPARE(migrations()[1].checksum(),
                  u"9372b5894d92b40436f836603ca4079adff5daaa3771bb30cafc6a3b373a5afe"_s);
+        QCOMPARE(migrations()[2].checksum(),
+                 u"d9dce13d44c1015bbeb24bd09c2ec4b7f0c9c6c9b0f49fdecc871916c1716a84"_s);
+        QCOMPARE(migrations()[3].checksum(),
+                 u"df417d941c7bf59bbcd7a281f62730f4f446b821cadc67fe975cad7793ee6ad9"_s);
     }
     void furtherStepsAreAppliedInOrderAndOnce()
     {

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/change_table.h"
+
+#include <algorithm>
+
+namespace gripscope::change_table {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const auto reading = u"read its versions"_s;
+
+} // namespace
+
+Expected<qint64> insert(Database& database, const LibraryChange& change)
+{
+    const auto newest = newestVersion(database);
+    if (!newest)
+        return newest;
+    const RowStamp stamp = RowStamp::now();
+    Statement row(database, u"record the change"_s,
+                  u"INSERT INTO library_changes (id, station, changed_utc, version, kind, type_name, "
+                  "other_name, squeezes, operator_name, reason) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+    row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(*newest + 1).bind(toString(change.kind));
+    row.bind(change.type).bind(change.other).bind(change.squeezes);
+    if (auto done = row.bind(change.operatorName).bind(change.reason).run(); !done)
+        return tl::unexpected(done.error());
+    return *newest + 1;
+}
+
+Expected<qint64> newestVersion(Database& database)
+{
+    qint64 version = 0;
+    Statement query(database, reading, u"SELECT COALESCE(MAX(version), 0) FROM library_changes"_s);
+    const auto done = query.forEach([&](Statement& row) { version = row.takeInteger(); });
+    if (!done)
+        return tl::unexpected(done.error());
+    return version;
+}
+
+Expected<std::vector<LibraryChange>> page(Database& database, int limit, int offset)
+{
+    std::vector<LibraryChange> changes;
+    Statement query(database, reading,
+                    u"SELECT version, changed_utc, station, kind, type_name, other_name, squeezes, "
+                    "operator_name, reason FROM library_changes ORDER BY version DESC LIMIT ? OFFSET ?"_s);
+    query.bind(std::max(0, limit)).bind(std::max(0, offset));
+    const auto done = query.forEach([&](Statement& row) {
+        LibraryChange change;
+        change.version = row.takeInteger();
+        change.changed = row.takeUtc();
+        change.station = row.takeText();
+        change.kind = changeKindFromString(row.takeText()).value_or(ChangeKind::NewType);
+        change.type = row.takeText();
+        change.other = row.takeText();
+        change.squeezes = int(row.takeInteger());
+        change.operatorName = row.takeText();
+        change.reason = row.takeText();
+        changes.push_back(std::move(change));
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return changes;
+}
+
+} // namespace gripscope::change_table

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/library_change.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct KindName {
+    ChangeKind kind;
+    const char16_t* name;
+};
+
+constexpr std::array<KindName, 12> kindNames{{{ChangeKind::NewType, u"new_type"},
+                                              {ChangeKind::Squeeze, u"squeeze"},
+                                              {ChangeKind::Drop, u"drop"},
+                                              {ChangeKind::Recipe, u"recipe"},
+                                              {ChangeKind::Approve, u"approve"},
+                                              {ChangeKind::Rename, u"rename"},
+                                              {ChangeKind::Merge, u"merge"},
+                                              {ChangeKind::Split, u"split"},
+                                              {ChangeKind::Retire, u"retire"},
+                                              {ChangeKind::Reinstate, u"reinstate"},
+                                              {ChangeKind::Restore, u"restore"},
+                                              {ChangeKind::Examples, u"examples"}}};
+
+constexpr std::array allStatuses{TypeStatus::Enrolled, TypeStatus::Approved, TypeStatus::Retired,
+                                 TypeStatus::Gone};
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("LibraryChange", text);
+}
+
+/// "1 squeeze", "10 squeezes".
+QString squeezes(int count)
+{
+    return count == 1 ? tr("1 squeeze") : tr("%1 squeezes").arg(count);
+}
+
+} // namespace
+
+QString toString(ChangeKind kind)
+{
+    for (const KindName& known : kindNames)
+        if (known.kind == kind)
+            return QString::fromUtf16(known.name);
+    return {};
+}
+
+std::optional<ChangeKind> changeKindFromString(const QString& text)
+{
+    for (const KindName& known : kindNames)
+        if (QString::fromUtf16(known.name) == text)
+            return known.kind;
+    return {};
+}
+
+QString toString(TypeStatus status)
+{
+    switch (status) {
+    case TypeStatus::Enrolled:
+        return u"enrolled"_s;
+    case TypeStatus::Approved:
+        return u"approved"_s;
+    case TypeStatus::Retired:
+        return u"retired"_s;
+    case TypeStatus::Gone:
+        return u"gone"_s;
+    }
+    return {};
+}
+
+std::optional<TypeStatus> typeStatusFromString(const QString& text)
+{
+    for (const TypeStatus status : allStatuses)
+        if (toString(status) == text)
+            return status;
+    return {};
+}
+
+QString inWords(const LibraryChange& change)
+{
+    const QString& type = change.type;
+    const QString& other = change.other;
+    switch (change.kind) {
+    case ChangeKind::NewType:
+        return tr("%1 was added as a new type.").arg(type);
+    case ChangeKind::Squeeze:
+        return tr("%1 was enrolled with %2 more.").arg(type, squeezes(change.squeezes));
+    case ChangeKind::Drop:
+        return tr("%2 of %1 was dropped.").arg(type, squeezes(change.squeezes));
+    case ChangeKind::Recipe:
+        return tr("The recipe of %1 was changed.").arg(type);
+    case ChangeKind::Approve:
+        return tr("%1 was approved.").arg(type);
+    case ChangeKind::Rename:
+        return tr("%1 was renamed %2.").arg(type, other);
+    case ChangeKind::Merge:
+        return tr("%1 was merged into %2, with %3.").arg(type, other, squeezes(change.squeezes));
+    case ChangeKind::Split:
+        return tr("%3 of %1 became the new type %2.").arg(type, other, squeezes(change.squeezes));
+    case ChangeKind::Retire:
+        return tr("%1 was retired: it is no longer recognised.").arg(type);
+    case ChangeKind::Reinstate:
+        return tr("%1 was put back into use.").arg(type);
+    case ChangeKind::Restore:
+        return tr("The library was put back to version %1.").arg(other);
+    case ChangeKind::Examples:
+        return tr("The paper's example types were added.");
+    }
+    return {};
+}
+
+} // namespace gripscope

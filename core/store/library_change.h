@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDateTime>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace gripscope {
+
+/// What was done to the types of a library. Each is one version of the library: 1, 2, 3... Version 0 is the
+/// empty library, or what was in it before versions were kept.
+enum class ChangeKind {
+    NewType,
+    Squeeze, ///< added to a type
+    Drop,    ///< of a squeeze
+    Recipe,
+    Approve,
+    Rename,
+    Merge,
+    Split,
+    Retire,
+    Reinstate,
+    Restore, ///< of an earlier version
+    Examples
+};
+[[nodiscard]] QString toString(ChangeKind kind);
+[[nodiscard]] std::optional<ChangeKind> changeKindFromString(const QString& text);
+
+/// Who asks for a change, and why.
+struct ChangeNote {
+    QString operatorName, reason;
+};
+
+struct LibraryChange {
+    qint64 version = 0;
+    QDateTime changed;
+    QString station;
+    ChangeKind kind = ChangeKind::NewType;
+    QString type;     ///< its name before the change; empty where all types are meant
+    QString other;    ///< the new name, the type it went into, the new type, the version that was restored
+    int squeezes = 0; ///< as many were added, dropped or moved
+    QString operatorName, reason;
+};
+/// "Cola was merged into Pepsi, with 10 squeezes."
+[[nodiscard]] QString inWords(const LibraryChange& change);
+
+/// Enrolled and approved types are recognised. A retired one is kept and can be put back into use; one that
+/// is gone was merged into another, or is of a later version than the one that was restored.
+enum class TypeStatus { Enrolled, Approved, Retired, Gone };
+[[nodiscard]] QString toString(TypeStatus status);
+[[nodiscard]] std::optional<TypeStatus> typeStatusFromString(const QString& text);
+
+/// A type as it is from some version of the library on.
+struct TypeState {
+    QString typeId, name;
+    TypeStatus status = TypeStatus::Enrolled;
+    int recipeVersion = 1; ///< of this type's recipes
+    int squeezes = 0;      ///< accepted ones
+};
+
+/// The types of a library at one version, by name, without those that are gone.
+struct LibraryState {
+    qint64 version = 0;
+    std::vector<TypeState> types;
+};
+
+} // namespace gripscope
