@@ -16,6 +16,7 @@ const std::vector<Command>& commands()
         {u"cluster"_qs, u"groups a table of features without labels"_qs, runCluster},
         {u"enroll"_qs, u"adds recordings to a type of a library"_qs, runEnroll},
         {u"classify"_qs, u"says which enrolled type each recording shows"_qs, runClassify},
+        {u"types"_qs, u"renames, merges, splits, retires and rolls back enrolled types"_qs, runTypes},
         {u"reproduce-paper"_qs, u"Table 1 of the paper, and what Gripscope adds"_qs, runReproducePaper},
         {u"calibrate"_qs, u"fits the curve of a sensor, and inverts it"_qs, runCalibrate},
         {u"design"_qs, u"finds the excitation that best tells given objects apart"_qs, runDesign},

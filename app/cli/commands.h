@@ -26,6 +26,7 @@ int runIdentify(const QStringList& arguments);
 int runCluster(const QStringList& arguments);
 int runEnroll(const QStringList& arguments);
 int runClassify(const QStringList& arguments);
+int runTypes(const QStringList& arguments);
 int runReproducePaper(const QStringList& arguments);
 int runCalibrate(const QStringList& arguments);
 int runStudy(const QStringList& arguments);

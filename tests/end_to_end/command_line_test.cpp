@@ -36,6 +36,9 @@ private slots:
         QTest::newRow("enroll") << QStringList{u"library"_s, u"type"_s, u"sample-time"_s};
         QTest::newRow("classify") << QStringList{u"library"_s,         u"false-reject"_s, u"wrong-type"_s,
                                                  u"stranger-accept"_s, u"confidence"_s,   u"robust"_s};
+        QTest::newRow("types rename")
+            << QStringList{u"library"_s, u"type"_s, u"to"_s, u"reason"_s, u"operator"_s};
+        QTest::newRow("types guide") << QStringList{u"library"_s, u"type"_s};
         QTest::newRow("reproduce-paper") << QStringList{};
         QTest::newRow("design") << QStringList{u"object"_s,  u"peak"_s,        u"bias"_s,     u"limit"_s,
                                                u"seconds"_s, u"sample-time"_s, u"noise-sd"_s, u"scatter"_s};

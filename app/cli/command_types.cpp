@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+#include "app/cli/commands.h"
+#include "app/cli/type_commands.h"
+
+namespace gripscope::cli {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Action {
+    QString name, summary;
+    int (*run)(const QStringList& arguments);
+};
+
+const std::vector<Action>& actions()
+{
+    static const std::vector<Action> all{
+        {u"list"_qs, u"the types, now or at an earlier version"_qs, listTypes},
+        {u"squeezes"_qs, u"the squeezes of a type, with their keys"_qs, listSqueezes},
+        {u"guide"_qs, u"is a type enrolled well enough, which squeeze is an outlier, what overlaps"_qs,
+         guideEnrollment},
+        {u"confusion"_qs, u"what enrolled squeezes are called by models that do not know them"_qs,
+         showConfusion},
+        {u"rename"_qs, u"gives a type another name"_qs, renameType},
+        {u"merge"_qs, u"moves the squeezes of a type into another"_qs, mergeTypes},
+        {u"split"_qs, u"moves some squeezes of a type into a new one"_qs, splitType},
+        {u"retire"_qs, u"keeps a type, but recognises it no longer"_qs, retireType},
+        {u"reinstate"_qs, u"puts a retired type back into use"_qs, reinstateType},
+        {u"approve"_qs, u"signs a type off"_qs, approveType},
+        {u"versions"_qs, u"every change, newest first"_qs, listVersions},
+        {u"rollback"_qs, u"puts types and squeezes back to an earlier version"_qs, restoreVersion},
+    };
+    return all;
+}
+
+} // namespace
+
+int runTypes(const QStringList& arguments)
+{
+    QStringList names, lines;
+    for (const Action& action : actions()) {
+        names << action.name;
+        lines << u"%1: %2"_qs.arg(action.name, action.summary);
+        if (!arguments.isEmpty() && arguments.first() == action.name)
+            return action.run(arguments.mid(1));
+    }
+    CommandLine line(
+        u"types"_qs,
+        u"Manages the types of a library; nothing is lost, every change is a version with who, when and why. "
+        "%1. \"types ACTION --help\" tells an action's options."_qs.arg(lines.join(u"; "_qs)),
+        u"ACTION"_qs);
+    if (const std::optional<int> exit = line.parse(arguments))
+        return *exit;
+    line.reject(u"the name of an action was expected first: %1."_qs.arg(names.join(u", "_qs)));
+    return line.finish().value_or(2);
+}
+
+} // namespace gripscope::cli
