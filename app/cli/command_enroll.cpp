@@ -5,6 +5,7 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
+#include "app/cli/table_enrollment.h"
 #include "core/session/enroll_session.h"
 #include "devices/gripper_factory.h"
 
@@ -93,6 +94,36 @@ private:
     EnrollSession m_session;
 };
 
+void addTableOptions(CommandLine& line)
+{
+    line.option(
+        u"table"_qs, u"TABLE.csv"_qs,
+        u"Instead of recordings a table of m, b and k, a row a squeeze, in the units of --force-unit and "
+        "--position-unit (without them: 1, as printed)."_qs);
+    line.option(u"type-column"_qs, u"NAME"_qs, u"Column of the table with the types, instead of --type."_qs);
+    line.option(u"columns"_qs, u"LIST"_qs, u"Columns with m, b and k."_qs, u"m,b,k"_qs);
+    line.option(u"error-columns"_qs, u"LIST"_qs, u"Columns with the standard errors of m, b and k."_qs);
+}
+
+TableEnrollment tableEnrollment(CommandLine& line)
+{
+    TableEnrollment task;
+    task.table = line.text(u"table"_qs);
+    task.columns.parameters = line.list(u"columns"_qs);
+    task.columns.deviations = line.list(u"error-columns"_qs);
+    task.columns.type = line.text(u"type-column"_qs);
+    task.columns.typeName = line.text(u"type"_qs);
+    if (line.isSet(u"force-unit"_qs))
+        task.forceUnit = line.text(u"force-unit"_qs);
+    if (line.isSet(u"position-unit"_qs))
+        task.positionUnit = line.text(u"position-unit"_qs);
+    if (!line.files().isEmpty())
+        line.reject(u"Either --table or recordings, not both."_qs);
+    if (line.isSet(u"type"_qs) && line.isSet(u"type-column"_qs))
+        line.reject(u"Either --type or --type-column, not both."_qs);
+    return task;
+}
+
 } // namespace
 
 int runEnroll(const QStringList& arguments)
@@ -101,22 +132,30 @@ int runEnroll(const QStringList& arguments)
         u"enroll"_qs,
         u"Adds recordings as squeezes of a type; a type that is new comes into the library with its first "
         "squeeze. Each file is in the library before it is told as added."_qs,
-        u"FILE..."_qs);
+        u"[FILE...]"_qs);
     addLibraryOption(line);
     line.option(u"type"_qs, u"NAME"_qs, u"Name of the type."_qs);
     addReadingOptions(line);
+    addTableOptions(line);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
     const CsvReadOptions reading = csvReadOptions(line);
     const IdentificationOptions options = identificationOptions(line);
-    if (line.text(u"type"_qs).trimmed().isEmpty())
-        line.reject(u"--type NAME is missing."_qs);
+    const bool isTable = line.isSet(u"table"_qs);
+    const TableEnrollment table = isTable ? tableEnrollment(line) : TableEnrollment{};
+    if (line.text(u"type"_qs).trimmed().isEmpty() && !(isTable && line.isSet(u"type-column"_qs)))
+        line.reject(isTable ? u"--type NAME or --type-column NAME is missing."_qs
+                            : u"--type NAME is missing."_qs);
+    if (!isTable && line.files().isEmpty())
+        line.reject(u"FILE... is missing."_qs);
     if (const std::optional<int> exit = line.finish())
         return *exit;
     const bool json = line.isSet(u"json"_qs);
     const Expected<QString> library = libraryFile(line);
     if (!library)
         return fail(library.error(), json);
+    if (isTable)
+        return enrollTable(table, *library, json);
 
     Enrollment enrollment(*library, options);
     if (const std::optional<Error> error = enrollment.begin(line.text(u"type"_qs)))

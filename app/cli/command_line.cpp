@@ -91,7 +91,8 @@ std::optional<int> CommandLine::parse(const QStringList& arguments)
     if (understood) {
         if (m_arguments.isEmpty() && !files().isEmpty())
             return usage(u"\"%1\" is not expected here."_qs.arg(files().first()));
-        if (!m_arguments.isEmpty() && files().isEmpty())
+        const bool needed = !m_arguments.isEmpty() && !m_arguments.startsWith(u'[');
+        if (needed && files().isEmpty())
             return usage(u"%1 is missing."_qs.arg(m_arguments));
         return std::nullopt;
     }

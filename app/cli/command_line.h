@@ -16,7 +16,8 @@ namespace gripscope::cli {
 /// sense is remembered, so that a command reads everything it wants and then asks once.
 class CommandLine {
 public:
-    /// `arguments`: how the usage line goes on after the options, "FILE...".
+    /// `arguments`: how the usage line goes on after the options, "FILE..."; in brackets when there may be
+    /// none.
     CommandLine(const QString& command, const QString& description, const QString& arguments = {});
 
     void flag(const QString& name, const QString& description);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/recognition/squeeze_table.h"
+
+#include <QString>
+
+namespace gripscope::cli {
+
+/// A table of m, b and k that is to become squeezes of types.
+struct TableEnrollment {
+    QString table; ///< file
+    SqueezeColumns columns;
+    QString forceUnit = QStringLiteral("1"), positionUnit = QStringLiteral("1");
+};
+
+/// Adds every row that is a squeeze; a row that is refused, by itself or by the library (units that cannot be
+/// compared with those of its types, a row that is there already), does not stop the others. Tells what
+/// became of them; the exit code.
+int enrollTable(const TableEnrollment& task, const QString& libraryFile, bool json);
+
+} // namespace gripscope::cli

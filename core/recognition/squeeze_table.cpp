@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recognition/squeeze_table.h"
+
+#include "core/recognition/table_lines.h"
+
+#include <cmath>
+#include <utility>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+std::optional<Error> problemOf(const SqueezeColumns& columns)
+{
+    if (columns.parameters.size() != 3)
+        return Error{ErrorCode::Usage, {u"Mass, damping and stiffness need a column each: three names."_s}};
+    if (!columns.deviations.isEmpty() && columns.deviations.size() != 3)
+        return Error{ErrorCode::Usage, {u"The errors of m, b and k need a column each: three names."_s}};
+    if (columns.type.isEmpty() && columns.typeName.trimmed().isEmpty())
+        return Error{ErrorCode::Usage, {u"Neither a type nor a column with types is named."_s}};
+    return {};
+}
+
+/// Reads the fields of one row.
+class RowReader {
+public:
+    RowReader(QString file, const SqueezeColumns& columns, std::vector<qsizetype> places, qsizetype fields)
+        : m_file(std::move(file)), m_columns(columns), m_places(std::move(places)), m_fields(fields)
+    {
+    }
+
+    SqueezeRow read(const TableLine& line)
+    {
+        SqueezeRow row;
+        row.line = line.number;
+        m_row = &row;
+        if (line.fields.size() != m_fields) {
+            refuse(std::min(line.fields.size(), m_fields), u"%1 fields"_s.arg(line.fields.size()),
+                   u"%1, as in the header"_s.arg(m_fields));
+            return row;
+        }
+        row.squeeze.type =
+            m_columns.type.isEmpty() ? m_columns.typeName.trimmed() : line.fields[m_places.back()];
+        if (row.squeeze.type.isEmpty())
+            refuse(m_places.back(), u"nothing"_s, u"the name of a type"_s);
+        const Eigen::Vector3d parameters = numbers(line, 0, false);
+        row.squeeze.parameters = {parameters(0), parameters(1), parameters(2)};
+        if (!m_columns.deviations.isEmpty()) {
+            const Eigen::Vector3d squares = numbers(line, 3, true).cwiseAbs2();
+            row.squeeze.covariance = Eigen::Matrix3d(squares.asDiagonal());
+        }
+        return row;
+    }
+
+private:
+    /// The first reason counts.
+    void refuse(qsizetype column, const QString& found, const QString& expected)
+    {
+        if (m_row->refused.isEmpty())
+            m_row->refused =
+                TablePlace{m_file, m_row->line, column + 1}.error(found, expected).value().describe();
+    }
+
+    Eigen::Vector3d numbers(const TableLine& line, std::size_t first, bool zeroAllowed)
+    {
+        // Squares of larger ones would not be finite.
+        constexpr double largest = 1e150;
+        Eigen::Vector3d result = Eigen::Vector3d::Ones();
+        for (std::size_t i = 0; i < 3; ++i) {
+            const qsizetype column = m_places[first + i];
+            bool ok = false;
+            const double value = line.fields[column].toDouble(&ok);
+            if (ok && (value > 0 || (zeroAllowed && value == 0)) && value < largest)
+                result(Eigen::Index(i)) = value;
+            else
+                refuse(column, u"\"%1\""_s.arg(line.fields[column]),
+                       zeroAllowed ? u"a standard error, zero or above"_s : u"a number above zero"_s);
+        }
+        return result;
+    }
+
+    QString m_file;
+    const SqueezeColumns& m_columns;
+    std::vector<qsizetype> m_places;
+    qsizetype m_fields;
+    SqueezeRow* m_row = nullptr;
+};
+
+} // namespace
+
+Expected<std::vector<SqueezeRow>> parseSqueezeTable(const QByteArray& text, const QString& name,
+                                                    const SqueezeColumns& columns)
+{
+    if (const std::optional<Error> problem = problemOf(columns))
+        return tl::unexpected<Error>(*problem);
+    const Expected<std::vector<TableLine>> lines = splitTable(text, name);
+    if (!lines)
+        return tl::unexpected<Error>(lines.error());
+    QStringList wanted = columns.parameters + columns.deviations;
+    if (!columns.type.isEmpty())
+        wanted << columns.type;
+    const Expected<std::vector<qsizetype>> places = findTableColumns(*lines, wanted, name);
+    if (!places)
+        return tl::unexpected<Error>(places.error());
+    RowReader reader(name, columns, *places, lines->front().fields.size());
+    std::vector<SqueezeRow> rows;
+    rows.reserve(lines->size() - 1);
+    for (std::size_t i = 1; i < lines->size(); ++i)
+        rows.push_back(reader.read((*lines)[i]));
+    return rows;
+}
+
+Expected<std::vector<SqueezeRow>> readSqueezeTable(const QString& file, const SqueezeColumns& columns)
+{
+    const Expected<QByteArray> text = readTableFile(file);
+    if (!text)
+        return tl::unexpected<Error>(text.error());
+    return parseSqueezeTable(*text, file, columns);
+}
+
+} // namespace gripscope
