@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recognition/transfer.h"
+
+#include "core/recognition/predictive.h"
+#include "core/recognition/verdict.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr double clearGain = 2; ///< e^2 times as likely
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("Transfer", text);
+}
+
+bool usable(const TypeSqueeze& squeeze)
+{
+    const Eigen::Vector3d p = squeeze.parameters.vector();
+    return p.allFinite() && p.minCoeff() > 0;
+}
+
+std::vector<TypeShift> shiftsOf(const TypeModels& models, const std::vector<TypeSqueeze>& squeezes)
+{
+    std::vector<TypeShift> shifts;
+    for (const TypeModel& type : models.types)
+        if (const std::optional<TypeShift> shift = typeShift(models, type, squeezes))
+            shifts.push_back(*shift);
+    return shifts;
+}
+
+double logDensity(const TypeModels& models, std::size_t place, const TypeSqueeze& squeeze)
+{
+    std::optional<Eigen::Matrix3d> noise;
+    if (squeeze.covariance)
+        noise = logCovariance(squeeze.parameters, *squeeze.covariance);
+    const Eigen::Vector3d log = squeeze.parameters.vector().array().log();
+    return predictTypes(models, log, noise, {})[place].logDensity;
+}
+
+bool isNamed(const TypeModels& models, const TypeSqueeze& squeeze)
+{
+    VerdictOptions options;
+    options.siUnits = false; // strangers are no part of this
+    const Verdict verdict = judge(models, squeeze.parameters, options, squeeze.covariance);
+    return verdict.kind == VerdictKind::Type && verdict.type == squeeze.type;
+}
+
+/// Judges `squeeze` as it is and adjusted by what `others` say.
+void judgeBoth(const TypeModels& models, const TypeSqueeze& squeeze, const std::vector<TypeSqueeze>& others,
+               TransferTrial& trial)
+{
+    const TypeModel* type = models.find(squeeze.type);
+    const std::optional<CommonShift> error = commonShift(shiftsOf(models, others), ShiftKind::Factor);
+    if (type == nullptr || !error || !usable(squeeze))
+        return;
+    const auto place = std::size_t(type - models.types.data());
+    const TypeSqueeze moved = adjusted(squeeze, *error);
+    trial.squeezes += 1;
+    trial.namedBefore += isNamed(models, squeeze);
+    trial.namedAfter += isNamed(models, moved);
+    trial.logDensityGain += logDensity(models, place, moved) - logDensity(models, place, squeeze);
+}
+
+/// Every squeeze judged without those that `leavesOut` it names.
+template <typename LeavesOut>
+TransferTrial leaveOut(const TypeModels& models, const std::vector<TypeSqueeze>& squeezes,
+                       const LeavesOut& leavesOut)
+{
+    TransferTrial trial;
+    for (std::size_t i = 0; i < squeezes.size(); ++i) {
+        std::vector<TypeSqueeze> others;
+        for (std::size_t j = 0; j < squeezes.size(); ++j)
+            if (!leavesOut(i, j))
+                others.push_back(squeezes[j]);
+        judgeBoth(models, squeezes[i], others, trial);
+    }
+    return trial;
+}
+
+QStringList inWords(const TransferReport& report)
+{
+    if (!report.error)
+        return {
+            tr("No squeeze of an enrolled type: nothing can be said of the transfer. Squeeze parts of two "
+               "or more enrolled types on this gripper.")};
+    QStringList words{tr("What this gripper finds differs from that of the enrolment: %1.")
+                          .arg(changeInWords(report.error->value, report.error->covariance))};
+    if (report.error->agreement < 0.01)
+        words << tr("The types differ in it by more than chance: one adjustment does not serve them all.");
+    const TransferTrial& shown = report.unseenTypes.value_or(report.trial);
+    words << tr("Of %1 squeezes left out, %2 are named right as measured and %3 adjusted.")
+                 .arg(QString::number(shown.squeezes), QString::number(shown.namedBefore),
+                      QString::number(shown.namedAfter));
+    words << (report.adjust ? tr("The adjustment helps: use it.")
+                            : tr("The adjustment does not help: the types serve as they are, or must be "
+                                 "enrolled here."));
+    if (!report.unseenTypes)
+        words << tr("Only one type was squeezed here; how others fare is not known.");
+    return words;
+}
+
+} // namespace
+
+TypeSqueeze adjusted(const TypeSqueeze& squeeze, const CommonShift& error)
+{
+    if (!usable(squeeze))
+        return squeeze;
+    TypeSqueeze result = squeeze;
+    const Eigen::Vector3d factor = (-error.value).array().exp();
+    const Eigen::Vector3d p = squeeze.parameters.vector().cwiseProduct(factor);
+    if (!p.allFinite() || p.minCoeff() <= 0)
+        return squeeze;
+    result.parameters = {p(0), p(1), p(2)};
+    if (squeeze.covariance) {
+        const Eigen::Matrix3d own = factor.asDiagonal() * *squeeze.covariance * factor.asDiagonal();
+        const Eigen::Matrix3d added = p.asDiagonal() * error.covariance * p.asDiagonal();
+        result.covariance = own + added;
+    }
+    return result;
+}
+
+TransferReport measureTransfer(const TypeModels& models, const std::vector<TypeSqueeze>& squeezes)
+{
+    TransferReport report;
+    report.types = shiftsOf(models, squeezes);
+    report.error = commonShift(report.types, ShiftKind::Factor);
+    if (report.error) {
+        report.trial = leaveOut(models, squeezes, [](std::size_t i, std::size_t j) { return i == j; });
+        if (report.types.size() > 1)
+            report.unseenTypes = leaveOut(models, squeezes, [&](std::size_t i, std::size_t j) {
+                return squeezes[i].type == squeezes[j].type;
+            });
+        const TransferTrial& deciding = report.unseenTypes.value_or(report.trial);
+        report.adjust = deciding.squeezes > 0 && deciding.logDensityGain > clearGain &&
+                        deciding.namedAfter >= deciding.namedBefore;
+    }
+    report.words = inWords(report);
+    return report;
+}
+
+} // namespace gripscope
