@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands.h"
+#include "app/cli/library_squeezes.h"
+#include "app/cli/output.h"
+#include "app/cli/shared_options.h"
+#include "app/cli/shift_json.h"
+#include "core/identification/json_number.h"
+#include "core/recognition/transfer.h"
+#include "core/session/comparable_units.h"
+
+#include <QJsonArray>
+
+namespace gripscope::cli {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QJsonValue trialJson(const std::optional<TransferTrial>& trial)
+{
+    if (!trial)
+        return {};
+    return QJsonObject{{u"squeezes"_qs, trial->squeezes},
+                       {u"named_before"_qs, trial->namedBefore},
+                       {u"named_after"_qs, trial->namedAfter},
+                       {u"log_density_gain"_qs, jsonNumber(trial->logDensityGain)}};
+}
+
+QJsonObject reportJson(const TransferReport& report)
+{
+    QJsonArray types;
+    for (const TypeShift& type : report.types)
+        types.append(shiftJson(type));
+    QJsonValue factor;
+    if (report.error)
+        factor = vectorJson((-report.error->value).array().exp());
+    return {{u"types"_qs, types},
+            {u"error"_qs, report.error ? QJsonValue(commonShiftJson(*report.error)) : QJsonValue()},
+            {u"left_out_squeezes"_qs, trialJson(report.error ? std::optional(report.trial) : std::nullopt)},
+            {u"left_out_types"_qs, trialJson(report.unseenTypes)},
+            {u"adjust"_qs, report.adjust},
+            {u"factor"_qs, factor},
+            {u"words"_qs, QJsonArray::fromStringList(report.words)}};
+}
+
+/// What of a library's units the other's squeezes cannot be held against.
+std::optional<Error> unitsProblem(Library& home, Library& other)
+{
+    const Expected<std::vector<TypeRecord>> types = home.types(), others = other.types();
+    if (!types)
+        return types.error();
+    if (!others)
+        return others.error();
+    if (types->empty() || others->empty())
+        return {};
+    const TypeRecord& one = types->front();
+    const TypeRecord& two = others->front(); // all types of a library are comparable
+    const Expected<double> factor =
+        parameterFactor(two.forceUnit, two.positionUnit, one.forceUnit, one.positionUnit);
+    return factor ? std::nullopt : std::optional(factor.error());
+}
+
+Expected<TransferReport> compare(const QString& homeFile, const QString& otherFile)
+{
+    const Expected<std::unique_ptr<Library>> home = openExistingLibrary(homeFile);
+    if (!home)
+        return tl::unexpected<Error>(home.error());
+    const Expected<std::unique_ptr<Library>> other = openExistingLibrary(otherFile);
+    if (!other)
+        return tl::unexpected<Error>(other.error());
+    if (const std::optional<Error> problem = unitsProblem(**home, **other))
+        return tl::unexpected<Error>(*problem);
+    const Expected<TypeModels> models = enrolledModels(**home);
+    if (!models)
+        return tl::unexpected<Error>(models.error());
+    const Expected<std::vector<TypeSqueeze>> squeezes = (*other)->enrolledSqueezes();
+    if (!squeezes)
+        return tl::unexpected<Error>(squeezes.error());
+    return measureTransfer(*models, *squeezes);
+}
+
+} // namespace
+
+int runTransfer(const QStringList& arguments)
+{
+    CommandLine line(
+        u"transfer"_qs,
+        u"How well types that were enrolled on one gripper serve on another: the difference "
+        "between the two by a few squeezes of the same types, and whether an adjustment helps."_qs,
+        u"OTHER"_qs);
+    addLibraryOption(line);
+    if (const std::optional<int> exit = line.parse(arguments))
+        return *exit;
+    if (line.files().size() != 1)
+        line.reject(u"Name one library with squeezes of the other gripper, its types by the same names."_qs);
+    if (const std::optional<int> exit = line.finish())
+        return *exit;
+    const bool json = line.isSet(u"json"_qs);
+    const Expected<QString> home = libraryFile(line);
+    if (!home)
+        return fail(home.error(), json);
+    const Expected<TransferReport> report = compare(*home, line.files().front());
+    if (!report)
+        return fail(report.error(), json);
+    if (json) {
+        printJson(reportJson(*report));
+        return 0;
+    }
+    print(report->words.join(u'\n'));
+    if (report->error && report->adjust) {
+        const Eigen::Vector3d factor = (-report->error->value).array().exp();
+        print(u"Multiply what this gripper finds by %1 (m), %2 (b) and %3 (k)."_qs.arg(
+            fixed(factor(0), 4), fixed(factor(1), 4), fixed(factor(2), 4)));
+    }
+    return 0;
+}
+
+} // namespace gripscope::cli

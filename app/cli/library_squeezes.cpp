@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/library_squeezes.h"
+
+#include "core/session/comparable_units.h"
+#include "core/signal/units.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <utility>
+
+namespace gripscope::cli {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// Inspections read at once.
+constexpr int pageSize = 1000;
+
+TypeSqueeze inCommonUnits(const InspectionRecord& inspection, const QString& type,
+                          const std::optional<Eigen::Matrix3d>& covariance)
+{
+    const double factor = siFactor(inspection.forceUnit, inspection.positionUnit).value_or(1.0);
+    const MassDampingStiffness& p = *inspection.parameters;
+    TypeSqueeze squeeze{type, {p.m * factor, p.b * factor, p.k * factor}};
+    if (covariance)
+        squeeze.covariance = factor * *covariance * factor;
+    return squeeze;
+}
+
+} // namespace
+
+Expected<std::unique_ptr<Library>> openExistingLibrary(const QString& file)
+{
+    if (!QFileInfo::exists(file)) // opening would make an empty one
+        return failure(ErrorCode::StorageOpen, {file, u"there is no such file; enrol types first"_qs});
+    return Library::open(file);
+}
+
+Expected<TypeModels> enrolledModels(Library& library)
+{
+    const Expected<std::vector<TypeRecord>> types = library.types();
+    if (!types)
+        return tl::unexpected<Error>(types.error());
+    const Expected<std::vector<TypeSqueeze>> squeezes = library.enrolledSqueezes();
+    if (!squeezes)
+        return tl::unexpected<Error>(squeezes.error());
+    return ComparableTypes(*types, *squeezes).main();
+}
+
+Expected<InspectedSqueezes> inspectedSqueezes(Library& library)
+{
+    InspectedSqueezes found;
+    HistoryFilter filter;
+    filter.limit = pageSize;
+    while (true) {
+        const Expected<std::vector<InspectionRecord>> page = library.inspections(filter);
+        if (!page)
+            return tl::unexpected<Error>(page.error());
+        for (const InspectionRecord& inspection : *page) {
+            const QString type =
+                inspection.expectedType.isEmpty() ? inspection.type : inspection.expectedType;
+            if (type.isEmpty() || !inspection.parameters || inspection.verdict == VerdictKind::Invalid) {
+                found.leftOut += 1;
+                continue;
+            }
+            const Expected<std::optional<GraspRecord>> grasp = library.grasp(inspection.graspId);
+            if (!grasp)
+                return tl::unexpected<Error>(grasp.error());
+            found.squeezes.push_back(
+                inCommonUnits(inspection, type, *grasp ? (*grasp)->covariance : std::nullopt));
+        }
+        if (page->size() < std::size_t(pageSize))
+            break;
+        filter.offset += pageSize;
+    }
+    std::reverse(found.squeezes.begin(), found.squeezes.end());
+    return found;
+}
+
+} // namespace gripscope::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/recognition/type_model.h"
+#include "core/store/library.h"
+
+#include <memory>
+#include <vector>
+
+namespace gripscope::cli {
+
+// What a library holds, all in the same units: SI where the channels' units are known.
+
+/// Opens a library that is there; StorageOpen for one that is not.
+[[nodiscard]] Expected<std::unique_ptr<Library>> openExistingLibrary(const QString& file);
+
+/// Types and the squeezes they were enrolled with.
+[[nodiscard]] Expected<TypeModels> enrolledModels(Library& library);
+
+/// The inspected squeezes, oldest first, with the type they are of: the expected one where it was stated,
+/// else the one that was named. `leftOut` counts those of neither and those without m, b and k.
+struct InspectedSqueezes {
+    std::vector<TypeSqueeze> squeezes;
+    int leftOut = 0;
+};
+[[nodiscard]] Expected<InspectedSqueezes> inspectedSqueezes(Library& library);
+
+} // namespace gripscope::cli

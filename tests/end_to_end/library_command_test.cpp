@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Commands that look at whole libraries: tables that are enrolled, drift, transfer.
+#include "core/signal/gaussian.h"
+#include "core/store/library.h"
+#include "tests/end_to_end/program_run.h"
+#include "tests/support/test_registry.h"
+
+#include <cmath>
+
+using namespace gripscope;
+using namespace gripscope::test;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// Rows of types A and B, 10 squeezes each with 3 % scatter, times a factor.
+QByteArray tableOf(std::uint64_t seed, double factor)
+{
+    GaussianNoise noise(seed);
+    QByteArray table = "object,m,b,k\n";
+    for (int i = 0; i < 20; ++i) {
+        const double base = i % 2 == 0 ? 1 : 2;
+        table += i % 2 == 0 ? "A" : "B";
+        for (int parameter = 0; parameter < 3; ++parameter)
+            table += ',' + QByteArray::number(factor * base * std::exp(0.03 * noise()), 'g', 17);
+        table += '\n';
+    }
+    return table;
+}
+
+/// Inspections of both types, as the table's second half, in newtons and metres.
+void inspect(const QString& file, double factor)
+{
+    const auto library = Library::open(file);
+    QVERIFY(library);
+    GaussianNoise noise(7);
+    for (int i = 0; i < 40; ++i) {
+        const double base = factor * (i % 2 == 0 ? 1 : 2);
+        const auto draw = [&] { return base * std::exp(0.03 * noise()); };
+        Estimate estimate;
+        estimate.status = EstimateStatus::Converged;
+        const double m = draw(), b = draw(), k = draw();
+        estimate.parameters = MassDampingStiffness{m, b, k};
+        NewInspection inspection;
+        inspection.grasp.estimates = {estimate};
+        inspection.grasp.forceUnit = u"N"_s;
+        inspection.grasp.positionUnit = u"m"_s;
+        inspection.verdict.kind = VerdictKind::Unknown;
+        inspection.expectedType = i % 2 == 0 ? u"A"_s : u"B"_s;
+        QVERIFY((*library)->addInspection(inspection));
+    }
+}
+
+const QStringList siUnits{u"--force-unit"_s, u"N"_s, u"--position-unit"_s, u"m"_s};
+
+} // namespace
+
+class LibraryCommandTest : public QObject {
+    Q_OBJECT
+private:
+    ProgramRun enroll(const Workplace& work, const QString& library, const QString& table,
+                      const QStringList& more = siUnits)
+    {
+        return work.cli(QStringList{u"enroll"_s, u"--library"_s, library, u"--table"_s, table,
+                                    u"--type-column"_s, u"object"_s, u"--json"_s} +
+                        more);
+    }
+
+private slots:
+    void aTableIsEnrolledRowByRow()
+    {
+        const Workplace work;
+        work.write(u"t.csv"_s, tableOf(1, 1) + "A,1,0,1\n,1,1,1\n");
+        const ProgramRun run = enroll(work, u"t.db"_s, u"t.csv"_s);
+        QCOMPARE(run.exit, 3);
+        const QJsonObject document = run.json();
+        QCOMPARE(document[u"added"].toArray().size(), 20);
+        QCOMPARE(document[u"types"][0][u"added"].toInt(), 10);
+        QCOMPARE(document[u"rejected"].toArray().size(), 2);
+        QCOMPARE(document[u"rejected"][0][u"file"].toString(), u"t.csv:22"_s);
+        QVERIFY(document[u"rejected"][0][u"reason"].toString().contains(u"t.csv:22:3"_s));
+        // The same again adds nothing; numbers without units do not go with kilograms.
+        const ProgramRun again = enroll(work, u"t.db"_s, u"t.csv"_s);
+        QCOMPARE(again.exit, 3);
+        QCOMPARE(again.json()[u"added"].toArray().size(), 0);
+        work.write(u"u.csv"_s, "object,m,b,k\nC,1,1,1\nA,1,1,1\n");
+        const ProgramRun unitless = enroll(work, u"t.db"_s, u"u.csv"_s, {});
+        QCOMPARE(unitless.exit, 3);
+        QCOMPARE(unitless.json()[u"rejected"].toArray().size(), 2);
+        QCOMPARE(work.cli({u"enroll"_s, u"--library"_s, u"t.db"_s, u"--table"_s, u"u.csv"_s}).exit, 2);
+        QCOMPARE(work.cli({u"enroll"_s, u"--library"_s, u"t.db"_s, u"--type"_s, u"A"_s}).exit, 2);
+        QCOMPARE(enroll(work, u"t.db"_s, u"missing.csv"_s).exit, 3);
+    }
+    void driftOfTheSensorIsTold()
+    {
+        Workplace work;
+        work.write(u"t.csv"_s, tableOf(1, 1));
+        QCOMPARE(enroll(work, u"t.db"_s, u"t.csv"_s).exit, 0);
+        const QStringList ask{u"drift"_s, u"--library"_s, u"t.db"_s};
+        QCOMPARE(work.cli(ask + QStringList{u"--json"_s}).json()[u"cause"].toString(), u"too_few"_s);
+        inspect(work.path(u"t.db"_s), 1.1);
+        const ProgramRun run = work.cli(ask + QStringList{u"--json"_s});
+        QCOMPARE(run.exit, 0);
+        const QJsonObject document = run.json();
+        QCOMPARE(document[u"cause"].toString(), u"sensor"_s);
+        QCOMPARE(document[u"squeezes"].toInt(), 40);
+        // 20 squeezes against 10, two types: 3 % sqrt((1/20 + 1/10) / 2) = 0.8 %; four times that.
+        QVERIFY(std::abs(document[u"factor"][u"value"][u"m"].toDouble() - std::log(1.1)) < 0.033);
+        QVERIFY(work.cli(ask).out.contains("calibration"));
+        QCOMPARE(work.cli({u"drift"_s, u"--library"_s, u"none.db"_s}).exit, 5);
+        QCOMPARE(work.cli(ask + QStringList{u"--weight"_s, u"2"_s}).exit, 2);
+    }
+    void transferIsMeasuredAndAdjusted()
+    {
+        const Workplace work;
+        work.write(u"here.csv"_s, tableOf(1, 1));
+        work.write(u"there.csv"_s, tableOf(2, 1.25));
+        QCOMPARE(enroll(work, u"here.db"_s, u"here.csv"_s).exit, 0);
+        QCOMPARE(enroll(work, u"there.db"_s, u"there.csv"_s).exit, 0);
+        const QStringList ask{u"transfer"_s, u"--library"_s, u"here.db"_s, u"there.db"_s};
+        const ProgramRun run = work.cli(ask + QStringList{u"--json"_s});
+        QCOMPARE(run.exit, 0);
+        const QJsonObject document = run.json();
+        QVERIFY(document[u"adjust"].toBool());
+        // 10 squeezes against 10, two types: 0.95 %; four times that.
+        QVERIFY(std::abs(document[u"factor"][u"k"].toDouble() * 1.25 - 1) < 0.04);
+        QVERIFY(document[u"left_out_types"][u"named_after"].toInt() >= 18);
+        QVERIFY(work.cli(ask).out.contains("helps: use it"));
+        work.write(u"printed.csv"_s, tableOf(3, 1));
+        QCOMPARE(enroll(work, u"printed.db"_s, u"printed.csv"_s, {}).exit, 0);
+        QCOMPARE(work.cli({u"transfer"_s, u"--library"_s, u"here.db"_s, u"printed.db"_s, u"--json"_s}).exit,
+                 3);
+    }
+};
+
+GRIPSCOPE_TEST(LibraryCommandTest)
+#include "library_command_test.moc"
