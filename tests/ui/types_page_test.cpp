@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/store/library_fixture.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/identification_example.h"
 #include "tests/ui/science_pages.h"
@@ -76,6 +77,27 @@ class TypesPageTest : public QObject {
         page.showPaper(true);
         QTRY_VERIFY_WITH_TIMEOUT(page.stepCount() >= 2 && page.view()->content().points.size() == 40,
                                  test::patience_ms);
+    }
+
+    /// Adds a squeeze to a type, which is made where there is none.
+    static void enrol(test::PageFixture& fixture, const QString& type)
+    {
+        bool done = false;
+        fixture.bench.ask<GraspRecord>(
+            nullptr,
+            [type](Library& library) -> Expected<GraspRecord> {
+                QString id;
+                for (const TypeRecord& one : test::valueOf(library.types()))
+                    if (one.name == type)
+                        id = one.id;
+                if (id.isEmpty())
+                    id =
+                        test::valueOf(library.addType(type, {}, QStringLiteral("N"), QStringLiteral("m"))).id;
+                return library.addGrasp(test::aGrasp(id));
+            },
+            [&](const Expected<GraspRecord>& added) { done = added.has_value(); });
+        QTRY_VERIFY_WITH_TIMEOUT(done, test::patience_ms);
+        fixture.bench.tellLibraryChanged();
     }
 
 private slots:
@@ -266,6 +288,30 @@ private slots:
                                  test::patience_ms);
         QTest::keyClick(page.view(), Qt::Key_N);
         QVERIFY(shows(page, QStringLiteral("A, squeeze 1\nm 0.0368")));
+    }
+    void squeezesAppearAsTheyAreEnrolled()
+    {
+        test::PageFixture fixture;
+        TypesPage page(fixture.bench);
+        open(page);
+        enrol(fixture, QStringLiteral("Cola"));
+        QTRY_COMPARE_WITH_TIMEOUT(page.view()->content().points.size(), std::size_t(1), test::patience_ms);
+        QVERIFY(shows(page, QStringLiteral("With one squeeze a type nothing is known")));
+        QVERIFY(page.view()->content().ellipsoids.empty());
+        click(button(page, QStringLiteral("Clusters")));
+        QTRY_VERIFY_WITH_TIMEOUT(shows(page, QStringLiteral("Clusters need at least two squeezes")),
+                                 test::patience_ms);
+        click(button(page, QStringLiteral("Types")));
+        for (int n = 2; n <= 3; ++n) {
+            enrol(fixture, QStringLiteral("Cola"));
+            QTRY_COMPARE_WITH_TIMEOUT(page.view()->content().points.size(), std::size_t(n),
+                                      test::patience_ms);
+        }
+        QVERIFY(!shows(page, QStringLiteral("With one squeeze a type nothing is known")));
+        QTest::keyClick(page.view(), Qt::Key_N);
+        QVERIFY(shows(page, QStringLiteral("Cola, squeeze 1\nm 40")));
+        QVERIFY(shows(page, QStringLiteral("±"))); // its error is known
+        QVERIFY(button(page, QStringLiteral("Open in Fit")));
     }
     void aNewInspectionIsRinged()
     {

@@ -14,8 +14,6 @@
 
 namespace gripscope {
 
-using namespace Qt::StringLiterals;
-
 namespace {
 constexpr double titleHeight = 20, barHeight = 6, numbersHeight = 18, gap = 4;
 } // namespace
@@ -203,6 +201,7 @@ void HeatMap::paintBar(QPainter& painter) const
     painter.setFont(Theme::font(metrics::fontSmall));
     const QRectF numbers(2, bar.bottom(), width() - 4, numbersHeight);
     painter.drawText(numbers, Qt::AlignLeft | Qt::AlignVCenter, scale.numberText(scale.low));
+    painter.drawText(numbers, Qt::AlignHCenter | Qt::AlignVCenter, scale.unit);
     painter.drawText(numbers, Qt::AlignRight | Qt::AlignVCenter, scale.numberText(scale.high));
 }
 
@@ -214,10 +213,8 @@ void HeatMap::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setPen(tokens.text);
     painter.setFont(Theme::font(metrics::fontSmall, true));
-    const QString& unit = plane().scale.unit;
-    const QString title = unit.isEmpty() ? plane().title : u"%1 (%2)"_s.arg(plane().title, unit);
     painter.drawText(QRectF(2, 0, width() - 4, titleHeight), Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(title, Qt::ElideRight, width() - 4));
+                     painter.fontMetrics().elidedText(plane().title, Qt::ElideRight, width() - 4));
     paintCells(painter);
     paintBorders(painter);
     painter.setRenderHint(QPainter::Antialiasing);

@@ -6,6 +6,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gripscope {
@@ -15,6 +16,12 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr QChar dash(0x2013);
+
+/// A true minus sign instead of a hyphen.
+QString withMinus(QString number)
+{
+    return number.replace(u'-', QChar(0x2212));
+}
 
 /// The column a criterion has.
 AdviceTableModel::Column columnOf(ClusterCriterion criterion)
@@ -92,9 +99,9 @@ QString AdviceTableModel::text(const ClusterFigures& figures, Column column) con
         return locale.toString(figures.clusters);
     case Column::CalinskiHarabasz:
     case Column::Bic:
-        return locale.toString(*number, 'f', std::abs(*number) < 10 ? 1 : 0);
+        return withMinus(locale.toString(*number, 'f', std::abs(*number) < 10 ? 1 : 0));
     default:
-        return locale.toString(*number, 'f', 2);
+        return withMinus(locale.toString(*number, 'f', 2));
     }
 }
 
