@@ -63,6 +63,7 @@ std::vector<TypePrediction> predictTypes(const TypeModels& models, const Eigen::
 {
     const Eigen::Matrix3d sharedCovariance = covarianceOfSqueeze(models.scatter, noise);
     const Cholesky shared(sharedCovariance);
+    const Eigen::Matrix3d precision = shared.solve(Eigen::Matrix3d::Identity());
     const double degrees = degreesOfFreedom(models.scatter, sharedCovariance);
     std::optional<double> likeness = models.likeness;
     std::optional<Eigen::Matrix3d> alike;
@@ -79,17 +80,18 @@ std::vector<TypePrediction> predictTypes(const TypeModels& models, const Eigen::
         prediction.meanLog = type.meanLog;
         prediction.covariance = sharedCovariance;
         prediction.degreesOfFreedom = degrees;
-        prediction.effectiveSqueezes = dimensions / shared.solve(type.meanCovarianceLog).trace();
+        // Traces of products.
+        prediction.effectiveSqueezes = dimensions / precision.cwiseProduct(type.meanCovarianceLog).sum();
         double spread = 1;
         if (likeness) {
             takeOwnSpread(type, *likeness, double(models.types.size()), shared, prediction);
-            spread = shared.solve(prediction.covariance).trace() / dimensions;
+            spread = precision.cwiseProduct(prediction.covariance).sum() / dimensions;
         } else {
             prediction.alikeCovariance = alike;
         }
         const Cholesky total(prediction.covariance + spread * type.meanCovarianceLog);
         prediction.squaredDistance = total.matrixL().solve(log - type.meanLog).squaredNorm();
-        prediction.logDeterminant = 2 * total.matrixLLT().diagonal().array().log().sum();
+        prediction.logDeterminant = 2 * std::log(total.matrixLLT().diagonal().prod());
         findDensity(prediction,
                     options.robust ? std::min(prediction.degreesOfFreedom, robustDegrees)
                                    : prediction.degreesOfFreedom,

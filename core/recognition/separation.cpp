@@ -98,25 +98,38 @@ private:
     std::map<double, std::optional<double>> m_known;
 };
 
-std::optional<Separation> separationWith(Quantiles& quantiles, const TypePrediction& named,
-                                         const TypePrediction& other, const Eigen::Vector3d& log)
-{
-    const bool alike = other.alikeCovariance.has_value();
-    const std::optional<Axis> axis = alike ? alikeAxis(named, other) : freeAxis(named, other);
-    if (!axis)
-        return {};
-    const double deviation = std::sqrt(axis->variance);
-    const double distance = axis->along.dot(named.meanLog - other.meanLog) / deviation;
-    const std::optional<double> quantile = quantiles(axis->degreesOfFreedom);
-    if (!(distance > leastDistance) || !quantile)
-        return {};
-    Separation result;
-    result.distance = distance;
-    result.reached = axis->along.dot(log - other.meanLog) / deviation;
-    result.needed = std::sqrt(1 + 1 / other.effectiveSqueezes) * axis->widening * *quantile +
-                    2 / (other.effectiveSqueezes * std::max(1.0, distance));
-    return result;
-}
+/// A Separation at any rate.
+class AnyRate {
+public:
+    AnyRate(const TypePrediction& named, const TypePrediction& other, const Eigen::Vector3d& log)
+        : m_effectiveSqueezes(other.effectiveSqueezes)
+    {
+        const bool alike = other.alikeCovariance.has_value();
+        const std::optional<Axis> axis = alike ? alikeAxis(named, other) : freeAxis(named, other);
+        if (!axis)
+            return;
+        const double deviation = std::sqrt(axis->variance);
+        m_found.distance = axis->along.dot(named.meanLog - other.meanLog) / deviation;
+        m_found.reached = axis->along.dot(log - other.meanLog) / deviation;
+        m_widening = std::sqrt(1 + 1 / m_effectiveSqueezes) * axis->widening;
+        m_degreesOfFreedom = axis->degreesOfFreedom;
+    }
+    [[nodiscard]] std::optional<Separation> at(Quantiles& rate) const
+    {
+        if (!(m_found.distance > leastDistance))
+            return {};
+        const std::optional<double> quantile = rate(m_degreesOfFreedom);
+        if (!quantile)
+            return {};
+        Separation result = m_found;
+        result.needed = m_widening * *quantile + 2 / (m_effectiveSqueezes * std::max(1.0, m_found.distance));
+        return result;
+    }
+
+private:
+    Separation m_found; ///< a distance of 0: there is none
+    double m_effectiveSqueezes, m_widening = 0, m_degreesOfFreedom = 0;
+};
 
 } // namespace
 
@@ -124,7 +137,7 @@ std::optional<Separation> separation(const std::vector<TypePrediction>& predicti
                                      std::size_t other, const Eigen::Vector3d& log, double rate, bool robust)
 {
     Quantiles quantiles(rate, robust);
-    return separationWith(quantiles, predictions[named], predictions[other], log);
+    return AnyRate(predictions[named], predictions[other], log).at(quantiles);
 }
 
 NamingTest testNaming(const std::vector<TypePrediction>& predictions, std::size_t named,
@@ -132,13 +145,15 @@ NamingTest testNaming(const std::vector<TypePrediction>& predictions, std::size_
 {
     NamingTest test;
     Quantiles alone(options.wrongType, options.robust);
-    std::vector<std::optional<Separation>> found(predictions.size());
+    std::vector<AnyRate> anyRate;
+    anyRate.reserve(predictions.size());
     int near = 0;
     for (std::size_t other = 0; other < predictions.size(); ++other) {
+        anyRate.emplace_back(predictions[named], predictions[other], log);
         if (other == named)
             continue;
-        found[other] = separationWith(alone, predictions[named], predictions[other], log);
-        near += !found[other] || found[other]->distance < outOfReach * found[other]->needed;
+        const std::optional<Separation> found = anyRate.back().at(alone);
+        near += !found || found->distance < outOfReach * found->needed;
     }
     Quantiles shared(options.wrongType / std::max(1, near), options.robust);
     double least = 0;
@@ -146,9 +161,8 @@ NamingTest testNaming(const std::vector<TypePrediction>& predictions, std::size_
     for (std::size_t other = 0; other < predictions.size(); ++other) {
         if (other == named)
             continue;
-        if (near > 1)
-            found[other] = separationWith(shared, predictions[named], predictions[other], log);
-        const double margin = found[other] ? found[other]->reached - found[other]->needed : -1e300;
+        const std::optional<Separation> found = anyRate[other].at(shared);
+        const double margin = found ? found->reached - found->needed : -1e300;
         test.passed = test.passed && margin > 0;
         if (!test.rival || margin < least) {
             least = margin;
