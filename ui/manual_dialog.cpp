@@ -17,7 +17,9 @@ QString manualPageFor(const QString& screen)
         return u"identification.md"_s;
     if (screen == u"live")
         return u"excitation.md"_s;
-    if (screen == u"inspect" || screen == u"history")
+    if (screen == u"inspect")
+        return u"inspect.md"_s;
+    if (screen == u"history")
         return u"validity.md"_s;
     if (screen == u"enroll")
         return u"records.md"_s;

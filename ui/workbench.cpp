@@ -127,6 +127,18 @@ void Workbench::setOperatorName(const QString& name)
     emit operatorChanged();
 }
 
+StoredRates Workbench::rates() const
+{
+    return {d->inspection.rates(), d->inspection.earlyEnd()};
+}
+
+void Workbench::setRates(const StoredRates& rates)
+{
+    d->inspection.setRates(rates.rates);
+    d->inspection.setEarlyEnd(rates.earlyEnd);
+    emit ratesChanged();
+}
+
 void Workbench::connectTo(const QString& address)
 {
     d->connectionError.reset();

@@ -7,6 +7,7 @@
 #include "core/store/library_service.h"
 #include "ui/live_estimate.h"
 #include "ui/live_history.h"
+#include "ui/stored_rates.h"
 
 #include <QObject>
 #include <QString>
@@ -42,6 +43,10 @@ public:
     [[nodiscard]] const LiveEstimate& liveEstimate() const;
     [[nodiscard]] QString operatorName() const;
     void setOperatorName(const QString& name);
+
+    /// What verdicts are held to, and whether squeezes end early.
+    [[nodiscard]] StoredRates rates() const;
+    void setRates(const StoredRates& rates);
 
     /// These word the errors of the connection in the message bar.
     void connectTo(const QString& address);
@@ -98,6 +103,7 @@ signals:
     void fitRequested();      ///< showInFit() was called: bring the Fit page into view
     void reported(const QString& message);
     void operatorChanged();
+    void ratesChanged();
     void pageRequested(const QString& id);
     void stopped(); ///< by a person, through stop()
 

@@ -37,6 +37,9 @@ int runWindow(const DesktopOptions& options)
     bench.setOperatorName(settings.value(u"operator"_s).toString());
     QObject::connect(&bench, &Workbench::operatorChanged, &bench,
                      [&bench, &settings] { settings.setValue(u"operator"_s, bench.operatorName()); });
+    bench.setRates(readRates(settings));
+    QObject::connect(&bench, &Workbench::ratesChanged, &bench,
+                     [&bench, &settings] { writeRates(settings, bench.rates()); });
     MainWindow window(bench);
     if (options.size.isValid())
         window.resize(options.size);

@@ -181,6 +181,12 @@ Expected<InspectionCounts> counts(Database& database)
         const QString type = row.takeText();
         const qint64 n = row.takeInteger();
         counts.total += n;
+        if (!expected.isEmpty() && verdict != VerdictKind::Invalid) {
+            ExpectedCounts& known = counts.expected[expected];
+            known.squeezes += n;
+            known.otherType += verdict == VerdictKind::Type && type != expected ? n : 0;
+            known.unknown += verdict == VerdictKind::Unknown ? n : 0;
+        }
         switch (verdict) {
         case VerdictKind::Type:
             (expected.isEmpty() || expected == type ? counts.asExpected : counts.otherType) += n;

@@ -90,8 +90,14 @@ struct HistoryFilter {
     int offset = 0;
 };
 
+/// Valid squeezes of parts that were said to be of one type.
+struct ExpectedCounts {
+    qint64 squeezes = 0, otherType = 0, unknown = 0;
+};
+
 struct InspectionCounts {
     qint64 total = 0, asExpected = 0, otherType = 0, unknown = 0, inconclusive = 0, invalid = 0;
+    QMap<QString, ExpectedCounts> expected = {}; ///< by the type that was expected
 };
 
 /// What was measured of a gripper's channels.

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
+#include "ui/rates_dialog.h"
 #include "ui/widgets/inspection_list.h"
 #include "ui/widgets/verdict_panel.h"
 
 #include <QAbstractItemModelTester>
+#include <QCheckBox>
 #include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
+#include <QRadioButton>
 
 using namespace Qt::StringLiterals;
 using namespace gripscope;
@@ -51,6 +57,9 @@ private slots:
     void aStrangerIsUnknown();
     void lostReportsAreNotTheParts();
     void theListFollowsTheInspections();
+    void ratesAreSetByClickAndHold();
+    void aDecidedSqueezeIsShortAndLeavesTheGripperArmed();
+    void whatWasShownSoFarIsCounted();
 };
 
 void InspectPageTest::sayWhatToDoBeforeTheFirstSqueeze()
@@ -158,6 +167,77 @@ void InspectPageTest::theListFollowsTheInspections()
     emit list->activated(list->currentIndex());
     QTRY_COMPARE_WITH_TIMEOUT(f.window->currentPage()->id(), u"fit"_s, patience_ms);
     QCOMPARE(f.bench->fitSubject()->title, u"Inspection 1"_s);
+}
+
+void InspectPageTest::ratesAreSetByClickAndHold()
+{
+    WindowFixture f;
+    f.window->showPage(u"inspect"_s);
+    const auto* label = f.find<QLabel>("ratesLabel");
+    const auto open = [&f] {
+        f.click(f.find<QPushButton>("ratesButton"));
+        auto* dialog = f.window->findChild<RatesDialog*>(u"ratesDialog"_s);
+        return QTest::qWaitForWindowExposed(dialog) ? dialog : nullptr;
+    };
+    const auto press = [](RatesDialog* dialog, QDialogButtonBox::StandardButton which) {
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(which), Qt::LeftButton);
+    };
+    RatesDialog* dialog = open();
+    QVERIFY(dialog);
+    auto* field = dialog->findChild<QDoubleSpinBox*>(u"falseRejectField"_s);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QLocale().toString(0.5));
+    QTest::mouseClick(dialog->findChild<QRadioButton*>(u"confidenceButton"_s), Qt::LeftButton, {}, {8, 8});
+    QTest::mouseClick(dialog->findChild<QCheckBox*>(u"earlyEndBox"_s), Qt::LeftButton, {}, {8, 8});
+    press(dialog, QDialogButtonBox::Ok);
+    QCOMPARE(f.bench->rates().rates.falseReject, 0.005);
+    QCOMPARE(f.bench->rates().rates.wrongType, 0.001);
+    QCOMPARE(f.bench->rates().rates.confidence, std::optional<double>(0.95));
+    QVERIFY(!f.bench->rates().earlyEnd);
+    QTRY_VERIFY(label->toolTip().contains(u"0.5"_s) || label->text().contains(u"0.5"_s));
+    QTRY_VERIFY(!f.window->findChild<RatesDialog*>(u"ratesDialog"_s));
+    // What is not accepted changes nothing.
+    dialog = open();
+    QVERIFY(dialog);
+    press(dialog, QDialogButtonBox::RestoreDefaults);
+    press(dialog, QDialogButtonBox::Cancel);
+    QCOMPARE(f.bench->rates().rates.falseReject, 0.005);
+}
+
+void InspectPageTest::aDecidedSqueezeIsShortAndLeavesTheGripperArmed()
+{
+    WindowFixture f;
+    f.window->showPage(u"inspect"_s);
+    expectType(f, u"A"_s);
+    f.click(f.find<QPushButton>("inspectArmButton"));
+    squeezeBySpace(f);
+    const auto& result = f.bench->inspection().result();
+    QVERIFY(result);
+    QCOMPARE(result->verdict.type, u"A"_s);
+    QVERIFY(f.bench->connection().armed()); // the next part needs no arming
+    const QString reason = f.find<QLabel>("reasonLabel")->text();
+    QCOMPARE(reason.count(u". "_s), 0); // one sentence
+    // A machine too busy to look in time squeezes on, and that is all.
+    if (result->earlyEnd)
+        QVERIFY(result->seconds < 1);
+    else
+        QVERIFY(result->seconds > 0.9);
+}
+
+void InspectPageTest::whatWasShownSoFarIsCounted()
+{
+    WindowFixture f;
+    f.window->showPage(u"inspect"_s);
+    const auto* shown = f.find<QLabel>("shownLabel");
+    QVERIFY(shown->isHidden());
+    expectType(f, u"A"_s);
+    f.click(f.find<QPushButton>("inspectArmButton"));
+    squeezeBySpace(f);
+    // 0 of 1: at most 95 %.
+    QTRY_VERIFY_WITH_TIMEOUT(shown->text().contains(u"0 of 1, so at most 95"_s), patience_ms);
+    expectType(f, u"B"_s);
+    QTRY_VERIFY(shown->isHidden()); // nothing was shown of that one
 }
 
 GRIPSCOPE_TEST(InspectPageTest)

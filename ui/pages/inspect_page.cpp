@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/inspect_page.h"
 
-#include "core/signal/units.h"
+#include "ui/pages/inspect_measurement.h"
 #include "ui/pages/inspect_summary.h"
+#include "ui/rates_dialog.h"
 #include "ui/theme/theme.h"
 #include "ui/tour_script.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/elided_label.h"
+#include "ui/widgets/number_format.h"
 #include "ui/widgets/outcome_view.h"
-#include "ui/widgets/parameter_text.h"
-#include "ui/widgets/type_map.h"
 #include "ui/widgets/verdict_panel.h"
 #include "ui/workbench.h"
 
@@ -29,9 +29,10 @@ struct InspectPage::Private {
     QComboBox* expected = nullptr;
     ElidedLabel* recipe = nullptr;
     VerdictPanel* verdict = nullptr;
-    QLabel *facts = nullptr, *reason = nullptr;
-    QLabel *m = nullptr, *b = nullptr, *k = nullptr;
-    TypeMap* map = nullptr;
+    ElidedLabel *facts = nullptr, *rates = nullptr;
+    QLabel* reason = nullptr;
+    InspectMeasurement* measurement = nullptr;
+    QStringList shownTypes; ///< names and how many squeezes
     QPushButton *squeeze = nullptr, *arm = nullptr;
     InspectSummary* summary = nullptr;
     bool active = false;
@@ -47,7 +48,8 @@ InspectPage::InspectPage(Workbench& bench, QWidget* parent)
     left->setSpacing(12);
     buildTop(left);
     buildVerdict(left);
-    buildNumbers(left);
+    d->measurement = new InspectMeasurement(this);
+    left->addWidget(d->measurement, 4);
     buildActions(left);
     d->summary = new InspectSummary(bench, this);
     auto* row = new QHBoxLayout(this);
@@ -58,6 +60,7 @@ InspectPage::InspectPage(Workbench& bench, QWidget* parent)
 
     connect(&bench, &Workbench::inspectionChanged, this, &InspectPage::refresh);
     connect(&bench, &Workbench::connectionChanged, this, &InspectPage::refresh);
+    connect(&bench, &Workbench::ratesChanged, this, &InspectPage::refresh);
     connect(&bench, &Workbench::ticked, this, [this] {
         if (d->active && d->shownState != workbench().inspection().state())
             refresh();
@@ -95,14 +98,20 @@ void InspectPage::buildTop(QBoxLayout* column)
     label->setBuddy(d->expected);
     connect(d->expected, &QComboBox::activated, this, [this] {
         workbench().inspection().setExpectedType(d->expected->currentData().toString());
+        d->summary->setExpected(d->expected->currentData().toString());
         refreshExpected();
         d->squeeze->setFocus();
     });
     d->recipe = new ElidedLabel({}, this);
+    d->recipe->setObjectName("recipeLabel");
     setRole(d->recipe, "second");
     row->addWidget(label);
     row->addWidget(d->expected);
     row->addWidget(d->recipe, 1);
+    QPushButton* rates = makeButton(tr("Rates…"), {}, "quiet", this);
+    rates->setObjectName("ratesButton");
+    connect(rates, &QPushButton::clicked, this, &InspectPage::editRates);
+    row->addWidget(rates);
     column->addLayout(row);
 }
 
@@ -112,7 +121,11 @@ void InspectPage::buildVerdict(QBoxLayout* column)
     d->verdict->setObjectName("verdictPanel");
     d->verdict->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     column->addWidget(d->verdict, 3);
-    d->facts = makeLabel({}, "strong", this);
+    d->facts = new ElidedLabel({}, this);
+    setRole(d->facts, "strong");
+    d->rates = new ElidedLabel({}, this);
+    d->rates->setObjectName("ratesLabel");
+    setRole(d->rates, "caption");
     d->reason = makeLabel({}, "", this);
     d->reason->setObjectName("reasonLabel");
     d->reason->setWordWrap(true);
@@ -123,34 +136,8 @@ void InspectPage::buildVerdict(QBoxLayout* column)
     words->setSpacing(2);
     words->addWidget(d->facts);
     words->addWidget(d->reason);
+    words->addWidget(d->rates);
     column->addLayout(words);
-}
-
-void InspectPage::buildNumbers(QBoxLayout* column)
-{
-    QFrame* card = makeCard(this);
-    auto* row = new QHBoxLayout(card);
-    row->setContentsMargins(16, 8, 8, 4);
-    row->setSpacing(16);
-    auto* numbers = new QVBoxLayout;
-    numbers->setSpacing(0);
-    numbers->addStretch(1);
-    const auto add = [&](const QString& name) {
-        numbers->addWidget(makeLabel(name, "caption", card));
-        QLabel* value = makeLabel(u"–"_s, "number", card);
-        value->setAccessibleName(name);
-        value->setMinimumWidth(216);
-        numbers->addWidget(value);
-        numbers->addStretch(1);
-        return value;
-    };
-    d->k = add(tr("stiffness k (95 %)"));
-    d->b = add(tr("damping b (95 %)"));
-    d->m = add(tr("moving mass m (95 %)"));
-    d->map = new TypeMap(card);
-    row->addLayout(numbers);
-    row->addWidget(d->map, 1);
-    column->addWidget(card, 4);
 }
 
 void InspectPage::buildActions(QBoxLayout* column)
@@ -173,6 +160,7 @@ void InspectPage::buildActions(QBoxLayout* column)
 void InspectPage::setActive(bool active)
 {
     d->active = active;
+    workbench().inspection().setForecasting(active);
     if (!active)
         return;
     refresh();
@@ -206,6 +194,7 @@ void InspectPage::refresh()
     refreshExpected();
     refreshActions();
     refreshVerdict();
+    refreshRates();
 }
 
 void InspectPage::refreshExpected()
@@ -223,18 +212,22 @@ void InspectPage::refreshExpected()
         for (const QString& name : wanted)
             d->expected->addItem(name.isEmpty() ? tr("nothing expected") : name, name);
         d->expected->setCurrentIndex(std::max(0, d->expected->findData(kept)));
-        d->map->setTypes(workbench().inspection().models());
+    }
+    QStringList enrolled;
+    for (const TypeRecord& type : types)
+        enrolled << u"%1 %2"_s.arg(type.squeezes).arg(type.name);
+    if (enrolled != d->shownTypes) {
+        d->shownTypes = enrolled;
+        d->measurement->setTypes(workbench().inspection().models());
     }
     const QString expected = d->expected->currentData().toString();
     Recipe recipe;
     for (const TypeRecord& type : types)
         if (type.name == expected)
             recipe = type.recipe;
-    d->recipe->setFullText(tr("Recipe %1: %2 ± %3 N, %4 s")
-                               .arg(recipe.name)
-                               .arg(recipe.bias_N)
-                               .arg(recipe.peak_N)
-                               .arg(recipe.seconds));
+    // The time first: it is what is looked for, and the end is cut where there is no room.
+    d->recipe->setFullText(
+        tr("%1 · %2, %3 ± %4 N").arg(timeText(), recipe.name).arg(recipe.bias_N).arg(recipe.peak_N));
 }
 
 void InspectPage::refreshActions()
@@ -279,7 +272,7 @@ void InspectPage::refreshVerdict()
                 {tr("Inspection %1").arg(result->number), result->recording, result->identification});
         d->shownNumber = result->number;
     }
-    showNumbers();
+    showFacts();
 }
 
 void InspectPage::showHint()
@@ -300,60 +293,76 @@ void InspectPage::showHint()
     else if (!connection.armed() && connection.identity().commandable)
         d->verdict->showHint(tr("Not armed"), tr("Place the part, hands clear, then arm the gripper"));
     else
-        d->verdict->showHint(tr("Ready"), tr("Place the part, then squeeze"));
+        d->verdict->showHint(tr("Ready"), tr("Place the part, then squeeze: %1").arg(timeText()));
 }
 
-void InspectPage::showNumbers()
+void InspectPage::showFacts()
 {
     const auto& result = workbench().inspection().result();
-    const std::optional<CorrectedParameters> object = result ? result->identification.object() : std::nullopt;
-    if (!object) {
-        for (QLabel* label : {d->m, d->b, d->k})
-            label->setText(u"–"_s);
-        d->map->setPart(std::nullopt, std::nullopt);
-    } else {
-        const Recording& recording = result->recording;
-        const ParameterTexts texts =
-            parameterTexts(result->identification, recording.forceUnit, recording.positionUnit);
-        // Numbers of a measurement that is not valid are not the part's: they step back.
-        for (QLabel* label : {d->m, d->b, d->k})
-            label->setEnabled(result->outcome != InspectionOutcome::NotValid);
-        d->m->setText(texts.m.text());
-        d->b->setText(texts.b.text());
-        d->k->setText(texts.k.text());
-        const std::optional<double> si = siFactor(recording.forceUnit, recording.positionUnit);
-        std::optional<MassDampingStiffness> part;
-        std::optional<Eigen::Vector3d> errors;
-        if (si && result->outcome != InspectionOutcome::NotValid)
-            part = MassDampingStiffness{object->parameters.m * *si, object->parameters.b * *si,
-                                        object->parameters.k * *si};
-        if (si && !object->covariance.isZero(0))
-            errors = object->covariance.diagonal().cwiseMax(0.0).cwiseSqrt() * *si;
-        d->map->setPart(part, errors);
-    }
+    d->measurement->showResult(result);
     if (!result) {
         // Their room stays from the first verdict on, so that nothing jumps while the next squeeze runs.
-        d->facts->setText(u" "_s);
+        d->facts->setFullText(u" "_s);
         d->reason->clear();
         return;
     }
     // What to do about a bad measurement may take two lines and has no facts beside it.
-    d->facts->setVisible(result->outcome != InspectionOutcome::NotValid);
+    const bool valid = result->outcome != InspectionOutcome::NotValid;
+    d->facts->setVisible(valid);
     d->reason->show();
     const Verdict& verdict = result->verdict;
     QStringList facts;
     const QString of = verdict.type.isEmpty() ? verdict.nearest : verdict.type;
-    if (!of.isEmpty() && result->outcome != InspectionOutcome::NotValid) {
+    if (valid && !of.isEmpty()) {
         if (verdict.posterior.contains(of) && result->outcome != InspectionOutcome::Unknown)
             facts << tr("posterior of %1: %2").arg(of, formatProbability(verdict.posterior.value(of)));
         if (verdict.distance && verdict.gate)
             facts << tr("%1 sd from %2 (gate %3 sd)")
                          .arg(QString::number(std::sqrt(*verdict.distance), 'f', 1), of,
                               QString::number(std::sqrt(*verdict.gate), 'f', 1));
-        facts << tr("wrong-type rate %1").arg(formatPercent(100 * VerdictOptions{}.wrongType));
     }
-    d->facts->setText(facts.isEmpty() ? u" "_s : facts.join(u"  ·  "_s));
-    d->reason->setText(verdict.reasons.join(QLatin1Char(' ')));
+    if (result->earlyEnd)
+        facts << tr("decided after %1 s")
+                     .arg(QString::number(static_cast<double>(result->earlyEnd->samples) *
+                                              result->recording.sampleTime_s,
+                                          'g', 2));
+    d->facts->setFullText(facts.isEmpty() ? u" "_s : facts.join(u"  ·  "_s));
+    d->reason->setText(verdictWords(*result).reason);
+    d->reason->setToolTip(verdict.reasons.join(u' '));
+}
+
+void InspectPage::editRates()
+{
+    const StoredRates now = workbench().rates();
+    auto* dialog = new RatesDialog(now.rates, now.earlyEnd, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        workbench().setRates({dialog->rates(), dialog->earlyEnd()});
+    });
+    dialog->open();
+}
+
+QString InspectPage::timeText() const
+{
+    const InspectSession& session = workbench().inspection();
+    const QString longest = QString::number(session.longestSeconds(), 'g', 3);
+    const auto& forecast = session.forecast();
+    if (!session.earlyEnd())
+        return tr("%1 s").arg(longest);
+    if (!forecast)
+        return tr("at most %1 s").arg(longest);
+    return tr("about %1 s, at most %2 s").arg(QString::number(forecast->mean_s, 'g', 2), longest);
+}
+
+void InspectPage::refreshRates()
+{
+    const VerdictOptions rates = workbench().rates().rates;
+    d->rates->setFullText(tr("Held to: false-reject %1 (%2), wrong-type %3, stranger-accept %4")
+                              .arg(formatRate(rates.falseReject),
+                                   rates.confidence
+                                       ? tr("with %1 confidence").arg(formatRate(*rates.confidence))
+                                       : tr("on average"),
+                                   formatRate(rates.wrongType), formatRate(rates.strangerAccept)));
 }
 
 void InspectPage::prepareTour()

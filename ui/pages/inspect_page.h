@@ -29,7 +29,6 @@ protected:
 private:
     void buildTop(QBoxLayout* column);
     void buildVerdict(QBoxLayout* column);
-    void buildNumbers(QBoxLayout* column);
     void buildActions(QBoxLayout* column);
     void squeeze();
     void refresh();
@@ -37,7 +36,10 @@ private:
     void refreshActions();
     void refreshVerdict();
     void showHint();
-    void showNumbers();
+    void showFacts();
+    void refreshRates();
+    void editRates();
+    [[nodiscard]] QString timeText() const; ///< how long a squeeze takes
     struct Private;
     std::unique_ptr<Private> d;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/inspect_summary.h"
 
+#include "core/recognition/binomial_evidence.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/inspection_list.h"
 #include "ui/widgets/number_format.h"
@@ -28,6 +29,9 @@ InspectSummary::InspectSummary(Workbench& workbench, QWidget* parent)
     m_share = makeLabel({}, "strong", card);
     m_split = makeLabel({}, "caption", card);
     m_split->setWordWrap(true);
+    m_shown = makeLabel({}, "caption", card);
+    m_shown->setObjectName("shownLabel");
+    m_shown->setWordWrap(true);
     m_list = new InspectionList(card);
     m_list->setObjectName("inspectionList");
     m_empty = makeLabel(tr("No part was inspected yet. Each squeeze is listed here with its verdict."),
@@ -42,6 +46,8 @@ InspectSummary::InspectSummary(Workbench& workbench, QWidget* parent)
     head->addWidget(m_total);
     head->addWidget(m_share);
     head->addWidget(m_split);
+    head->addSpacing(6);
+    head->addWidget(m_shown);
     auto* foot = new QVBoxLayout;
     foot->setContentsMargins(16, 8, 16, 12);
     foot->setSpacing(4);
@@ -62,6 +68,7 @@ InspectSummary::InspectSummary(Workbench& workbench, QWidget* parent)
     connect(m_list, &InspectionList::opened, this, &InspectSummary::open);
     connect(&workbench, &Workbench::inspectionChanged, this, &InspectSummary::refreshCounts);
     connect(&workbench, &Workbench::libraryChanged, this, &InspectSummary::reload);
+    connect(&workbench, &Workbench::ratesChanged, this, &InspectSummary::refreshCounts);
     refreshCounts();
     reload();
 }
@@ -86,6 +93,42 @@ void InspectSummary::refreshCounts()
     add(counts.invalid, InspectionOutcome::NotValid);
     m_split->setText(parts.join(u" · "_s));
     m_split->setVisible(!parts.isEmpty());
+    refreshEvidence(counts);
+}
+
+void InspectSummary::setExpected(const QString& type)
+{
+    if (m_expected == type)
+        return;
+    m_expected = type;
+    refreshCounts();
+}
+
+void InspectSummary::refreshEvidence(const InspectionCounts& counts)
+{
+    ExpectedCounts known = counts.expected.value(m_expected);
+    if (m_expected.isEmpty())
+        for (const ExpectedCounts& one : counts.expected) {
+            known.squeezes += one.squeezes;
+            known.otherType += one.otherType;
+            known.unknown += one.unknown;
+        }
+    m_shown->setVisible(known.squeezes > 0);
+    if (known.squeezes == 0)
+        return;
+    const auto proves = [&known](const QString& what, qint64 wrong) {
+        const BinomialEvidence evidence = binomialEvidence(wrong, known.squeezes);
+        return tr("%1: %2 of %3, so at most %4")
+            .arg(what, formatCount(wrong), formatCount(known.squeezes),
+                 formatPercent(100 * evidence.highest));
+    };
+    const QStringList lines{m_expected.isEmpty() ? tr("Where a type was expected, and rightly:")
+                                                 : tr("Where %1 was expected, and rightly:").arg(m_expected),
+                            proves(tr("other type"), known.otherType), proves(tr("unknown"), known.unknown)};
+    m_shown->setText(lines.join(u'\n'));
+    m_shown->setToolTip(tr("Exact bounds with 95 % confidence. Wrong type: %1")
+                            .arg(inWords(binomialEvidence(known.otherType, known.squeezes),
+                                         m_workbench->rates().rates.wrongType)));
 }
 
 void InspectSummary::reload()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/store/library.h"
+
 #include <QWidget>
 
 class QLabel;
@@ -18,12 +20,17 @@ class InspectSummary : public QWidget {
 public:
     explicit InspectSummary(Workbench& workbench, QWidget* parent = nullptr);
 
+    /// Whose record of right and wrong is shown; empty: that of all types together.
+    void setExpected(const QString& type);
+
 private:
     void refreshCounts();
+    void refreshEvidence(const InspectionCounts& counts);
     void reload();
     void open(const QString& graspId, qint64 number);
     Workbench* m_workbench;
-    QLabel *m_total, *m_share, *m_split, *m_empty;
+    QString m_expected;
+    QLabel *m_total, *m_share, *m_split, *m_shown, *m_empty;
     InspectionList* m_list;
     YieldStrip* m_strip;
 };

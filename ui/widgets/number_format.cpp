@@ -129,6 +129,11 @@ QString formatPercent(double percent, int decimals)
     return text.replace(QLatin1Char('-'), QChar(0x2212)) + QChar(0x00A0) + QLatin1Char('%');
 }
 
+QString formatRate(double rate)
+{
+    return QString::number(100 * rate, 'g', 4) + QChar(0x00A0) + QLatin1Char('%');
+}
+
 QString formatProbability(double probability)
 {
     if (!std::isfinite(probability))

@@ -29,6 +29,8 @@ struct FormattedNumber {
 
 /// 99.8 % from 99.8; one decimal unless it would hide that it is not 100.
 [[nodiscard]] QString formatPercent(double percent, int decimals = 1);
+/// A stated rate as it was set: 0.01 is "1 %", 0.0005 "0.05 %".
+[[nodiscard]] QString formatRate(double rate);
 /// A posterior, which is never quite certain: 0.9998, "> 0.9999", "< 0.0001".
 [[nodiscard]] QString formatProbability(double probability);
 /// A count with thin spaces between thousands.

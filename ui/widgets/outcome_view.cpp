@@ -2,6 +2,7 @@
 #include "ui/widgets/outcome_view.h"
 
 #include "ui/theme/theme.h"
+#include "ui/widgets/number_format.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -49,32 +50,81 @@ QString outcomeWord(InspectionOutcome outcome)
     return {};
 }
 
-VerdictWords verdictWords(const InspectSession::Result& result)
+namespace {
+
+/// Which two types it may be, and how long to squeeze to know.
+QString betweenTypes(const InspectSession::Result& result)
+{
+    const Verdict& verdict = result.verdict;
+    QString first = verdict.nearest, second = verdict.rival;
+    if (verdict.posterior.value(first) < verdict.posterior.value(second))
+        first.swap(second);
+    const QString either = tr(QT_TRANSLATE_NOOP("Outcome", "It could be %1 (%2) or %3 (%4)"))
+                               .arg(first, formatProbability(verdict.posterior.value(first)), second,
+                                    formatProbability(verdict.posterior.value(second)));
+    const std::optional<CorrectedParameters> object = result.identification.object();
+    const bool lengthTells = verdict.timesLonger || (object && !object->covariance.isZero(0));
+    if (lengthTells && !verdict.timesLonger)
+        return tr(QT_TRANSLATE_NOOP("Outcome", "%1, and a longer squeeze would not tell them apart."))
+            .arg(either);
+    if (!lengthTells || *verdict.timesLonger < 1.05)
+        return tr(QT_TRANSLATE_NOOP("Outcome", "%1: squeeze it again.")).arg(either);
+    return tr(QT_TRANSLATE_NOOP("Outcome", "%1: squeezed for %2 s, nine of ten would be told apart."))
+        .arg(either, QString::number(result.seconds * *verdict.timesLonger, 'g', 2));
+}
+
+QString reasonOf(const InspectSession::Result& result)
+{
+    const Verdict& verdict = result.verdict;
+    if (result.outcome == InspectionOutcome::NotValid)
+        return verdict.reasons.join(u' ');
+    const bool contradicted = result.earlyEnd && verdict.kind == VerdictKind::Inconclusive;
+    if (result.outcome == InspectionOutcome::Inconclusive && !verdict.rival.isEmpty() && !contradicted)
+        return betweenTypes(result);
+    return verdict.reasons.value(0);
+}
+
+VerdictWords headlineOf(const InspectSession::Result& result)
 {
     const Verdict& verdict = result.verdict;
     switch (result.outcome) {
     case InspectionOutcome::AsExpected:
-        return {verdict.type, result.expectedType.isEmpty()
-                                  ? tr(QT_TRANSLATE_NOOP("Outcome", "known type, none was expected"))
-                                  : outcomeWord(result.outcome)};
+        return {verdict.type,
+                result.expectedType.isEmpty()
+                    ? tr(QT_TRANSLATE_NOOP("Outcome", "known type, none was expected"))
+                    : outcomeWord(result.outcome),
+                {}};
     case InspectionOutcome::OtherType:
         return {verdict.type,
-                tr(QT_TRANSLATE_NOOP("Outcome", "other type; expected %1")).arg(result.expectedType)};
+                tr(QT_TRANSLATE_NOOP("Outcome", "other type; expected %1")).arg(result.expectedType),
+                {}};
     case InspectionOutcome::Unknown:
         return {tr(QT_TRANSLATE_NOOP("Outcome", "Unknown")),
                 verdict.nearest.isEmpty() ? tr(QT_TRANSLATE_NOOP("Outcome", "no type is enrolled yet"))
-                                          : tr(QT_TRANSLATE_NOOP("Outcome", "none of the enrolled types"))};
+                                          : tr(QT_TRANSLATE_NOOP("Outcome", "none of the enrolled types")),
+                {}};
     case InspectionOutcome::Inconclusive: {
         const QStringList two = likeliest(verdict.posterior);
         return {two.size() == 2 ? tr(QT_TRANSLATE_NOOP("Outcome", "%1 or %2?")).arg(two[0], two[1])
                                 : tr(QT_TRANSLATE_NOOP("Outcome", "Open")),
-                outcomeWord(result.outcome)};
+                outcomeWord(result.outcome),
+                {}};
     }
     case InspectionOutcome::NotValid:
         return {tr(QT_TRANSLATE_NOOP("Outcome", "Squeeze again")),
-                tr(QT_TRANSLATE_NOOP("Outcome", "measurement not valid; part not judged"))};
+                tr(QT_TRANSLATE_NOOP("Outcome", "measurement not valid; part not judged")),
+                {}};
     }
     return {};
+}
+
+} // namespace
+
+VerdictWords verdictWords(const InspectSession::Result& result)
+{
+    VerdictWords words = headlineOf(result);
+    words.reason = reasonOf(result);
+    return words;
 }
 
 namespace {

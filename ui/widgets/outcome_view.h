@@ -21,6 +21,7 @@ namespace gripscope {
 struct VerdictWords {
     QString headline; ///< "Cola 330 ml", "Unknown", "A or B?", "Squeeze again"
     QString outcome;  ///< "as expected", "other type, expected A", ...
+    QString reason;   ///< one sentence why; what to do where the measurement is not valid
 };
 [[nodiscard]] VerdictWords verdictWords(const InspectSession::Result& result);
 

@@ -16,7 +16,25 @@ namespace {
 /// Chi-square with two degrees of freedom is exponential: its 95 % quantile is -2 ln 0.05.
 const double quantile95 = -2 * std::log(0.05);
 constexpr double kilo = 1e-3;
-constexpr double normal95 = 1.959964;
+
+/// The edge of the ellipse that holds 95 %, about zero, each point as (k, b). Empty for no covariance.
+std::vector<QPointF> edgeOf(const Eigen::Matrix2d& covariance)
+{
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(covariance);
+    if (eigen.info() != Eigen::Success || !(eigen.eigenvalues().maxCoeff() > 0))
+        return {};
+    const Eigen::Vector2d radii = (eigen.eigenvalues().cwiseMax(0.0) * quantile95).cwiseSqrt();
+    std::vector<QPointF> edge;
+    constexpr int corners = 64;
+    edge.reserve(corners);
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2 * M_PI * i / corners;
+        const Eigen::Vector2d unit(std::cos(angle), std::sin(angle));
+        const Eigen::Vector2d point = eigen.eigenvectors() * radii.cwiseProduct(unit);
+        edge.emplace_back(point[1], point[0]);
+    }
+    return edge;
+}
 } // namespace
 
 TypeMap::TypeMap(QWidget* parent) : QWidget(parent)
@@ -30,18 +48,9 @@ std::vector<QPointF> TypeMap::ellipse(const TypeModels& models, const TypeModel&
 {
     // Rows 1 and 2 of log(m, b, k) are b and k.
     const Eigen::Matrix2d covariance = models.covarianceLog.block<2, 2>(1, 1);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(covariance);
-    if (eigen.info() != Eigen::Success || !(eigen.eigenvalues().maxCoeff() > 0))
-        return {};
-    const Eigen::Vector2d radii = (eigen.eigenvalues().cwiseMax(0.0) * quantile95).cwiseSqrt();
-    std::vector<QPointF> edge;
-    constexpr int corners = 64;
-    for (int i = 0; i < corners; ++i) {
-        const double angle = 2 * M_PI * i / corners;
-        const Eigen::Vector2d unit(std::cos(angle), std::sin(angle));
-        const Eigen::Vector2d log = type.meanLog.tail<2>() + eigen.eigenvectors() * radii.cwiseProduct(unit);
-        edge.emplace_back(std::exp(log[1]), std::exp(log[0]));
-    }
+    std::vector<QPointF> edge = edgeOf(covariance);
+    for (QPointF& p : edge)
+        p = {std::exp(type.meanLog[2] + p.x()), std::exp(type.meanLog[1] + p.y())};
     return edge;
 }
 
@@ -60,12 +69,15 @@ void TypeMap::setTypes(const TypeModels& models)
 }
 
 void TypeMap::setPart(const std::optional<MassDampingStiffness>& parameters,
-                      const std::optional<Eigen::Vector3d>& errors)
+                      const std::optional<Eigen::Matrix3d>& covariance)
 {
     m_part.reset();
+    m_partEdge.clear();
     if (parameters && std::isfinite(parameters->k) && std::isfinite(parameters->b))
         m_part = QPointF(parameters->k * kilo, parameters->b);
-    m_error = errors ? QPointF((*errors)[2] * normal95 * kilo, (*errors)[1] * normal95) : QPointF();
+    if (m_part && covariance && covariance->allFinite())
+        for (const QPointF& p : edgeOf(covariance->block<2, 2>(1, 1)))
+            m_partEdge.emplace_back(m_part->x() + p.x() * kilo, m_part->y() + p.y());
     update();
 }
 
@@ -242,11 +254,15 @@ void TypeMap::paintPart(QPainter& painter, const View& v) const
         return;
     const ThemeTokens& t = Theme::instance().tokens();
     const QPointF c = v.map(*m_part);
-    painter.setPen(QPen(t.text, 1.5));
-    const double wide = m_error.x() / v.k.span() * v.plot.width();
-    const double tall = m_error.y() / v.b.span() * v.plot.height();
-    painter.drawLine(QPointF(c.x() - wide, c.y()), QPointF(c.x() + wide, c.y()));
-    painter.drawLine(QPointF(c.x(), c.y() - tall), QPointF(c.x(), c.y() + tall));
+    QPolygonF edge;
+    for (const QPointF& p : m_partEdge)
+        edge << v.map(p);
+    painter.setClipRect(v.plot.adjusted(-1, -1, 1, 1));
+    painter.setPen(QPen(t.text, 1.5, Qt::DashLine));
+    painter.setBrush(Qt::NoBrush);
+    if (edge.boundingRect().width() > 6 || edge.boundingRect().height() > 6)
+        painter.drawPolygon(edge);
+    painter.setClipping(false);
     painter.setBrush(t.text);
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(c, 3, 3);

@@ -14,14 +14,15 @@
 namespace gripscope {
 
 /// A small picture of stiffness against damping: an ellipse for each type (where 95 % of its squeezes lie)
-/// and this part as a ringed point with its own 95 % error bars. SI.
+/// and this part as a ringed point with its own 95 % ellipse. SI.
 class TypeMap : public QWidget {
     Q_OBJECT
 public:
     explicit TypeMap(QWidget* parent = nullptr);
     void setTypes(const TypeModels& models);
+    /// `covariance`: of m, b, k; absent where it is not known.
     void setPart(const std::optional<MassDampingStiffness>& parameters,
-                 const std::optional<Eigen::Vector3d>& errors);
+                 const std::optional<Eigen::Matrix3d>& covariance);
     [[nodiscard]] QSize sizeHint() const override { return {360, 200}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {220, 100}; }
 
@@ -50,7 +51,7 @@ private:
     };
     std::vector<Shape> m_shapes;
     std::optional<QPointF> m_part;
-    QPointF m_error;
+    std::vector<QPointF> m_partEdge; ///< of its 95 % ellipse
 };
 
 } // namespace gripscope

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_registry.h"
+#include "ui/stored_rates.h"
+
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace gripscope;
+using namespace Qt::StringLiterals;
+
+class StoredRatesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void whatIsWrittenIsReadAgain()
+    {
+        const QTemporaryDir folder;
+        StoredRates stored;
+        stored.rates.falseReject = 0.002;
+        stored.rates.wrongType = 1e-4;
+        stored.rates.strangerAccept = 0.05;
+        stored.rates.confidence = 0.95;
+        stored.rates.robust = true;
+        stored.earlyEnd = false;
+        {
+            QSettings settings(folder.filePath(u"rates.ini"_s), QSettings::IniFormat);
+            writeRates(settings, stored);
+        }
+        const QSettings settings(folder.filePath(u"rates.ini"_s), QSettings::IniFormat);
+        const StoredRates read = readRates(settings);
+        QVERIFY(read.rates == stored.rates);
+        QCOMPARE(read.earlyEnd, false);
+    }
+
+    void nothingStoredIsTheDefault()
+    {
+        const QTemporaryDir folder;
+        const QSettings settings(folder.filePath(u"none.ini"_s), QSettings::IniFormat);
+        QVERIFY(readRates(settings).rates == VerdictOptions{});
+        QVERIFY(readRates(settings).earlyEnd);
+    }
+
+    void aRateThatIsNoneIsNotTaken()
+    {
+        const QTemporaryDir folder;
+        QSettings settings(folder.filePath(u"bad.ini"_s), QSettings::IniFormat);
+        settings.setValue(u"rates/falseReject"_s, u"plenty"_s);
+        QVERIFY(readRates(settings).rates == VerdictOptions{});
+    }
+};
+
+GRIPSCOPE_TEST(StoredRatesTest)
+#include "stored_rates_test.moc"

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/recognition/verdict.h"
+
+class QSettings;
+
+namespace gripscope {
+
+/// What a technician set for verdicts, kept from one start of the program to the next.
+struct StoredRates {
+    VerdictOptions rates;
+    bool earlyEnd = true;
+};
+
+/// What was never stored, or is no rate any more, is as if nobody had set it.
+[[nodiscard]] StoredRates readRates(const QSettings& settings);
+void writeRates(QSettings& settings, const StoredRates& stored);
+
+} // namespace gripscope
