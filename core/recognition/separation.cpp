@@ -156,12 +156,13 @@ NamingTest testNaming(const std::vector<TypePrediction>& predictions, std::size_
         near += !found || found->distance < outOfReach * found->needed;
     }
     Quantiles shared(options.wrongType / std::max(1, near), options.robust);
+    Quantiles& rate = near > 1 ? shared : alone; // a quantile is the dearest part of a verdict
     double least = 0;
     test.passed = true;
     for (std::size_t other = 0; other < predictions.size(); ++other) {
         if (other == named)
             continue;
-        const std::optional<Separation> found = anyRate[other].at(shared);
+        const std::optional<Separation> found = anyRate[other].at(rate);
         const double margin = found ? found->reached - found->needed : -1e300;
         test.passed = test.passed && margin > 0;
         if (!test.rival || margin < least) {
