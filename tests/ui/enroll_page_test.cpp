@@ -13,6 +13,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTableView>
+#include <QTableWidget>
 
 #include <cmath>
 
@@ -60,6 +61,8 @@ private slots:
     void aRecipeAboveItsLimitIsRefusedBeforeItIsSent();
     void aKnownNameKeepsItsRecipe();
     void reviewFindsMeanSpreadAndTheNearestType();
+    void anOutlierIsMarkedWithItsReasonAndOfferedToDrop();
+    void theSqueezeStepSaysWhetherItIsEnoughAndKeepsTheParts();
 };
 
 void EnrollPageTest::enrollsATypeFromNameToApproval()
@@ -76,6 +79,10 @@ void EnrollPageTest::enrollsATypeFromNameToApproval()
     f.click(f.find<QPushButton>("reviewButton"));
     QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Review);
     QTRY_VERIFY_WITH_TIMEOUT(f.find<QLabel>("distanceLabel")->text().contains(u" sd away"_s), patience_ms);
+    // Four types of ten, one of three: each squeeze is judged by the others.
+    auto* table = f.find<QTableWidget>("heldOutTable");
+    QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 5, patience_ms);
+    QVERIFY(f.find<QLabel>("heldOutWords")->text().contains(u"wrong of 43"_s));
     f.click(f.find<QPushButton>("approveButton"));
     QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Approved, patience_ms);
     QTRY_VERIFY(f.find<QLabel>("doneLabel")->text().contains(u"Cola 330 ml"_s));
@@ -187,6 +194,37 @@ void EnrollPageTest::reviewFindsMeanSpreadAndTheNearestType()
     QCOMPARE(review.nearest, u"two"_s);
     QVERIFY(review.gateSd && *review.nearestSd > *review.gateSd);
     QCOMPARE(reviewType(squeezes, fitTypeModels(squeezes), u"nobody"_s).squeezes, 0);
+}
+
+void EnrollPageTest::anOutlierIsMarkedWithItsReasonAndOfferedToDrop()
+{
+    EnrollSqueezeModel model;
+    EnrollSqueeze squeeze;
+    squeeze.decision = EnrollSqueeze::Decision::Accepted;
+    squeeze.part = u"7"_s;
+    model.refresh({squeeze, squeeze}, {{1, u"Stiffness is 8 % above the others."_s}});
+    const auto last = static_cast<int>(EnrollSqueezeModel::Column::Verdict);
+    QVERIFY(!model.index(0, last).data().toString().contains(u"outlier"_s));
+    QCOMPARE(model.index(1, last).data().toString(), u"outlier: Stiffness is 8 % above the others."_s);
+    QVERIFY(model.index(1, 0).data(Qt::ForegroundRole) != model.index(0, 0).data(Qt::ForegroundRole));
+    QVERIFY(model.hasParts());
+    const auto part = static_cast<int>(EnrollSqueezeModel::Column::Part);
+    QCOMPARE(model.index(0, part).data().toString(), u"7"_s);
+}
+
+void EnrollPageTest::theSqueezeStepSaysWhetherItIsEnoughAndKeepsTheParts()
+{
+    WindowFixture f(true, u"virtual:?object=0.031,52,13500&seed=3&speed=0"_s);
+    goToSqueezes(f, u"Cola"_s);
+    f.click(f.find<QPushButton>("enrollArmButton"));
+    QTest::keyClicks(f.find<QLineEdit>("partField"), u"12"_s);
+    squeezeAndAccept(f);
+    QCOMPARE(f.bench->enrollment().squeezes().back().part, u"12"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        f.find<QLabel>("adviceLabel")->text().contains(u"One squeeze tells the stiffness"_s), patience_ms);
+    squeezeAndAccept(f);
+    QTRY_VERIFY_WITH_TIMEOUT(!f.find<QLabel>("adviceLabel")->text().contains(u"One squeeze"_s), patience_ms);
+    QVERIFY(f.find<QLabel>("adviceLabel")->text().contains(u"is called unknown"_s));
 }
 
 GRIPSCOPE_TEST(EnrollPageTest)

@@ -4,6 +4,7 @@
 #include "ui/pages/enroll_recipe_form.h"
 #include "ui/pages/enroll_review_panel.h"
 #include "ui/pages/enroll_squeeze_panel.h"
+#include "ui/pages/enrolled_types_dialog.h"
 #include "ui/tour_script.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/step_line.h"
@@ -123,7 +124,16 @@ QWidget* EnrollPage::makeNameStep()
     column->addWidget(d->nameHint);
     d->nameNext = makeButton(tr("Continue"), {}, "primary", step);
     d->nameNext->setObjectName("nameNext");
-    column->addWidget(d->nameNext, 0, Qt::AlignRight);
+    QPushButton* types = makeButton(tr("Enrolled types…"), {}, "quiet", step);
+    types->setObjectName("enrolledTypesButton");
+    types->setToolTip(tr("Rename, merge, split or retire types; undo changes"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(types);
+    row->addStretch(1);
+    row->addWidget(d->nameNext);
+    column->addLayout(row);
+    connect(types, &QPushButton::clicked, this,
+            [this] { (new EnrolledTypesDialog(workbench(), this))->open(); });
     connect(d->name, &QLineEdit::textChanged, this, &EnrollPage::refreshNameHint);
     connect(d->name, &QLineEdit::returnPressed, this, &EnrollPage::submitName);
     connect(d->nameNext, &QPushButton::clicked, this, &EnrollPage::submitName);

@@ -2,6 +2,7 @@
 #include "ui/pages/enroll_review_panel.h"
 
 #include "core/session/comparable_units.h"
+#include "ui/pages/enroll_check.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_format.h"
 #include "ui/widgets/parameter_text.h"
@@ -11,6 +12,9 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QVBoxLayout>
 #include <boost/math/distributions/students_t.hpp>
 
@@ -90,18 +94,11 @@ Expected<TypeReview> loadReview(Library& library, const QString& name)
 
 } // namespace
 
-EnrollReviewPanel::EnrollReviewPanel(Workbench& workbench, QWidget* parent)
-    : QWidget(parent), m_workbench(&workbench)
+QWidget* EnrollReviewPanel::makeFacts(QWidget* parent)
 {
-    QFrame* card = makeCard(this);
-    auto* column = new QVBoxLayout(card);
-    setSpacing(column, 24, 12);
-    m_title = makeLabel({}, "heading", card);
-    column->addWidget(m_title);
-    auto* body = new QHBoxLayout;
-    body->setSpacing(24);
-    auto* facts = new QVBoxLayout;
-    facts->setSpacing(8);
+    auto* card = new QWidget(parent);
+    auto* facts = new QVBoxLayout(card);
+    setSpacing(facts, 0, 8);
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(24);
     grid->setVerticalSpacing(8);
@@ -120,16 +117,42 @@ EnrollReviewPanel::EnrollReviewPanel(Workbench& workbench, QWidget* parent)
     facts->addSpacing(8);
     m_distance = makeLabel({}, "", card);
     m_distance->setObjectName("distanceLabel");
+    m_sentences = makeLabel({}, "", card);
+    m_sentences->setObjectName("reviewSentences");
     m_gate = makeLabel({}, "second", card);
-    for (QLabel* label : {m_distance, m_gate}) {
+    for (QLabel* label : {m_distance, m_sentences, m_gate}) {
         label->setWordWrap(true);
-        label->setMinimumWidth(320);
         facts->addWidget(label);
     }
     facts->addStretch(1);
+    // Long names and many sentences: it scrolls rather than grow beyond the least window.
+    auto* scroll = new QScrollArea(parent);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFixedWidth(368);
+    scroll->setWidget(card);
+    return scroll;
+}
+
+EnrollReviewPanel::EnrollReviewPanel(Workbench& workbench, QWidget* parent)
+    : QWidget(parent), m_workbench(&workbench)
+{
+    QFrame* card = makeCard(this);
+    auto* column = new QVBoxLayout(card);
+    setSpacing(column, 24, 12);
+    m_title = makeLabel({}, "heading", card);
+    column->addWidget(m_title);
+    auto* body = new QHBoxLayout;
+    body->setSpacing(24);
     m_map = new TypeMap(card);
-    body->addLayout(facts);
-    body->addWidget(m_map, 1);
+    m_check = new EnrollCheck(card);
+    auto* views = new QTabWidget(card);
+    views->setStyleSheet(u"QTabWidget > QStackedWidget { background: transparent; }"_s); // the card's
+    views->addTab(m_check, tr("Held-out check"));
+    views->addTab(m_map, tr("Map"));
+    body->addWidget(makeFacts(card));
+    body->addWidget(views, 1);
     column->addLayout(body, 1);
     auto* row = new QHBoxLayout;
     QPushButton* back = makeButton(tr("Back to the squeezes"), {}, "", card);
@@ -165,6 +188,30 @@ void EnrollReviewPanel::load()
                 show(*review);
             else
                 m_workbench->report(review.error().describe());
+        });
+    loadCheck();
+}
+
+void EnrollReviewPanel::loadCheck()
+{
+    using Squeezes = std::vector<TypeSqueeze>;
+    const EnrollSession& session = m_workbench->enrollment();
+    const AdviceRequest request = adviceRequest(session.typeName(), session.squeezes());
+    m_check->clear();
+    m_sentences->clear();
+    const auto finish = [this, request](const EnrollmentReview& review) {
+        if (request.type != m_workbench->enrollment().typeName())
+            return;
+        m_check->show(review.confusion, request.type);
+        m_sentences->setText(reviewSentences(review).join(u"\n"_s));
+    };
+    m_workbench->ask<Squeezes>(
+        this, [](Library& library) { return library.enrolledSqueezes(); },
+        [this, request, finish](const Expected<Squeezes>& library) {
+            if (!library)
+                return m_workbench->report(library.error().describe());
+            m_workbench->compute<EnrollmentReview>(
+                this, [request, squeezes = *library] { return reviewEnrollment(request, squeezes); }, finish);
         });
 }
 

@@ -16,6 +16,7 @@ namespace gripscope {
 
 class Library;
 class TypeMap;
+class EnrollCheck;
 class Workbench;
 
 /// What a type looks like after its squeezes: made on the library's thread, shown before it is approved.
@@ -32,7 +33,8 @@ struct TypeReview {
 [[nodiscard]] TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels& models,
                                     const QString& name);
 
-/// The review step: mean and spread, how far the nearest other type is, and approval.
+/// The review step: mean and spread, how far the nearest other type is, what overlaps, what held-out squeezes
+/// are called, and approval.
 class EnrollReviewPanel : public QWidget {
     Q_OBJECT
 public:
@@ -44,9 +46,12 @@ signals:
 
 private:
     void show(const TypeReview& review);
+    QWidget* makeFacts(QWidget* parent);
+    void loadCheck();
     Workbench* m_workbench;
-    QLabel *m_title, *m_mean[3], *m_spread[3], *m_distance, *m_gate;
+    QLabel *m_title, *m_mean[3], *m_spread[3], *m_distance, *m_gate, *m_sentences;
     TypeMap* m_map;
+    EnrollCheck* m_check;
     QPushButton* m_approve;
 };
 

@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace gripscope {
 
 QString validityWord(const EnrollSqueeze& squeeze)
@@ -27,6 +29,7 @@ EnrollSqueezeModel::Row EnrollSqueezeModel::makeRow(const EnrollSqueeze& squeeze
 {
     Row row;
     row.decision = squeeze.decision;
+    row.part = squeeze.part;
     row.reason = squeeze.reason;
     row.verdict = validityWord(squeeze);
     row.fit = QChar(0x2013);
@@ -44,12 +47,16 @@ EnrollSqueezeModel::Row EnrollSqueezeModel::makeRow(const EnrollSqueeze& squeeze
     return row;
 }
 
-void EnrollSqueezeModel::refresh(const std::vector<EnrollSqueeze>& squeezes)
+void EnrollSqueezeModel::refresh(const std::vector<EnrollSqueeze>& squeezes,
+                                 const std::map<int, QString>& outliers)
 {
     std::vector<Row> rows;
     rows.reserve(squeezes.size());
     for (const EnrollSqueeze& squeeze : squeezes)
         rows.push_back(makeRow(squeeze));
+    for (const auto& [row, reason] : outliers)
+        if (row >= 0 && static_cast<std::size_t>(row) < rows.size())
+            rows[static_cast<std::size_t>(row)].outlier = reason;
     if (rows == m_rows)
         return;
     if (rows.size() > m_rows.size() && std::equal(m_rows.begin(), m_rows.end(), rows.begin())) {
@@ -71,6 +78,11 @@ bool EnrollSqueezeModel::isAccepted(int row) const
 {
     return row >= 0 && row < rowCount() &&
            m_rows[static_cast<std::size_t>(row)].decision == EnrollSqueeze::Decision::Accepted;
+}
+
+bool EnrollSqueezeModel::hasParts() const
+{
+    return std::any_of(m_rows.begin(), m_rows.end(), [](const Row& row) { return !row.part.isEmpty(); });
 }
 
 int EnrollSqueezeModel::rowCount(const QModelIndex& parent) const
@@ -111,14 +123,19 @@ QString EnrollSqueezeModel::text(const Row& row, int number, Column column) cons
         return shown(&Row::damping);
     case Column::Mass:
         return shown(&Row::mass);
+    case Column::Part:
+        return row.part;
     case Column::Fit:
         return row.fit;
     case Column::Verdict:
         switch (row.decision) {
         case EnrollSqueeze::Decision::Accepted:
-            return tr("%1, accepted").arg(row.verdict);
+            return row.outlier.isEmpty() ? tr("%1, accepted").arg(row.verdict)
+                                         : tr("outlier: %1").arg(row.outlier);
         case EnrollSqueeze::Decision::Pending:
-            return row.reason.isEmpty() ? tr("%1, to decide").arg(row.verdict) : row.reason;
+            return !row.reason.isEmpty()    ? row.reason
+                   : !row.outlier.isEmpty() ? tr("to decide, an outlier: %1").arg(row.outlier)
+                                            : tr("%1, to decide").arg(row.verdict);
         case EnrollSqueeze::Decision::Rejected:
             return row.reason.isEmpty() ? tr("rejected") : tr("rejected: %1").arg(row.reason);
         }
@@ -146,6 +163,7 @@ QVariant EnrollSqueezeModel::data(const QModelIndex& index, int role) const
                                    (column <= Column::Fit ? Qt::AlignRight : Qt::AlignLeft));
     case Qt::ForegroundRole:
         return row.decision == EnrollSqueeze::Decision::Rejected  ? tokens.secondText
+               : !row.outlier.isEmpty()                           ? tokens.notValid
                : row.decision == EnrollSqueeze::Decision::Pending ? tokens.accent
                                                                   : tokens.text;
     case Qt::FontRole: {
@@ -174,6 +192,8 @@ QVariant EnrollSqueezeModel::headerData(int section, Qt::Orientation orientation
     switch (static_cast<Column>(section)) {
     case Column::Number:
         return tr("No.");
+    case Column::Part:
+        return tr("Part");
     case Column::Stiffness:
         return name(tr("k"), &Row::stiffness);
     case Column::Damping:

@@ -6,18 +6,22 @@
 
 #include <QAbstractTableModel>
 
+#include <map>
+
 namespace gripscope {
 
 /// The squeezes of an enrolment as rows, ready to read.
 class EnrollSqueezeModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum class Column { Number, Stiffness, Damping, Mass, Fit, Verdict, Count };
+    enum class Column { Number, Part, Stiffness, Damping, Mass, Fit, Verdict, Count };
     using QAbstractTableModel::QAbstractTableModel;
 
     /// Takes over what the session holds; cheap when nothing changed.
-    void refresh(const std::vector<EnrollSqueeze>& squeezes);
+    /// `outliers`: by row, why the squeeze does not go with the others.
+    void refresh(const std::vector<EnrollSqueeze>& squeezes, const std::map<int, QString>& outliers = {});
     [[nodiscard]] bool isAccepted(int row) const;
+    [[nodiscard]] bool hasParts() const; ///< some squeeze says which part it was of
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -27,7 +31,7 @@ public:
 private:
     struct Row {
         EnrollSqueeze::Decision decision = EnrollSqueeze::Decision::Pending;
-        QString reason, fit, verdict;
+        QString part, reason, fit, verdict, outlier;
         FormattedNumber stiffness, damping, mass;
         friend bool operator==(const Row&, const Row&) = default;
     };

@@ -10,6 +10,7 @@
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -18,12 +19,13 @@ using namespace Qt::StringLiterals;
 namespace gripscope {
 
 EnrollSqueezePanel::EnrollSqueezePanel(Workbench& workbench, QWidget* parent)
-    : QWidget(parent), m_workbench(&workbench)
+    : QWidget(parent), m_workbench(&workbench), m_advisor(workbench)
 {
     auto* row = new QHBoxLayout(this);
     setSpacing(row, 0, 16);
     row->addWidget(makeSide());
     row->addWidget(makeTable(), 1);
+    connect(&m_advisor, &EnrollAdvisor::changed, this, &EnrollSqueezePanel::refresh);
 }
 
 QWidget* EnrollSqueezePanel::makeSide()
@@ -43,6 +45,7 @@ QWidget* EnrollSqueezePanel::makeSide()
     m_hint->setAlignment(Qt::AlignCenter);
     column->addWidget(m_ring, 1);
     column->addWidget(m_hint);
+    column->addWidget(makePart(card));
     column->addWidget(m_arm);
     column->addWidget(m_squeeze);
     column->addWidget(makeRule(card));
@@ -50,6 +53,30 @@ QWidget* EnrollSqueezePanel::makeSide()
     connect(m_squeeze, &QPushButton::clicked, this, &EnrollSqueezePanel::squeeze);
     connect(m_arm, &QPushButton::clicked, this, [this] { m_workbench->arm(); });
     return card;
+}
+
+QWidget* EnrollSqueezePanel::makePart(QWidget* parent)
+{
+    auto* box = new QWidget(parent);
+    auto* row = new QHBoxLayout(box);
+    setSpacing(row, 0, 8);
+    auto* name = makeLabel(tr("Part"), "caption", box);
+    m_part = new QLineEdit(box);
+    m_part->setObjectName("partField");
+    m_part->setMaxLength(20);
+    m_part->setPlaceholderText(tr("another one each time"));
+    m_part->setAccessibleName(tr("Which part is squeezed"));
+    m_part->setToolTip(
+        tr("Give parts a number or a mark when you squeeze one more than once: the type then knows "
+           "how much its parts differ, and how much only the grip."));
+    name->setBuddy(m_part);
+    row->addWidget(name);
+    row->addWidget(m_part, 1);
+    connect(m_part, &QLineEdit::textEdited, this,
+            [this](const QString& part) { m_workbench->enrollment().setPart(part); });
+    // Space then squeezes again.
+    connect(m_part, &QLineEdit::returnPressed, this, &EnrollSqueezePanel::focusNext);
+    return box;
 }
 
 QWidget* EnrollSqueezePanel::makeLast(QWidget* parent)
@@ -84,7 +111,11 @@ QWidget* EnrollSqueezePanel::makeTable()
     auto* column = new QVBoxLayout(card);
     setSpacing(column, 2, 0);
     m_title = makeLabel({}, "heading", card);
-    m_title->setContentsMargins(16, 12, 16, 8);
+    m_title->setContentsMargins(16, 12, 16, 4);
+    m_advice = makeLabel({}, "caption", card);
+    m_advice->setObjectName("adviceLabel");
+    m_advice->setWordWrap(true);
+    m_advice->setContentsMargins(16, 0, 16, 8);
     m_table = new QTableView(card);
     m_table->setObjectName("squeezeTable");
     m_table->setAccessibleName(tr("Squeezes of this type"));
@@ -114,6 +145,7 @@ QWidget* EnrollSqueezePanel::makeTable()
     foot->addStretch(1);
     foot->addWidget(m_review);
     column->addWidget(m_title);
+    column->addWidget(m_advice);
     column->addWidget(m_table, 1);
     column->addWidget(makeRule(card));
     column->addLayout(foot);
@@ -129,7 +161,7 @@ void EnrollSqueezePanel::refresh()
     using Activity = EnrollSession::Activity;
     const Activity activity = session.activity();
     const int rows = m_model.rowCount();
-    m_model.refresh(session.squeezes());
+    refreshAdvice();
     if (m_model.rowCount() > rows)
         m_table->scrollToBottom();
     const int accepted = session.acceptedCount();
@@ -153,7 +185,10 @@ void EnrollSqueezePanel::refresh()
         m_hint->setText(tr("Turn or change the part between squeezes, so that the type's spread is seen."));
     const bool waiting = activity == Activity::Waiting;
     const QModelIndexList selected = m_table->selectionModel()->selectedRows();
-    m_drop->setEnabled(waiting && !selected.isEmpty() && m_model.isAccepted(selected.first().row()));
+    const int toDrop = rowToDrop();
+    m_drop->setText(selected.isEmpty() && toDrop >= 0 ? tr("Drop outlier %1…").arg(toDrop + 1)
+                                                      : tr("Drop selected…"));
+    m_drop->setEnabled(waiting && toDrop >= 0 && m_model.isAccepted(toDrop));
     m_review->setEnabled(waiting && accepted >= EnrollSession::leastSqueezes);
     m_review->setToolTip(
         accepted >= EnrollSession::leastSqueezes
@@ -169,6 +204,45 @@ void EnrollSqueezePanel::refresh()
         if (isVisible())
             focusNext();
     }
+}
+
+void EnrollSqueezePanel::refreshAdvice()
+{
+    const EnrollSession& session = m_workbench->enrollment();
+    if (session.activity() != EnrollSession::Activity::Squeezing)
+        m_advisor.follow();
+    if (m_part->text().trimmed() != session.part())
+        m_part->setText(session.part());
+    const std::optional<EnrollmentAdvice>& advice = m_advisor.advice();
+    std::map<int, QString> outliers;
+    if (advice) {
+        m_advice->setText(inWords(advice->progress).join(u' '));
+        for (const auto& [row, outlier] : advice->outliers)
+            outliers.emplace(row, outlier.reason);
+    }
+    m_advice->setVisible(session.acceptedCount() > 0 && !m_advice->text().isEmpty());
+    m_model.refresh(session.squeezes(), outliers);
+    m_table->setColumnHidden(static_cast<int>(EnrollSqueezeModel::Column::Part), !m_model.hasParts());
+}
+
+int EnrollSqueezePanel::rowToDrop() const
+{
+    const QModelIndexList selected = m_table->selectionModel()->selectedRows();
+    if (!selected.isEmpty())
+        return selected.first().row();
+    if (m_advisor.advice())
+        for (const auto& [row, outlier] : m_advisor.advice()->outliers)
+            if (m_model.isAccepted(row))
+                return row;
+    return -1;
+}
+
+QString EnrollSqueezePanel::outlierReason(int row) const
+{
+    if (!m_advisor.advice())
+        return {};
+    const auto found = m_advisor.advice()->outliers.find(row);
+    return found == m_advisor.advice()->outliers.end() ? QString() : found->second.reason;
 }
 
 void EnrollSqueezePanel::refreshLast()
@@ -202,11 +276,14 @@ void EnrollSqueezePanel::refreshLast()
             parameterTexts(last.identification, last.recording.forceUnit, last.recording.positionUnit);
         m_lastNumbers->setText(tr("k  %1\nb  %2\nm  %3").arg(texts.k.text(), texts.b.text(), texts.m.text()));
     }
-    m_lastWords->setText(last.decision == EnrollSqueeze::Decision::Rejected
-                             ? tr("Rejected: %1").arg(last.reason)
-                         : !last.reason.isEmpty() ? last.reason
-                         : deciding               ? tr("Accept it (Space) or reject it.")
-                                                  : tr("Accepted and stored."));
+    m_lastWords->setText(
+        last.decision == EnrollSqueeze::Decision::Rejected ? tr("Rejected: %1").arg(last.reason)
+        : !last.reason.isEmpty()                           ? last.reason
+        : deciding && !outlierReason(static_cast<int>(squeezes.size()) - 1).isEmpty()
+            ? tr("It does not go with the others. %1 Accept it only if such parts belong to the type.")
+                  .arg(outlierReason(static_cast<int>(squeezes.size()) - 1))
+        : deciding ? tr("Accept it (Space) or reject it.")
+                   : tr("Accepted and stored."));
 }
 
 void EnrollSqueezePanel::focusNext()
@@ -266,15 +343,15 @@ void EnrollSqueezePanel::reject()
 
 void EnrollSqueezePanel::askDrop()
 {
-    const QModelIndexList selected = m_table->selectionModel()->selectedRows();
-    if (selected.isEmpty())
+    const int row = rowToDrop();
+    if (row < 0)
         return;
-    const int row = selected.first().row();
     auto* dialog = new QInputDialog(this);
     dialog->setObjectName("dropDialog");
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Drop squeeze %1").arg(row + 1));
     dialog->setLabelText(tr("Why is squeeze %1 dropped? The reason is kept.").arg(row + 1));
+    dialog->setTextValue(outlierReason(row));
     dialog->setOkButtonText(tr("Drop"));
     dialog->resize(440, 160);
     connect(dialog, &QInputDialog::textValueSelected, this, [this, row](const QString& reason) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/pages/enroll_advisor.h"
 #include "ui/pages/enroll_squeeze_model.h"
 
 #include <QWidget>
 
-class QBoxLayout;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 class QTableView;
 
@@ -16,7 +17,7 @@ class ProgressRing;
 class Workbench;
 
 /// The squeeze step of an enrolment: a ring that fills, the last squeeze with accept and reject, and all of
-/// them.
+/// them; with words on whether they are enough, and which of them does not go with the others.
 class EnrollSqueezePanel : public QWidget {
     Q_OBJECT
 public:
@@ -32,6 +33,7 @@ signals:
 private:
     QWidget* makeSide();
     QWidget* makeLast(QWidget* parent);
+    QWidget* makePart(QWidget* parent);
     QWidget* makeTable();
     void squeeze();
     void accept();
@@ -40,10 +42,15 @@ private:
     void review();
     void tell(const Expected<void>& done);
     void refreshLast();
+    void refreshAdvice();
+    [[nodiscard]] int rowToDrop() const; ///< the selected one, else an accepted outlier; -1: none
+    [[nodiscard]] QString outlierReason(int row) const;
     Workbench* m_workbench;
+    EnrollAdvisor m_advisor;
     EnrollSqueezeModel m_model;
-    QLabel *m_title, *m_hint, *m_lastTitle, *m_lastNumbers, *m_lastWords;
+    QLabel *m_title, *m_advice, *m_hint, *m_lastTitle, *m_lastNumbers, *m_lastWords;
     ProgressRing* m_ring;
+    QLineEdit* m_part;
     QPushButton *m_squeeze, *m_arm, *m_accept, *m_reject, *m_drop, *m_review;
     QTableView* m_table;
     bool m_ready = false;

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/store/library.h"
+
+#include <QDialog>
+
+#include <functional>
+
+class QBoxLayout;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace gripscope {
+
+class TypeChangeForm;
+class Workbench;
+
+/// The types of the library with what can be done to them, and its versions, any of which can be restored.
+class EnrolledTypesDialog : public QDialog {
+    Q_OBJECT
+public:
+    explicit EnrolledTypesDialog(Workbench& workbench, QWidget* parent = nullptr);
+
+private:
+    /// What the lists show, read on the library's thread.
+    struct Contents {
+        std::vector<TypeRecord> types; ///< those in use, then the retired
+        std::vector<LibraryChange> changes;
+        qint64 version = 0;
+    };
+    using Change = std::function<Expected<void>(Library&)>;
+
+    QWidget* makeTypes();
+    QWidget* makeVersions();
+    QPushButton* addAction(QBoxLayout* column, const QString& text, const char* name,
+                           void (EnrolledTypesDialog::*action)());
+    void load();
+    void show(Contents contents);
+    void refresh();
+    void change(Change work); ///< on the library's thread; then everything is read again
+    [[nodiscard]] const TypeRecord* selectedType() const;
+    [[nodiscard]] const LibraryChange* selectedVersion() const;
+    [[nodiscard]] ChangeNote note(const TypeChangeForm& form) const;
+    void rename();
+    void merge();
+    void split();
+    void approve();
+    void retire();
+    void putBack();
+    void restoreSelected();
+    void undo();
+    void restore(qint64 version);
+
+    Workbench* m_workbench;
+    Contents m_contents;
+    QTableWidget *m_types, *m_versions;
+    QPushButton *m_rename, *m_merge, *m_split, *m_approve, *m_retire, *m_putBack, *m_restore, *m_undo;
+    QLabel* m_state;
+};
+
+} // namespace gripscope
