@@ -40,6 +40,7 @@ QWidget* EnrollSqueezePanel::makeSide()
     m_arm->setObjectName("enrollArmButton");
     m_squeeze = makeButton(tr("Squeeze (Space)"), u"media-playback-start"_s, "primary", card);
     m_squeeze->setObjectName("enrollSqueezeButton");
+    m_squeeze->hide(); // one of the two is there: see refresh()
     m_hint = makeLabel({}, "caption", card);
     m_hint->setWordWrap(true);
     m_hint->setAlignment(Qt::AlignCenter);
