@@ -122,8 +122,8 @@ void InspectSummary::refreshEvidence(const InspectionCounts& counts)
             .arg(what, formatCount(wrong), formatCount(known.squeezes),
                  formatPercent(100 * evidence.highest));
     };
-    const QStringList lines{m_expected.isEmpty() ? tr("Where a type was expected, and rightly:")
-                                                 : tr("Where %1 was expected, and rightly:").arg(m_expected),
+    const QStringList lines{m_expected.isEmpty() ? tr("If each part was of the type expected:")
+                                                 : tr("If each part was of type %1:").arg(m_expected),
                             proves(tr("other type"), known.otherType), proves(tr("unknown"), known.unknown)};
     m_shown->setText(lines.join(u'\n'));
     m_shown->setToolTip(tr("Exact bounds with 95 % confidence. Wrong type: %1")
