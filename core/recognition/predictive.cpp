@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/predictive.h"
 
+#include "core/recognition/quiet_policy.h"
+
 #include <Eigen/Cholesky>
 #include <boost/math/special_functions/gamma.hpp> // std::lgamma writes a global
 
@@ -36,7 +38,8 @@ public:
     {
         if (v != m_degrees) {
             m_degrees = v;
-            m_value = boost::math::lgamma((v + 1) / 2) - boost::math::lgamma((v - 2) / 2) -
+            m_value = boost::math::lgamma((v + 1) / 2, QuietPolicy()) -
+                      boost::math::lgamma((v - 2) / 2, QuietPolicy()) -
                       dimensions / 2 * std::log(std::numbers::pi * v);
         }
         return m_value;
