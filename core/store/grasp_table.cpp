@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/grasp_table.h"
 
+#include "core/store/type_squeeze.h"
+
 namespace gripscope::grasp_table {
 
 using namespace Qt::StringLiterals;
@@ -9,17 +11,21 @@ namespace {
 
 const auto doing = u"read the squeezes"_s;
 
+/// Where a squeeze belongs now, what its type is called, and its recommended estimate.
+const auto from =
+    u"FROM grasps g LEFT JOIN placements p ON p.grasp_id = g.id AND p.version = "
+    u"(SELECT MAX(q.version) FROM placements q WHERE q.grasp_id = g.id) "
+    "LEFT JOIN type_states s ON s.type_id = COALESCE(p.type_id, g.type_id) AND s.version = "
+    "(SELECT MAX(w.version) FROM type_states w WHERE w.type_id = COALESCE(p.type_id, g.type_id)) "
+    "LEFT JOIN estimates e ON e.grasp_id = g.id AND e.rank = 0 "_s;
+
 const auto select =
     u"SELECT g.id, COALESCE(p.type_id, g.type_id), s.name, g.type_id, g.part, g.source, g.operator_name, "
     u"g.recorded_utc, g.force_unit, g.position_unit, "
     "(SELECT COUNT(*) FROM recordings r WHERE r.grasp_id = g.id), COALESCE(p.accepted, 1), "
     "e.estimator, e.m, e.b, e.k, e.var_m, e.cov_mb, e.cov_mk, e.var_b, e.cov_bk, e.var_k, "
-    "e.simulation_fit_percent "
-    "FROM grasps g LEFT JOIN placements p ON p.grasp_id = g.id AND p.version = "
-    "(SELECT MAX(q.version) FROM placements q WHERE q.grasp_id = g.id) "
-    "LEFT JOIN type_states s ON s.type_id = COALESCE(p.type_id, g.type_id) AND s.version = "
-    "(SELECT MAX(w.version) FROM type_states w WHERE w.type_id = COALESCE(p.type_id, g.type_id)) "
-    "LEFT JOIN estimates e ON e.grasp_id = g.id AND e.rank = 0 "_s;
+    "e.simulation_fit_percent "_s +
+    from;
 
 std::optional<MassDampingStiffness> takeParameters(Statement& row)
 {
@@ -112,13 +118,33 @@ Expected<std::optional<GraspRecord>> find(Database& database, const QString& id)
     return grasps->empty() ? std::nullopt : std::optional(std::move(grasps->front()));
 }
 
-Expected<std::vector<GraspRecord>> enrolled(Database& database)
+Expected<std::vector<TypeSqueeze>> enrolled(Database& database)
 {
+    // A hundred thousand of them are read before the first inspection: no column that is not needed.
     Statement query(
         database, doing,
-        select + u"WHERE g.type_id IS NOT NULL AND e.m IS NOT NULL AND COALESCE(p.accepted, 1) = 1 AND "
-                 "s.status IN ('enrolled', 'approved') ORDER BY s.name, g.recorded_utc, g.id"_s);
-    return read(query);
+        u"SELECT COALESCE(p.type_id, g.type_id), s.name, g.type_id, g.part, g.force_unit, g.position_unit, "
+        u"e.m, e.b, e.k, e.var_m, e.cov_mb, e.cov_mk, e.var_b, e.cov_bk, e.var_k "_s +
+            from +
+            u"WHERE g.type_id IS NOT NULL AND e.m IS NOT NULL AND COALESCE(p.accepted, 1) = 1 AND "
+            "s.status IN ('enrolled', 'approved') ORDER BY s.name, g.recorded_utc, g.id"_s);
+    std::vector<TypeSqueeze> squeezes;
+    GraspRecord grasp;
+    auto done = query.forEach([&](Statement& row) {
+        grasp.typeId = row.takeText();
+        grasp.typeName = row.takeText();
+        grasp.firstTypeId = row.takeText();
+        grasp.part = row.takeText();
+        grasp.forceUnit = row.takeText();
+        grasp.positionUnit = row.takeText();
+        grasp.parameters = takeParameters(row);
+        grasp.covariance = takeCovariance(row);
+        if (auto squeeze = typeSqueeze(grasp))
+            squeezes.push_back(std::move(*squeeze));
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return squeezes;
 }
 
 } // namespace gripscope::grasp_table

@@ -11,7 +11,7 @@ namespace gripscope::grasp_table {
                                     qint64 version);
 [[nodiscard]] Expected<std::vector<GraspRecord>> ofType(Database& database, const QString& typeId);
 [[nodiscard]] Expected<std::optional<GraspRecord>> find(Database& database, const QString& id);
-/// The accepted squeezes of types in use that have parameters, in their own units, by type and time.
-[[nodiscard]] Expected<std::vector<GraspRecord>> enrolled(Database& database);
+/// The accepted squeezes of types in use that have parameters, as typeSqueeze() has them, by type and time.
+[[nodiscard]] Expected<std::vector<TypeSqueeze>> enrolled(Database& database);
 
 } // namespace gripscope::grasp_table

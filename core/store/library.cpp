@@ -11,7 +11,6 @@
 #include "core/store/migration.h"
 #include "core/store/placement_table.h"
 #include "core/store/recording_table.h"
-#include "core/store/type_squeeze.h"
 #include "core/store/type_table.h"
 #include "core/store/type_writer.h"
 
@@ -122,15 +121,7 @@ Expected<QJsonObject> Library::identificationDocument(const QString& graspId) co
 
 Expected<std::vector<TypeSqueeze>> Library::enrolledSqueezes() const
 {
-    const auto grasps = grasp_table::enrolled(*d->database);
-    if (!grasps)
-        return tl::unexpected(grasps.error());
-    std::vector<TypeSqueeze> squeezes;
-    squeezes.reserve(grasps->size());
-    for (const GraspRecord& grasp : *grasps)
-        if (auto squeeze = typeSqueeze(grasp))
-            squeezes.push_back(std::move(*squeeze));
-    return squeezes;
+    return grasp_table::enrolled(*d->database);
 }
 
 Expected<InspectionRecord> Library::addInspection(const NewInspection& inspection)
