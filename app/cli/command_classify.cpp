@@ -3,6 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/drive.h"
 #include "app/cli/exit_code.h"
+#include "app/cli/measured_transfer.h"
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
 #include "app/cli/verdict_output.h"
@@ -23,12 +24,14 @@ constexpr double patience_s = 600;
 
 class Classification {
 public:
-    Classification(const QString& library, const IdentificationOptions& options, const VerdictOptions& rates)
+    Classification(const QString& library, const IdentificationOptions& options, const VerdictOptions& rates,
+                   const std::optional<CommonShift>& transfer)
         : m_chains(library), m_library(library), m_connection(m_devices), m_session(m_connection, m_library)
     {
         m_session.setStoring(false);
         m_session.setIdentificationOptions(options);
         m_session.setRates(rates);
+        m_session.setTransfer(transfer);
     }
 
     /// Reads the types.
@@ -67,6 +70,20 @@ private:
     InspectSession m_session;
 };
 
+/// The adjustment for the gripper whose squeezes `other` holds; none without a library of that kind, or where
+/// it would not help.
+Expected<std::optional<CommonShift>> transferFrom(const QString& other, const QString& library)
+{
+    if (other.isEmpty())
+        return std::optional<CommonShift>();
+    const Expected<TransferReport> report = measuredTransfer(library, other);
+    if (!report)
+        return tl::unexpected<Error>(report.error());
+    for (const QString& sentence : report->words)
+        message(sentence);
+    return report->adjust ? report->error : std::nullopt;
+}
+
 Expected<QString> existingLibrary(const CommandLine& line)
 {
     Expected<QString> file = libraryFile(line);
@@ -96,6 +113,9 @@ int runClassify(const QStringList& arguments)
         u"confidence"_qs, u"SHARE"_qs,
         u"The false-reject rate holds for this library with this confidence, 0.95 say; without it, on "
         "average over libraries."_qs);
+    line.option(u"transfer"_qs, u"OTHER"_qs,
+                u"Library with squeezes of the gripper that these recordings are from, where the types were "
+                "enrolled on another: see transfer."_qs);
     line.flag(u"robust"_qs, u"For types that spread unlike and heavier tails than a Gaussian's."_qs);
     addReadingOptions(line);
     if (const std::optional<int> exit = line.parse(arguments))
@@ -118,7 +138,10 @@ int runClassify(const QStringList& arguments)
     if (!library)
         return fail(library.error(), json);
 
-    Classification classification(*library, options, rates);
+    const Expected<std::optional<CommonShift>> transfer = transferFrom(line.text(u"transfer"_qs), *library);
+    if (!transfer)
+        return fail(transfer.error(), json);
+    Classification classification(*library, options, rates, *transfer);
     if (const std::optional<Error> error = classification.begin())
         return fail(*error, json);
     ExitCode exit;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/library_squeezes.h"
+#include "app/cli/measured_transfer.h"
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
 #include "app/cli/shift_json.h"
 #include "core/identification/json_number.h"
-#include "core/recognition/transfer.h"
-#include "core/session/comparable_units.h"
 
 #include <QJsonArray>
 
@@ -43,42 +41,6 @@ QJsonObject reportJson(const TransferReport& report)
             {u"words"_qs, QJsonArray::fromStringList(report.words)}};
 }
 
-/// What of a library's units the other's squeezes cannot be held against.
-std::optional<Error> unitsProblem(Library& home, Library& other)
-{
-    const Expected<std::vector<TypeRecord>> types = home.types(), others = other.types();
-    if (!types)
-        return types.error();
-    if (!others)
-        return others.error();
-    if (types->empty() || others->empty())
-        return {};
-    const TypeRecord& one = types->front();
-    const TypeRecord& two = others->front(); // all types of a library are comparable
-    const Expected<double> factor =
-        parameterFactor(two.forceUnit, two.positionUnit, one.forceUnit, one.positionUnit);
-    return factor ? std::nullopt : std::optional(factor.error());
-}
-
-Expected<TransferReport> compare(const QString& homeFile, const QString& otherFile)
-{
-    const Expected<std::unique_ptr<Library>> home = openExistingLibrary(homeFile);
-    if (!home)
-        return tl::unexpected<Error>(home.error());
-    const Expected<std::unique_ptr<Library>> other = openExistingLibrary(otherFile);
-    if (!other)
-        return tl::unexpected<Error>(other.error());
-    if (const std::optional<Error> problem = unitsProblem(**home, **other))
-        return tl::unexpected<Error>(*problem);
-    const Expected<TypeModels> models = enrolledModels(**home);
-    if (!models)
-        return tl::unexpected<Error>(models.error());
-    const Expected<std::vector<TypeSqueeze>> squeezes = (*other)->enrolledSqueezes();
-    if (!squeezes)
-        return tl::unexpected<Error>(squeezes.error());
-    return measureTransfer(*models, *squeezes);
-}
-
 } // namespace
 
 int runTransfer(const QStringList& arguments)
@@ -99,7 +61,7 @@ int runTransfer(const QStringList& arguments)
     const Expected<QString> home = libraryFile(line);
     if (!home)
         return fail(home.error(), json);
-    const Expected<TransferReport> report = compare(*home, line.files().front());
+    const Expected<TransferReport> report = measuredTransfer(*home, line.files().front());
     if (!report)
         return fail(report.error(), json);
     if (json) {

@@ -2,6 +2,7 @@
 #include "core/recognition/verdict.h"
 
 #include "core/recognition/judgement.h"
+#include "core/recognition/transfer.h"
 #include "core/recognition/verdict_reasons.h"
 
 #include <QCoreApplication>
@@ -111,7 +112,7 @@ Verdict judge(const TypeModels& models, const MassDampingStiffness& parameters, 
 }
 
 Verdict judge(const TypeModels& models, const Identification& identification, double siScale,
-              const VerdictOptions& options)
+              const VerdictOptions& options, const std::optional<CommonShift>& transfer)
 {
     const std::optional<CorrectedParameters> object = identification.object();
     Verdict verdict;
@@ -119,11 +120,13 @@ Verdict judge(const TypeModels& models, const Identification& identification, do
         verdict.reasons = invalidReasons(identification);
     } else {
         const MassDampingStiffness& p = object->parameters;
-        std::optional<Eigen::Matrix3d> covariance;
+        TypeSqueeze squeeze;
+        squeeze.parameters = {p.m * siScale, p.b * siScale, p.k * siScale};
         if (!object->covariance.isZero(0))
-            covariance = siScale * object->covariance * siScale;
-        verdict = judge(models, MassDampingStiffness{p.m * siScale, p.b * siScale, p.k * siScale}, options,
-                        covariance);
+            squeeze.covariance = siScale * object->covariance * siScale;
+        if (transfer)
+            squeeze = adjusted(squeeze, *transfer);
+        verdict = judge(models, squeeze.parameters, options, squeeze.covariance);
     }
     verdict.samplesUsed = identification.choice.window.count;
     return verdict;

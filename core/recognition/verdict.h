@@ -5,6 +5,7 @@
 #include "core/identification/identification.h"
 #include "core/recognition/instrument_range.h"
 #include "core/recognition/type_model.h"
+#include "core/recognition/type_shift.h"
 
 #include <QMap>
 #include <QString>
@@ -77,9 +78,11 @@ struct Verdict {
                             const std::optional<Eigen::Matrix3d>& covariance = {});
 /// The verdict on a squeeze: Invalid when the measurement is, else judge() on the recommended estimate and
 /// its covariance. `siScale`: factor that takes the estimate to the units of the models, siFactor() of the
-/// recording's units where the models are in SI.
+/// recording's units where the models are in SI. `transfer`: the error of the gripper that squeezed, against
+/// the one the types were enrolled on (measureTransfer()); it is taken off first.
 [[nodiscard]] Verdict judge(const TypeModels& models, const Identification& identification, double siScale,
-                            const VerdictOptions& options = {});
+                            const VerdictOptions& options = {},
+                            const std::optional<CommonShift>& transfer = {});
 
 /// Leave one out: how many of the squeezes get their own type back when the models are fitted without them.
 [[nodiscard]] int leaveOneOutCorrect(const std::vector<TypeSqueeze>& squeezes,

@@ -95,6 +95,7 @@ struct InspectSession::Private {
     std::list<LibraryAnswer> storing; // in the order the inspections were made
     IdentificationOptions options;
     VerdictOptions rates;
+    std::optional<CommonShift> transfer;
     Recipe recipe;
     QString operatorName, expectedType;
     bool storeResults = true, endsEarly = true, forecasting = false;
@@ -182,7 +183,7 @@ void InspectSession::Private::fail(const Error& reason)
 std::optional<EarlyStopSetup> InspectSession::Private::earlyStopSetup() const
 {
     const GripperIdentity identity = connection.identity();
-    if (!endsEarly || !identity.commandable)
+    if (!endsEarly || transfer || !identity.commandable)
         return {};
     const Expected<ComparableTypes::Choice> choice =
         loaded.comparable.modelsFor(identity.forceUnit, identity.positionUnit);
@@ -240,10 +241,10 @@ void InspectSession::Private::identify(Recording recording, const QString& from)
     measuredRates = rates;
     measuredRates.siUnits = siFactor(recording.forceUnit, recording.positionUnit).has_value();
     measured = recording;
-    task.start([recording = std::move(recording), withEarlier, judging = measuredRates,
+    task.start([recording = std::move(recording), withEarlier, judging = measuredRates, other = transfer,
                 models = choice->models, factor = choice->factor] {
         Judged judged{gripscope::identify(recording, withEarlier), {}};
-        judged.verdict = judge(*models, judged.identification, factor, judging);
+        judged.verdict = judge(*models, judged.identification, factor, judging, other);
         return judged;
     });
 }
@@ -335,6 +336,11 @@ void InspectSession::setRates(const VerdictOptions& rates)
 void InspectSession::setIdentificationOptions(const IdentificationOptions& options)
 {
     d->options = options;
+}
+
+void InspectSession::setTransfer(const std::optional<CommonShift>& error)
+{
+    d->transfer = error;
 }
 
 void InspectSession::setRecipe(const Recipe& recipe)

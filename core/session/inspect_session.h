@@ -44,6 +44,8 @@ public:
     void setExpectedType(const QString& name); ///< empty: none
     void setRates(const VerdictOptions& rates);
     void setIdentificationOptions(const IdentificationOptions& options);
+    /// The squeezes come from another gripper than the types; nothing ends early then.
+    void setTransfer(const std::optional<CommonShift>& error);
     void setRecipe(const Recipe& recipe); ///< used when nothing is expected; else the type's own
     void setStoring(bool store);          ///< off: classify only (the command line)
     void setEarlyEnd(bool early);         ///< on unless told otherwise

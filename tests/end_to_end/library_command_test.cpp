@@ -131,6 +131,47 @@ private slots:
         QCOMPARE(work.cli({u"transfer"_s, u"--library"_s, u"here.db"_s, u"printed.db"_s, u"--json"_s}).exit,
                  3);
     }
+    void anotherGrippersRecordingsAreJudgedWithTheAdjustment()
+    {
+        const Workplace work;
+        GaussianNoise noise(5);
+        // Gains of the other gripper; in numbers without units, as simulate writes them.
+        const std::array<double, 3> here{1, 1, 1}, there{1.2, 0.85, 1.25};
+        const auto squeeze = [&](const QString& file, double scale, const std::array<double, 3>& gain) {
+            QStringList object;
+            for (const auto& [value, factor] :
+                 {std::pair(0.04, gain[0]), std::pair(0.14, gain[1]), std::pair(0.1, gain[2])})
+                object << QString::number(value * scale * factor * std::exp(0.03 * noise()), 'g', 17);
+            QCOMPARE(work.cli({u"simulate"_s, u"--object"_s, object.join(u','), u"--noise-sd"_s, u"0.05"_s,
+                               u"--seed"_s, QString::number(int(1000 * noise.uniform())), u"-o"_s, file})
+                         .exit,
+                     0);
+        };
+        const auto enrollSome = [&](const QString& library, const QString& type, double scale, int count,
+                                    const std::array<double, 3>& gain) {
+            QStringList arguments{u"enroll"_s, u"--library"_s, library, u"--type"_s, type};
+            for (int i = 0; i < count; ++i) {
+                const QString file = library + type + QString::number(i) + u".csv"_s;
+                squeeze(file, scale, gain);
+                arguments << file;
+            }
+            QCOMPARE(work.cli(arguments).exit, 0);
+        };
+        for (const auto& [type, scale] : {std::pair(u"small"_s, 1.0), std::pair(u"large"_s, 1.8)}) {
+            enrollSome(u"here.db"_s, type, scale, 6, here);
+            enrollSome(u"there.db"_s, type, scale, 4, there);
+        }
+        squeeze(u"part.csv"_s, 1.8, there);
+        const QStringList ask{u"classify"_s, u"--library"_s, u"here.db"_s, u"part.csv"_s, u"--json"_s};
+        const auto verdict = [](const ProgramRun& run) {
+            return run.json()[u"results"][0][u"verdict"].toString() + u' ' +
+                   run.json()[u"results"][0][u"type"].toString();
+        };
+        QVERIFY2(verdict(work.cli(ask)) != u"type large"_s, "nothing to adjust");
+        const ProgramRun adjusted = work.cli(ask + QStringList{u"--transfer"_s, u"there.db"_s});
+        QVERIFY2(verdict(adjusted) == u"type large"_s, (adjusted.out + adjusted.err).constData());
+        QCOMPARE(work.cli(ask + QStringList{u"--transfer"_s, u"none.db"_s}).exit, 5);
+    }
 };
 
 GRIPSCOPE_TEST(LibraryCommandTest)

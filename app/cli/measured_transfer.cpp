@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/measured_transfer.h"
+
+#include "app/cli/library_squeezes.h"
+#include "core/session/comparable_units.h"
+
+namespace gripscope::cli {
+
+namespace {
+
+/// What of a library's units the other's squeezes cannot be held against.
+std::optional<Error> unitsProblem(Library& home, Library& other)
+{
+    const Expected<std::vector<TypeRecord>> types = home.types(), others = other.types();
+    if (!types)
+        return types.error();
+    if (!others)
+        return others.error();
+    if (types->empty() || others->empty())
+        return {};
+    const TypeRecord& one = types->front();
+    const TypeRecord& two = others->front(); // all types of a library are comparable
+    const Expected<double> factor =
+        parameterFactor(two.forceUnit, two.positionUnit, one.forceUnit, one.positionUnit);
+    return factor ? std::nullopt : std::optional(factor.error());
+}
+
+} // namespace
+
+Expected<TransferReport> measuredTransfer(const QString& homeFile, const QString& otherFile)
+{
+    const Expected<std::unique_ptr<Library>> home = openExistingLibrary(homeFile);
+    if (!home)
+        return tl::unexpected<Error>(home.error());
+    const Expected<std::unique_ptr<Library>> other = openExistingLibrary(otherFile);
+    if (!other)
+        return tl::unexpected<Error>(other.error());
+    if (const std::optional<Error> problem = unitsProblem(**home, **other))
+        return tl::unexpected<Error>(*problem);
+    const Expected<TypeModels> models = enrolledModels(**home);
+    if (!models)
+        return tl::unexpected<Error>(models.error());
+    const Expected<std::vector<TypeSqueeze>> squeezes = (*other)->enrolledSqueezes();
+    if (!squeezes)
+        return tl::unexpected<Error>(squeezes.error());
+    return measureTransfer(*models, *squeezes);
+}
+
+} // namespace gripscope::cli

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/error.h"
+#include "core/recognition/transfer.h"
+
+namespace gripscope::cli {
+
+/// The squeezes of one library, from another gripper, held against the types of `homeFile`; by the names of
+/// the types. Errors: StorageOpen, UnitsDiffer.
+[[nodiscard]] Expected<TransferReport> measuredTransfer(const QString& homeFile, const QString& otherFile);
+
+} // namespace gripscope::cli
