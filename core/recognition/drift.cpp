@@ -3,6 +3,7 @@
 
 #include "core/recognition/run_length.h"
 #include "core/recognition/self_starting_chart.h"
+#include "core/recognition/squeeze_values.h"
 
 #include <QCoreApplication>
 
@@ -27,16 +28,11 @@ QString tr(const char* text)
     return QCoreApplication::translate("Drift", text);
 }
 
-bool usable(const MassDampingStiffness& p)
-{
-    return p.vector().allFinite() && p.vector().minCoeff() > 0;
-}
-
 std::vector<TypeSqueeze> ofType(const std::vector<TypeSqueeze>& squeezes, const QString& type)
 {
     std::vector<TypeSqueeze> result;
     std::copy_if(squeezes.begin(), squeezes.end(), std::back_inserter(result),
-                 [&](const TypeSqueeze& one) { return one.type == type && usable(one.parameters); });
+                 [&](const TypeSqueeze& one) { return one.type == type && isUsable(one.parameters); });
     return result;
 }
 
@@ -45,10 +41,7 @@ void follow(const TypeModels& models, std::size_t place, const std::vector<TypeS
 {
     SelfStartingChart chart(models, place, weight);
     for (const TypeSqueeze& squeeze : squeezes) {
-        std::optional<Eigen::Matrix3d> noise;
-        if (squeeze.covariance)
-            noise = logCovariance(squeeze.parameters, *squeeze.covariance);
-        chart.add(squeeze.parameters.vector().array().log(), noise);
+        chart.add(logOf(squeeze.parameters), noiseOf(squeeze));
         const bool alarm = chart.average().cwiseAbs().maxCoeff() > limits.averageLimit ||
                            chart.tSquared() > limits.tSquaredLimit;
         if (alarm && !drift.firstAlarm)

@@ -7,7 +7,6 @@
 #include "core/recognition/quiet_policy.h"
 
 #include <QCoreApplication>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <boost/math/distributions/non_central_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -22,7 +21,6 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr double dimensions = 3;
-constexpr double leastDegrees = 3;
 constexpr double strangerDeviations = 6;
 constexpr double nearLimit = 1.25;
 constexpr int mostAhead = 100;
@@ -57,12 +55,6 @@ double strangersPassing(const Knowledge& known, double gate)
     const double away = strangerDeviations * strangerDeviations / known.spread();
     return boost::math::cdf(NonCentralF(dimensions, v - 2, away),
                             gate / known.spread() * (v - 2) / (dimensions * v));
-}
-
-double limitGate(double rate)
-{
-    const boost::math::chi_squared_distribution<double, QuietPolicy> distribution(dimensions);
-    return boost::math::quantile(boost::math::complement(distribution, rate));
 }
 
 double limitOfStrangers(double gate)
@@ -124,12 +116,12 @@ EnrollmentProgress enrollmentProgress(const TypeModels& models, const QString& t
         progress.squeezes = model->squeezes;
         known.squeezes = model->squeezes;
         if (models.degreesOfFreedom >= 1) {
-            const auto predictions = predictTypes(models, model->meanLog, {}, {options.robust});
-            known.degreesOfFreedom = predictions[std::size_t(model - models.types.data())].degreesOfFreedom;
+            known.degreesOfFreedom =
+                predictType(models, *model, model->meanLog, {}, {options.robust}).degreesOfFreedom;
         }
         progress.stiffnessUncertainty = stiffnessUncertainty(models, *model);
     }
-    const double limit = limitGate(options.falseReject);
+    const double limit = chiSquaredGate(options.falseReject);
     progress.gateLimit = std::sqrt(limit);
     progress.strangersLimit = limitOfStrangers(limit);
     progress.moreForGate = fewestMore([&](int more) {

@@ -31,13 +31,26 @@ std::optional<double> predictiveGate(double degreesOfFreedom, double rate)
     return std::isfinite(gate) ? std::optional(gate) : std::nullopt; // a rate next to 0 and v = 3
 }
 
+double chanceBeyond(double squaredDistance, double degreesOfFreedom, double count)
+{
+    const double ratio = squaredDistance * (degreesOfFreedom - 2) / (count * degreesOfFreedom);
+    if (!std::isfinite(ratio))
+        return 0;
+    return boost::math::cdf(
+        boost::math::complement(FisherF(count, degreesOfFreedom - 2), std::max(0.0, ratio)));
+}
+
+double chiSquaredGate(double rate)
+{
+    return boost::math::quantile(boost::math::complement(ChiSquared(dimensions), rate));
+}
+
 double heavyTailFactor(double rate)
 {
     const double heavy =
         dimensions * (tailDegrees - 2) / tailDegrees *
         boost::math::quantile(boost::math::complement(FisherF(dimensions, tailDegrees), rate));
-    const double gaussian = boost::math::quantile(boost::math::complement(ChiSquared(dimensions), rate));
-    return std::max(1.0, heavy / gaussian);
+    return std::max(1.0, heavy / chiSquaredGate(rate));
 }
 
 } // namespace gripscope

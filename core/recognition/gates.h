@@ -13,6 +13,13 @@ namespace gripscope {
 /// Introduction to Multivariate Statistical Analysis, 5.2.)
 [[nodiscard]] std::optional<double> predictiveGate(double degreesOfFreedom, double rate);
 
+/// The inverse: the probability that d' V^-1 d of so many dimensions is larger by chance; 0 beyond all
+/// numbers.
+[[nodiscard]] double chanceBeyond(double squaredDistance, double degreesOfFreedom, double dimensions = 3);
+
+/// The gate of one who knows the type: quantile 1 - rate of chi-square with 3 degrees of freedom.
+[[nodiscard]] double chiSquaredGate(double rate);
+
 /// The gate that rejects at most `rate` of the type's squeezes with this confidence: for the enrolment at
 /// hand, not on average. On d' W^-1 d with d from the mean of `squeezes` squeezes, W over v degrees of
 /// freedom. By Monte Carlo with a fixed seed over mean and eigenvalues of W, the content of each draw from

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/held_out_confusion.h"
 
+#include "core/recognition/squeeze_values.h"
+
 #include <QMap>
 
 #include <algorithm>
@@ -19,19 +21,13 @@ struct Part {
     std::vector<std::size_t> squeezes;
 };
 
-bool usable(const TypeSqueeze& squeeze)
-{
-    const Eigen::Vector3d p = squeeze.parameters.vector();
-    return p.allFinite() && p.minCoeff() > 0;
-}
-
 std::vector<Part> partsOf(const std::vector<TypeSqueeze>& squeezes, const QStringList& types)
 {
     std::vector<Part> parts;
     QMap<std::pair<QString, QString>, std::size_t> known;
     for (std::size_t i = 0; i < squeezes.size(); ++i) {
         const TypeSqueeze& squeeze = squeezes[i];
-        if (!usable(squeeze))
+        if (!isUsable(squeeze.parameters))
             continue;
         const auto key = std::make_pair(squeeze.type, squeeze.part);
         const bool again = !squeeze.part.isEmpty() && known.contains(key);
@@ -107,7 +103,7 @@ HeldOutConfusion heldOutConfusion(const std::vector<TypeSqueeze>& squeezes, cons
 {
     HeldOutConfusion result;
     for (const TypeSqueeze& squeeze : squeezes)
-        if (usable(squeeze))
+        if (isUsable(squeeze.parameters))
             result.types.append(squeeze.type);
     result.types.removeDuplicates();
     result.types.sort();

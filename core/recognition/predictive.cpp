@@ -58,49 +58,76 @@ void findDensity(TypePrediction& prediction, double degreesOfFreedom, DensityCon
         prediction.logDensityAtMean - (v + 1) / 2 * std::log1p(prediction.squaredDistance / v);
 }
 
-} // namespace
+/// What a squeeze's own noise makes of the scatter that all types share.
+class Predictor {
+public:
+    Predictor(const TypeModels& models, const std::optional<Eigen::Matrix3d>& noise,
+              const PredictionOptions& options)
+        : m_covariance(covarianceOfSqueeze(models.scatter, noise)), m_shared(m_covariance),
+          m_precision(m_shared.solve(Eigen::Matrix3d::Identity())),
+          m_degrees(degreesOfFreedom(models.scatter, m_covariance)), m_types(double(models.types.size())),
+          m_likeness(models.likeness), m_robust(options.robust)
+    {
+        if (models.scatter.alikeVariance)
+            m_alike = m_covariance - models.scatter.between +
+                      *models.scatter.alikeVariance * Eigen::Matrix3d::Identity();
+        if (m_robust && models.types.size() > 1)
+            m_likeness = std::min(m_likeness.value_or(robustLikeness), robustLikeness);
+    }
 
-std::vector<TypePrediction> predictTypes(const TypeModels& models, const Eigen::Vector3d& log,
-                                         const std::optional<Eigen::Matrix3d>& noise,
-                                         const PredictionOptions& options)
-{
-    const Eigen::Matrix3d sharedCovariance = covarianceOfSqueeze(models.scatter, noise);
-    const Cholesky shared(sharedCovariance);
-    const Eigen::Matrix3d precision = shared.solve(Eigen::Matrix3d::Identity());
-    const double degrees = degreesOfFreedom(models.scatter, sharedCovariance);
-    std::optional<double> likeness = models.likeness;
-    std::optional<Eigen::Matrix3d> alike;
-    if (models.scatter.alikeVariance)
-        alike = sharedCovariance - models.scatter.between +
-                *models.scatter.alikeVariance * Eigen::Matrix3d::Identity();
-    if (options.robust && models.types.size() > 1)
-        likeness = std::min(likeness.value_or(robustLikeness), robustLikeness);
-    std::vector<TypePrediction> predictions;
-    predictions.reserve(models.types.size());
-    DensityConstant constant;
-    for (const TypeModel& type : models.types) {
+    TypePrediction operator()(const TypeModel& type, const Eigen::Vector3d& log)
+    {
         TypePrediction prediction;
         prediction.meanLog = type.meanLog;
-        prediction.covariance = sharedCovariance;
-        prediction.degreesOfFreedom = degrees;
+        prediction.covariance = m_covariance;
+        prediction.degreesOfFreedom = m_degrees;
         // Traces of products.
-        prediction.effectiveSqueezes = dimensions / precision.cwiseProduct(type.meanCovarianceLog).sum();
+        prediction.effectiveSqueezes = dimensions / m_precision.cwiseProduct(type.meanCovarianceLog).sum();
         double spread = 1;
-        if (likeness) {
-            takeOwnSpread(type, *likeness, double(models.types.size()), shared, prediction);
-            spread = precision.cwiseProduct(prediction.covariance).sum() / dimensions;
+        if (m_likeness) {
+            takeOwnSpread(type, *m_likeness, m_types, m_shared, prediction);
+            spread = m_precision.cwiseProduct(prediction.covariance).sum() / dimensions;
         } else {
-            prediction.alikeCovariance = alike;
+            prediction.alikeCovariance = m_alike;
         }
         const Cholesky total(prediction.covariance + spread * type.meanCovarianceLog);
         prediction.squaredDistance = total.matrixL().solve(log - type.meanLog).squaredNorm();
         prediction.logDeterminant = 2 * std::log(total.matrixLLT().diagonal().prod());
         findDensity(prediction,
-                    options.robust ? std::min(prediction.degreesOfFreedom, robustDegrees)
-                                   : prediction.degreesOfFreedom,
-                    constant);
-        predictions.push_back(prediction);
+                    m_robust ? std::min(prediction.degreesOfFreedom, robustDegrees)
+                             : prediction.degreesOfFreedom,
+                    m_constant);
+        return prediction;
     }
+
+private:
+    Eigen::Matrix3d m_covariance;
+    Cholesky m_shared;
+    Eigen::Matrix3d m_precision;
+    double m_degrees, m_types;
+    std::optional<double> m_likeness;
+    bool m_robust;
+    std::optional<Eigen::Matrix3d> m_alike;
+    DensityConstant m_constant;
+};
+
+} // namespace
+
+TypePrediction predictType(const TypeModels& models, const TypeModel& type, const Eigen::Vector3d& log,
+                           const std::optional<Eigen::Matrix3d>& noise, const PredictionOptions& options)
+{
+    return Predictor(models, noise, options)(type, log);
+}
+
+std::vector<TypePrediction> predictTypes(const TypeModels& models, const Eigen::Vector3d& log,
+                                         const std::optional<Eigen::Matrix3d>& noise,
+                                         const PredictionOptions& options)
+{
+    Predictor predict(models, noise, options);
+    std::vector<TypePrediction> predictions;
+    predictions.reserve(models.types.size());
+    for (const TypeModel& type : models.types)
+        predictions.push_back(predict(type, log));
     return predictions;
 }
 

@@ -33,8 +33,15 @@ struct PredictionOptions {
     bool robust = false;
 };
 
-/// Types in their order. `noise`: the squeeze's own covariance in logs, absent where not known. `models` has
-/// at least one degree of freedom. (Murphy, Conjugate Bayesian analysis of the Gaussian distribution, 2007.)
+/// One type, which need not be one of `models`, with the scatter they share. `noise`: as below.
+[[nodiscard]] TypePrediction predictType(const TypeModels& models, const TypeModel& type,
+                                         const Eigen::Vector3d& log,
+                                         const std::optional<Eigen::Matrix3d>& noise,
+                                         const PredictionOptions& options);
+
+/// All types in their order. `noise`: the squeeze's own covariance in logs, absent where not known. `models`
+/// has at least one degree of freedom. (Murphy, Conjugate Bayesian analysis of the Gaussian distribution,
+/// 2007.)
 [[nodiscard]] std::vector<TypePrediction> predictTypes(const TypeModels& models, const Eigen::Vector3d& log,
                                                        const std::optional<Eigen::Matrix3d>& noise,
                                                        const PredictionOptions& options);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/recognition_scenario.h"
 
+#include "core/recognition/gates.h"
 #include "core/recognition/predictive.h"
 #include "core/signal/gaussian.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 
 #include <algorithm>
@@ -103,11 +103,6 @@ private:
     GaussianNoise m_noise;
     Eigen::Matrix3d m_toLogs = scatter * Eigen::Matrix3d::Identity();
 };
-
-double chiSquaredGate(double rate)
-{
-    return boost::math::quantile(boost::math::complement(boost::math::chi_squared(3), rate));
-}
 
 /// Those who know both neighbours' means and covariance, on the same squeeze.
 void countOracles(const Eigen::Vector3d& deviations, int type, const VerdictOptions& options,

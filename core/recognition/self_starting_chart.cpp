@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/self_starting_chart.h"
 
+#include "core/recognition/gates.h"
 #include "core/recognition/predictive.h"
 #include "core/recognition/quiet_policy.h"
 
 #include <Eigen/Cholesky>
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
@@ -34,11 +34,7 @@ double scoreOfStudent(double t, double degrees)
 double radiusOf(double squaredDistance, double degrees)
 {
     using boost::math::complement;
-    const boost::math::fisher_f_distribution<double, QuietPolicy> fisher(dimensions, degrees - 2);
-    const double ratio = squaredDistance * (degrees - 2) / (dimensions * degrees);
-    const double chance = std::isfinite(ratio)
-                              ? std::max(leastChance, boost::math::cdf(complement(fisher, ratio)))
-                              : leastChance;
+    const double chance = std::max(leastChance, chanceBeyond(squaredDistance, degrees));
     return std::sqrt(boost::math::quantile(complement(boost::math::chi_squared(dimensions), chance)));
 }
 
@@ -57,7 +53,7 @@ double SelfStartingChart::tSquared() const
 
 void SelfStartingChart::add(const Eigen::Vector3d& log, const std::optional<Eigen::Matrix3d>& noise)
 {
-    const TypePrediction expected = predictTypes(m_models, log, noise, {})[m_place];
+    const TypePrediction expected = predictType(m_models, m_models.types[m_place], log, noise, {});
     if (!(expected.degreesOfFreedom >= dimensions))
         return;
     if (m_degrees == 0) {

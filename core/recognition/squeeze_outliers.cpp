@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/squeeze_outliers.h"
 
+#include "core/recognition/gates.h"
 #include "core/recognition/predictive.h"
 #include "core/recognition/quantity_text.h"
 #include "core/recognition/quiet_policy.h"
+#include "core/recognition/squeeze_values.h"
 
 #include <QCoreApplication>
 #include <QMap>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
@@ -39,8 +40,7 @@ public:
     {
         QMap<QString, int> lent;
         for (std::size_t i = 0; i < squeezes.size(); ++i) {
-            const Eigen::Vector3d p = squeezes[i].parameters.vector();
-            if (!p.allFinite() || p.minCoeff() <= 0)
+            if (!isUsable(squeezes[i].parameters))
                 continue;
             if (squeezes[i].type == type)
                 m_kept.push_back(i);
@@ -64,11 +64,7 @@ public:
         if (!model || models.degreesOfFreedom < 1)
             return {};
         const TypeSqueeze& squeeze = m_squeezes[index];
-        std::optional<Eigen::Matrix3d> noise;
-        if (squeeze.covariance)
-            noise = logCovariance(squeeze.parameters, *squeeze.covariance);
-        const auto predictions = predictTypes(models, squeeze.parameters.vector().array().log(), noise, {});
-        return predictions[std::size_t(model - models.types.data())];
+        return predictType(models, *model, logOf(squeeze.parameters), noiseOf(squeeze), {});
     }
 
 private:
@@ -89,7 +85,6 @@ struct Improbability {
 
 Improbability improbability(const TypeSqueeze& squeeze, const TypePrediction& seen)
 {
-    using FisherF = boost::math::fisher_f_distribution<double, QuietPolicy>;
     using Student = boost::math::students_t_distribution<double, QuietPolicy>;
     const double v = seen.degreesOfFreedom;
     Improbability result;
@@ -97,8 +92,7 @@ Improbability improbability(const TypeSqueeze& squeeze, const TypePrediction& se
     const double spread = std::sqrt(1 + 1 / seen.effectiveSqueezes); // the others' mean is an estimate too
     result.deviations = result.offset.cwiseQuotient(spread * seen.covariance.diagonal().cwiseSqrt());
     if (v >= dimensions)
-        result.together = boost::math::cdf(boost::math::complement(
-            FisherF(dimensions, v - 2), seen.squaredDistance * (v - 2) / (dimensions * v)));
+        result.together = chanceBeyond(seen.squaredDistance, v);
     const double farthest = result.deviations.cwiseAbs().maxCoeff();
     result.alone = dimensions * 2 * boost::math::cdf(boost::math::complement(Student(v), farthest));
     return result;

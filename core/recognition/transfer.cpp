@@ -2,6 +2,7 @@
 #include "core/recognition/transfer.h"
 
 #include "core/recognition/predictive.h"
+#include "core/recognition/squeeze_values.h"
 #include "core/recognition/verdict.h"
 
 #include <QCoreApplication>
@@ -22,12 +23,6 @@ QString tr(const char* text)
     return QCoreApplication::translate("Transfer", text);
 }
 
-bool usable(const TypeSqueeze& squeeze)
-{
-    const Eigen::Vector3d p = squeeze.parameters.vector();
-    return p.allFinite() && p.minCoeff() > 0;
-}
-
 std::vector<TypeShift> shiftsOf(const TypeModels& models, const std::vector<TypeSqueeze>& squeezes)
 {
     std::vector<TypeShift> shifts;
@@ -37,13 +32,9 @@ std::vector<TypeShift> shiftsOf(const TypeModels& models, const std::vector<Type
     return shifts;
 }
 
-double logDensity(const TypeModels& models, std::size_t place, const TypeSqueeze& squeeze)
+double logDensity(const TypeModels& models, const TypeModel& type, const TypeSqueeze& squeeze)
 {
-    std::optional<Eigen::Matrix3d> noise;
-    if (squeeze.covariance)
-        noise = logCovariance(squeeze.parameters, *squeeze.covariance);
-    const Eigen::Vector3d log = squeeze.parameters.vector().array().log();
-    return predictTypes(models, log, noise, {})[place].logDensity;
+    return predictType(models, type, logOf(squeeze.parameters), noiseOf(squeeze), {}).logDensity;
 }
 
 bool isNamed(const TypeModels& models, const TypeSqueeze& squeeze)
@@ -60,14 +51,13 @@ void judgeBoth(const TypeModels& models, const TypeSqueeze& squeeze, const std::
 {
     const TypeModel* type = models.find(squeeze.type);
     const std::optional<CommonShift> error = commonShift(shiftsOf(models, others), ShiftKind::Factor);
-    if (type == nullptr || !error || !usable(squeeze))
+    if (type == nullptr || !error || !isUsable(squeeze.parameters))
         return;
-    const auto place = std::size_t(type - models.types.data());
     const TypeSqueeze moved = adjusted(squeeze, *error);
     trial.squeezes += 1;
     trial.namedBefore += isNamed(models, squeeze);
     trial.namedAfter += isNamed(models, moved);
-    trial.logDensityGain += logDensity(models, place, moved) - logDensity(models, place, squeeze);
+    trial.logDensityGain += logDensity(models, *type, moved) - logDensity(models, *type, squeeze);
 }
 
 /// Every squeeze judged without those that `leavesOut` it names.
@@ -112,14 +102,14 @@ QStringList inWords(const TransferReport& report)
 
 TypeSqueeze adjusted(const TypeSqueeze& squeeze, const CommonShift& error)
 {
-    if (!usable(squeeze))
+    if (!isUsable(squeeze.parameters))
         return squeeze;
     TypeSqueeze result = squeeze;
     const Eigen::Vector3d factor = (-error.value).array().exp();
     const Eigen::Vector3d p = squeeze.parameters.vector().cwiseProduct(factor);
-    if (!p.allFinite() || p.minCoeff() <= 0)
-        return squeeze;
     result.parameters = {p(0), p(1), p(2)};
+    if (!isUsable(result.parameters))
+        return squeeze;
     if (squeeze.covariance) {
         const Eigen::Matrix3d own = factor.asDiagonal() * *squeeze.covariance * factor.asDiagonal();
         const Eigen::Matrix3d added = p.asDiagonal() * error.covariance * p.asDiagonal();

@@ -3,6 +3,7 @@
 
 #include "core/recognition/gates.h"
 #include "core/recognition/part_scatter.h"
+#include "core/recognition/squeeze_values.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/SVD>
@@ -22,27 +23,15 @@ constexpr int dimensions = 3;
 /// Beyond a factor exp(10) a logarithm is not known at all, and larger numbers only lose digits.
 constexpr double largestLogDeviation = 10;
 
-bool usable(const MassDampingStiffness& p)
-{
-    return std::isfinite(p.m) && std::isfinite(p.b) && std::isfinite(p.k) && p.m > 0 && p.b > 0 && p.k > 0;
-}
-
-Eigen::Vector3d logOf(const MassDampingStiffness& p)
-{
-    return p.vector().array().log();
-}
-
 /// The squeezes of each type, the types by name, parts by number.
 QMap<QString, std::vector<LogSqueeze>> byType(const std::vector<TypeSqueeze>& squeezes)
 {
     QMap<QString, std::vector<LogSqueeze>> types;
     QMap<std::pair<QString, QString>, int> parts;
     for (const TypeSqueeze& squeeze : squeezes) {
-        if (!usable(squeeze.parameters))
+        if (!isUsable(squeeze.parameters))
             continue;
-        LogSqueeze log{logOf(squeeze.parameters), {}, -1};
-        if (squeeze.covariance)
-            log.noise = logCovariance(squeeze.parameters, *squeeze.covariance);
+        LogSqueeze log{logOf(squeeze.parameters), noiseOf(squeeze), -1};
         if (!squeeze.part.isEmpty()) {
             const auto key = std::make_pair(squeeze.type, squeeze.part);
             log.part = parts.contains(key) ? parts[key] : int(parts.size());
@@ -102,7 +91,7 @@ const TypeModel* TypeModels::find(const QString& name) const
 
 std::optional<Eigen::Matrix3d> logCovariance(const MassDampingStiffness& p, const Eigen::Matrix3d& covariance)
 {
-    if (!usable(p) || !covariance.allFinite())
+    if (!isUsable(p) || !covariance.allFinite())
         return {};
     Eigen::Matrix3d log;
     const Eigen::Vector3d x = p.vector();
@@ -161,7 +150,7 @@ std::optional<double> falseRejectGate(double squeezesOfType, double degreesOfFre
 std::optional<double> squaredDistance(const TypeModels& models, const TypeModel& type,
                                       const MassDampingStiffness& p)
 {
-    if (models.degreesOfFreedom == 0 || !usable(p))
+    if (models.degreesOfFreedom == 0 || !isUsable(p))
         return {};
     const Eigen::Vector3d difference = logOf(p) - type.meanLog;
     return difference.dot(models.covarianceLog.llt().solve(difference));

@@ -87,8 +87,7 @@ std::optional<ExpectedVerdicts> expectedVerdicts(const TypeModels& models, const
     const TypeModel* model = models.find(type);
     if (!model || models.degreesOfFreedom < 1 || draws < 1)
         return {};
-    const auto predictions = predictTypes(models, model->meanLog, {}, {options.robust});
-    const TypePrediction& own = predictions[std::size_t(model - models.types.data())];
+    const TypePrediction own = predictType(models, *model, model->meanLog, {}, {options.robust});
     if (!(own.degreesOfFreedom >= leastDegrees))
         return {};
     PredictedSqueezes next(own);

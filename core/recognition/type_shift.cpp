@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/type_shift.h"
 
+#include "core/recognition/gates.h"
 #include "core/recognition/predictive.h"
-#include "core/recognition/quiet_policy.h"
+#include "core/recognition/squeeze_values.h"
 
 #include <Eigen/Cholesky>
 #include <QCoreApplication>
-#include <boost/math/distributions/fisher_f.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,22 +18,6 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr double dimensions = 3;
-
-using FisherF = boost::math::fisher_f_distribution<double, QuietPolicy>;
-
-bool usable(const MassDampingStiffness& p)
-{
-    return p.vector().allFinite() && p.vector().minCoeff() > 0;
-}
-
-/// That a sum of squares over a covariance with v degrees of freedom is as large by chance.
-double chanceOf(double squares, double count, double v)
-{
-    const double f = squares * (v - 2) / (count * v);
-    if (!std::isfinite(f))
-        return 0;
-    return boost::math::cdf(boost::math::complement(FisherF(count, v - 2), std::max(0.0, f)));
-}
 
 QString percent(double log, double deviation)
 {
@@ -55,7 +39,6 @@ std::optional<TypeShift> typeShift(const TypeModels& models, const TypeModel& ty
 {
     if (models.degreesOfFreedom < 3)
         return {};
-    const auto place = std::size_t(&type - models.types.data());
     TypeShift shift;
     shift.type = type.name;
     const Eigen::Vector3d mean = type.meanLog.array().exp();
@@ -64,13 +47,10 @@ std::optional<TypeShift> typeShift(const TypeModels& models, const TypeModel& ty
     Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
     double degrees = 1e300;
     for (const TypeSqueeze& squeeze : squeezes) {
-        if (squeeze.type != type.name || !usable(squeeze.parameters))
+        if (squeeze.type != type.name || !isUsable(squeeze.parameters))
             continue;
-        std::optional<Eigen::Matrix3d> noise;
-        if (squeeze.covariance)
-            noise = logCovariance(squeeze.parameters, *squeeze.covariance);
-        const Eigen::Vector3d log = squeeze.parameters.vector().array().log();
-        const TypePrediction seen = predictTypes(models, log, noise, {})[place];
+        const Eigen::Vector3d log = logOf(squeeze.parameters);
+        const TypePrediction seen = predictType(models, type, log, noiseOf(squeeze), {});
         const Eigen::LLT<Eigen::Matrix3d> cholesky(seen.covariance);
         precision += cholesky.solve(Eigen::Matrix3d::Identity());
         weighted += cholesky.solve(log - type.meanLog);
@@ -84,7 +64,7 @@ std::optional<TypeShift> typeShift(const TypeModels& models, const TypeModel& ty
     shift.covariance = total.solve(Eigen::Matrix3d::Identity()) + type.meanCovarianceLog;
     shift.degreesOfFreedom = degrees;
     shift.tSquared = shift.log.dot(shift.covariance.llt().solve(shift.log));
-    shift.pValue = chanceOf(shift.tSquared, dimensions, degrees);
+    shift.pValue = chanceBeyond(shift.tSquared, degrees);
     return shift;
 }
 
@@ -120,13 +100,13 @@ std::optional<CommonShift> commonShift(const std::vector<TypeShift>& shifts, Shi
     CommonShift common;
     common.value = total.solve(weighted);
     common.covariance = total.solve(Eigen::Matrix3d::Identity());
-    common.pValue = chanceOf(common.value.dot(weighted), dimensions, v);
+    common.pValue = chanceBeyond(common.value.dot(weighted), v);
     for (const TypeShift& shift : shifts) {
         const Eigen::Vector3d rest = shift.log - designOf(shift, kind, centre) * common.value;
         common.misfit += rest.dot(shift.covariance.llt().solve(rest));
     }
     if (shifts.size() > 1)
-        common.agreement = chanceOf(common.misfit, dimensions * double(shifts.size() - 1), v);
+        common.agreement = chanceBeyond(common.misfit, v, dimensions * double(shifts.size() - 1));
     if (kind == ShiftKind::Addition) {
         common.value = centre.cwiseProduct(common.value);
         common.covariance = centre.asDiagonal() * common.covariance * centre.asDiagonal();
@@ -150,7 +130,7 @@ std::optional<LoneShift> loneShift(const std::vector<TypeShift>& shifts)
     }
     lone.misfit = std::max(0.0, lone.misfit - shifts[lone.type].tSquared);
     if (shifts.size() > 1)
-        lone.agreement = chanceOf(lone.misfit, dimensions * double(shifts.size() - 1), v);
+        lone.agreement = chanceBeyond(lone.misfit, v, dimensions * double(shifts.size() - 1));
     return lone;
 }
 

@@ -2,6 +2,7 @@
 #include "core/recognition/verdict.h"
 
 #include "core/recognition/judgement.h"
+#include "core/recognition/squeeze_values.h"
 #include "core/recognition/transfer.h"
 #include "core/recognition/verdict_reasons.h"
 
@@ -96,15 +97,14 @@ std::optional<Error> VerdictOptions::validate() const
 Verdict judge(const TypeModels& models, const MassDampingStiffness& parameters, const VerdictOptions& options,
               const std::optional<Eigen::Matrix3d>& covariance)
 {
-    const Eigen::Vector3d p = parameters.vector();
-    if (!p.allFinite() || p.minCoeff() <= 0) {
+    if (!isUsable(parameters)) {
         Verdict verdict;
         verdict.reasons = {
             QCoreApplication::translate("Verdict", "Mass, damping and stiffness are not all above zero.")};
         return verdict;
     }
     if (models.degreesOfFreedom == 0)
-        return withoutScatter(models, p.array().log());
+        return withoutScatter(models, logOf(parameters));
     std::optional<Eigen::Matrix3d> noise;
     if (covariance)
         noise = logCovariance(parameters, *covariance);
@@ -119,11 +119,7 @@ Verdict judge(const TypeModels& models, const Identification& identification, do
     if (identification.validity.verdict == ValidityVerdict::Invalid || !object) {
         verdict.reasons = invalidReasons(identification);
     } else {
-        const MassDampingStiffness& p = object->parameters;
-        TypeSqueeze squeeze;
-        squeeze.parameters = {p.m * siScale, p.b * siScale, p.k * siScale};
-        if (!object->covariance.isZero(0))
-            squeeze.covariance = siScale * object->covariance * siScale;
+        TypeSqueeze squeeze = scaledSqueeze({}, *object, siScale);
         if (transfer)
             squeeze = adjusted(squeeze, *transfer);
         verdict = judge(models, squeeze.parameters, options, squeeze.covariance);
