@@ -23,6 +23,14 @@ public:
     /// N/m (1 to 1e9). Usage otherwise.
     [[nodiscard]] static Expected<VirtualObject> fromText(const QString& text);
 
+    /// One without scatter; m and k positive.
+    [[nodiscard]] static VirtualObject exactly(const MassDampingStiffness& centre)
+    {
+        VirtualObject object;
+        object.m_centre = centre;
+        return object;
+    }
+
     /// The object in the hand at squeeze number `squeeze`, counted from 0: a function of the two numbers
     /// alone.
     [[nodiscard]] MassDampingStiffness draw(std::uint64_t seed, std::uint64_t squeeze) const;

@@ -79,9 +79,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static_cast<void>(
         parseCapture(QByteArray(reinterpret_cast<const char*>(data), static_cast<qsizetype>(size)),
                      QStringLiteral("fuzz")));
-    static const VirtualObject object = VirtualObject::fromText(QStringLiteral("A")).value();
     VirtualFirmwareOptions options;
-    options.object = object;
+    options.object = VirtualObject::exactly({0.04, 43, 9990});
     VirtualFirmware firmware(options);
     StreamAssembler assembler(0.001, 20e-6, 0.0005);
     std::vector<Sample> samples;
@@ -95,7 +94,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         seal(repaired);
         decodeAll(repaired, assembler, samples);
         firmware.receive(repaired, now_us);
-        takeSamples(firmware, now_us, 30);
+        takeSamples(firmware, now_us, 10);
     }
     checkSamples(samples);
     return 0;
