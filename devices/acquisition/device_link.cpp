@@ -138,10 +138,14 @@ void DeviceLink::startExcitation(const AdmittedExcitation& excitation)
         m_error.reset();
         const std::uint16_t number = m_nextExcitation++;
         m_squeeze = {SqueezeState::Uploading, number, 0};
-        m_commands.push(m_device.limitCounts(excitation.maxForce_N(), excitation.maxTravel_m()));
+        const SetLimitsCommand limits =
+            m_device.limitCounts(excitation.maxForce_N(), excitation.maxTravel_m());
+        m_commands.push(limits);
         std::vector<std::int32_t> forces;
+        forces.reserve(excitation.force_N().size());
+        // A force at the limit may be rounded up, the limit never is.
         for (const double force_N : excitation.force_N())
-            forces.push_back(m_device.forceCounts(force_N));
+            forces.push_back(std::min(m_device.forceCounts(force_N), limits.maxForce));
         for (std::size_t first = 0; first < forces.size(); first += maxForcesPerUpload) {
             UploadCommand chunk{number, static_cast<std::uint32_t>(first), 0, {}};
             const std::size_t count = std::min(maxForcesPerUpload, forces.size() - first);
