@@ -25,6 +25,7 @@ struct GripperIdentity {
     double forceLag_s = 0;
     DeviceLimits limits;
     bool commandable = false; ///< false: it only streams (a replay, a read-only gripper)
+    bool lossVisible = true;  ///< false: it sends neither a number nor a clock; what gets lost is not seen
 };
 
 /// One sample as the device sent it, in the units of its identity. `time_s` counts from the device's own

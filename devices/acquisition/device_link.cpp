@@ -40,8 +40,11 @@ QString inWords(const CommandBody& body)
 
 } // namespace
 
-DeviceLink::DeviceLink(std::shared_ptr<Transport> transport, QString address, std::size_t queueCapacity)
-    : m_transport(std::move(transport)), m_address(std::move(address)), m_samples(queueCapacity)
+DeviceLink::DeviceLink(std::shared_ptr<Transport> transport, std::unique_ptr<ReportDecoder> decoder,
+                       QString address, std::size_t queueCapacity)
+    : m_transport(std::move(transport)), m_decoder(std::move(decoder)),
+      m_understandsCommands(m_decoder->understandsCommands()), m_address(std::move(address)),
+      m_samples(queueCapacity)
 {
 }
 
@@ -104,7 +107,7 @@ void DeviceLink::arm()
     confirmAlive(); // whoever arms is there
     {
         const Lock lock(m_mutex);
-        if (!live())
+        if (!takesCommands())
             return;
         m_error.reset();
         m_commands.push(ArmCommand{});
@@ -116,7 +119,7 @@ void DeviceLink::disarm()
 {
     {
         const Lock lock(m_mutex);
-        if (!live())
+        if (!takesCommands())
             return;
         if (m_squeeze.state == SqueezeState::Uploading) { // it would be started, only to be ended
             m_commands.clear();
@@ -131,7 +134,7 @@ void DeviceLink::startExcitation(const AdmittedExcitation& excitation)
 {
     {
         const Lock lock(m_mutex);
-        if (!live()) {
+        if (!takesCommands()) {
             m_squeeze.state = SqueezeState::Refused;
             return;
         }
@@ -162,7 +165,7 @@ void DeviceLink::finishExcitation()
 {
     {
         const Lock lock(m_mutex);
-        if (!live() || m_squeeze.state != SqueezeState::Running)
+        if (!takesCommands() || m_squeeze.state != SqueezeState::Running)
             return;
         m_commands.push(FinishCommand{m_squeeze.number});
     }
@@ -173,7 +176,7 @@ void DeviceLink::stop() noexcept
 {
     {
         const Lock lock(m_mutex);
-        if (!live())
+        if (!takesCommands())
             return;
         m_commands.stop();
         if (m_squeeze.state == SqueezeState::Uploading)

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "devices/acquisition/command_queue.h"
-#include "devices/acquisition/device_description.h"
+#include "devices/acquisition/report_decoder.h"
 #include "devices/acquisition/sample_queue.h"
-#include "devices/protocol/stream_assembler.h"
 
 #include <atomic>
 #include <condition_variable>
@@ -31,7 +30,8 @@ public:
         1000}; ///< a device that says nothing is taken for lost
     static constexpr std::chrono::milliseconds readTimeout{20};
 
-    DeviceLink(std::shared_ptr<Transport> transport, QString address, std::size_t queueCapacity);
+    DeviceLink(std::shared_ptr<Transport> transport, std::unique_ptr<ReportDecoder> decoder, QString address,
+               std::size_t queueCapacity);
 
     // Bodies of the three threads.
     void runOpener();
@@ -74,6 +74,7 @@ private:
     void settle(const CommandQueue::Outcome& outcome);
     void refuse(const CommandQueue::Outcome& outcome);
     [[nodiscard]] bool live() const { return m_state == LinkState::Ready || m_state == LinkState::Armed; }
+    [[nodiscard]] bool takesCommands() const { return live() && m_understandsCommands; }
     [[nodiscard]] bool heartbeatDue(Clock::time_point now) const;
     [[nodiscard]] std::optional<protocol::Report> nextReport(Clock::time_point now);
     [[nodiscard]] Clock::time_point writerWakesAt(Clock::time_point now) const;
@@ -82,13 +83,16 @@ private:
     // Reader's.
     [[nodiscard]] bool waitUntilOpened();
     void take(protocol::ReportView bytes);
-    void takeStream(const protocol::StreamReport& report);
+    void takeSamples(Clock::time_point now);                 ///< those of m_batch
+    void takeState(const ReportDecoder::DeviceState& state); ///< called with the mutex held
     void takeAcknowledgement(const protocol::Acknowledgement& answer);
     /// A report whose samples were taken before the last answer was given may arrive after it; what it says
     /// of the device's state is old then. Called with the mutex held.
-    [[nodiscard]] bool olderThanAnswer(const protocol::StreamReport& report);
+    [[nodiscard]] bool olderThanAnswer(const ReportDecoder::DeviceState& state);
 
     const std::shared_ptr<Transport> m_transport;
+    const std::unique_ptr<ReportDecoder> m_decoder; ///< opener's, then reader's
+    const bool m_understandsCommands;
     const QString m_address;
 
     mutable std::mutex m_mutex;
@@ -105,9 +109,8 @@ private:
     std::optional<std::uint32_t> m_lastAnswer_us; ///< device's clock; until a report is newer
 
     SampleQueue m_samples;
-    std::optional<protocol::StreamAssembler> m_assembler; ///< reader's own
-    std::vector<Sample> m_batch;                          ///< reader's own
-    double m_latency_ms = 0;                              ///< owner's own
+    std::vector<Sample> m_batch; ///< reader's own
+    double m_latency_ms = 0;     ///< owner's own
     std::atomic<std::int64_t> m_aliveAt_ns{0};
     std::atomic<std::int64_t> m_newestArrival_ns{0};
     std::atomic<std::uint64_t> m_reports{0}, m_badReports{0}, m_lostSamples{0}, m_duplicateReports{0},

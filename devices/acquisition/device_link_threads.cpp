@@ -13,7 +13,7 @@ using namespace Qt::StringLiterals;
 void DeviceLink::runOpener()
 {
     Expected<DeviceDescription> device = m_transport->open().and_then(
-        [&]() -> Expected<DeviceDescription> { return describeDevice(*m_transport, m_address); });
+        [&]() -> Expected<DeviceDescription> { return m_decoder->describe(*m_transport, m_address); });
     const Lock lock(m_mutex);
     if (!device)
         return lose(device.error());
@@ -26,11 +26,7 @@ bool DeviceLink::waitUntilOpened()
 {
     Lock lock(m_mutex);
     m_changed.wait(lock, [&] { return m_state != LinkState::Opening; });
-    if (!live())
-        return false;
-    const MeasurementFeature& measurement = m_device.measurement;
-    m_assembler.emplace(measurement.forcePerCount, measurement.positionPerCount, measurement.sampleTime_s);
-    return true;
+    return live();
 }
 
 void DeviceLink::runReader()
@@ -67,42 +63,49 @@ bool DeviceLink::silentFor(std::chrono::milliseconds limit, Clock::time_point no
 void DeviceLink::take(ReportView bytes)
 {
     m_reports.fetch_add(1, std::memory_order_relaxed);
-    const Decoded<InputMessage> message = decodeInput(bytes);
-    if (!message) {
+    m_batch.clear();
+    const ReportDecoder::Taken taken = m_decoder->take(bytes, m_batch);
+    if (std::holds_alternative<DecodeError>(taken)) {
         m_badReports.fetch_add(1, std::memory_order_relaxed);
         return;
     }
-    if (const auto* report = std::get_if<StreamReport>(&*message))
-        takeStream(*report);
-    else
-        takeAcknowledgement(std::get<Acknowledgement>(*message));
-}
-
-void DeviceLink::takeStream(const StreamReport& report)
-{
-    m_batch.clear();
-    const StreamAssembler::Outcome outcome = m_assembler->take(report, m_batch);
-    m_lostSamples.store(m_assembler->lostSamples(), std::memory_order_relaxed);
-    m_duplicateReports.store(m_assembler->duplicateReports(), std::memory_order_relaxed);
+    if (const auto* answer = std::get_if<Acknowledgement>(&taken))
+        return takeAcknowledgement(*answer);
+    if (std::holds_alternative<ReportDecoder::Other>(taken))
+        return; // no sign that the stream lives
     const Clock::time_point now = Clock::now();
-    if (!m_batch.empty()) {
-        m_newestArrival_ns.store(
-            std::chrono::duration_cast<std::chrono::nanoseconds>(now.time_since_epoch()).count());
-        const std::size_t taken = m_samples.push(m_batch);
-        m_droppedSamples.fetch_add(m_batch.size() - taken, std::memory_order_relaxed);
-    }
+    takeSamples(now);
     const Lock lock(m_mutex);
     m_lastReport = now;
     m_unansweredSince.reset();
-    if (outcome == StreamAssembler::Outcome::Restarted)
+    if (std::holds_alternative<ReportDecoder::Restarted>(taken))
         lose({ErrorCode::DeviceLost, {m_address, u"it restarted"_qs}});
-    else if (outcome == StreamAssembler::Outcome::Accepted && !olderThanAnswer(report))
-        follow(report.status, report.excitation, report.excitationNumber);
+    else if (const auto* stream = std::get_if<ReportDecoder::Stream>(&taken))
+        takeState(stream->state);
 }
 
-bool DeviceLink::olderThanAnswer(const StreamReport& report)
+void DeviceLink::takeSamples(Clock::time_point now)
 {
-    if (m_lastAnswer_us && static_cast<std::int32_t>(report.timestamp_us - *m_lastAnswer_us) < 0)
+    const ReportDecoder::Counts counts = m_decoder->counts();
+    m_lostSamples.store(counts.lostSamples, std::memory_order_relaxed);
+    m_duplicateReports.store(counts.duplicateReports, std::memory_order_relaxed);
+    if (m_batch.empty())
+        return;
+    m_newestArrival_ns.store(
+        std::chrono::duration_cast<std::chrono::nanoseconds>(now.time_since_epoch()).count());
+    const std::size_t pushed = m_samples.push(m_batch);
+    m_droppedSamples.fetch_add(m_batch.size() - pushed, std::memory_order_relaxed);
+}
+
+void DeviceLink::takeState(const ReportDecoder::DeviceState& state)
+{
+    if (m_understandsCommands && !olderThanAnswer(state))
+        follow(state.status, state.excitation, state.excitationNumber);
+}
+
+bool DeviceLink::olderThanAnswer(const ReportDecoder::DeviceState& state)
+{
+    if (m_lastAnswer_us && static_cast<std::int32_t>(state.timestamp_us - *m_lastAnswer_us) < 0)
         return true;
     m_lastAnswer_us.reset(); // so that it does not look new again when the device's clock has gone round
     return false;

@@ -17,6 +17,7 @@ constexpr std::chrono::milliseconds othersMayTake{500};
 struct DevicePort::Private {
     QString address;
     TransportMaker makeTransport;
+    DecoderMaker makeDecoder;
     std::size_t queueCapacity;
     /// Guards the pointer only: stop() and confirmAlive() may come from any thread while open() puts a new
     /// link.
@@ -31,11 +32,13 @@ struct DevicePort::Private {
     }
 };
 
-DevicePort::DevicePort(QString address, TransportMaker makeTransport, std::size_t queueCapacity)
+DevicePort::DevicePort(QString address, TransportMaker makeTransport, std::size_t queueCapacity,
+                       DecoderMaker makeDecoder)
     : d(std::make_unique<Private>())
 {
     d->address = std::move(address);
     d->makeTransport = std::move(makeTransport);
+    d->makeDecoder = std::move(makeDecoder);
     d->queueCapacity = queueCapacity;
 }
 
@@ -47,7 +50,8 @@ DevicePort::~DevicePort()
 void DevicePort::open()
 {
     close();
-    auto link = std::make_shared<DeviceLink>(d->makeTransport(), d->address, d->queueCapacity);
+    auto link =
+        std::make_shared<DeviceLink>(d->makeTransport(), d->makeDecoder(), d->address, d->queueCapacity);
     {
         const std::lock_guard lock(d->mutex);
         d->link = link;

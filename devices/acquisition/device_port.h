@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/session/gripper_port.h"
+#include "devices/acquisition/gripscope_decoder.h"
 #include "devices/acquisition/sample_queue.h"
 #include "devices/transport.h"
 
@@ -9,15 +10,17 @@
 
 namespace gripscope {
 
-/// A gripper that speaks the Gripscope protocol, behind any transport. See DeviceLink for the threads.
+/// A gripper behind any transport, which speaks the Gripscope protocol unless another decoder is given. See
+/// DeviceLink for the threads.
 ///
 /// Samples of a squeeze always come first: squeezeState() says Finished or Stopped only when drain() has
 /// handed out everything that arrived up to that end.
 class DevicePort : public GripperPort {
 public:
-    /// `makeTransport` is called at each open(): a connection never uses what an earlier one left behind.
+    /// Both makers are called at each open(): a connection never uses what an earlier one left behind.
     DevicePort(QString address, TransportMaker makeTransport,
-               std::size_t queueCapacity = SampleQueue::defaultCapacity);
+               std::size_t queueCapacity = SampleQueue::defaultCapacity,
+               DecoderMaker makeDecoder = &GripscopeDecoder::make);
     ~DevicePort() override;
     DevicePort(const DevicePort&) = delete;
     DevicePort& operator=(const DevicePort&) = delete;
