@@ -5,6 +5,7 @@
 
 #include <QStringList>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gripscope {
@@ -27,35 +28,88 @@ Expected<double> number(const QString& key, const QString& text, double least, d
     return value;
 }
 
-Expected<void> parseFault(const QString& text, VirtualFaults& faults)
+/// The faults whose value is a size, in force from the beginning on, and those whose value is their time.
+struct FaultName {
+    const char* text;
+    Fault fault;
+    double most;
+    bool isTime;
+};
+constexpr FaultName faultNames[] = {
+    {"loss", Fault::Loss, 1, false},
+    {"duplicate", Fault::Duplicate, 1, false},
+    {"crc", Fault::Crc, 1, false},
+    {"saturate", Fault::Saturate, 1e6, false},
+    {"stall", Fault::Stall, longestFaultTime_s, true},
+    {"unplug", Fault::Unplug, longestFaultTime_s, true},
+    {"replug", Fault::Replug, longestFaultTime_s, true},
+    {"deaf", Fault::Deaf, longestFaultTime_s, true},
+    {"hang-feature", Fault::HangFeature, longestFaultTime_s, true},
+    {"hang-write", Fault::HangWrite, longestFaultTime_s, true},
+    {"broken", Fault::Broken, longestFaultTime_s, true},
+};
+
+/// What a fault that is named with its time alone is set to.
+std::optional<double> usualValue(Fault fault)
 {
-    const QString name = text.section(u':', 0, 0);
-    const QString value = text.section(u':', 1);
-    const auto set = [&](auto& target, double most) -> Expected<void> {
-        return number(u"fault="_qs + name, value, 0, most).map([&](double parsed) { target = parsed; });
-    };
-    if (name == u"loss")
-        return set(faults.lossProbability, 1);
-    if (name == u"duplicate")
-        return set(faults.duplicateProbability, 1);
-    if (name == u"crc")
-        return set(faults.badCrcProbability, 1);
-    if (name == u"stall")
-        return set(faults.stallAfter_s, 1e6);
-    if (name == u"unplug")
-        return set(faults.unplugAfter_s, 1e6);
-    if (name == u"saturate")
-        return set(faults.saturateForce_N, 1e6);
+    switch (fault) {
+    case Fault::HangFeature:
+    case Fault::HangWrite:
+        return usualHang_s;
+    case Fault::Deaf: // to all commands
+        return 0;
+    case Fault::Broken:
+        return 1;
+    default:
+        return {};
+    }
+}
+
+Expected<void> parseFault(const QString& text, VirtualAddress& address)
+{
     if (text == u"stuck") {
-        faults.sensorStuck = true;
+        address.faults.push_back({0, Fault::Stuck, 1});
         return {};
     }
     if (text == u"units") {
-        faults.millimetres = true;
+        address.millimetres = true;
         return {};
     }
-    return wrong(u"fault="_qs + text,
-                 u"a fault is loss:P, duplicate:P, crc:P, stall:S, unplug:S, saturate:N, stuck or units"_qs);
+    const QString name = text.section(u':', 0, 0);
+    const auto* known = std::find_if(std::begin(faultNames), std::end(faultNames),
+                                     [&](const FaultName& each) { return name == QLatin1String(each.text); });
+    if (known == std::end(faultNames))
+        return wrong(u"fault="_qs + text,
+                     u"a fault is loss:P, duplicate:P, crc:P, saturate:N, stall:S, unplug:S, replug:S, "
+                     "deaf:S, hang-feature:S, hang-write:S, broken:S, stuck or units"_qs);
+    const Expected<double> value = number(u"fault="_qs + name, text.section(u':', 1), 0, known->most);
+    if (!value)
+        return tl::unexpected<Error>(value.error());
+    if (known->isTime)
+        address.faults.push_back({*value, known->fault, usualValue(known->fault)});
+    else
+        address.faults.push_back({0, known->fault, *value});
+    return {};
+}
+
+Expected<void> parseFaults(const QString& text, VirtualAddress& address)
+{
+    for (const QString& fault : text.split(u','))
+        if (const Expected<void> parsed = parseFault(fault, address); !parsed)
+            return parsed;
+    // A replug is named by how long after the unplug it comes.
+    std::optional<double> unplugged_s;
+    for (const FaultEvent& event : address.faults)
+        if (event.fault == Fault::Unplug)
+            unplugged_s = event.at_s;
+    for (FaultEvent& event : address.faults)
+        if (event.fault == Fault::Replug) {
+            if (!unplugged_s)
+                return wrong(u"fault="_qs + text, u"replug:S needs unplug:S beside it"_qs);
+            event.at_s += *unplugged_s;
+        }
+    sortByTime(address.faults);
+    return {};
 }
 
 Expected<void> parseVirtualOption(const QString& key, const QString& value, VirtualAddress& address)
@@ -76,16 +130,19 @@ Expected<void> parseVirtualOption(const QString& key, const QString& value, Virt
     if (key == u"speed")
         return number(key, value, 0, 100).map([&](double speed) { address.speed = speed; });
     if (key == u"fault") {
-        for (const QString& fault : value.split(u','))
-            if (const Expected<void> parsed = parseFault(fault, address.faults); !parsed)
-                return parsed;
+        if (!address.faults.empty())
+            return wrong(u"a second fault="_qs, u"faults stand behind one fault=, with commas between"_qs);
+        return parseFaults(value, address);
+    }
+    if (key == u"script") {
+        address.script = value;
         return {};
     }
     if (key == u"capture") {
         address.capture = value;
         return {};
     }
-    return wrong(key, u"virtual: knows object, seed, noise, speed, fault and capture"_qs);
+    return wrong(key, u"virtual: knows object, seed, noise, speed, fault, script and capture"_qs);
 }
 
 Expected<DeviceAddress> parseVirtual(const QString& rest)

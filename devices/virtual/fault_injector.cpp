@@ -1,16 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/virtual/fault_injector.h"
 
+#include "devices/protocol/codec.h"
+
 namespace gripscope {
 
 namespace {
+
 constexpr std::uint64_t streamPurpose = 3;
 constexpr std::uint64_t acknowledgementPurpose = 4;
 constexpr std::uint64_t noSqueeze = ~std::uint64_t(0);
+
+bool isStream(const protocol::Report& report)
+{
+    return report[0] == static_cast<std::uint8_t>(protocol::ReportId::Stream);
+}
+
+/// In a stream report; 0 in any other.
+std::uint64_t samplesIn(const protocol::Report& report)
+{
+    const protocol::Decoded<protocol::InputMessage> message = protocol::decodeInput(report);
+    const auto* stream = message ? std::get_if<protocol::StreamReport>(&*message) : nullptr;
+    return stream ? stream->count : 0;
+}
+
 } // namespace
 
-FaultInjector::FaultInjector(const VirtualFaults& faults, std::uint64_t seed)
-    : m_faults(faults), m_seed(seed), m_stream(seed, noSqueeze, streamPurpose),
+FaultInjector::FaultInjector(std::uint64_t seed)
+    : m_seed(seed), m_stream(seed, noSqueeze, streamPurpose),
       m_acknowledgements(seed, noSqueeze, acknowledgementPurpose)
 {
 }
@@ -20,23 +37,38 @@ void FaultInjector::beginSqueeze(std::uint64_t number)
     m_stream = RandomStream(m_seed, number, streamPurpose);
 }
 
-void FaultInjector::pass(const protocol::Report& report, std::deque<protocol::Report>& wire)
+void FaultInjector::lose(const protocol::Report& report)
 {
-    const bool isStream = report[0] == static_cast<std::uint8_t>(protocol::ReportId::Stream);
-    RandomStream& random = isStream ? m_stream : m_acknowledgements;
+    const std::uint64_t samples = samplesIn(report);
+    m_counts.samples += samples;
+    m_counts.lostSamples += samples;
+}
+
+void FaultInjector::pass(const protocol::Report& report, const FaultState& faults,
+                         std::deque<protocol::Report>& wire)
+{
+    RandomStream& random = isStream(report) ? m_stream : m_acknowledgements;
     // All drawn every time, so that one fault does not move the others.
-    const bool lost = random.uniform() < m_faults.lossProbability;
-    const bool doubled = random.uniform() < m_faults.duplicateProbability;
-    const bool damaged = random.uniform() < m_faults.badCrcProbability;
+    const bool lost = random.uniform() < faults.loss;
+    const bool doubled = random.uniform() < faults.duplicate;
+    const bool damaged = random.uniform() < faults.badCrc;
     const std::uint64_t bit = random.bits() % (8 * protocol::reportSize);
     if (lost)
-        return;
+        return lose(report);
+    const std::uint64_t samples = samplesIn(report);
+    m_counts.samples += samples;
     protocol::Report arriving = report;
-    if (damaged)
+    if (damaged) {
         arriving[bit / 8] = static_cast<std::uint8_t>(arriving[bit / 8] ^ (1U << bit % 8));
+        m_counts.lostSamples += samples;
+        m_counts.damagedReports += doubled ? 2 : 1;
+    }
     wire.push_back(arriving);
-    if (doubled)
-        wire.push_back(arriving);
+    if (!doubled)
+        return;
+    wire.push_back(arriving);
+    if (!damaged && isStream(report))
+        ++m_counts.duplicateReports;
 }
 
 } // namespace gripscope

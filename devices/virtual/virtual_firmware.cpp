@@ -102,6 +102,9 @@ VirtualFirmware::Answer VirtualFirmware::execute(const CommandBody& body)
 
 VirtualFirmware::Answer VirtualFirmware::arm()
 {
+    constexpr std::uint32_t faultCode = 1; // the one fault it can have
+    if (m_faults.broken)
+        return {CommandResult::Fault, faultCode};
     if (m_armed)
         return {CommandResult::Repeated, m_lastStarted};
     m_armed = true;
@@ -228,6 +231,17 @@ VirtualFirmware::Answer VirtualFirmware::finish(const FinishCommand& early)
     return {};
 }
 
+void VirtualFirmware::setFaults(const FirmwareFaults& faults)
+{
+    if (faults.broken && !m_faults.broken)
+        halt(0);
+    if (!faults.sensorStuck)
+        m_stuckPosition.reset();
+    if (faults.clock_s != m_faults.clock_s)
+        flush(); // the samples of a report share one clock
+    m_faults = faults;
+}
+
 void VirtualFirmware::beginSqueeze()
 {
     flush();
@@ -245,8 +259,7 @@ void VirtualFirmware::beginSqueeze()
 void VirtualFirmware::acknowledge(std::uint16_t number, ReportId command, Answer answer)
 {
     Acknowledgement message;
-    message.status = static_cast<std::uint16_t>(m_latched | (m_armed ? StatusArmed : 0) |
-                                                (m_phase == Phase::Moving ? StatusMoving : 0));
+    message.status = status();
     message.commandNumber = number;
     message.command = command;
     message.result = answer.result;
@@ -294,14 +307,20 @@ void VirtualFirmware::advancePhase()
     }
 }
 
+std::uint16_t VirtualFirmware::status() const
+{
+    return static_cast<std::uint16_t>(m_latched | (m_armed ? StatusArmed : 0) |
+                                      (m_phase == Phase::Moving ? StatusMoving : 0) |
+                                      (m_faults.broken ? StatusFault : 0));
+}
+
 VirtualFirmware::Reading VirtualFirmware::read(double force_N)
 {
     Reading reading;
-    reading.status = static_cast<std::uint16_t>(m_latched | (m_armed ? StatusArmed : 0) |
-                                                (m_phase == Phase::Moving ? StatusMoving : 0));
+    reading.status = status();
     double force = force_N + m_options.forceNoise_N * m_noise.normal();
-    if (m_options.saturateForce_N && force > *m_options.saturateForce_N) {
-        force = *m_options.saturateForce_N;
+    if (m_faults.saturateForce_N && force > *m_faults.saturateForce_N) {
+        force = *m_faults.saturateForce_N;
         reading.status |= StatusForceSaturated;
     }
     double position = contact_m + m_state[0] + m_options.positionNoise_m * m_noise.normal();
@@ -310,7 +329,7 @@ VirtualFirmware::Reading VirtualFirmware::read(double force_N)
         reading.status |= StatusPositionSaturated;
     }
     reading.raw = {toCounts(force, forcePerCount_N), toCounts(position, positionPerCount_m)};
-    if (m_options.sensorStuck) {
+    if (m_faults.sensorStuck) {
         if (!m_stuckPosition)
             m_stuckPosition = reading.raw.position;
         reading.raw.position = *m_stuckPosition;
@@ -347,7 +366,8 @@ void VirtualFirmware::flush()
 
 std::uint32_t VirtualFirmware::timestamp_us(std::uint64_t sample) const
 {
-    return static_cast<std::uint32_t>(sample * 500);
+    const auto shift_us = static_cast<std::int64_t>(std::llround(m_faults.clock_s * 1e6));
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(sample * 500) + shift_us);
 }
 
 } // namespace gripscope

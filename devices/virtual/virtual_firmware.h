@@ -23,10 +23,16 @@ struct VirtualFirmwareOptions {
     /// this, so it is an error in the input; at 0.02 N it adds under 0.5 um to a position noise of 7.6 um,
     /// and its bias on m, b and k (noise to signal power, 4e-6) is far below their standard errors.
     double forceNoise_N = 0.02;
+    bool millimetres = false; ///< states positions in mm instead of m
+    bool hasWatchdog = true;  ///< off where time does not run by itself
+};
+
+/// What can be wrong with the device itself, at any time.
+struct FirmwareFaults {
     std::optional<double> saturateForce_N; ///< the force channel ends there
     bool sensorStuck = false;              ///< the position channel stays where it was
-    bool millimetres = false;              ///< states positions in mm instead of m
-    bool hasWatchdog = true;               ///< off where time does not run by itself
+    bool broken = false;                   ///< it finds a fault in itself: stops, and does not arm
+    double clock_s = 0;                    ///< its clock is ahead by so much
 };
 
 /// A gripper without hardware: what its firmware would do, sample for sample, in the bytes of
@@ -57,6 +63,7 @@ public:
     void receive(protocol::ReportView bytes, std::uint64_t now_us);
     /// Takes one sample; `now_us` as above.
     void sample(std::uint64_t now_us);
+    void setFaults(const FirmwareFaults& faults);
     /// Reports ready to be sent, oldest first; the caller takes them out.
     [[nodiscard]] std::deque<protocol::Report>& outbox() { return m_outbox; }
 
@@ -90,12 +97,14 @@ private:
     void beginSqueeze();
     double nextForce(); ///< what is applied from this sample to the next, N
     void advancePhase();
+    [[nodiscard]] std::uint16_t status() const;
     [[nodiscard]] Reading read(double force_N);
     void put(const Reading& reading);
     void flush();
     [[nodiscard]] std::uint32_t timestamp_us(std::uint64_t sample) const;
 
     VirtualFirmwareOptions m_options;
+    FirmwareFaults m_faults;
     std::deque<protocol::Report> m_outbox;
     protocol::StreamReport m_pending;
     std::uint32_t m_reportSequence = 0;

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/virtual/virtual_transport.h"
 
+#include "devices/virtual/virtual_plug.h"
+
 #include <algorithm>
+#include <thread>
 
 namespace gripscope {
+
+using namespace Qt::StringLiterals;
 
 namespace {
 /// Reports that wait for a reader, about 4 s; the newest are dropped behind that, as a kernel does.
@@ -21,23 +26,36 @@ Expected<std::shared_ptr<VirtualTransport>> VirtualTransport::make(const Virtual
     options.seed = address.seed;
     if (address.positionNoise_m)
         options.positionNoise_m = *address.positionNoise_m;
-    options.saturateForce_N = address.faults.saturateForce_N;
-    options.sensorStuck = address.faults.sensorStuck;
-    options.millimetres = address.faults.millimetres;
+    options.millimetres = address.millimetres;
     options.hasWatchdog = address.speed > 0;
     return std::make_shared<VirtualTransport>(address, std::move(options));
 }
 
 VirtualTransport::VirtualTransport(const VirtualAddress& address, VirtualFirmwareOptions options)
-    : m_address(address), m_firmware(std::move(options)), m_faults(address.faults, address.seed)
+    : m_address(address), m_firmware(std::move(options)), m_injector(address.seed)
 {
 }
 
 Expected<void> VirtualTransport::open()
 {
+    std::vector<FaultEvent> faults = m_address.faults;
+    if (!m_address.script.isEmpty()) {
+        const Expected<std::vector<FaultEvent>> script = readFaultScript(m_address.script);
+        if (!script)
+            return tl::unexpected<Error>(script.error());
+        faults.insert(faults.end(), script->begin(), script->end());
+        sortByTime(faults);
+    }
+    const std::optional<double> before_s = virtual_plug::plugIn(m_address);
+    if (!before_s)
+        return failure(ErrorCode::DeviceNotFound,
+                       {u"virtual:"_qs, u"It is unplugged; its faults plug it in again by themselves."_qs});
     const std::lock_guard lock(m_mutex);
+    m_timeline = FaultTimeline(std::move(faults));
+    m_faultsBefore_s = *before_s;
     m_start = Clock::now();
     m_open = true;
+    followFaults();
     return {};
 }
 
@@ -47,18 +65,58 @@ std::uint64_t VirtualTransport::hostTime_us() const
         std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - m_start).count());
 }
 
-bool VirtualTransport::past(const std::optional<double>& device_s) const
+double VirtualTransport::faults_s() const
 {
-    return device_s &&
-           static_cast<double>(m_firmware.samplesTaken()) * VirtualFirmware::sampleTime_s >= *device_s;
+    return m_faultsBefore_s + static_cast<double>(m_firmware.samplesTaken()) * VirtualFirmware::sampleTime_s;
+}
+
+void VirtualTransport::followFaults()
+{
+    m_timeline.advanceTo(faults_s());
+    const FaultState& now = m_timeline.state();
+    m_firmware.setFaults({now.saturate_N, now.stuck, now.broken, now.clock_s});
+    if (now.unplugged && !m_unplugged) {
+        m_unplugged = true;
+        rememberUnplug();
+    }
+}
+
+void VirtualTransport::rememberUnplug() const
+{
+    const std::optional<double> replug_s = m_timeline.nextReplug_s();
+    if (!replug_s)
+        return;
+    const double wait_s = realTime() ? (*replug_s - faults_s()) / m_address.speed : 0;
+    const auto wait = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wait_s));
+    virtual_plug::unplug(m_address, Clock::now() + wait, *replug_s);
+}
+
+bool VirtualTransport::hang(Lock& lock, double seconds)
+{
+    if (seconds <= 0)
+        return false;
+    lock.unlock();
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    lock.lock();
+    return true;
+}
+
+FaultCounts VirtualTransport::faultCounts()
+{
+    const std::lock_guard lock(m_mutex);
+    return m_injector.counts();
 }
 
 Expected<protocol::Report> VirtualTransport::feature(protocol::ReportId id)
 {
-    const std::lock_guard lock(m_mutex);
+    Lock lock(m_mutex);
+    if (usable() && realTime())
+        advance();
+    if (const double hangs_s = m_timeline.state().featureHangs_s; hang(lock, hangs_s))
+        return failure(ErrorCode::DeviceTimeout, {u"say what it is"_qs, QString::number(hangs_s)});
     const std::optional<protocol::Report> report = m_firmware.feature(static_cast<std::uint8_t>(id));
-    if (!m_open || m_closed || !report)
-        return failure(ErrorCode::DeviceLost, {QStringLiteral("virtual:"), QStringLiteral("it is not open")});
+    if (!usable() || !report)
+        return failure(ErrorCode::DeviceLost, {u"virtual:"_qs, u"it is not open"_qs});
     return *report;
 }
 
@@ -66,33 +124,36 @@ void VirtualTransport::deliver()
 {
     std::deque<protocol::Report>& outbox = m_firmware.outbox();
     for (; !outbox.empty(); outbox.pop_front()) {
-        const bool silent = past(m_address.faults.stallAfter_s) || unplugged();
+        const bool silent = m_timeline.state().stalled || m_unplugged;
         if (!silent && m_wire.size() < wireCapacity)
-            m_faults.pass(outbox.front(), m_wire);
+            m_injector.pass(outbox.front(), m_timeline.state(), m_wire);
+        else
+            m_injector.lose(outbox.front());
     }
     if (m_firmware.squeezesStarted() != m_squeezesSeen) {
         m_squeezesSeen = m_firmware.squeezesStarted();
-        m_faults.beginSqueeze(m_squeezesSeen);
+        m_injector.beginSqueeze(m_squeezesSeen);
     }
 }
 
 void VirtualTransport::takeSample(std::uint64_t now_us)
 {
     m_firmware.sample(now_us);
+    followFaults();
     deliver();
 }
 
 void VirtualTransport::advance()
 {
     if (!realTime()) {
-        while (m_wire.empty() && m_firmware.busy())
+        while (m_wire.empty() && m_firmware.busy() && !m_unplugged)
             takeSample(0);
         return;
     }
     const double rate = m_address.speed / VirtualFirmware::sampleTime_s * 1e-6; // samples in a microsecond
     const std::uint64_t now_us = hostTime_us();
     const auto due = static_cast<std::uint64_t>(static_cast<double>(now_us) * rate);
-    while (m_firmware.samplesTaken() < due && !unplugged()) {
+    while (m_firmware.samplesTaken() < due && !m_unplugged) {
         const auto at_us = static_cast<std::uint64_t>(static_cast<double>(m_firmware.samplesTaken()) / rate);
         takeSample(std::min(at_us, now_us));
     }
@@ -106,7 +167,7 @@ Transport::ReadResult VirtualTransport::read(Buffer& buffer, std::chrono::millis
         if (m_closed || !m_open)
             return {Outcome::Lost};
         advance();
-        if (unplugged())
+        if (m_unplugged)
             return {Outcome::Lost};
         if (!m_wire.empty()) {
             std::copy(m_wire.front().begin(), m_wire.front().end(), buffer.begin());
@@ -123,16 +184,20 @@ Transport::ReadResult VirtualTransport::read(Buffer& buffer, std::chrono::millis
 bool VirtualTransport::write(const protocol::Report& report)
 {
     {
-        const std::lock_guard lock(m_mutex);
-        if (!m_open || m_closed)
+        Lock lock(m_mutex);
+        if (!usable())
             return false;
         if (realTime())
             advance();
-        // A squeeze that is being followed by rest is shown to its end, whenever the next command comes.
-        while (!realTime() && m_firmware.settling())
-            takeSample(0);
-        if (unplugged())
+        if (hang(lock, m_timeline.state().writeHangs_s))
             return false;
+        // A squeeze that is being followed by rest is shown to its end, whenever the next command comes.
+        while (!realTime() && m_firmware.settling() && !m_unplugged)
+            takeSample(0);
+        if (!usable())
+            return false;
+        if (m_timeline.state().deaf(report[0]))
+            return true;
         m_firmware.receive(report, realTime() ? hostTime_us() : 0);
         deliver();
     }

@@ -4,6 +4,7 @@
 #include "devices/device_address.h"
 #include "devices/transport.h"
 #include "devices/virtual/fault_injector.h"
+#include "devices/virtual/fault_timeline.h"
 #include "devices/virtual/virtual_firmware.h"
 
 #include <condition_variable>
@@ -18,11 +19,17 @@ namespace gripscope {
 /// before and after it), and only as reports are asked for: nothing is ever too late, and the same seed gives
 /// the same samples, numbers and times on every run. There is no watchdog at speed 0, since there is no time
 /// for it.
+///
+/// Faults come by the device's time since open(). One that is unplugged stays gone for this transport; where
+/// its faults plug it in again, the next transport with the same address opens from then on, and its faults
+/// go on (virtual_plug.h). A feature request or a write that hangs blocks its caller as a system call does:
+/// nothing ends it early, while reports are read as before.
 class VirtualTransport : public Transport {
 public:
     [[nodiscard]] static Expected<std::shared_ptr<VirtualTransport>> make(const VirtualAddress& address);
     VirtualTransport(const VirtualAddress& address, VirtualFirmwareOptions options);
 
+    /// DeviceNotFound while it is unplugged; or what is wrong with the script of its faults.
     Expected<void> open() override;
     Expected<protocol::Report> feature(protocol::ReportId id) override;
     ReadResult read(Buffer& buffer, std::chrono::milliseconds timeout) override;
@@ -30,26 +37,36 @@ public:
     void close() noexcept override;
     [[nodiscard]] bool streamsAlways() const override { return m_address.speed > 0; }
 
+    /// What the faults did so far.
+    [[nodiscard]] FaultCounts faultCounts();
+
 private:
     using Clock = std::chrono::steady_clock;
+    using Lock = std::unique_lock<std::mutex>;
     [[nodiscard]] bool realTime() const { return m_address.speed > 0; }
     [[nodiscard]] std::uint64_t hostTime_us() const;
     void advance(); ///< to now, or at speed 0 until a report is there or the squeeze is over
     void takeSample(std::uint64_t now_us);
-    void deliver(); ///< from the firmware onto the wire, through the faults
-    [[nodiscard]] bool past(const std::optional<double>& device_s) const;
-    [[nodiscard]] bool unplugged() const { return past(m_address.faults.unplugAfter_s); }
+    void deliver();      ///< from the firmware onto the wire, through the faults
+    void followFaults(); ///< to the device's time
+    void rememberUnplug() const;
+    [[nodiscard]] double faults_s() const;
+    [[nodiscard]] bool usable() const { return m_open && !m_closed && !m_unplugged; }
+    [[nodiscard]] static bool hang(Lock& lock, double seconds);
 
     const VirtualAddress m_address;
     std::mutex m_mutex; ///< guards all below
     std::condition_variable m_wake;
     VirtualFirmware m_firmware;
-    FaultInjector m_faults;
+    FaultTimeline m_timeline;
+    double m_faultsBefore_s = 0; ///< what of the timeline passed before open()
+    FaultInjector m_injector;
     std::uint64_t m_squeezesSeen = 0;
     std::deque<protocol::Report> m_wire;
     Clock::time_point m_start;
     bool m_open = false;
     bool m_closed = false;
+    bool m_unplugged = false;
 };
 
 } // namespace gripscope

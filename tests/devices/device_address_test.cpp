@@ -23,21 +23,30 @@ private slots:
     void everyOptionIsRead()
     {
         const auto address = std::get<VirtualAddress>(*parseDeviceAddress(
-            u"virtual:?object=0.04,43,9990&seed=7&noise=20e-6&speed=0&capture=/tmp/x.gscap"
-            "&fault=loss:0.01,duplicate:0.02,crc:0.03,stall:1.5,unplug:2,saturate:25,stuck,units"_qs));
+            u"virtual:?object=0.04,43,9990&seed=7&noise=20e-6&speed=0&capture=/tmp/x.gscap&script=/tmp/"
+            u"faults.txt"
+            "&fault=loss:0.01,duplicate:0.02,crc:0.03,stall:1.5,replug:0.5,unplug:2,saturate:25,stuck,units,"
+            "deaf:3,hang-feature:4,hang-write:5,broken:6"_qs));
         QCOMPARE(address.object, u"0.04,43,9990"_qs);
         QCOMPARE(address.seed, std::uint64_t(7));
         QCOMPARE(address.positionNoise_m, std::optional<double>(20e-6));
         QCOMPARE(address.speed, 0.0);
         QCOMPARE(address.capture, u"/tmp/x.gscap"_qs);
-        QCOMPARE(address.faults.lossProbability, 0.01);
-        QCOMPARE(address.faults.duplicateProbability, 0.02);
-        QCOMPARE(address.faults.badCrcProbability, 0.03);
-        QCOMPARE(address.faults.stallAfter_s, std::optional<double>(1.5));
-        QCOMPARE(address.faults.unplugAfter_s, std::optional<double>(2));
-        QCOMPARE(address.faults.saturateForce_N, std::optional<double>(25));
-        QVERIFY(address.faults.sensorStuck);
-        QVERIFY(address.faults.millimetres);
+        QCOMPARE(address.script, u"/tmp/faults.txt"_qs);
+        QVERIFY(address.millimetres);
+        const std::vector<FaultEvent> faults{{0, Fault::Loss, 0.01},
+                                             {0, Fault::Duplicate, 0.02},
+                                             {0, Fault::Crc, 0.03},
+                                             {0, Fault::Saturate, 25},
+                                             {0, Fault::Stuck, 1},
+                                             {1.5, Fault::Stall, std::nullopt},
+                                             {2, Fault::Unplug, std::nullopt},
+                                             {2.5, Fault::Replug, std::nullopt},
+                                             {3, Fault::Deaf, 0},
+                                             {4, Fault::HangFeature, usualHang_s},
+                                             {5, Fault::HangWrite, usualHang_s},
+                                             {6, Fault::Broken, 1}};
+        QVERIFY(address.faults == faults);
     }
 
     void hidAddressesNameAGripper()
@@ -76,6 +85,8 @@ private slots:
         QTest::newRow("unknown fault") << u"virtual:?fault=fire"_qs << u"fire"_qs;
         QTest::newRow("probability above one") << u"virtual:?fault=loss:2"_qs << u"loss"_qs;
         QTest::newRow("fault without number") << u"virtual:?fault=loss"_qs << u"loss"_qs;
+        QTest::newRow("replug alone") << u"virtual:?fault=replug:1"_qs << u"unplug:S"_qs;
+        QTest::newRow("two fault options") << u"virtual:?fault=stuck&fault=crc:1"_qs << u"commas"_qs;
         QTest::newRow("half an id") << u"hid:1209"_qs << u"1209"_qs;
         QTest::newRow("no hexadecimal") << u"hid:12g9:1"_qs << u"12g9"_qs;
         QTest::newRow("long id") << u"hid:11209:1"_qs << u"11209"_qs;

@@ -4,25 +4,12 @@
 
 #include <QTest>
 
-#include <atomic>
 #include <future>
 
 using namespace gripscope;
 using namespace gripscope::test;
 using namespace Qt::StringLiterals;
 using Clock = std::chrono::steady_clock;
-
-namespace {
-
-std::uint16_t statusSeen(const std::vector<Sample>& samples)
-{
-    std::uint16_t seen = 0;
-    for (const Sample& sample : samples)
-        seen = static_cast<std::uint16_t>(seen | sample.status);
-    return seen;
-}
-
-} // namespace
 
 class DevicePortTest : public QObject {
     Q_OBJECT
@@ -174,9 +161,8 @@ private slots:
 
     void stopOvertakesAnUpload()
     {
-        Watched gripper(Watched::transport(1));
+        Watched gripper(Watched::transport(1, "0 deaf upload")); // it never gets through
         QVERIFY(gripper.ready() && gripper.arm());
-        gripper.wire->ignoring = protocol::ReportId::Upload; // it never gets through
         QVERIFY(gripper.gate.start(usualForce(20000)).has_value());
         QVERIFY(gripper.port->squeezeState() == SqueezeState::Uploading);
         gripper.port->stop();
@@ -187,9 +173,8 @@ private slots:
 
     void aDeviceThatDoesNotAnswerACommandIsToldSo()
     {
-        Watched gripper(Watched::transport(1));
+        Watched gripper(Watched::transport(1, "0 deaf start"));
         QVERIFY(gripper.ready() && gripper.arm());
-        gripper.wire->ignoring = protocol::ReportId::Start;
         QVERIFY(gripper.gate.start(usualForce(100)).has_value());
         QVERIFY(gripper.pollUntil([&] { return gripper.port->squeezeState() == SqueezeState::Refused; }));
         QVERIFY(gripper.port->lastError()->code == ErrorCode::DeviceTimeout);

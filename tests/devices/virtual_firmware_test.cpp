@@ -95,6 +95,28 @@ const std::vector<std::int32_t> push(200, 10000); // 10 N for 100 ms
 class VirtualFirmwareTest : public QObject {
     Q_OBJECT
 private slots:
+    void aFaultStopsItAndKeepsItFromArming()
+    {
+        Device device;
+        const std::vector<std::int32_t> forces(1000, 20000);
+        QCOMPARE(device.send(ArmCommand{}).result, CommandResult::Done);
+        QCOMPARE(device.upload(forces, 1), CommandResult::Done);
+        QCOMPARE(device.start(forces, 1), CommandResult::Done);
+        device.run(300);
+        QVERIFY(device.lastStatus() & StatusMoving);
+        FirmwareFaults faults;
+        faults.broken = true;
+        device.firmware.setFaults(faults);
+        const std::size_t pushed = device.pushedSamples();
+        device.run(300);
+        QCOMPARE(device.pushedSamples(), pushed);
+        QVERIFY(device.lastStatus() & StatusFault);
+        QVERIFY(!(device.lastStatus() & StatusArmed));
+        QCOMPARE(device.send(ArmCommand{}).result, CommandResult::Fault);
+        device.firmware.setFaults({});
+        QCOMPARE(device.send(ArmCommand{}).result, CommandResult::Done);
+    }
+
     void nothingMovesItBeforeItIsArmed()
     {
         Device device;

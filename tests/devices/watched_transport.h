@@ -10,9 +10,11 @@
 
 namespace gripscope::test {
 
-/// A virtual gripper whose wire can be watched and held up.
+/// A virtual gripper whose wire can be watched and held up at any moment. What its faults can do (a call that
+/// hangs, a command that does not arrive) is better said by a script.
 class WatchedTransport : public Transport {
 public:
+    using Clock = std::chrono::steady_clock;
     explicit WatchedTransport(const VirtualAddress& address) : m_inner(*VirtualTransport::make(address)) {}
 
     Expected<void> open() override
@@ -34,42 +36,52 @@ public:
     {
         const auto id = static_cast<protocol::ReportId>(report[0]);
         if (id == protocol::ReportId::Stop)
-            stopWritten = std::chrono::steady_clock::now().time_since_epoch().count();
+            stopWritten = Clock::now().time_since_epoch().count();
         if (id == protocol::ReportId::Heartbeat)
             ++heartbeats;
         std::this_thread::sleep_for(writeTakes.load());
-        if (ignoring.load() == id)
-            return true;
         return m_inner->write(report);
     }
     void close() noexcept override { m_inner->close(); }
     bool streamsAlways() const override { return m_inner->streamsAlways(); }
+    FaultCounts faultCounts() const { return m_inner->faultCounts(); }
 
     std::chrono::milliseconds openTakes{0};
     std::atomic<std::chrono::milliseconds> featureTakes{std::chrono::milliseconds(0)};
     std::atomic<std::chrono::milliseconds> readTakes{std::chrono::milliseconds(0)};
     std::atomic<std::chrono::milliseconds> writeTakes{std::chrono::milliseconds(0)};
-    std::atomic<protocol::ReportId> ignoring{protocol::ReportId::Stream}; ///< no command: nothing is ignored
-    std::atomic<std::int64_t> stopWritten{0};
+    std::atomic<std::int64_t> stopWritten{0}; ///< when a stop was last handed over; 0: never
     std::atomic<int> heartbeats{0};
 
 private:
     std::shared_ptr<VirtualTransport> m_inner;
 };
 
+/// A port on one.
 struct Watched : OpenPort {
     explicit Watched(std::shared_ptr<WatchedTransport> made)
-        : OpenPort(std::make_unique<DevicePort>(u"virtual:"_qs, [made] { return made; })),
+        : OpenPort(std::make_unique<DevicePort>(QStringLiteral("virtual:"), [made] { return made; })),
           wire(std::move(made))
     {
     }
-    static std::shared_ptr<WatchedTransport> transport(double speed)
+    /// `faults`: lines of a script.
+    static std::shared_ptr<WatchedTransport> transport(double speed, const QByteArray& faults = {})
     {
         VirtualAddress address;
         address.speed = speed;
+        address.faults = parseFaultScript(faults, QStringLiteral("faults")).value();
         return std::make_shared<WatchedTransport>(address);
     }
     std::shared_ptr<WatchedTransport> wire;
 };
+
+/// All status bits that any sample has.
+inline std::uint16_t statusSeen(const std::vector<Sample>& samples)
+{
+    std::uint16_t seen = 0;
+    for (const Sample& sample : samples)
+        seen = static_cast<std::uint16_t>(seen | sample.status);
+    return seen;
+}
 
 } // namespace gripscope::test

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/error.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace gripscope {
+
+/// What can go wrong with the virtual gripper; resources/manual/virtual.md says what each one does.
+enum class Fault {
+    Loss,
+    Duplicate,
+    Crc,
+    Saturate,
+    Stuck,
+    Stall,
+    Resume,
+    Clock,
+    Unplug,
+    Replug,
+    Deaf,
+    HangFeature,
+    HangWrite,
+    Broken,
+};
+
+/// From `at_s` on. `value`: a share (Loss, Duplicate, Crc), newtons (Saturate), seconds (Clock: the step;
+/// HangFeature, HangWrite: how long a call blocks), a report ID (Deaf; 0: all commands); without one: off
+/// again, or nothing to say.
+struct FaultEvent {
+    double at_s = 0;
+    Fault fault = Fault::Loss;
+    std::optional<double> value;
+    friend bool operator==(const FaultEvent&, const FaultEvent&) = default;
+};
+
+/// All that is wrong at a moment.
+struct FaultState {
+    double loss = 0, duplicate = 0, badCrc = 0; ///< share of the reports
+    std::optional<double> saturate_N;           ///< the force channel ends there
+    bool stuck = false;                         ///< the position channel stays where it was
+    bool stalled = false;                       ///< nothing is sent
+    bool unplugged = false;
+    bool broken = false;       ///< the device finds a fault in itself
+    double clock_s = 0;        ///< its clock is ahead by so much
+    std::uint32_t deafTo = 0;  ///< bit i: output report 0x20 + i does not arrive
+    double featureHangs_s = 0; ///< a feature request blocks for so long, and fails
+    double writeHangs_s = 0;   ///< so does a write
+    friend bool operator==(const FaultState&, const FaultState&) = default;
+
+    void apply(const FaultEvent& event);
+    [[nodiscard]] bool deaf(std::uint8_t reportId) const;
+};
+
+/// A line for each event: the time in seconds since the connection opened, a word, what the word needs;
+/// behind # comes a comment.
+///
+///     2.0 loss 0.1      # a tenth of the reports
+///     3.0 loss 0
+///     4.0 stall
+///     4.5 resume
+///
+/// Times never decrease. BadInput with FILE:LINE:COLUMN, what was found and what may be there.
+[[nodiscard]] Expected<std::vector<FaultEvent>> parseFaultScript(const QByteArray& text, const QString& name);
+/// FileUnreadable, or as above.
+[[nodiscard]] Expected<std::vector<FaultEvent>> readFaultScript(const QString& file);
+
+/// The events in order of time; those of one time stay in their order.
+void sortByTime(std::vector<FaultEvent>& events);
+
+/// Longest time in a script, s: eleven days.
+inline constexpr double longestFaultTime_s = 1e6;
+/// How long a call hangs unless told otherwise: as long as the kernel waits for a device's answer.
+inline constexpr double usualHang_s = 5;
+
+} // namespace gripscope
