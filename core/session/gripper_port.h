@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace gripscope {
@@ -28,14 +29,18 @@ struct GripperIdentity {
     bool lossVisible = true;  ///< false: it sends neither a number nor a clock; what gets lost is not seen
 };
 
-/// One sample as the device sent it, in the units of its identity. `time_s` counts from the device's own
-/// zero.
+/// One sample as the device sent it, in the units of its identity, and what befell the stream between the
+/// sample before and this one. `time_s` counts from the device's own zero.
 struct Sample {
     std::uint64_t sequence = 0;
     double time_s = 0;
     double force = 0;
     double position = 0;
-    std::uint16_t status = 0; ///< SampleStatus bits
+    std::uint16_t status = 0;    ///< SampleStatus bits
+    std::uint16_t stall_ms = 0;  ///< nothing came for so long, where that was a stall
+    std::uint8_t duplicates = 0; ///< reports that came twice; 255: or more
+    std::uint8_t badReports = 0; ///< reports with a wrong CRC, length or version; 255: or more
+    bool clockStepped = false;   ///< the device's clock jumped against its sample count
 };
 
 enum class LinkState { Closed, Opening, Ready, Armed, Lost, Closing };
@@ -43,13 +48,36 @@ enum class LinkState { Closed, Opening, Ready, Armed, Lost, Closing };
 
 /// Counted since the link was opened; nothing is lost without being counted.
 struct LinkCounters {
+    using TimePoint = std::chrono::steady_clock::time_point;
+
     std::uint64_t reports = 0;
     std::uint64_t samples = 0;
-    std::uint64_t lostSamples = 0; ///< missing by sequence number
+    std::uint64_t lostSamples = 0;  ///< missing by sequence number
+    std::uint64_t sequenceGaps = 0; ///< places where they are missing
+    std::optional<TimePoint> lastLoss;
     std::uint64_t duplicateReports = 0;
     std::uint64_t badReports = 0;     ///< wrong CRC, length or version
     std::uint64_t droppedSamples = 0; ///< the program did not keep up: its own queue was full
-    double latency_ms = 0;            ///< age of the newest sample when it was taken over, smoothed
+
+    std::uint64_t clockSteps = 0;         ///< the device's clock jumped against its sample count
+    std::optional<double> clockDrift_ppm; ///< of the device's clock against the computer's; after a second
+    std::uint64_t stalls = 0;             ///< nothing came for a while, though the device was there
+    double longestStall_s = 0;
+    bool stalled = false; ///< now
+
+    double reportRate_Hz = 0; ///< over the last second
+    double sampleRate_Hz = 0;
+    std::optional<TimePoint> newestArrival; ///< of the samples taken over last
+    double latency_ms = 0;                  ///< from arrival until the newest sample was taken over, smoothed
+    /// From arrival until each sample was taken over, in the last 10 s: half were quicker, 99 of 100 were.
+    double latency50_ms = 0, latency99_ms = 0;
+
+    std::uint64_t commandsSent = 0;     ///< without repeats and heartbeats
+    std::uint64_t commandsRepeated = 0; ///< sent again, because no answer came
+    std::uint64_t commandsAnswered = 0;
+    std::uint64_t commandsRefused = 0;    ///< answered with another result than done
+    std::uint64_t commandsUnanswered = 0; ///< given up
+    std::uint64_t heartbeats = 0;
 };
 
 /// What became of the last squeeze asked for.

@@ -90,8 +90,7 @@ Step countStep(double timeSteps, bool hasSequence, std::uint64_t before, std::ui
         return {byTime, byTime <= longestCounted, false};
     }
     const double bySequence = after > before ? static_cast<double>(after - before) : 0;
-    const double allowed = std::max(contradiction, contradictionOfLength * bySequence);
-    if (forward && bySequence > 0 && std::abs(timeSteps - bySequence) <= allowed)
+    if (forward && bySequence > 0 && !stepsContradict(timeSteps, bySequence))
         return {static_cast<std::int64_t>(std::min(bySequence, mostSteps)), true, false};
     return {1, false, true};
 }
@@ -204,6 +203,12 @@ void countGaps(SampleClock& clock, std::int64_t acrossBreak)
 }
 
 } // namespace
+
+bool stepsContradict(double timeSteps, double sequenceSteps)
+{
+    return std::abs(timeSteps - sequenceSteps) >
+           std::max(contradiction, contradictionOfLength * sequenceSteps);
+}
 
 SampleClock readSampleClock(std::span<const double> time_s, std::span<const std::uint64_t> sequence,
                             double nominal_s)

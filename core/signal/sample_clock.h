@@ -34,13 +34,16 @@ struct SampleClock {
 /// omega it acts as noise of omega T times the share, 0.1 % of the signal at omega T = 0.1.
 inline constexpr double smallestJitter = 0.01;
 
+/// A step of time (in sample times) and the step of the sample count beside it cannot both be right: they
+/// differ by more than 0.7 samples (jitter of a quarter at both ends stays below) and by more than 1 %.
+[[nodiscard]] bool stepsContradict(double timeSteps, double sequenceSteps);
+
 /// Reads the clock. Lost samples come from the sequence numbers, or where there are none from the time
 /// stamps, each rounded to the nearest place on a grid that follows the clock (a wrong count needs a jitter
-/// of half a sample time). Where a step of time and one of the sequence differ by more than 0.7 samples (and
-/// 1 %), or time or sequence run backwards, the two contradict each other: the clock was set, or the device
-/// started again. How many samples are missing there is not known; at least two are taken as lost, after
-/// which nothing about the state before is assumed. A gap of more than 50 samples without sequence numbers is
-/// as long as it is said to be, but does not count for T.
+/// of half a sample time). Where a step of time and one of the sequence contradict each other, or either runs
+/// backwards, the clock was set, or the device started again. How many samples are missing there is not
+/// known; at least two are taken as lost, after which nothing about the state before is assumed. A gap of
+/// more than 50 samples without sequence numbers is as long as it is said to be, but does not count for T.
 ///
 /// `sequence` is empty or as long as `time_s`; all times finite, `nominal_s` > 0. Fewer than two samples: the
 /// nominal clock.

@@ -56,7 +56,7 @@ std::optional<Report> CommandQueue::next(Clock::time_point now)
         if (waiting || entry.timesSent >= attemptsFor(entry))
             continue;
         entry.sent = now;
-        ++entry.timesSent;
+        ++(entry.timesSent++ == 0 ? m_sent : m_repeated);
         return encode(entry.command);
     }
     return std::nullopt;
@@ -80,6 +80,8 @@ std::optional<CommandQueue::Outcome> CommandQueue::acknowledge(const Acknowledge
     if (found == m_entries.end())
         return std::nullopt;
     Outcome outcome{found->command.body, answer.result, answer.detail};
+    ++m_answered;
+    m_refused += answer.result != CommandResult::Done && answer.result != CommandResult::Repeated ? 1 : 0;
     m_entries.erase(found);
     return outcome;
 }
@@ -92,13 +94,25 @@ std::optional<CommandQueue::Outcome> CommandQueue::expired(Clock::time_point now
     if (found == m_entries.end())
         return std::nullopt;
     Outcome outcome{found->command.body, std::nullopt, 0};
+    ++m_unanswered;
     m_entries.erase(found);
     return outcome;
 }
 
 Report CommandQueue::heartbeat()
 {
+    ++m_heartbeats;
     return encode(Command{++m_lastNumber, HeartbeatCommand{}});
+}
+
+void CommandQueue::fill(LinkCounters& counters) const
+{
+    counters.commandsSent = m_sent;
+    counters.commandsRepeated = m_repeated;
+    counters.commandsAnswered = m_answered;
+    counters.commandsRefused = m_refused;
+    counters.commandsUnanswered = m_unanswered;
+    counters.heartbeats = m_heartbeats;
 }
 
 } // namespace gripscope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/gripper_port.h"
 #include "devices/protocol/codec.h"
 
 #include <chrono>
@@ -49,6 +50,8 @@ public:
 
     [[nodiscard]] bool empty() const { return m_entries.empty(); }
     [[nodiscard]] bool stopping() const;
+    /// How many were sent, repeated, answered, refused and given up, and the heartbeats.
+    void fill(LinkCounters& counters) const;
 
 private:
     struct Entry {
@@ -63,6 +66,8 @@ private:
 
     std::deque<Entry> m_entries; ///< unanswered ones, in order
     std::uint16_t m_lastNumber = 0;
+    std::uint64_t m_sent = 0, m_repeated = 0, m_answered = 0, m_refused = 0, m_unanswered = 0,
+                  m_heartbeats = 0;
 };
 
 } // namespace gripscope

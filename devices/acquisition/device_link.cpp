@@ -15,6 +15,12 @@ std::int64_t nanoseconds(DeviceLink::Clock::time_point t)
     return std::chrono::duration_cast<std::chrono::nanoseconds>(t.time_since_epoch()).count();
 }
 
+DeviceLink::Clock::time_point timePoint(std::int64_t since_ns)
+{
+    return DeviceLink::Clock::time_point(
+        std::chrono::duration_cast<DeviceLink::Clock::duration>(std::chrono::nanoseconds(since_ns)));
+}
+
 /// What was asked, to follow "the gripper refused to" or "the gripper did not".
 QString inWords(const CommandBody& body)
 {
@@ -76,25 +82,43 @@ SqueezeState DeviceLink::squeezeState() const
 LinkCounters DeviceLink::counters() const
 {
     LinkCounters counters;
-    counters.reports = m_reports.load();
+    m_watch.fill(counters);
     counters.samples = m_samples.pushed();
-    counters.lostSamples = m_lostSamples.load();
-    counters.duplicateReports = m_duplicateReports.load();
-    counters.badReports = m_badReports.load();
     counters.droppedSamples = m_droppedSamples.load();
+    counters.reportRate_Hz = m_rates.reportRate_Hz();
+    counters.sampleRate_Hz = m_rates.sampleRate_Hz();
+    counters.newestArrival = m_takenArrival;
     counters.latency_ms = m_latency_ms;
+    counters.latency50_ms = m_latencies.quantile_ms(0.50, Clock::now());
+    counters.latency99_ms = m_latencies.quantile_ms(0.99, Clock::now());
+    const Lock lock(m_mutex);
+    m_commands.fill(counters);
     return counters;
 }
 
 std::size_t DeviceLink::drain(std::vector<Sample>& samples, std::size_t most)
 {
+    const Clock::time_point arrived = timePoint(m_newestArrival_ns.load());
     const std::size_t count = m_samples.pop(samples, most);
+    const Clock::time_point now = Clock::now();
+    LinkCounters counters;
+    m_watch.fill(counters);
+    m_rates.take(now, counters.reports, m_samples.pushed());
     if (count == 0)
         return 0;
-    const double age_ms = 1e-6 * static_cast<double>(nanoseconds(Clock::now()) - m_newestArrival_ns.load());
+    m_takenArrival = arrived;
+    timeTakingOver(std::span(samples).last(count), now);
+    return count;
+}
+
+void DeviceLink::timeTakingOver(std::span<const Sample> taken, Clock::time_point now)
+{
+    const double age_ms = std::chrono::duration<double, std::milli>(now - *m_takenArrival).count();
     constexpr double weight = 0.1; // smooths over some ten calls
     m_latency_ms += weight * (std::max(0.0, age_ms) - m_latency_ms);
-    return count;
+    // Those before the newest came as much earlier as the device took them earlier.
+    for (const Sample& sample : taken)
+        m_latencies.add(age_ms + 1000 * (taken.back().time_s - sample.time_s), now);
 }
 
 void DeviceLink::confirmAlive() noexcept

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/latency_histogram.h"
 #include "devices/acquisition/command_queue.h"
+#include "devices/acquisition/rate_meter.h"
 #include "devices/acquisition/report_decoder.h"
 #include "devices/acquisition/sample_queue.h"
+#include "devices/acquisition/stream_watch.h"
 
 #include <atomic>
 #include <condition_variable>
@@ -110,11 +113,17 @@ private:
 
     SampleQueue m_samples;
     std::vector<Sample> m_batch; ///< reader's own
-    double m_latency_ms = 0;     ///< owner's own
+    StreamWatch m_watch;         ///< reader's own, but for its counters
     std::atomic<std::int64_t> m_aliveAt_ns{0};
     std::atomic<std::int64_t> m_newestArrival_ns{0};
-    std::atomic<std::uint64_t> m_reports{0}, m_badReports{0}, m_lostSamples{0}, m_duplicateReports{0},
-        m_droppedSamples{0};
+    std::atomic<std::uint64_t> m_droppedSamples{0};
+
+    // Owner's own: how soon it takes over what arrived.
+    void timeTakingOver(std::span<const Sample> taken, Clock::time_point now);
+    LatencyHistogram m_latencies;
+    RateMeter m_rates;
+    double m_latency_ms = 0;
+    std::optional<Clock::time_point> m_takenArrival; ///< of the newest sample taken over
 };
 
 } // namespace gripscope

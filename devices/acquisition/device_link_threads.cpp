@@ -26,6 +26,8 @@ bool DeviceLink::waitUntilOpened()
 {
     Lock lock(m_mutex);
     m_changed.wait(lock, [&] { return m_state != LinkState::Opening; });
+    if (live())
+        m_watch.begin(m_device.identity.sampleTime_s, m_transport->streamsAlways());
     return live();
 }
 
@@ -38,6 +40,8 @@ void DeviceLink::runReader()
         const Transport::ReadResult result = m_transport->read(buffer, readTimeout);
         if (result.outcome == Transport::Outcome::Report)
             take(ReportView(buffer).first(std::min(result.size, buffer.size())));
+        else if (result.outcome == Transport::Outcome::Timeout)
+            m_watch.nothingCame(Clock::now());
         const Lock lock(m_mutex);
         if (result.outcome == Transport::Outcome::Lost)
             lose({ErrorCode::DeviceLost, {m_address, u"it was unplugged or switched off"_qs}});
@@ -62,11 +66,11 @@ bool DeviceLink::silentFor(std::chrono::milliseconds limit, Clock::time_point no
 
 void DeviceLink::take(ReportView bytes)
 {
-    m_reports.fetch_add(1, std::memory_order_relaxed);
+    m_watch.reportCame();
     m_batch.clear();
     const ReportDecoder::Taken taken = m_decoder->take(bytes, m_batch);
     if (std::holds_alternative<DecodeError>(taken)) {
-        m_badReports.fetch_add(1, std::memory_order_relaxed);
+        m_watch.reportWasBad();
         return;
     }
     if (const auto* answer = std::get_if<Acknowledgement>(&taken))
@@ -86,9 +90,7 @@ void DeviceLink::take(ReportView bytes)
 
 void DeviceLink::takeSamples(Clock::time_point now)
 {
-    const ReportDecoder::Counts counts = m_decoder->counts();
-    m_lostSamples.store(counts.lostSamples, std::memory_order_relaxed);
-    m_duplicateReports.store(counts.duplicateReports, std::memory_order_relaxed);
+    m_watch.decoded(m_decoder->counts(), m_batch, now);
     if (m_batch.empty())
         return;
     m_newestArrival_ns.store(

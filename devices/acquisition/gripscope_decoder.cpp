@@ -35,7 +35,8 @@ ReportDecoder::Taken GripscopeDecoder::take(ReportView bytes, std::vector<Sample
 
 ReportDecoder::Counts GripscopeDecoder::counts() const
 {
-    return {m_assembler->lostSamples(), m_assembler->duplicateReports()};
+    return {m_assembler->lostSamples(), m_assembler->sequenceGaps(), m_assembler->clockSteps(),
+            m_assembler->duplicateReports()};
 }
 
 } // namespace gripscope

@@ -36,6 +36,8 @@ public:
 
     struct Counts {
         std::uint64_t lostSamples = 0;
+        std::uint64_t sequenceGaps = 0; ///< places where they are missing
+        std::uint64_t clockSteps = 0;   ///< the device's clock jumped against its sample count
         std::uint64_t duplicateReports = 0;
     };
 

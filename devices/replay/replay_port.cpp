@@ -112,8 +112,11 @@ std::size_t ReplayPort::drain(std::vector<Sample>& samples, std::size_t most)
     for (; count < most && m_next < m_recording.size(); ++count, ++m_next) {
         if (m_recording.time_s[m_next] - m_recording.time_s.front() > played_s)
             break;
-        if (m_nextGap < m_gaps.size() && m_gaps[m_nextGap].before == m_next)
+        if (m_nextGap < m_gaps.size() && m_gaps[m_nextGap].before == m_next) {
             m_counters.lostSamples += static_cast<std::uint64_t>(m_gaps[m_nextGap++].lostSamples);
+            ++m_counters.sequenceGaps;
+            m_counters.lastLoss = Clock::now();
+        }
         // Without numbers of its own a recording gets some that jump where its time does.
         samples.push_back(
             {m_recording.sequence.empty() ? m_next + m_counters.lostSamples : m_recording.sequence[m_next],

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/acquisition/command_queue.h"
 #include "tests/devices/watched_transport.h"
 #include "tests/support/test_registry.h"
 
@@ -40,6 +41,92 @@ private slots:
             QVERIFY(gripper.samples[i].sequence > gripper.samples[i - 1].sequence);
             QVERIFY(gripper.samples[i].time_s > gripper.samples[i - 1].time_s);
         }
+    }
+
+    void whatBefellTheStreamStandsOnTheSampleBehindIt()
+    {
+        OpenPort gripper(u"virtual:?speed=0&seed=4&fault=duplicate:0.05,crc:0.05"_qs);
+        QCOMPARE(gripper.squeeze(usualForce(2000)), SqueezeState::Finished);
+        gripper.port->drain(gripper.samples);
+        std::uint64_t duplicates = 0, bad = 0;
+        for (std::size_t i = 0; i < gripper.samples.size(); ++i) {
+            const Sample& sample = gripper.samples[i];
+            duplicates += sample.duplicates;
+            bad += sample.badReports;
+            const bool gap = i > 0 && sample.sequence != gripper.samples[i - 1].sequence + 1;
+            // A damaged report is a gap, unless it was an answer to a command.
+            QVERIFY(!gap || sample.badReports > 0);
+            QVERIFY(!sample.clockStepped && sample.stall_ms == 0);
+        }
+        const LinkCounters counters = gripper.port->counters();
+        QVERIFY(counters.sequenceGaps > 0 && counters.lastLoss);
+        QCOMPARE(duplicates, counters.duplicateReports);
+        QCOMPARE(bad, counters.badReports);
+    }
+
+    void aStallIsCountedWithItsLengthAndStandsOnTheSampleBehindIt()
+    {
+        Watched gripper(Watched::transport(1, "0.3 stall\n0.8 resume\n"));
+        QVERIFY(gripper.pollUntil([&] { return gripper.port->counters().stalled; }));
+        QVERIFY(gripper.pollUntil([&] {
+            return !gripper.samples.empty() && gripper.samples.back().time_s > 1 &&
+                   !gripper.port->counters().stalled;
+        }));
+        QVERIFY(gripper.port->state() == LinkState::Ready);
+        std::vector<int> stalls_ms;
+        for (const Sample& sample : gripper.samples)
+            if (sample.stall_ms > 0)
+                stalls_ms.push_back(sample.stall_ms);
+        const LinkCounters counters = gripper.port->counters();
+        QCOMPARE(std::uint64_t(stalls_ms.size()), counters.stalls);
+        const int longest_ms = *std::max_element(stalls_ms.begin(), stalls_ms.end());
+        QVERIFY(longest_ms > 400);
+        QVERIFY(std::abs(longest_ms - 1000 * counters.longestStall_s) < 1.5);
+        QVERIFY(counters.lostSamples >= 900 && counters.sequenceGaps >= 1);
+    }
+
+    void stepsOfTheDevicesClockAreCounted()
+    {
+        Watched gripper(Watched::transport(1, "0.3 clock +0.5\n0.5 clock -0.2\n"));
+        QVERIFY(gripper.pollUntil([&] { return gripper.port->counters().clockSteps == 2; }));
+        QVERIFY(gripper.pollUntil([&] {
+            return std::count_if(gripper.samples.begin(), gripper.samples.end(),
+                                 [](const Sample& sample) { return sample.clockStepped; }) == 2;
+        }));
+        QVERIFY(gripper.port->state() == LinkState::Ready);
+        QCOMPARE(gripper.port->counters().lostSamples, std::uint64_t(0));
+        for (std::size_t i = 1; i < gripper.samples.size(); ++i)
+            QVERIFY(gripper.samples[i].time_s > gripper.samples[i - 1].time_s);
+    }
+
+    void theRatesAndTheLatencyAreTold()
+    {
+        OpenPort gripper(u"virtual:"_qs);
+        QVERIFY(gripper.pollUntil([&] {
+            const LinkCounters counters = gripper.port->counters();
+            return counters.clockDrift_ppm && std::abs(counters.sampleRate_Hz - 2000) < 200 &&
+                   std::abs(counters.reportRate_Hz - 1000) < 100;
+        }));
+        const LinkCounters counters = gripper.port->counters();
+        QVERIFY(counters.latency50_ms > 0 && counters.latency50_ms <= counters.latency99_ms);
+        QVERIFY(counters.newestArrival);
+        QVERIFY(gripper.pollUntil([&] { return std::abs(*gripper.port->counters().clockDrift_ppm) < 2000; }));
+    }
+
+    void commandsAreCounted()
+    {
+        Watched gripper(Watched::transport(1, "0 deaf start\n"));
+        QVERIFY(gripper.ready() && gripper.arm());
+        QCOMPARE(gripper.port->counters().commandsSent, std::uint64_t(1));
+        QCOMPARE(gripper.port->counters().commandsAnswered, std::uint64_t(1));
+        QVERIFY(gripper.gate.start(usualForce(12)).has_value());
+        QVERIFY(gripper.pollUntil([&] { return gripper.port->squeezeState() == SqueezeState::Refused; }));
+        const LinkCounters counters = gripper.port->counters();
+        QCOMPARE(counters.commandsUnanswered, std::uint64_t(1));
+        QVERIFY(counters.commandsRepeated >= std::uint64_t(CommandQueue::attempts - 1));
+        QCOMPARE(counters.commandsSent - counters.commandsAnswered, std::uint64_t(1));
+        QVERIFY(counters.heartbeats > 0);
+        QCOMPARE(counters.commandsRefused, std::uint64_t(0));
     }
 
     void showsASaturatedForceChannel()

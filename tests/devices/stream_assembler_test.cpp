@@ -59,6 +59,8 @@ private slots:
         for (const std::uint32_t index : {0U, 1U, 4U, 5U})
             QVERIFY(stream.take(reportAt(index), samples) == Outcome::Accepted);
         QCOMPARE(stream.lostSamples(), std::uint64_t(4));
+        QCOMPARE(stream.sequenceGaps(), std::uint64_t(1));
+        QCOMPARE(stream.clockSteps(), std::uint64_t(0));
         QCOMPARE(samples.size(), std::size_t(8));
         QCOMPARE(samples[4].sequence, std::uint64_t(8));
         QCOMPARE(samples[4].time_s, 0.004);
@@ -109,13 +111,55 @@ private slots:
         QCOMPARE(samples.size(), std::size_t(2));
     }
 
-    void takesNoTimeThatRunsBackwards()
+    void countsAClockThatIsSetForwardAndKeepsItsTime()
+    {
+        StreamAssembler stream = assembler();
+        std::vector<Sample> samples;
+        for (const std::uint32_t index : {0U, 1U})
+            QVERIFY(stream.take(reportAt(index), samples) == Outcome::Accepted);
+        for (const std::uint32_t index : {2U, 3U})
+            QVERIFY(stream.take(reportAt(index, 0, 0, 50000), samples) == Outcome::Accepted);
+        QCOMPARE(stream.clockSteps(), std::uint64_t(1));
+        QCOMPARE(stream.lostSamples(), std::uint64_t(0));
+        QCOMPARE(samples[4].time_s, 0.052);
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            QCOMPARE(samples[i].clockStepped, i == 4);
+    }
+
+    void countsAClockThatIsSetBackAndLetsNoTimeRunBackwards()
+    {
+        StreamAssembler stream = assembler();
+        std::vector<Sample> samples;
+        for (const std::uint32_t index : {0U, 1U})
+            QVERIFY(stream.take(reportAt(index, 0, 0, 50000), samples) == Outcome::Accepted);
+        for (const std::uint32_t index : {2U, 3U, 4U})
+            QVERIFY(stream.take(reportAt(index), samples) == Outcome::Accepted);
+        QCOMPARE(stream.clockSteps(), std::uint64_t(1));
+        QVERIFY(samples[4].clockStepped);
+        for (std::size_t i = 1; i < samples.size(); ++i)
+            QVERIFY(std::abs(samples[i].time_s - samples[i - 1].time_s - 0.0005) < 1e-9);
+    }
+
+    void takesJitterAndLostReportsForNoClockStep()
+    {
+        StreamAssembler stream = assembler();
+        std::vector<Sample> samples;
+        for (std::uint32_t index = 0; index < 4000; index += index % 5 == 0 ? 40 : 1) {
+            StreamReport report = reportAt(index);
+            report.timestamp_us += index % 3 * 100; // 0.4 samples at the most
+            QVERIFY(stream.take(report, samples) == Outcome::Accepted);
+        }
+        QVERIFY(stream.sequenceGaps() > 10);
+        QCOMPARE(stream.clockSteps(), std::uint64_t(0));
+    }
+
+    void takesSampleNumbersThatRunBackwardsForADeviceThatBeginsAnew()
     {
         StreamAssembler stream = assembler();
         std::vector<Sample> samples;
         QVERIFY(stream.take(reportAt(10), samples) == Outcome::Accepted);
         StreamReport report = reportAt(11);
-        report.timestamp_us = 9000;
+        report.firstSample = 3;
         QVERIFY(stream.take(report, samples) == Outcome::Restarted);
     }
 };
