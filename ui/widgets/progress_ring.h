@@ -13,7 +13,7 @@ public:
     void setCount(int done, int wanted);
     void setRunning(double share); ///< 0 to 1 of the squeeze under way; negative: none
     [[nodiscard]] QSize sizeHint() const override { return {168, 168}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {104, 104}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {96, 96}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -14,8 +14,14 @@ RailButton::RailButton(const QString& text, const QString& icon, QWidget* parent
     setAccessibleName(text);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::PointingHandCursor);
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+QSize RailButton::sizeHint() const
+{
+    const int word = QFontMetrics(Theme::font(metrics::fontSmall, true)).horizontalAdvance(text());
+    return {word + 2 * metrics::step, 64};
 }
 
 void RailButton::enterEvent(QEnterEvent* event)

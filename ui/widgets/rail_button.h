@@ -10,8 +10,8 @@ class RailButton : public QAbstractButton {
     Q_OBJECT
 public:
     RailButton(const QString& text, const QString& icon, QWidget* parent = nullptr);
-    [[nodiscard]] QSize sizeHint() const override { return {88, 64}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {88, 56}; }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return {sizeHint().width(), 56}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

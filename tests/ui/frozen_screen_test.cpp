@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_registry.h"
+#include "tests/ui/workbench_fixture.h"
+
+#include <chrono>
+#include <thread>
+
+using namespace gripscope;
+using namespace gripscope::test;
+
+class FrozenScreenTest : public QObject {
+    Q_OBJECT
+private slots:
+    /// The heartbeat hangs on the window's own life: a screen on which nobody could press Stop moves nothing.
+    void aGripperWhoseScreenFreezesStopsByItself()
+    {
+        constexpr int patience_ms = 30000;
+        constexpr double rate_Hz = 2000;
+        WindowFixture f(false);
+        std::size_t pushed = 0;
+        bool watchdog = false;
+        f.bench->connection().addListener([&](const std::vector<Sample>& samples) {
+            for (const Sample& sample : samples) {
+                pushed += sample.status & StatusMoving ? 1 : 0;
+                watchdog = watchdog || sample.status & StatusWatchdog;
+            }
+        });
+        f.bench->arm();
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+        Recipe recipe;
+        recipe.seconds = 10;
+        f.bench->inspection().setRecipe(recipe);
+        f.bench->inspection().setEarlyEnd(false);
+        QVERIFY(f.bench->inspection().squeeze());
+        GripperPort* port = f.bench->connection().port();
+        QTRY_VERIFY_WITH_TIMEOUT(port->squeezeState() == SqueezeState::Running, patience_ms);
+
+        std::this_thread::sleep_for(std::chrono::seconds(3)); // the window's thread does nothing at all
+
+        QTRY_VERIFY_WITH_TIMEOUT(port->squeezeState() == SqueezeState::Stopped, patience_ms);
+        QVERIFY(watchdog);
+        // Heartbeats end a second after the last sign of life, the device's patience 100 ms later.
+        QVERIFY2(pushed < 2.5 * rate_Hz, qPrintable(QString::number(pushed)));
+        QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->inspection().state() == InspectSession::State::Ready, patience_ms);
+        QVERIFY(!f.bench->inspection().result());
+    }
+};
+
+GRIPSCOPE_TEST(FrozenScreenTest)
+#include "frozen_screen_test.moc"
