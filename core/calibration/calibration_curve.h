@@ -41,6 +41,11 @@ public:
     [[nodiscard]] int degree() const { return static_cast<int>(m_powers.size()) - 1; }
     [[nodiscard]] Eigen::VectorXd coefficients() const;       ///< c0, c1, ... of powers of the load
     [[nodiscard]] Eigen::VectorXd standardDeviations() const; ///< of the coefficients
+    /// Of powers of (load - centre of the range) / half the range: what keeps its digits.
+    [[nodiscard]] std::vector<double> scaledCoefficients() const
+    {
+        return {m_powers.begin(), m_powers.end()};
+    }
     /// sqrt(SSE / (points - degree - 1)), in units of the reading.
     [[nodiscard]] double residualDeviation() const { return m_residualDeviation; }
     [[nodiscard]] int degreesOfFreedom() const { return m_degreesOfFreedom; }
