@@ -172,16 +172,27 @@ Expected<std::uint16_t> hexId(const QString& text)
     return static_cast<std::uint16_t>(value);
 }
 
+Expected<void> parseHidOptions(const QString& options, HidAddress& address)
+{
+    for (const QString& option : options.split(u'&')) {
+        const QString value = option.section(u'=', 1);
+        if (option.startsWith(u"capture="))
+            address.capture = value;
+        else if (option.startsWith(u"port="))
+            address.port = value;
+        else
+            return wrong(option, u"behind hid: the options are port=PORT and capture=FILE"_qs);
+    }
+    return {};
+}
+
 Expected<DeviceAddress> parseHid(const QString& rest)
 {
     HidAddress address;
     const QString name = rest.section(u'?', 0, 0);
-    if (rest.contains(u'?')) {
-        const QString option = rest.section(u'?', 1);
-        if (!option.startsWith(u"capture="))
-            return wrong(option, u"behind hid: the only option is capture=FILE"_qs);
-        address.capture = option.section(u'=', 1);
-    }
+    if (rest.contains(u'?'))
+        if (const Expected<void> parsed = parseHidOptions(rest.section(u'?', 1), address); !parsed)
+            return tl::unexpected<Error>(parsed.error());
     if (name.isEmpty())
         return address;
     if (!name.contains(u':'))

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/session/gripper_port.h"
-
-#include <QString>
+#include "devices/hid/hid_discovery.h"
 
 #include <vector>
 
@@ -13,13 +12,19 @@ namespace gripscope {
 class DeviceFactory : public GripperPortFactory {
 public:
     [[nodiscard]] Expected<std::unique_ptr<GripperPort>> create(const QString& address) override;
+    /// HID grippers come back when they are plugged in, virtual ones by their faults, files never.
+    [[nodiscard]] std::unique_ptr<GripperReturn> awaitReturn(const AwaitedGripper& awaited) override;
 };
 
 struct FoundDevice {
     QString address, serial, name, state; ///< state: "available", "no permission"
+    QString port{};        ///< where it is plugged in, when its serial number does not tell it from another
+    QStringList toAllow{}; ///< without permission: what a person types in a terminal, a command each
 };
 /// The virtual gripper and every gripper on USB-HID, found through the system's device list (never by
 /// hid_enumerate, which crashes when a device goes away meanwhile).
 [[nodiscard]] std::vector<FoundDevice> findDevices();
+/// The same from a list of the HID devices there are.
+[[nodiscard]] std::vector<FoundDevice> devicesAmong(const std::vector<HidNode>& nodes);
 
 } // namespace gripscope

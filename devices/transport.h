@@ -41,6 +41,13 @@ public:
     [[nodiscard]] virtual bool write(const protocol::Report& report) = 0;
     virtual void close() noexcept = 0;
 
+    /// What was opened, when the address left that open; empty texts where there is nothing to add.
+    struct Place {
+        QString address; ///< that means this device and no other
+        QString port;    ///< where it is plugged in
+    };
+    [[nodiscard]] virtual Place place() const { return {}; }
+
     /// Reports come all the time, so that a second of silence means that something is wrong.
     [[nodiscard]] virtual bool streamsAlways() const { return true; }
     /// Commands can be written.

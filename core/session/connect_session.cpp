@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/connect_session.h"
 
+#include "core/session/gripper_return.h"
+
 #include <map>
 #include <utility>
 
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
+
+namespace {
+
+/// What may change without a person choosing another address.
+bool mayPass(ErrorCode code)
+{
+    return code == ErrorCode::DeviceNotFound || code == ErrorCode::DevicePermission ||
+           code == ErrorCode::DeviceLost || code == ErrorCode::DeviceTimeout;
+}
+
+} // namespace
 
 struct ConnectSession::Private {
     explicit Private(GripperPortFactory& ports) : factory(ports) {}
@@ -19,7 +32,11 @@ struct ConnectSession::Private {
     QString address;
     GripperIdentity
         identity; // of the last gripper that answered, so that it can still be named once it is lost
-    LinkCounters counters;
+    LinkCounters counters, earlierCounters; ///< the earlier: of the links before this one
+    std::unique_ptr<GripperReturn> awaited; ///< while it is looked out for
+    std::unique_ptr<GripperPort> returning; ///< there again, not open yet
+    bool wasConnected = false;
+    int reconnections = 0;
     std::optional<double> measuredLag_s;
     MeasuringChain chain;
     std::map<int, SampleListener> listeners;
@@ -30,6 +47,10 @@ struct ConnectSession::Private {
 
     void drain();
     void follow(LinkState link);
+    void lookOut();
+    void followReturn();
+    void takeOver();
+    void forgetReturn();
     [[nodiscard]] Error lossReason() const;
 };
 
@@ -37,7 +58,8 @@ void ConnectSession::Private::drain()
 {
     batch.clear();
     port->drain(batch);
-    counters = port->counters();
+    counters = earlierCounters;
+    counters += port->counters();
     if (batch.empty())
         return;
     // A listener may come or go while one is called: so by handle, looked up each time.
@@ -69,6 +91,7 @@ void ConnectSession::Private::follow(LinkState link)
     case LinkState::Ready:
     case LinkState::Armed:
         identity = port->identity();
+        wasConnected = true;
         state = State::Connected;
         return;
     case LinkState::Closed:
@@ -80,8 +103,71 @@ void ConnectSession::Private::follow(LinkState link)
     case LinkState::Lost:
         error = lossReason();
         state = State::Lost;
+        lookOut();
         return;
     }
+}
+
+void ConnectSession::Private::lookOut()
+{
+    if (!mayPass(error->code))
+        return;
+    AwaitedGripper gripper{address, {}, reconnections + 1, port->counters().samples > 0};
+    if (wasConnected)
+        gripper.identity = identity;
+    awaited = factory.awaitReturn(gripper);
+}
+
+void ConnectSession::Private::followReturn()
+{
+    if (!returning) {
+        returning = awaited ? awaited->take() : nullptr;
+        if (returning)
+            returning->open();
+        return;
+    }
+    switch (returning->state()) {
+    case LinkState::Opening:
+        return;
+    case LinkState::Ready:
+    case LinkState::Armed:
+        if (const QString serial = returning->identity().serial; wasConnected && serial != identity.serial) {
+            error =
+                Error{ErrorCode::DeviceNotFound,
+                      {identity.address, u"Gripper %1 came in its place: choose it to work with it, or plug "
+                                         "gripper %2 in."_qs.arg(serial, identity.serial)}};
+            returning.reset();
+            return;
+        }
+        return takeOver();
+    case LinkState::Closed:
+    case LinkState::Closing:
+    case LinkState::Lost:
+        // What a person can do something about; else what was said of the loss still holds.
+        if (const auto reason = returning->lastError(); reason && reason->code == ErrorCode::DevicePermission)
+            error = reason;
+        returning.reset();
+        return;
+    }
+}
+
+void ConnectSession::Private::takeOver()
+{
+    if (wasConnected)
+        ++reconnections;
+    earlierCounters = counters;
+    gate.reset();
+    port = std::move(returning);
+    gate = std::make_unique<SafetyGate>(*port);
+    forgetReturn();
+    error.reset();
+    follow(port->state());
+}
+
+void ConnectSession::Private::forgetReturn()
+{
+    awaited.reset();
+    returning.reset();
 }
 
 ConnectSession::ConnectSession(GripperPortFactory& factory) : d(std::make_unique<Private>(factory)) {}
@@ -106,6 +192,9 @@ Expected<void> ConnectSession::connectTo(const QString& address)
     d->identity = {};
     d->identity.address = address;
     d->counters = {};
+    d->earlierCounters = {};
+    d->reconnections = 0;
+    d->wasConnected = false;
     d->measuredLag_s.reset();
     d->chain = {};
     d->state = State::Connecting;
@@ -115,6 +204,7 @@ Expected<void> ConnectSession::connectTo(const QString& address)
 
 void ConnectSession::disconnect()
 {
+    d->forgetReturn();
     if (d->port) {
         if (d->port->state() == LinkState::Armed)
             d->port->stop();
@@ -129,6 +219,8 @@ void ConnectSession::disconnect()
 
 void ConnectSession::poll()
 {
+    if (d->state == State::Lost)
+        return d->followReturn();
     if (d->state != State::Connecting && d->state != State::Connected)
         return;
     d->port->confirmAlive();
@@ -169,6 +261,16 @@ GripperIdentity ConnectSession::identity() const
 LinkCounters ConnectSession::counters() const
 {
     return d->counters;
+}
+
+bool ConnectSession::awaiting() const
+{
+    return d->state == State::Lost && d->awaited;
+}
+
+int ConnectSession::reconnections() const
+{
+    return d->reconnections;
 }
 
 bool ConnectSession::armed() const

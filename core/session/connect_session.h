@@ -13,7 +13,12 @@ namespace gripscope {
 /// The connection to one gripper: opens it, drains its samples, hands them on, keeps count. No thread, no
 /// timer: whoever owns it calls poll() every 16 to 33 ms (a screen) or in a loop (the command line).
 ///
-///     Disconnected -> Connecting -> Connected -> (Lost | Disconnected)
+///     Disconnected -> Connecting -> Connected -> Lost -> Connected ...
+///                                             -> Disconnected (a replay is through)
+///
+/// A gripper that went away, or did not open, is looked out for while the state is Lost (see awaiting()), and
+/// connected as soon as it is there: the same one, by its serial number. Nothing is armed by that: armed is
+/// what a person makes it. disconnect() and connectTo() end the looking.
 class ConnectSession {
 public:
     enum class State { Disconnected, Connecting, Connected, Lost };
@@ -38,7 +43,13 @@ public:
     [[nodiscard]] QString address() const;
     [[nodiscard]] GripperIdentity
     identity() const; ///< of the last gripper that answered, also after it was lost
-    [[nodiscard]] LinkCounters counters() const; ///< as of the last poll()
+    /// As of the last poll(), of all links to this gripper since connectTo().
+    [[nodiscard]] LinkCounters counters() const;
+    /// Lost, but connected again by itself as soon as it is there.
+    [[nodiscard]] bool awaiting() const;
+    /// How often this gripper went away and came back since connectTo(). Its samples count and time anew
+    /// after each.
+    [[nodiscard]] int reconnections() const;
     /// As of the last poll(), so that whoever looks after each poll misses no change.
     [[nodiscard]] bool armed() const;
     [[nodiscard]] GripperPort* port(); ///< null unless connected

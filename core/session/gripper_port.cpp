@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/gripper_port.h"
 
+#include "core/session/gripper_return.h"
+
+#include <algorithm>
+
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
@@ -22,6 +26,35 @@ QString toString(LinkState state)
         return u"closing"_qs;
     }
     return {};
+}
+
+LinkCounters& LinkCounters::operator+=(const LinkCounters& later)
+{
+    const LinkCounters earlier = *this;
+    *this = later;
+    reports += earlier.reports;
+    samples += earlier.samples;
+    lostSamples += earlier.lostSamples;
+    sequenceGaps += earlier.sequenceGaps;
+    lastLoss = later.lastLoss ? later.lastLoss : earlier.lastLoss;
+    duplicateReports += earlier.duplicateReports;
+    badReports += earlier.badReports;
+    droppedSamples += earlier.droppedSamples;
+    clockSteps += earlier.clockSteps;
+    stalls += earlier.stalls;
+    longestStall_s = std::max(earlier.longestStall_s, later.longestStall_s);
+    commandsSent += earlier.commandsSent;
+    commandsRepeated += earlier.commandsRepeated;
+    commandsAnswered += earlier.commandsAnswered;
+    commandsRefused += earlier.commandsRefused;
+    commandsUnanswered += earlier.commandsUnanswered;
+    heartbeats += earlier.heartbeats;
+    return *this;
+}
+
+std::unique_ptr<GripperReturn> GripperPortFactory::awaitReturn(const AwaitedGripper&)
+{
+    return nullptr;
 }
 
 } // namespace gripscope

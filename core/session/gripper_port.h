@@ -27,6 +27,7 @@ struct GripperIdentity {
     DeviceLimits limits;
     bool commandable = false; ///< false: it only streams (a replay, a read-only gripper)
     bool lossVisible = true;  ///< false: it sends neither a number nor a clock; what gets lost is not seen
+    QString port;             ///< where it is plugged in, in the system's words; empty: nowhere
 };
 
 /// One sample as the device sent it, in the units of its identity, and what befell the stream between the
@@ -78,6 +79,9 @@ struct LinkCounters {
     std::uint64_t commandsRefused = 0;    ///< answered with another result than done
     std::uint64_t commandsUnanswered = 0; ///< given up
     std::uint64_t heartbeats = 0;
+
+    /// What a later link of the same gripper counted is added; what is no count is the later one's.
+    LinkCounters& operator+=(const LinkCounters& later);
 };
 
 /// What became of the last squeeze asked for.
@@ -117,11 +121,16 @@ public:
     virtual void confirmAlive() noexcept = 0;
 };
 
+class GripperReturn;
+struct AwaitedGripper;
+
 /// Makes ports from addresses; devices/ implements it, so that sessions need not know how.
 class GripperPortFactory {
 public:
     virtual ~GripperPortFactory() = default;
     [[nodiscard]] virtual Expected<std::unique_ptr<GripperPort>> create(const QString& address) = 0;
+    /// Looks out for a gripper that went away or has not come yet; null where none can come (a replay).
+    [[nodiscard]] virtual std::unique_ptr<GripperReturn> awaitReturn(const AwaitedGripper& awaited);
 };
 
 } // namespace gripscope

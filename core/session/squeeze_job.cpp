@@ -70,6 +70,7 @@ struct SqueezeJob::Private {
     bool listening = false;
     std::optional<QString> finishing; // why the squeeze may end before its time
     bool endedEarly = false;
+    int link = 0; // how often the gripper had come back when the squeeze began
     double seconds = 0;
     std::chrono::steady_clock::time_point started, lastNews;
 
@@ -121,6 +122,7 @@ void SqueezeJob::Private::begin(std::size_t samples, QMap<QString, QString> prov
     error.reset();
     finishing.reset();
     endedEarly = false;
+    link = connection.reconnections();
     state = State::Starting;
     seconds = static_cast<double>(samples) * identity.sampleTime_s;
     started = lastNews = clock();
@@ -277,6 +279,9 @@ void SqueezeJob::poll()
         return d->fail(d->connection.lastError().value_or(
             Error{ErrorCode::DeviceLost, {d->connection.address(), u"it was disconnected"_qs}}));
     }
+    if (d->connection.reconnections() != d->link) // gone and back between two looks
+        return d->fail(
+            {ErrorCode::DeviceLost, {d->connection.address(), u"it went away during the squeeze"_qs}});
     const double waited_s = d->secondsSince(d->started);
     if (d->listening) {
         d->state = d->recorder.size() > 0 ? State::Squeezing : State::Starting;

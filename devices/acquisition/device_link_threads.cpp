@@ -18,6 +18,10 @@ void DeviceLink::runOpener()
     if (!device)
         return lose(device.error());
     m_device = std::move(*device);
+    const Transport::Place place = m_transport->place();
+    if (!place.address.isEmpty())
+        m_device.identity.address = place.address;
+    m_device.identity.port = place.port;
     m_lastReport = Clock::now();
     setState(LinkState::Ready);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
+#include <QStringList>
 
 #include <cstdint>
 #include <vector>
@@ -15,6 +15,11 @@ struct HidNode {
     QString serial, name;
     bool vendorPage = false; ///< its report descriptor begins with the vendor-defined usage page 0xFF00
     bool accessible = false; ///< this user may read and write it
+    QString port{}; ///< where it is plugged in, such as usb-0000:00:14.0-2/input0; stays the same when it is
+                    ///< plugged in there again
+    QString instance{}; ///< another one each time it is plugged in
+
+    friend bool operator==(const HidNode&, const HidNode&) = default;
 };
 
 /// Every HID device there is, in the order of their paths. It reads the system's own list; hidapi's
@@ -23,7 +28,10 @@ struct HidNode {
 listHidNodes(const QString& classFolder = QStringLiteral("/sys/class/hidraw"),
              const QString& deviceFolder = QStringLiteral("/dev"));
 
-/// What a person does to be allowed to open `node`.
+/// What a person types in a terminal, one command a line, to be allowed to open `node`; it is connected by
+/// itself then.
+[[nodiscard]] QStringList permissionCommands(const HidNode& node);
+/// The same in words.
 [[nodiscard]] QString permissionAdvice(const HidNode& node);
 
 } // namespace gripscope

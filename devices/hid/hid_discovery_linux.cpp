@@ -64,6 +64,8 @@ std::vector<HidNode> listHidNodes(const QString& classFolder, const QString& dev
             continue;
         node.name = uevent[u"HID_NAME"_qs];
         node.serial = uevent[u"HID_UNIQ"_qs];
+        node.port = uevent[u"HID_PHYS"_qs];
+        node.instance = name + u'/' + QFileInfo(QFileInfo(device).canonicalFilePath()).fileName();
         node.vendorPage =
             contents(device + u"report_descriptor"_qs).startsWith(QByteArray("\x06\x00\xFF", 3));
         node.path = deviceFolder + u'/' + name;
@@ -74,12 +76,20 @@ std::vector<HidNode> listHidNodes(const QString& classFolder, const QString& dev
     return nodes;
 }
 
-QString permissionAdvice(const HidNode& node)
+QStringList permissionCommands(const HidNode& node)
 {
     const auto hex = [](std::uint16_t id) { return u"%1"_qs.arg(id, 4, 16, QLatin1Char('0')); };
-    return u"Put this line into /etc/udev/rules.d/70-gripscope.rules, then plug the gripper in again: "
-           "KERNEL==\"hidraw*\", SUBSYSTEM==\"hidraw\", ATTRS{idVendor}==\"%1\", ATTRS{idProduct}==\"%2\", "
-           "TAG+=\"uaccess\""_qs.arg(hex(node.vendor), hex(node.product));
+    const QString rule =
+        u"KERNEL==\"hidraw*\", SUBSYSTEM==\"hidraw\", ATTRS{idVendor}==\"%1\", "
+        "ATTRS{idProduct}==\"%2\", TAG+=\"uaccess\""_qs.arg(hex(node.vendor), hex(node.product));
+    return {u"echo '%1' | sudo tee /etc/udev/rules.d/70-gripscope.rules"_qs.arg(rule),
+            u"sudo udevadm control --reload"_qs, u"sudo udevadm trigger --subsystem-match=hidraw"_qs};
+}
+
+QString permissionAdvice(const HidNode& node)
+{
+    return u"Type this in a terminal, then it is connected by itself:\n"_qs +
+           permissionCommands(node).join(u'\n');
 }
 
 } // namespace gripscope

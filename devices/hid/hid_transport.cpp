@@ -27,7 +27,8 @@ bool matches(const HidAddress& address, const HidNode& node)
         return false;
     return node.vendor == address.vendor.value_or(protocol::vendorId) &&
            node.product == address.product.value_or(protocol::productId) &&
-           (address.serial.isEmpty() || address.serial == node.serial);
+           (address.serial.isEmpty() || address.serial == node.serial) &&
+           (address.port.isEmpty() || address.port == node.port);
 }
 
 QString addressText(const HidAddress& address)
@@ -37,29 +38,40 @@ QString addressText(const HidAddress& address)
     if (address.vendor || address.product)
         text += hex(address.vendor.value_or(protocol::vendorId)) + u':' +
                 hex(address.product.value_or(protocol::productId));
-    return address.serial.isEmpty() ? text : text + u':' + address.serial;
+    if (!address.serial.isEmpty())
+        text += u':' + address.serial;
+    return address.port.isEmpty() ? text : text + u"?port="_qs + address.port;
 }
 
 } // namespace
 
-QString addressOf(const HidNode& node)
-{
-    return addressText({node.vendor, node.product, node.serial, {}});
-}
-
-std::vector<HidNode> grippersAmong(const std::vector<HidNode>& nodes)
-{
-    std::vector<HidNode> grippers;
-    std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(grippers),
-                 [](const HidNode& node) { return matches({}, node); });
-    return grippers;
-}
-
-Expected<HidNode> chooseHidNode(const HidAddress& address, const std::vector<HidNode>& nodes)
+std::vector<HidNode> matchingNodes(const HidAddress& address, const std::vector<HidNode>& nodes)
 {
     std::vector<HidNode> found;
     std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(found),
                  [&](const HidNode& node) { return matches(address, node); });
+    return found;
+}
+
+QString addressOf(const HidNode& node, const std::vector<HidNode>& nodes)
+{
+    HidAddress address{node.vendor, node.product, node.serial};
+    const auto alike = std::count_if(nodes.begin(), nodes.end(), [&](const HidNode& other) {
+        return other.vendor == node.vendor && other.product == node.product && other.serial == node.serial;
+    });
+    if (alike > 1)
+        address.port = node.port;
+    return addressText(address);
+}
+
+std::vector<HidNode> grippersAmong(const std::vector<HidNode>& nodes)
+{
+    return matchingNodes({}, nodes);
+}
+
+Expected<HidNode> chooseHidNode(const HidAddress& address, const std::vector<HidNode>& nodes)
+{
+    const std::vector<HidNode> found = matchingNodes(address, nodes);
     if (found.empty())
         return failure(
             ErrorCode::DeviceNotFound,
@@ -67,7 +79,7 @@ Expected<HidNode> chooseHidNode(const HidAddress& address, const std::vector<Hid
     if (found.size() > 1) {
         QStringList addresses;
         for (const HidNode& node : found)
-            addresses << addressOf(node);
+            addresses << addressOf(node, nodes);
         return failure(ErrorCode::DeviceAmbiguous, {addresses.join(u", "_qs)});
     }
     if (!found.front().accessible)
@@ -86,10 +98,12 @@ HidTransport::~HidTransport() = default;
 
 Expected<void> HidTransport::open()
 {
-    const Expected<HidNode> node = chooseHidNode(m_address, listHidNodes());
+    const std::vector<HidNode> nodes = listHidNodes();
+    const Expected<HidNode> node = chooseHidNode(m_address, nodes);
     if (!node)
         return tl::unexpected<Error>(node.error());
     m_path = node->path;
+    m_place = {addressOf(*node, nodes), node->port};
     const std::lock_guard lock(openingMutex());
     m_reader.reset(hid_open_path(m_path.toUtf8().constData()));
     m_writer.reset(hid_open_path(m_path.toUtf8().constData()));

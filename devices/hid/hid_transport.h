@@ -15,8 +15,12 @@ namespace gripscope {
 /// The node that an address means. DeviceNotFound, DeviceAmbiguous (with the addresses that would each be
 /// clear), DevicePermission.
 [[nodiscard]] Expected<HidNode> chooseHidNode(const HidAddress& address, const std::vector<HidNode>& nodes);
-/// `hid:1209:0001:SERIAL`.
-[[nodiscard]] QString addressOf(const HidNode& node);
+/// Those that an address may mean, whether or not they may be opened.
+[[nodiscard]] std::vector<HidNode> matchingNodes(const HidAddress& address,
+                                                 const std::vector<HidNode>& nodes);
+/// The address that means `node` and no other of `nodes`: `hid:1209:0001:SERIAL`, and where another one has
+/// the same serial number, or both have none, the port with it.
+[[nodiscard]] QString addressOf(const HidNode& node, const std::vector<HidNode>& nodes);
 /// Those with the identity of the Gripscope protocol.
 [[nodiscard]] std::vector<HidNode> grippersAmong(const std::vector<HidNode>& nodes);
 
@@ -31,6 +35,7 @@ public:
     Expected<protocol::Report> feature(protocol::ReportId id) override;
     ReadResult read(Buffer& buffer, std::chrono::milliseconds timeout) override;
     bool write(const protocol::Report& report) override;
+    [[nodiscard]] Place place() const override { return m_place; }
     /// The handles stay open until the last user of this object lets go of it: hidapi must not close one that
     /// another thread is using.
     void close() noexcept override { m_closed = true; }
@@ -43,6 +48,7 @@ private:
 
     HidAddress m_address;
     QString m_path;
+    Place m_place; ///< set by open()
     Handle m_reader, m_writer;
     bool m_freshened = false; ///< reader's own: old reports were thrown away
     std::atomic<bool> m_closed{false};

@@ -22,6 +22,7 @@ public:
     ReadResult read(Buffer& buffer, std::chrono::milliseconds timeout) override;
     bool write(const protocol::Report& report) override;
     void close() noexcept override;
+    [[nodiscard]] Place place() const override { return m_inner->place(); }
     [[nodiscard]] bool streamsAlways() const override { return m_inner->streamsAlways(); }
     [[nodiscard]] bool takesCommands() const override { return m_inner->takesCommands(); }
 

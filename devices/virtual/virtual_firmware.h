@@ -58,6 +58,8 @@ public:
 
     explicit VirtualFirmware(VirtualFirmwareOptions options);
 
+    /// It made so many squeezes before it was switched on this time, and does not repeat them.
+    void goOnAfter(std::uint64_t squeezes) { m_squeezes = squeezes; }
     [[nodiscard]] std::optional<protocol::Report> feature(std::uint8_t reportId) const;
     /// One output report; `now_us` is the time by which the watchdog counts. Damaged ones get no answer.
     void receive(protocol::ReportView bytes, std::uint64_t now_us);

@@ -11,7 +11,7 @@ namespace {
 struct Unplugged {
     VirtualAddress address;
     Clock::time_point back;
-    double faults_s = 0;
+    Past past;
 };
 
 struct Memory {
@@ -33,15 +33,22 @@ Memory& memory()
 
 } // namespace
 
-void unplug(const VirtualAddress& address, Clock::time_point back, double faults_s)
+void unplug(const VirtualAddress& address, Clock::time_point back, const Past& past)
 {
     Memory& known = memory();
     const std::lock_guard lock(known.mutex);
     const auto found = known.find(address);
     if (found == known.grippers.end())
-        known.grippers.push_back({address, back, faults_s});
+        known.grippers.push_back({address, back, past});
     else
-        *found = {address, back, faults_s};
+        *found = {address, back, past};
+}
+
+bool comesBack(const VirtualAddress& address)
+{
+    Memory& known = memory();
+    const std::lock_guard lock(known.mutex);
+    return known.find(address) != known.grippers.end();
 }
 
 bool isIn(const VirtualAddress& address)
@@ -52,20 +59,20 @@ bool isIn(const VirtualAddress& address)
     return found == known.grippers.end() || Clock::now() >= found->back;
 }
 
-std::optional<double> plugIn(const VirtualAddress& address)
+std::optional<Past> plugIn(const VirtualAddress& address)
 {
     Memory& known = memory();
     const std::lock_guard lock(known.mutex);
     const auto found = known.find(address);
     if (found == known.grippers.end())
-        return 0;
+        return Past{};
     const Clock::time_point now = Clock::now();
     if (now < found->back)
         return std::nullopt;
     const double since_s = std::chrono::duration<double>(now - found->back).count() * address.speed;
-    const double faults_s = found->faults_s + since_s;
+    const Past past{found->past.faults_s + since_s, found->past.squeezes};
     known.grippers.erase(found);
-    return faults_s;
+    return past;
 }
 
 } // namespace gripscope::virtual_plug

@@ -46,13 +46,15 @@ Expected<void> VirtualTransport::open()
         faults.insert(faults.end(), script->begin(), script->end());
         sortByTime(faults);
     }
-    const std::optional<double> before_s = virtual_plug::plugIn(m_address);
-    if (!before_s)
+    const std::optional<virtual_plug::Past> past = virtual_plug::plugIn(m_address);
+    if (!past)
         return failure(ErrorCode::DeviceNotFound,
                        {u"virtual:"_qs, u"It is unplugged; its faults plug it in again by themselves."_qs});
     const std::lock_guard lock(m_mutex);
     m_timeline = FaultTimeline(std::move(faults));
-    m_faultsBefore_s = *before_s;
+    m_faultsBefore_s = past->faults_s;
+    m_firmware.goOnAfter(past->squeezes);
+    m_squeezesSeen = past->squeezes;
     m_start = Clock::now();
     m_open = true;
     followFaults();
@@ -88,7 +90,7 @@ void VirtualTransport::rememberUnplug() const
         return;
     const double wait_s = realTime() ? (*replug_s - faults_s()) / m_address.speed : 0;
     const auto wait = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wait_s));
-    virtual_plug::unplug(m_address, Clock::now() + wait, *replug_s);
+    virtual_plug::unplug(m_address, Clock::now() + wait, {*replug_s, m_firmware.squeezesStarted()});
 }
 
 bool VirtualTransport::hang(Lock& lock, double seconds)

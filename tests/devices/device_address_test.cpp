@@ -59,6 +59,11 @@ private slots:
         QCOMPARE(named.product, std::optional<std::uint16_t>(1));
         QCOMPARE(named.serial, u"GS-42:b"_qs);
         QCOMPARE(named.capture, u"c.gscap"_qs);
+        const auto at = std::get<HidAddress>(
+            *parseDeviceAddress(u"hid:1209:0001:GS-42?port=usb-0000:00:14.0-2/input0&capture=c.gscap"_qs));
+        QCOMPARE(at.serial, u"GS-42"_qs);
+        QCOMPARE(at.port, u"usb-0000:00:14.0-2/input0"_qs);
+        QCOMPARE(at.capture, u"c.gscap"_qs);
     }
 
     void aReplayKeepsItsFileNameAsItIs()

@@ -83,9 +83,26 @@ private slots:
         const auto two = chooseHidNode({}, system.nodes());
         QVERIFY(two.error().code == ErrorCode::DeviceAmbiguous);
         QVERIFY(two.error().describe().contains(u"hid:1209:0001:GS-2"_qs));
-        QCOMPARE(chooseHidNode({0x1209, 1, u"GS-2"_qs, {}}, system.nodes())->serial, u"GS-2"_qs);
-        QVERIFY(chooseHidNode({0x1209, 1, u"GS-3"_qs, {}}, system.nodes()).error().code ==
+        QCOMPARE(chooseHidNode({0x1209, 1, u"GS-2"_qs}, system.nodes())->serial, u"GS-2"_qs);
+        QVERIFY(chooseHidNode({0x1209, 1, u"GS-3"_qs}, system.nodes()).error().code ==
                 ErrorCode::DeviceNotFound);
+    }
+
+    void twoWithTheSameSerialAreToldApartByTheirPorts()
+    {
+        System system;
+        system.add(u"hidraw0"_qs, gripper("GS-1"), vendorPage);
+        QCOMPARE(addressOf(system.nodes()[0], system.nodes()), u"hid:1209:0001:GS-1"_qs);
+        system.add(u"hidraw1"_qs, gripper("GS-1").replace("usb-1", "usb-2/input0"), vendorPage);
+        const std::vector<HidNode> nodes = system.nodes();
+        const QString second = u"hid:1209:0001:GS-1?port=usb-2/input0"_qs;
+        QCOMPARE(addressOf(nodes[1], nodes), second);
+        QVERIFY(chooseHidNode({0x1209, 1, u"GS-1"_qs}, nodes).error().describe().contains(second));
+        const auto parsed = parseDeviceAddress(second);
+        QCOMPARE(chooseHidNode(std::get<HidAddress>(*parsed), nodes)->path, nodes[1].path);
+        const std::vector<FoundDevice> found = devicesAmong(nodes);
+        QCOMPARE(found.back().port, u"usb-2/input0"_qs);
+        QCOMPARE(found.back().address, second);
     }
 
     void anotherDeviceWithTheTestIdentityIsNoGripperUnlessNamed()
@@ -93,7 +110,7 @@ private slots:
         System system;
         system.add(u"hidraw0"_qs, gripper("GS-1"), mousePage);
         QVERIFY(!chooseHidNode({}, system.nodes()));
-        QVERIFY(chooseHidNode({0x1209, 1, {}, {}}, system.nodes()).has_value());
+        QVERIFY(chooseHidNode({0x1209, 1}, system.nodes()).has_value());
     }
 
     void withoutPermissionItSaysWhatToDo()
@@ -114,6 +131,7 @@ private slots:
         const QString advice = permissionAdvice({u"/dev/hidraw0"_qs, 0x1209, 1, {}, {}, true, false});
         const QString line = QString::fromUtf8(rule.readAll()).trimmed().section(u'\n', -1);
         QVERIFY2(advice.contains(line), qPrintable(line));
+        QVERIFY(advice.contains(u"\nsudo udevadm trigger"_qs)); // a command a line
     }
 
     void aMissingGripperIsTold()

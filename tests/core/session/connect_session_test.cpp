@@ -9,6 +9,31 @@ using namespace gripscope;
 using namespace gripscope::test;
 using State = ConnectSession::State;
 
+namespace {
+
+/// Unplugged while it was armed, and noticed.
+void unplug(ArmedConnection& connection)
+{
+    connection.gripper().state = LinkState::Lost;
+    connection.gripper().error =
+        Error{ErrorCode::DeviceLost, {QStringLiteral("fake:"), QStringLiteral("unplugged")}};
+    connection.session.poll();
+}
+
+/// Plugged in again: counts from zero, and is not armed. A gripper with another serial number comes as such.
+std::shared_ptr<FakeGripper> plugIn(ArmedConnection& connection,
+                                    const QString& serial = QStringLiteral("F-1"))
+{
+    auto gripper = std::make_shared<FakeGripper>();
+    gripper->identity.serial = serial;
+    connection.factory.comeback->there = gripper;
+    connection.session.poll(); // which opens it
+    connection.session.poll();
+    return gripper;
+}
+
+} // namespace
+
 class ConnectSessionTest : public QObject {
     Q_OBJECT
 private slots:
@@ -92,6 +117,114 @@ private slots:
         QVERIFY(connection.open(false));
         QVERIFY(!connection.session.lastError());
         QVERIFY(!connection.session.armed());
+    }
+    void aGripperThatComesBackIsConnectedByItselfAndNotArmed()
+    {
+        ArmedConnection connection;
+        QVERIFY(connection.open());
+        MeasuringChain chain;
+        chain.forceLagUncertainty_s = 1e-5;
+        connection.session.setMeasuringChain(2e-4, chain);
+        QVERIFY(!connection.session.awaiting());
+        unplug(connection);
+        QCOMPARE(connection.session.state(), State::Lost);
+        QVERIFY(connection.session.awaiting());
+        QCOMPARE(connection.factory.comeback->awaited->identity.serial, QStringLiteral("F-1"));
+        const auto back = plugIn(connection);
+        QCOMPARE(connection.session.state(), State::Connected);
+        QVERIFY(!connection.session.lastError());
+        QVERIFY(!connection.session.awaiting());
+        QVERIFY(!connection.factory.comeback->looking);
+        QCOMPARE(connection.session.reconnections(), 1);
+        QVERIFY(!connection.session.armed());
+        QCOMPARE(back->armRequests, 0);
+        QCOMPARE(connection.session.forceLag_s(), 2e-4);
+        QVERIFY(connection.session.measuringChain() == chain);
+        QVERIFY(connection.session.arm(QStringLiteral("Ada"))); // a person may
+        QCOMPARE(back->armRequests, 1);
+    }
+    void lossesOfAllItsLinksAreCounted()
+    {
+        ArmedConnection connection;
+        QVERIFY(connection.open());
+        connection.gripper().counters.lostSamples = 7;
+        connection.gripper().counters.samples = 100;
+        unplug(connection);
+        QCOMPARE(connection.factory.comeback->awaited->streamed, true);
+        const auto back = plugIn(connection);
+        back->counters.lostSamples = 5;
+        back->counters.samples = 50;
+        connection.session.poll();
+        QCOMPARE(connection.session.counters().lostSamples, std::uint64_t(12));
+        QCOMPARE(connection.session.counters().samples, std::uint64_t(150));
+        QVERIFY(connection.open(false)); // a person connects: counted from nothing
+        QCOMPARE(connection.session.reconnections(), 0);
+    }
+    void anotherGripperInItsPlaceIsNotTakenForIt()
+    {
+        ArmedConnection connection;
+        QVERIFY(connection.open());
+        unplug(connection);
+        (void)plugIn(connection, QStringLiteral("F-2"));
+        QCOMPARE(connection.session.state(), State::Lost);
+        QVERIFY(connection.session.lastError()->describe().contains(QStringLiteral("F-2")));
+        QVERIFY(connection.session.awaiting());
+        (void)plugIn(connection);
+        QCOMPARE(connection.session.state(), State::Connected);
+        QCOMPARE(connection.session.identity().serial, QStringLiteral("F-1"));
+    }
+    void oneThatComesBackAndDoesNotOpenIsTriedAgain()
+    {
+        ArmedConnection connection;
+        QVERIFY(connection.open());
+        unplug(connection);
+        auto shut = std::make_shared<FakeGripper>();
+        shut->opensAtOnce = false;
+        connection.factory.comeback->there = shut;
+        connection.session.poll();
+        shut->state = LinkState::Lost;
+        shut->error = Error{ErrorCode::DevicePermission, {QStringLiteral("fake:"), QStringLiteral("ask")}};
+        connection.session.poll();
+        QCOMPARE(connection.session.state(), State::Lost);
+        QCOMPARE(connection.session.lastError()->code, ErrorCode::DevicePermission);
+        QVERIFY(connection.session.awaiting());
+        (void)plugIn(connection);
+        QCOMPARE(connection.session.state(), State::Connected);
+    }
+    void oneThatIsNotThereYetIsConnectedWhenItComes()
+    {
+        ArmedConnection connection;
+        connection.gripper().opensAtOnce = false;
+        QVERIFY(connection.session.connectTo(QStringLiteral("fake:")));
+        connection.gripper().state = LinkState::Lost;
+        connection.gripper().error = Error{ErrorCode::DeviceNotFound, {QStringLiteral("fake:"), {}}};
+        connection.session.poll();
+        QCOMPARE(connection.session.state(), State::Lost);
+        QVERIFY(connection.session.awaiting());
+        (void)plugIn(connection, QStringLiteral("F-9"));
+        QCOMPARE(connection.session.state(), State::Connected);
+        QCOMPARE(connection.session.reconnections(), 0); // it had not been here before
+    }
+    void anAddressThatCannotComeRightIsNotWaitedFor()
+    {
+        ArmedConnection connection;
+        connection.gripper().opensAtOnce = false;
+        QVERIFY(connection.session.connectTo(QStringLiteral("fake:")));
+        connection.gripper().state = LinkState::Lost;
+        connection.gripper().error = Error{ErrorCode::DeviceAmbiguous, {QStringLiteral("fake:1, fake:2")}};
+        connection.session.poll();
+        QCOMPARE(connection.session.state(), State::Lost);
+        QVERIFY(!connection.session.awaiting());
+    }
+    void disconnectingEndsTheLookingOut()
+    {
+        ArmedConnection connection;
+        QVERIFY(connection.open());
+        unplug(connection);
+        connection.session.disconnect();
+        QVERIFY(!connection.factory.comeback->looking);
+        (void)plugIn(connection);
+        QCOMPARE(connection.session.state(), State::Disconnected);
     }
     void theEndOfAStreamIsNoLoss()
     {

@@ -48,6 +48,14 @@ private:
         {
             return library.run<T>(std::move(work)).get().value();
         }
+        /// A squeeze of the gripper itself ends because it is unplugged; one recording was accepted before.
+        bool loseTheGripper()
+        {
+            if (!connection.open() || !begin(QStringLiteral("A")) || !addAndAccept(squeezeOf(canA, 1)))
+                return false;
+            connection.gripper().lostAfterSamples = 100;
+            return enrollment.squeeze() && waitFor(Activity::Waiting);
+        }
         std::vector<TypeRecord> types()
         {
             return ask<std::vector<TypeRecord>>([](Library& l) { return l.types(); });
@@ -231,17 +239,30 @@ private slots:
     void aLostGripperLeavesWhatWasStored()
     {
         Run run(file());
-        QVERIFY(run.connection.open());
-        QVERIFY(run.begin(QStringLiteral("A")));
-        QVERIFY(run.addAndAccept(squeezeOf(canA, 1)));
-        run.connection.gripper().lostAfterSamples = 100;
-        QVERIFY(run.enrollment.squeeze());
-        QVERIFY(run.waitFor(Activity::Waiting));
+        QVERIFY(run.loseTheGripper());
         QCOMPARE(run.enrollment.lastError()->code, ErrorCode::DeviceLost);
         QCOMPARE(run.enrollment.step(), Step::Squeeze);
         QCOMPARE(run.enrollment.squeezes().size(), std::size_t(1));
         QVERIFY(!run.enrollment.squeeze()); // no gripper now
         QVERIFY(run.addAndAccept(squeezeOf(canA, 2)));
+    }
+    void aGripperThatComesBackGoesOnWithTheEnrolment()
+    {
+        Run run(file());
+        QVERIFY(run.loseTheGripper());
+        run.connection.factory.comeback->there = std::make_shared<FakeGripper>();
+        QVERIFY(pollUntil([&] { run.connection.session.poll(); },
+                          [&] { return run.connection.session.port() != nullptr; }));
+        QCOMPARE(run.enrollment.step(), Step::Squeeze);
+        QCOMPARE(run.enrollment.acceptedCount(), 1);
+        QCOMPARE(run.enrollment.squeeze().error().code, ErrorCode::NotArmed); // a person has to
+        QVERIFY(run.connection.session.arm(QStringLiteral("Ada")));
+        run.connection.session.poll();
+        QVERIFY(run.enrollment.squeeze());
+        QVERIFY(run.waitFor(Activity::Deciding));
+        QVERIFY(run.enrollment.accept());
+        QVERIFY(run.waitFor(Activity::Waiting));
+        QCOMPARE(run.enrollment.acceptedCount(), 2);
     }
     void aLibraryThatCannotBeOpenedKeepsTheSessionWhereItWas()
     {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/identification/discretization.h"
-#include "core/session/gripper_port.h"
+#include "core/session/gripper_return.h"
 
 #include <QMap>
 
@@ -11,6 +11,7 @@
 #include <functional>
 #include <optional>
 #include <random>
+#include <utility>
 
 namespace gripscope::test {
 
@@ -202,9 +203,34 @@ private:
     std::shared_ptr<FakeGripper> m_gripper;
 };
 
+/// What is looked out for, and whether it is there again.
+struct FakeReturn {
+    std::optional<AwaitedGripper> awaited;
+    bool looking = false;
+    std::shared_ptr<FakeGripper> there; ///< taken once
+};
+
+class FakeGripperReturn : public GripperReturn {
+public:
+    explicit FakeGripperReturn(std::shared_ptr<FakeReturn> fake) : m_fake(std::move(fake))
+    {
+        m_fake->looking = true;
+    }
+    ~FakeGripperReturn() override { m_fake->looking = false; }
+    std::unique_ptr<GripperPort> take() override
+    {
+        const std::shared_ptr<FakeGripper> gripper = std::exchange(m_fake->there, nullptr);
+        return gripper ? std::make_unique<FakeGripperPort>(gripper) : nullptr;
+    }
+
+private:
+    std::shared_ptr<FakeReturn> m_fake;
+};
+
 class FakeGripperFactory : public GripperPortFactory {
 public:
     std::shared_ptr<FakeGripper> gripper = std::make_shared<FakeGripper>();
+    std::shared_ptr<FakeReturn> comeback = std::make_shared<FakeReturn>();
     std::optional<Error> refuses;
 
     Expected<std::unique_ptr<GripperPort>> create(const QString&) override
@@ -212,6 +238,11 @@ public:
         if (refuses)
             return tl::unexpected<Error>(*refuses);
         return std::make_unique<FakeGripperPort>(gripper);
+    }
+    std::unique_ptr<GripperReturn> awaitReturn(const AwaitedGripper& awaited) override
+    {
+        comeback->awaited = awaited;
+        return std::make_unique<FakeGripperReturn>(comeback);
     }
 };
 

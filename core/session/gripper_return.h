@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/gripper_port.h"
+
+namespace gripscope {
+
+/// A gripper that is looked out for: one that was lost, or one that could not be opened.
+struct AwaitedGripper {
+    QString address;          ///< as the person gave it
+    GripperIdentity identity; ///< of the one that was lost; without a name: none was connected yet
+    int timesLost = 0;        ///< since the person connected
+    bool streamed = false;    ///< its last link delivered samples, so that it is worth a try as it stands
+};
+
+/// Looks out for one gripper. Belongs to one thread; whatever waits for the system's events is behind it.
+class GripperReturn {
+public:
+    virtual ~GripperReturn() = default;
+    /// A port to it, to be opened, as soon as there is something to open that has not been tried; null until
+    /// then. Returns at once. One that does not open is no end: it goes on looking.
+    [[nodiscard]] virtual std::unique_ptr<GripperPort> take() = 0;
+};
+
+} // namespace gripscope
