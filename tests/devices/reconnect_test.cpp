@@ -79,7 +79,7 @@ private slots:
     void aSqueezeUnderWayIsLostWithWordsAndCanBeRepeated()
     {
         Program program;
-        QVERIFY(program.connectTo(u"virtual:?speed=0&fault=unplug:0.6,replug:0"_qs));
+        QVERIFY(program.connectTo(u"virtual:?speed=0&fault=unplug:0.45,replug:1"_qs));
         QVERIFY(program.arm());
         QVERIFY(program.squeeze()); // 0.31 s with its rest
         QCOMPARE(program.job.state(), SqueezeJob::State::Done);
@@ -101,7 +101,7 @@ private slots:
         const QTemporaryDir folder;
         const QString file = folder.filePath(u"grip.gscap"_qs);
         Program program;
-        QVERIFY(program.connectTo(u"virtual:?fault=unplug:0.1,replug:0&capture="_qs + file));
+        QVERIFY(program.connectTo(u"virtual:?fault=unplug:0.1,replug:0.05&capture="_qs + file));
         QVERIFY(program.until([&] { return program.connection.reconnections() == 1; }));
         const std::uint64_t before = program.connection.counters().samples;
         QVERIFY(program.until([&] { return program.connection.counters().samples > before; }));
