@@ -36,6 +36,7 @@ struct ConnectSession::Private {
     std::unique_ptr<GripperReturn> awaited; ///< while it is looked out for
     std::unique_ptr<GripperPort> returning; ///< there again, not open yet
     bool wasConnected = false;
+    bool wasFruitless = false; ///< the last link opened, and no sample came
     int reconnections = 0;
     std::optional<double> measuredLag_s;
     MeasuringChain chain;
@@ -112,7 +113,9 @@ void ConnectSession::Private::lookOut()
 {
     if (!mayPass(error->code))
         return;
-    AwaitedGripper gripper{address, {}, reconnections + 1, port->counters().samples > 0};
+    const bool fruitless = port->counters().samples == 0;
+    AwaitedGripper gripper{address, {}, reconnections + 1, !(fruitless && wasFruitless)};
+    wasFruitless = fruitless;
     if (wasConnected)
         gripper.identity = identity;
     awaited = factory.awaitReturn(gripper);
@@ -195,6 +198,7 @@ Expected<void> ConnectSession::connectTo(const QString& address)
     d->earlierCounters = {};
     d->reconnections = 0;
     d->wasConnected = false;
+    d->wasFruitless = false;
     d->measuredLag_s.reset();
     d->chain = {};
     d->state = State::Connecting;

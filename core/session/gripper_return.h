@@ -10,7 +10,7 @@ struct AwaitedGripper {
     QString address;          ///< as the person gave it
     GripperIdentity identity; ///< of the one that was lost; without a name: none was connected yet
     int timesLost = 0;        ///< since the person connected
-    bool streamed = false;    ///< its last link delivered samples, so that it is worth a try as it stands
+    bool worthATry = true;    ///< as it stands; false: it opened twice and sent nothing, so plug it in anew
 };
 
 /// Looks out for one gripper. Belongs to one thread; whatever waits for the system's events is behind it.

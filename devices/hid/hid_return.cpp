@@ -49,8 +49,8 @@ std::optional<HidNode> HidReturn::choose(const std::vector<HidNode>& nodes) cons
         return found.size() == 1 ? std::optional(found.front()) : std::nullopt;
     }
     const std::optional<HidNode> node = returnedNode(*lost, m_awaited.identity.port, nodes, *m_thereBefore);
-    // One that was opened and stayed silent would only be opened and lost again: it has to be plugged anew.
-    if (node && !m_awaited.streamed && m_thereBefore->contains(node->instance))
+    // One that opens and stays silent would only be opened and lost again and again.
+    if (node && !m_awaited.worthATry && m_thereBefore->contains(node->instance))
         return std::nullopt;
     return node;
 }

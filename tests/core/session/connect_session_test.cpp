@@ -150,7 +150,6 @@ private slots:
         connection.gripper().counters.lostSamples = 7;
         connection.gripper().counters.samples = 100;
         unplug(connection);
-        QCOMPARE(connection.factory.comeback->awaited->streamed, true);
         const auto back = plugIn(connection);
         back->counters.lostSamples = 5;
         back->counters.samples = 50;
@@ -159,6 +158,23 @@ private slots:
         QCOMPARE(connection.session.counters().samples, std::uint64_t(150));
         QVERIFY(connection.open(false)); // a person connects: counted from nothing
         QCOMPARE(connection.session.reconnections(), 0);
+    }
+    void oneThatOpensTwiceAndSendsNothingIsNotWorthAThirdTry()
+    {
+        ArmedConnection connection;
+        QVERIFY(connection.open());
+        unplug(connection);
+        QVERIFY(connection.factory.comeback->awaited->worthATry);
+        const auto silent = plugIn(connection);
+        QCOMPARE(connection.session.state(), State::Connected);
+        silent->state = LinkState::Lost;
+        connection.session.poll();
+        QVERIFY(!connection.factory.comeback->awaited->worthATry);
+        const auto speaking = plugIn(connection);
+        speaking->counters.samples = 1;
+        speaking->state = LinkState::Lost;
+        connection.session.poll();
+        QVERIFY(connection.factory.comeback->awaited->worthATry);
     }
     void anotherGripperInItsPlaceIsNotTakenForIt()
     {

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/connect_session.h"
+#include "core/session/squeeze_job.h"
+#include "tests/devices/port_helpers.h"
+
+namespace gripscope::test {
+
+/// A session on a gripper, driven as a program drives it.
+struct ConnectedProgram {
+    DeviceFactory factory;
+    ConnectSession connection{factory};
+    SqueezeJob job{connection};
+    std::function<void()> alsoDrive; ///< what else has to run meanwhile, such as a device
+
+    void poll()
+    {
+        if (alsoDrive)
+            alsoDrive();
+        connection.poll();
+        job.poll();
+    }
+    bool until(const std::function<bool()>& condition)
+    {
+        return waitFor([&] {
+            poll();
+            return condition();
+        });
+    }
+    bool untilState(ConnectSession::State state)
+    {
+        return until([&] { return connection.state() == state; });
+    }
+    bool untilSamples(std::uint64_t more)
+    {
+        const std::uint64_t enough = connection.counters().samples + more;
+        return until([&] { return connection.counters().samples >= enough; });
+    }
+    bool connectTo(const QString& address)
+    {
+        return connection.connectTo(address).has_value() && untilState(ConnectSession::State::Connected);
+    }
+    bool arm()
+    {
+        return connection.arm(QStringLiteral("tester")).has_value() &&
+               until([&] { return connection.armed(); });
+    }
+    /// To its end, good or bad; false: it did not begin.
+    bool squeeze(double seconds = 0.2)
+    {
+        Recipe recipe;
+        recipe.seconds = seconds;
+        return job.start(recipe, 1).has_value() && until([&] {
+                   return job.state() == SqueezeJob::State::Done || job.state() == SqueezeJob::State::Failed;
+               });
+    }
+};
+
+} // namespace gripscope::test
