@@ -142,7 +142,12 @@ Expected<void> parseVirtualOption(const QString& key, const QString& value, Virt
         address.capture = value;
         return {};
     }
-    return wrong(key, u"virtual: knows object, seed, noise, speed, fault, script and capture"_qs);
+    if (key == u"profile" || key == u"like") {
+        (key == u"like" ? address.like : address.profile) = value;
+        return {};
+    }
+    return wrong(key,
+                 u"virtual: knows object, seed, noise, speed, fault, script, capture, profile and like"_qs);
 }
 
 Expected<DeviceAddress> parseVirtual(const QString& rest)
@@ -180,8 +185,10 @@ Expected<void> parseHidOptions(const QString& options, HidAddress& address)
             address.capture = value;
         else if (option.startsWith(u"port="))
             address.port = value;
+        else if (option.startsWith(u"profile="))
+            address.profile = value;
         else
-            return wrong(option, u"behind hid: the options are port=PORT and capture=FILE"_qs);
+            return wrong(option, u"behind hid: the options are port=PORT, profile=FILE and capture=FILE"_qs);
     }
     return {};
 }

@@ -18,6 +18,10 @@ struct VirtualAddress {
     QString script;                 ///< file with further ones (fault_script.h); empty: none
     bool millimetres = false;       ///< the device states its positions in mm instead of m
     QString capture;                ///< file for the raw reports (.gscap); empty: none
+    /// Another maker's gripper, which squeezes by itself: what its bytes are read by, and what they are sent
+    /// by. A file, or the name of a profile that came with the program; one alone stands for both, but for
+    /// `like` alone, which is read by the profile there is for its USB numbers.
+    QString profile, like;
     friend bool operator==(const VirtualAddress&, const VirtualAddress&) = default;
 };
 struct HidAddress {
@@ -25,6 +29,7 @@ struct HidAddress {
     QString serial{};  ///< empty: the only one there is
     QString capture{}; ///< file for the raw reports (.gscap); empty: none
     QString port{};    ///< where it is plugged in; empty: anywhere
+    QString profile{}; ///< what another maker's gripper is read by; empty: the one there is for its numbers
 };
 struct ReplayAddress {
     QString file;
@@ -35,7 +40,8 @@ using DeviceAddress = std::variant<VirtualAddress, HidAddress, ReplayAddress>;
 /// `hid:1209:0001:SERIAL`, `hid:1209:0001:SERIAL?port=usb-0000:00:14.0-2/input0` (of several with the same
 /// number, or none, the one at that port), `replay:FILE` (a recording, or a capture: FILE ends in .gscap).
 /// With the option capture=FILE, behind `virtual:?` or `hid:...?`, the raw reports are kept. Usage errors
-/// name the part that is wrong and what it may be.
+/// name the part that is wrong and what it may be. profile=FILE reads another maker's gripper by that
+/// profile.
 ///
 /// Faults: loss:P, duplicate:P, crc:P, saturate:N, stuck and units from the beginning on; stall:S, unplug:S,
 /// deaf:S, hang-feature:S, hang-write:S and broken:S after so many seconds; replug:S so long after the

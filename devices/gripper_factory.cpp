@@ -5,6 +5,7 @@
 #include "devices/device_address.h"
 #include "devices/hid/hid_return.h"
 #include "devices/hid/hid_transport.h"
+#include "devices/profile/profiled_device.h"
 #include "devices/replay/capture_transport.h"
 #include "devices/replay/replay_port.h"
 #include "devices/virtual/virtual_return.h"
@@ -27,9 +28,18 @@ TransportMaker capturing(TransportMaker make, const QString& file)
     return [make = std::move(make), file] { return std::make_shared<CapturingTransport>(make(), file); };
 }
 
+std::unique_ptr<GripperPort> profiledPort(const QString& text, const ProfiledDeviceMakers& device,
+                                          const QString& capture)
+{
+    return std::make_unique<DevicePort>(text, capturing(device.transport, capture),
+                                        SampleQueue::defaultCapacity, device.decoder);
+}
+
 std::unique_ptr<GripperPort> virtualPort(const QString& text, const VirtualAddress& address,
                                          const QString& capture)
 {
+    if (const std::optional<ProfiledDeviceMakers> device = profiledDevice(address))
+        return profiledPort(text, *device, capture);
     const TransportMaker make = [address]() -> std::shared_ptr<Transport> {
         return *VirtualTransport::make(address);
     };
@@ -46,6 +56,8 @@ Port makePort(const QString& text, const VirtualAddress& address)
 
 std::unique_ptr<GripperPort> hidPort(const QString& text, const HidAddress& address)
 {
+    if (const std::optional<ProfiledDeviceMakers> device = profiledDevice(address))
+        return profiledPort(text, *device, address.capture);
     const TransportMaker make = [address]() -> std::shared_ptr<Transport> {
         return std::make_shared<HidTransport>(address);
     };
@@ -126,15 +138,21 @@ std::vector<FoundDevice> devicesAmong(const std::vector<HidNode>& nodes)
 {
     std::vector<FoundDevice> found{
         {u"virtual:"_qs, u"VG-1"_qs, u"Virtual gripper, can A"_qs, u"available"_qs}};
-    for (const HidNode& node : grippersAmong(nodes)) {
-        FoundDevice device{addressOf(node, nodes), node.serial, node.name,
+    const auto add = [&](const HidNode& node, const QString& name) {
+        FoundDevice device{addressOf(node, nodes), node.serial, name,
                            node.accessible ? u"available"_qs : u"no permission"_qs};
         if (device.address.contains(u"?port="))
             device.port = node.port;
         if (!node.accessible)
             device.toAllow = permissionCommands(node);
         found.push_back(device);
-    }
+    };
+    for (const HidNode& node : grippersAmong(nodes))
+        add(node, node.name);
+    const ProfileCollection profiles = nodes.empty() ? ProfileCollection() : loadProfiles();
+    for (const HidNode& node : nodes)
+        if (const KnownProfile* known = profiles.find(node.vendor, node.product))
+            add(node, known->profile.name);
     return found;
 }
 

@@ -21,8 +21,8 @@ struct FoundDevice {
     QString port{};        ///< where it is plugged in, when its serial number does not tell it from another
     QStringList toAllow{}; ///< without permission: what a person types in a terminal, a command each
 };
-/// The virtual gripper and every gripper on USB-HID, found through the system's device list (never by
-/// hid_enumerate, which crashes when a device goes away meanwhile).
+/// The virtual gripper, every gripper on USB-HID and every device there that has a profile, found through the
+/// system's device list (never by hid_enumerate, which crashes when a device goes away meanwhile).
 [[nodiscard]] std::vector<FoundDevice> findDevices();
 /// The same from a list of the HID devices there are.
 [[nodiscard]] std::vector<FoundDevice> devicesAmong(const std::vector<HidNode>& nodes);

@@ -20,6 +20,7 @@ struct Command {
 
 int runDemo(const QStringList& arguments);
 int runDevices(const QStringList& arguments);
+int runProfile(const QStringList& arguments);
 int runRecord(const QStringList& arguments);
 int runSimulate(const QStringList& arguments);
 int runIdentify(const QStringList& arguments);
