@@ -216,6 +216,19 @@ Expected<DeviceAddress> parseHid(const QString& rest)
     return address;
 }
 
+/// Anything may stand in the name of a file; the one option is what follows the last ?speed=.
+Expected<DeviceAddress> parseReplay(const QString& rest)
+{
+    const QString option = u"?speed="_qs;
+    const qsizetype at = rest.lastIndexOf(option);
+    if (at < 0)
+        return ReplayAddress{rest};
+    const Expected<double> speed = number(u"speed"_qs, rest.mid(at + option.size()), 0, 1000);
+    if (!speed)
+        return tl::unexpected<Error>(speed.error());
+    return ReplayAddress{rest.left(at), *speed};
+}
+
 } // namespace
 
 Expected<DeviceAddress> parseDeviceAddress(const QString& text)
@@ -227,7 +240,7 @@ Expected<DeviceAddress> parseDeviceAddress(const QString& text)
     if (kind == u"hid" && text.contains(u':'))
         return parseHid(rest);
     if (kind == u"replay" && !rest.isEmpty())
-        return ReplayAddress{rest};
+        return parseReplay(rest);
     return wrong(
         text.isEmpty() ? u"nothing"_qs : text,
         u"an address is virtual: or virtual:?object=A&seed=7, hid: or hid:1209:0001:SERIAL, or replay:FILE"_qs);

@@ -33,15 +33,16 @@ struct HidAddress {
 };
 struct ReplayAddress {
     QString file;
+    double speed = 1; ///< times the pace it was taken at; 0: as fast as it is read
 };
 using DeviceAddress = std::variant<VirtualAddress, HidAddress, ReplayAddress>;
 
 /// `virtual:?object=A&seed=7&noise=20e-6&speed=0&fault=loss:0.01,stuck&script=FILE`, `hid:`, `hid:1209:0001`,
 /// `hid:1209:0001:SERIAL`, `hid:1209:0001:SERIAL?port=usb-0000:00:14.0-2/input0` (of several with the same
-/// number, or none, the one at that port), `replay:FILE` (a recording, or a capture: FILE ends in .gscap).
-/// With the option capture=FILE, behind `virtual:?` or `hid:...?`, the raw reports are kept. Usage errors
-/// name the part that is wrong and what it may be. profile=FILE reads another maker's gripper by that
-/// profile.
+/// number, or none, the one at that port), `replay:FILE` or `replay:FILE?speed=10` (a recording, or a
+/// capture: FILE ends in .gscap). With the option capture=FILE, behind `virtual:?` or `hid:...?`, the raw
+/// reports are kept. Usage errors name the part that is wrong and what it may be. profile=FILE reads another
+/// maker's gripper by that profile.
 ///
 /// Faults: loss:P, duplicate:P, crc:P, saturate:N, stuck and units from the beginning on; stall:S, unplug:S,
 /// deaf:S, hang-feature:S, hang-write:S and broken:S after so many seconds; replug:S so long after the

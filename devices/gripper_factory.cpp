@@ -21,61 +21,79 @@ namespace {
 
 using Port = Expected<std::unique_ptr<GripperPort>>;
 
-TransportMaker capturing(TransportMaker make, const QString& file)
-{
-    if (file.isEmpty())
-        return make;
-    return [make = std::move(make), file] { return std::make_shared<CapturingTransport>(make(), file); };
-}
+/// What a port needs to know of keeping its reports: an address may name a file, which comes before the
+/// setting.
+struct Keeping {
+    std::optional<KeepSessions> sessions;
+    std::shared_ptr<CaptureMonitor> monitor;
+
+    [[nodiscard]] TransportMaker around(TransportMaker make, const QString& address,
+                                        const QString& file) const
+    {
+        CaptureDestination to{file, {}, address};
+        if (file.isEmpty() && !sessions)
+            return make;
+        if (file.isEmpty()) {
+            to.folder = sessions->folder;
+            to.limits = sessions->limits;
+        }
+        return [make = std::move(make), to, told = monitor] {
+            return std::make_shared<CapturingTransport>(make(), to, told);
+        };
+    }
+};
 
 std::unique_ptr<GripperPort> profiledPort(const QString& text, const ProfiledDeviceMakers& device,
-                                          const QString& capture)
+                                          const QString& capture, const Keeping& keeping)
 {
-    return std::make_unique<DevicePort>(text, capturing(device.transport, capture),
+    return std::make_unique<DevicePort>(text, keeping.around(device.transport, text, capture),
                                         SampleQueue::defaultCapacity, device.decoder);
 }
 
 std::unique_ptr<GripperPort> virtualPort(const QString& text, const VirtualAddress& address,
-                                         const QString& capture)
+                                         const QString& capture, Keeping keeping)
 {
+    if (keeping.sessions && !keeping.sessions->virtualToo)
+        keeping.sessions.reset();
     if (const std::optional<ProfiledDeviceMakers> device = profiledDevice(address))
-        return profiledPort(text, *device, capture);
+        return profiledPort(text, *device, capture, keeping);
     const TransportMaker make = [address]() -> std::shared_ptr<Transport> {
         return *VirtualTransport::make(address);
     };
-    return std::make_unique<DevicePort>(text, capturing(make, capture));
+    return std::make_unique<DevicePort>(text, keeping.around(make, text, capture));
 }
 
-Port makePort(const QString& text, const VirtualAddress& address)
+Port makePort(const QString& text, const VirtualAddress& address, const Keeping& keeping)
 {
     // Made once here, so that an object that makes no sense is told at once.
     if (const auto checked = VirtualTransport::make(address); !checked)
         return tl::unexpected<Error>(checked.error());
-    return virtualPort(text, address, address.capture);
+    return virtualPort(text, address, address.capture, keeping);
 }
 
-std::unique_ptr<GripperPort> hidPort(const QString& text, const HidAddress& address)
+std::unique_ptr<GripperPort> hidPort(const QString& text, const HidAddress& address, const Keeping& keeping)
 {
     if (const std::optional<ProfiledDeviceMakers> device = profiledDevice(address))
-        return profiledPort(text, *device, address.capture);
+        return profiledPort(text, *device, address.capture, keeping);
     const TransportMaker make = [address]() -> std::shared_ptr<Transport> {
         return std::make_shared<HidTransport>(address);
     };
-    return std::make_unique<DevicePort>(text, capturing(make, address.capture));
+    return std::make_unique<DevicePort>(text, keeping.around(make, text, address.capture));
 }
 
-Port makePort(const QString& text, const HidAddress& address)
+Port makePort(const QString& text, const HidAddress& address, const Keeping& keeping)
 {
-    return hidPort(text, address);
+    return hidPort(text, address, keeping);
 }
 
-Port makePort(const QString& text, const ReplayAddress& address)
+Port makePort(const QString& text, const ReplayAddress& address, const Keeping&)
 {
     const QString file = address.file;
+    const double speed = address.speed;
     if (!file.endsWith(u".gscap", Qt::CaseInsensitive))
-        return std::make_unique<ReplayPort>(text, file);
-    return std::make_unique<DevicePort>(text, [file]() -> std::shared_ptr<Transport> {
-        return std::make_shared<CaptureReplayTransport>(file);
+        return std::make_unique<ReplayPort>(text, file, speed);
+    return std::make_unique<DevicePort>(text, [file, speed]() -> std::shared_ptr<Transport> {
+        return std::make_shared<CaptureReplayTransport>(file, speed);
     });
 }
 
@@ -90,23 +108,26 @@ QString captureOfLink(const QString& file, int link)
     return info.path() + u'/' + (info.suffix().isEmpty() ? name : name + u'.' + info.suffix());
 }
 
-std::unique_ptr<GripperReturn> returnOf(const VirtualAddress& address, const AwaitedGripper& awaited)
+std::unique_ptr<GripperReturn> returnOf(const VirtualAddress& address, const AwaitedGripper& awaited,
+                                        const Keeping& keeping)
 {
     if (!virtual_plug::comesBack(address))
         return nullptr;
     const QString capture = captureOfLink(address.capture, awaited.timesLost + 1);
     return std::make_unique<VirtualReturn>(
-        address, [=, text = awaited.address] { return virtualPort(text, address, capture); });
+        address, [=, text = awaited.address] { return virtualPort(text, address, capture, keeping); });
 }
 
-std::unique_ptr<GripperReturn> returnOf(HidAddress address, const AwaitedGripper& awaited)
+std::unique_ptr<GripperReturn> returnOf(HidAddress address, const AwaitedGripper& awaited,
+                                        const Keeping& keeping)
 {
     address.capture = captureOfLink(address.capture, awaited.timesLost + 1);
     return std::make_unique<HidReturn>(
-        address, awaited, [text = awaited.address](const HidAddress& found) { return hidPort(text, found); });
+        address, awaited,
+        [text = awaited.address, keeping](const HidAddress& found) { return hidPort(text, found, keeping); });
 }
 
-std::unique_ptr<GripperReturn> returnOf(const ReplayAddress&, const AwaitedGripper&)
+std::unique_ptr<GripperReturn> returnOf(const ReplayAddress&, const AwaitedGripper&, const Keeping&)
 {
     return nullptr;
 }
@@ -118,7 +139,8 @@ Port DeviceFactory::create(const QString& address)
     const Expected<DeviceAddress> parsed = parseDeviceAddress(address);
     if (!parsed)
         return tl::unexpected<Error>(parsed.error());
-    return std::visit([&](const auto& kind) { return makePort(address, kind); }, *parsed);
+    const Keeping keeping{m_keep, m_monitor};
+    return std::visit([&](const auto& kind) { return makePort(address, kind, keeping); }, *parsed);
 }
 
 std::unique_ptr<GripperReturn> DeviceFactory::awaitReturn(const AwaitedGripper& awaited)
@@ -126,7 +148,8 @@ std::unique_ptr<GripperReturn> DeviceFactory::awaitReturn(const AwaitedGripper& 
     const Expected<DeviceAddress> parsed = parseDeviceAddress(awaited.address);
     if (!parsed)
         return nullptr;
-    return std::visit([&](const auto& kind) { return returnOf(kind, awaited); }, *parsed);
+    const Keeping keeping{m_keep, m_monitor};
+    return std::visit([&](const auto& kind) { return returnOf(kind, awaited, keeping); }, *parsed);
 }
 
 std::vector<FoundDevice> findDevices()

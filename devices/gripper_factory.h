@@ -3,10 +3,18 @@
 
 #include "core/session/gripper_port.h"
 #include "devices/hid/hid_discovery.h"
+#include "devices/replay/capture_writer.h"
 
 #include <vector>
 
 namespace gripscope {
+
+/// Where the raw reports of every session are kept.
+struct KeepSessions {
+    QString folder;
+    CaptureLimits limits = {};
+    bool virtualToo = false; ///< those of the virtual gripper as well
+};
 
 /// Ports for every kind of address. The virtual gripper always exists; HID grippers come and go.
 class DeviceFactory : public GripperPortFactory {
@@ -14,6 +22,15 @@ public:
     [[nodiscard]] Expected<std::unique_ptr<GripperPort>> create(const QString& address) override;
     /// HID grippers come back when they are plugged in, virtual ones by their faults, files never.
     [[nodiscard]] std::unique_ptr<GripperReturn> awaitReturn(const AwaitedGripper& awaited) override;
+
+    /// From the next connection on, unless its address says otherwise (capture=FILE); nothing: not kept.
+    void keepSessions(std::optional<KeepSessions> keep) { m_keep = std::move(keep); }
+    /// Of the session that is being kept.
+    [[nodiscard]] CaptureStatus captureStatus() const { return m_monitor->status(); }
+
+private:
+    std::optional<KeepSessions> m_keep;
+    std::shared_ptr<CaptureMonitor> m_monitor = std::make_shared<CaptureMonitor>();
 };
 
 struct FoundDevice {

@@ -50,8 +50,16 @@ public:
 
     /// Reports come all the time, so that a second of silence means that something is wrong.
     [[nodiscard]] virtual bool streamsAlways() const { return true; }
+    /// Reports that are not read now are read later: nothing gets lost by waiting (a replay as fast as it
+    /// can).
+    [[nodiscard]] virtual bool waitsForReader() const { return false; }
     /// Commands can be written.
     [[nodiscard]] virtual bool takesCommands() const { return true; }
+
+    /// What the program does, kept beside the reports where they are kept. From any thread, once opened.
+    virtual void note(const QString&) {}
+    /// The name under which the reports of this session are kept; empty where they are not.
+    [[nodiscard]] virtual QString keptSession() const { return {}; }
 };
 
 using TransportMaker = std::function<std::shared_ptr<Transport>()>;

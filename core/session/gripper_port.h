@@ -25,6 +25,7 @@ struct GripperIdentity {
     ForceHold hold = ForceHold::Zero;
     double forceLag_s = 0;
     DeviceLimits limits;
+    QString keptSession;      ///< the name under which its raw reports are kept; empty where they are not
     bool commandable = false; ///< false: it only streams (a replay, a read-only gripper)
     bool lossVisible = true;  ///< false: it sends neither a number nor a clock; what gets lost is not seen
     QString port;             ///< where it is plugged in, in the system's words; empty: nowhere
@@ -119,6 +120,9 @@ public:
     /// The screen (or the command line's loop) is alive: to be called at least once a second while armed, or
     /// the heartbeat ends and the gripper stops by itself.
     virtual void confirmAlive() noexcept = 0;
+    /// What is done with the samples (a squeeze begins, ended), for whoever keeps the raw reports. Lines of
+    /// text, the first of which says what it is.
+    virtual void note(const QString&) {}
 };
 
 class GripperReturn;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/squeeze_job.h"
 
+#include "core/session/squeeze_notes.h"
 #include "core/session/squeeze_recorder.h"
 
 #include <QDateTime>
@@ -117,8 +118,11 @@ void SqueezeJob::Private::begin(std::size_t samples, QMap<QString, QString> prov
     recording.forceLag_s = connection.forceLag_s();
     recording.chain = connection.measuringChain();
     recording.provenance = std::move(provenance);
-    recorder.begin(listening ? SqueezeRecorder::Mode::Everything : SqueezeRecorder::Mode::Movement, samples,
-                   identity.sampleTime_s);
+    if (!identity.keptSession.isEmpty())
+        recording.provenance[u"capture"_qs] = identity.keptSession;
+    const auto mode = listening ? SqueezeRecorder::Mode::Everything : SqueezeRecorder::Mode::Movement;
+    recorder.begin(mode, samples, identity.sampleTime_s);
+    connection.port()->note(toNote(SqueezeBegins{mode, samples, {}}));
     error.reset();
     finishing.reset();
     endedEarly = false;
@@ -138,6 +142,10 @@ void SqueezeJob::Private::end(State outcome)
     listener = 0;
     recorder.moveTo(recording);
     state = outcome;
+    if (GripperPort* port = connection.port())
+        port->note(
+            toNote(SqueezeEnded{outcome == State::Failed ? std::optional(error->describe()) : std::nullopt,
+                                recording.size(), recording}));
 }
 
 void SqueezeJob::Private::fail(Error reason)

@@ -106,9 +106,16 @@ std::size_t DeviceLink::drain(std::vector<Sample>& samples, std::size_t most)
     m_rates.take(now, counters.reports, m_samples.pushed());
     if (count == 0)
         return 0;
+    m_lastDrained = samples.back().sequence;
     m_takenArrival = arrived;
     timeTakingOver(std::span(samples).last(count), now);
     return count;
+}
+
+void DeviceLink::note(const QString& text)
+{
+    // The reader may be ahead of the owner by what is in the queue: this says where the owner was.
+    m_transport->note(m_lastDrained ? text + u"after: %1\n"_qs.arg(*m_lastDrained) : text);
 }
 
 void DeviceLink::timeTakingOver(std::span<const Sample> taken, Clock::time_point now)

@@ -52,6 +52,7 @@ public:
     void disarm();
     void startExcitation(const AdmittedExcitation& excitation);
     void confirmAlive() noexcept;
+    void note(const QString& text);
 
     // From any thread.
     void finishExcitation();
@@ -85,6 +86,7 @@ private:
 
     // Reader's.
     [[nodiscard]] bool waitUntilOpened();
+    void waitForRoom(); ///< in the sample queue, where the transport waits for its reader
     void take(protocol::ReportView bytes);
     void takeSamples(Clock::time_point now);                 ///< those of m_batch
     void takeState(const ReportDecoder::DeviceState& state); ///< called with the mutex held
@@ -122,6 +124,7 @@ private:
     void timeTakingOver(std::span<const Sample> taken, Clock::time_point now);
     LatencyHistogram m_latencies;
     RateMeter m_rates;
+    std::optional<std::uint64_t> m_lastDrained; ///< sequence number; owner's own
     double m_latency_ms = 0;
     std::optional<Clock::time_point> m_takenArrival; ///< of the newest sample taken over
 };

@@ -22,6 +22,7 @@ void DeviceLink::runOpener()
     if (!place.address.isEmpty())
         m_device.identity.address = place.address;
     m_device.identity.port = place.port;
+    m_device.identity.keptSession = m_transport->keptSession();
     m_lastReport = Clock::now();
     setState(LinkState::Ready);
 }
@@ -41,6 +42,7 @@ void DeviceLink::runReader()
         return;
     Transport::Buffer buffer{};
     for (;;) {
+        waitForRoom();
         const Transport::ReadResult result = m_transport->read(buffer, readTimeout);
         if (result.outcome == Transport::Outcome::Report)
             take(ReportView(buffer).first(std::min(result.size, buffer.size())));
@@ -57,6 +59,16 @@ void DeviceLink::runReader()
         if ((closing && result.outcome != Transport::Outcome::Report) || (!closing && !live()))
             return;
     }
+}
+
+void DeviceLink::waitForRoom()
+{
+    if (!m_transport->waitsForReader())
+        return;
+    constexpr std::size_t manyReports = 1024; // samples; more than any one report holds
+    Lock lock(m_mutex);
+    while (live() && m_samples.room() < manyReports)
+        m_changed.wait_for(lock, std::chrono::milliseconds(1));
 }
 
 bool DeviceLink::silentFor(std::chrono::milliseconds limit, Clock::time_point now) const

@@ -143,6 +143,12 @@ void DevicePort::stop() noexcept
         link->stop();
 }
 
+void DevicePort::note(const QString& text)
+{
+    if (const auto link = d->current())
+        link->note(text);
+}
+
 void DevicePort::confirmAlive() noexcept
 {
     if (const auto link = d->current())

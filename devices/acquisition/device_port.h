@@ -39,6 +39,8 @@ public:
     void finishExcitation() override;
     void stop() noexcept override;
     void confirmAlive() noexcept override;
+    /// Adds which sample was drained last.
+    void note(const QString& text) override;
 
 private:
     struct Private;

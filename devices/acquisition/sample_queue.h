@@ -43,6 +43,9 @@ public:
         return count;
     }
 
+    /// So many samples fit in now.
+    [[nodiscard]] std::size_t room() const { return m_ring.size() - (pushed() - popped()); }
+
     /// Taken and handed out since the beginning.
     [[nodiscard]] std::uint64_t pushed() const { return m_head.load(std::memory_order_acquire); }
     [[nodiscard]] std::uint64_t popped() const { return m_tail.load(std::memory_order_acquire); }

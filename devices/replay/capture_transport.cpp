@@ -7,9 +7,14 @@ namespace gripscope {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+/// For what waits for the disk when a session ends; a disk that takes longer goes on by itself.
+constexpr std::chrono::milliseconds closingTakes{200};
+} // namespace
+
 Expected<void> CapturingTransport::open()
 {
-    Expected<std::unique_ptr<CaptureWriter>> writer = CaptureWriter::create(m_file);
+    Expected<std::unique_ptr<CaptureWriter>> writer = CaptureWriter::create(m_destination, m_monitor);
     if (!writer)
         return tl::unexpected<Error>(writer.error());
     {
@@ -22,9 +27,12 @@ Expected<void> CapturingTransport::open()
 void CapturingTransport::close() noexcept
 {
     m_inner->close();
+    const auto deadline = std::chrono::steady_clock::now() + closingTakes;
+    while (m_reading && std::chrono::steady_clock::now() < deadline)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const std::lock_guard lock(m_mutex);
     if (m_writer)
-        m_writer->finish();
+        m_writer->finishBy(deadline);
 }
 
 Expected<protocol::Report> CapturingTransport::feature(protocol::ReportId id)
@@ -37,10 +45,12 @@ Expected<protocol::Report> CapturingTransport::feature(protocol::ReportId id)
 
 Transport::ReadResult CapturingTransport::read(Buffer& buffer, std::chrono::milliseconds timeout)
 {
+    m_reading = true;
     const ReadResult result = m_inner->read(buffer, timeout);
     if (result.outcome == Outcome::Report)
         m_writer->add(CaptureKind::Input,
                       protocol::ReportView(buffer).first(std::min(result.size, buffer.size())));
+    m_reading = false;
     return result;
 }
 
@@ -50,35 +60,75 @@ bool CapturingTransport::write(const protocol::Report& report)
     return m_inner->write(report);
 }
 
+void CapturingTransport::note(const QString& text)
+{
+    const QByteArray bytes = text.toUtf8();
+    const std::lock_guard lock(m_mutex);
+    if (m_writer)
+        m_writer->add(CaptureKind::Note, {reinterpret_cast<const std::uint8_t*>(bytes.constData()),
+                                          static_cast<std::size_t>(bytes.size())});
+}
+
+QString CapturingTransport::keptSession() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_writer ? m_writer->session() : QString();
+}
+
 Expected<void> CaptureReplayTransport::open()
 {
-    Expected<std::vector<CaptureRecord>> records = readCapture(m_file);
-    if (!records)
-        return tl::unexpected<Error>(records.error());
-    m_records = std::move(*records);
-    const auto first = std::find_if(m_records.begin(), m_records.end(), [](const CaptureRecord& record) {
-        return record.kind == CaptureKind::Input;
-    });
-    if (first == m_records.end())
+    Expected<CaptureReader> reader = CaptureReader::open(m_file);
+    if (!reader)
+        return tl::unexpected<Error>(reader.error());
+    m_reader = std::move(*reader);
+    if (const Expected<void> found = findNextInput(); !found)
+        return found;
+    if (!m_nextInput)
         return failure(ErrorCode::BadInput,
-                       {m_file, u"no report of a gripper"_qs, u"expected at least one"_qs});
-    m_firstInput_us = first->time_us;
+                       {m_file, u"no report of a gripper"_s, u"expected at least one"_s});
+    m_firstInput_us = m_nextInput->time_us;
     return {};
+}
+
+Expected<void> CaptureReplayTransport::findNextInput()
+{
+    m_nextInput.reset();
+    for (;;) {
+        Expected<std::optional<CaptureRecord>> record = m_reader->next();
+        if (!record)
+            return tl::unexpected<Error>(record.error());
+        if (!*record)
+            return {};
+        if ((*record)->kind == CaptureKind::Input) {
+            m_nextInput = std::move(*record);
+            return {};
+        }
+        if ((*record)->kind == CaptureKind::Feature && !m_started)
+            m_features.push_back(std::move(**record));
+    }
 }
 
 Expected<protocol::Report> CaptureReplayTransport::feature(protocol::ReportId id)
 {
-    for (const CaptureRecord& record : m_records) {
+    for (const CaptureRecord& record : m_features) {
         protocol::Report report{};
-        if (record.kind != CaptureKind::Feature || record.bytes.size() != report.size() ||
-            record.bytes[0] != static_cast<std::uint8_t>(id))
+        if (record.bytes.size() != report.size() || record.bytes[0] != static_cast<std::uint8_t>(id))
             continue;
         std::copy(record.bytes.begin(), record.bytes.end(), report.begin());
         return report;
     }
     return failure(ErrorCode::BadInput,
-                   {m_file, u"no feature report 0x%1"_qs.arg(static_cast<int>(id), 2, 16, QLatin1Char('0')),
-                    u"expected one, since it says what the numbers mean"_qs});
+                   {m_file, u"no feature report 0x%1"_s.arg(static_cast<int>(id), 2, 16, QLatin1Char('0')),
+                    u"expected one, since it says what the numbers mean"_s});
+}
+
+CaptureReplayTransport::Clock::time_point CaptureReplayTransport::due() const
+{
+    if (m_speed == 0)
+        return *m_started;
+    const double after_us = static_cast<double>(m_nextInput->time_us - m_firstInput_us) / m_speed;
+    return *m_started +
+           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::micro>(after_us));
 }
 
 Transport::ReadResult CaptureReplayTransport::read(Buffer& buffer, std::chrono::milliseconds timeout)
@@ -86,22 +136,20 @@ Transport::ReadResult CaptureReplayTransport::read(Buffer& buffer, std::chrono::
     const Clock::time_point now = Clock::now();
     if (!m_started)
         m_started = now;
-    while (m_next < m_records.size() && m_records[m_next].kind != CaptureKind::Input)
-        ++m_next;
-    if (m_next == m_records.size())
+    if (!m_nextInput)
         return {Outcome::Ended};
-    const CaptureRecord& record = m_records[m_next];
-    const Clock::time_point due = *m_started + std::chrono::microseconds(record.time_us - m_firstInput_us);
     {
         std::unique_lock lock(m_mutex);
-        m_wake.wait_until(lock, std::min(due, now + timeout), [&] { return m_closed; });
+        m_wake.wait_until(lock, std::min(due(), now + timeout), [&] { return m_closed; });
         if (m_closed)
             return {Outcome::Lost};
     }
-    if (Clock::now() < due)
+    if (Clock::now() < due())
         return {Outcome::Timeout};
-    ++m_next;
+    const CaptureRecord record = std::move(*m_nextInput);
     std::copy_n(record.bytes.begin(), std::min(record.bytes.size(), buffer.size()), buffer.begin());
+    // What cannot be read any more ends the replay; `captures verify` says why.
+    static_cast<void>(findNextInput());
     return {Outcome::Report, record.bytes.size()};
 }
 

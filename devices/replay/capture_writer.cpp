@@ -1,71 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/capture_writer.h"
 
-#include <QFile>
-#include <QLoggingCategory>
+#include "devices/replay/capture_session.h"
+
+#include <QDateTime>
+#include <QRandomGenerator>
 
 namespace gripscope {
 
-namespace {
-Q_LOGGING_CATEGORY(logCapture, "gripscope.devices.capture")
-constexpr std::chrono::milliseconds period{200}; ///< at most so much is lost when the program dies
-} // namespace
+using namespace Qt::StringLiterals;
 
-Expected<std::unique_ptr<CaptureWriter>> CaptureWriter::create(const QString& file)
+namespace {
+
+/// In order of time, and no other's.
+QString newSessionName()
 {
-    QFile out(file);
-    if (!out.open(QIODevice::WriteOnly | QIODevice::Truncate))
-        return failure(ErrorCode::FileUnwritable, {file, out.errorString()});
-    return std::unique_ptr<CaptureWriter>(new CaptureWriter(file));
+    return QDateTime::currentDateTimeUtc().toString(u"yyyyMMddThhmmsszzzZ"_s) +
+           u"-%1"_s.arg(QRandomGenerator::global()->bounded(0x10000), 4, 16, QLatin1Char('0'));
 }
 
-CaptureWriter::CaptureWriter(const QString& file) : m_file(file), m_thread([this] { run(); }) {}
+} // namespace
+
+Expected<std::unique_ptr<CaptureWriter>> CaptureWriter::create(const CaptureDestination& destination,
+                                                               std::shared_ptr<CaptureMonitor> monitor)
+{
+    const QString session = destination.folder.isEmpty() ? QString() : newSessionName();
+    if (!monitor)
+        monitor = std::make_shared<CaptureMonitor>();
+    auto writing = std::make_shared<CaptureSession>(destination, session, monitor);
+    if (!destination.file.isEmpty())
+        if (const Expected<void> created = writing->createFile(); !created)
+            return tl::unexpected<Error>(created.error());
+    auto buffer = std::make_shared<CaptureBuffer>(destination.limits.bufferBytes, std::move(monitor));
+    return std::unique_ptr<CaptureWriter>(
+        new CaptureWriter(buffer, session, BoundedThread([writing, buffer] { writing->run(*buffer); })));
+}
+
+CaptureWriter::CaptureWriter(std::shared_ptr<CaptureBuffer> buffer, QString session, BoundedThread thread)
+    : m_buffer(std::move(buffer)), m_session(std::move(session)), m_thread(std::move(thread))
+{
+}
 
 CaptureWriter::~CaptureWriter()
 {
-    finish();
-}
-
-void CaptureWriter::finish()
-{
-    if (!m_thread.joinable())
-        return;
-    {
-        const std::lock_guard lock(m_mutex);
-        m_ending = true;
-    }
-    m_wake.notify_all();
-    m_thread.join();
+    m_buffer->finish();
 }
 
 void CaptureWriter::add(CaptureKind kind, std::span<const std::uint8_t> bytes)
 {
-    const std::lock_guard lock(m_mutex);
-    if (m_ending)
-        return;
-    // Under the lock, so that times are in order though two threads add.
-    const auto age = std::chrono::steady_clock::now() - m_start;
-    const auto time_us = std::chrono::duration_cast<std::chrono::microseconds>(age).count();
-    m_waiting += encodeRecord(static_cast<std::uint64_t>(time_us), kind, bytes);
+    m_buffer->add(kind, bytes);
 }
 
-void CaptureWriter::run()
+bool CaptureWriter::finishBy(std::chrono::steady_clock::time_point deadline)
 {
-    QFile out(m_file);
-    bool fine = out.open(QIODevice::WriteOnly | QIODevice::Append);
-    std::unique_lock lock(m_mutex);
-    for (bool last = false; !last;) {
-        m_wake.wait_for(lock, period, [&] { return m_ending; });
-        last = m_ending;
-        const QByteArray bytes = std::exchange(m_waiting, {});
-        lock.unlock();
-        const bool written = fine && out.write(bytes) == bytes.size() && out.flush();
-        if (fine && !written)
-            qCWarning(logCapture, "the capture %s ends early: %s", qUtf8Printable(m_file),
-                      qUtf8Printable(out.errorString()));
-        fine = written;
-        lock.lock();
-    }
+    m_buffer->finish();
+    return m_thread.finishBy(deadline);
 }
 
 } // namespace gripscope

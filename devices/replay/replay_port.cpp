@@ -28,7 +28,8 @@ GripperIdentity identityOf(const Recording& recording, const QString& address, c
 
 } // namespace
 
-ReplayPort::ReplayPort(QString address, QString file) : m_address(std::move(address)), m_file(std::move(file))
+ReplayPort::ReplayPort(QString address, QString file, double speed)
+    : m_address(std::move(address)), m_file(std::move(file)), m_speed(speed)
 {
 }
 
@@ -110,7 +111,7 @@ std::size_t ReplayPort::drain(std::vector<Sample>& samples, std::size_t most)
     const double played_s = std::chrono::duration<double>(Clock::now() - m_started).count();
     std::size_t count = 0;
     for (; count < most && m_next < m_recording.size(); ++count, ++m_next) {
-        if (m_recording.time_s[m_next] - m_recording.time_s.front() > played_s)
+        if (m_speed > 0 && m_recording.time_s[m_next] - m_recording.time_s.front() > played_s * m_speed)
             break;
         if (m_nextGap < m_gaps.size() && m_gaps[m_nextGap].before == m_next) {
             m_counters.lostSamples += static_cast<std::uint64_t>(m_gaps[m_nextGap++].lostSamples);

@@ -11,7 +11,8 @@
 
 namespace gripscope {
 
-/// A recording (CSV) played back as if a gripper sent it: the same samples at the pace of their time stamps.
+/// A recording (CSV) played back as if a gripper sent it: the same samples at the pace of their time
+/// stamps or a multiple of it.
 /// It cannot be commanded.
 ///
 /// open() reads the file in a thread of its own; Lost with the file's error when it is not one. At the end,
@@ -20,7 +21,8 @@ namespace gripscope {
 /// at the clock.
 class ReplayPort : public GripperPort {
 public:
-    ReplayPort(QString address, QString file);
+    /// `speed`: times the pace of the time stamps; 0: as fast as it is drained.
+    ReplayPort(QString address, QString file, double speed = 1);
     ~ReplayPort() override;
 
     void open() override;
@@ -49,6 +51,7 @@ private:
     };
 
     const QString m_address, m_file;
+    const double m_speed;
     std::shared_ptr<Reading> m_reading;
     BoundedThread m_reader;
     // Reading ends between two calls of the owner, some of which are const: hence mutable.

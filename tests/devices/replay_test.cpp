@@ -164,7 +164,7 @@ private slots:
         QTest::newRow("empty") << QByteArray() << u"x.gscap:0"_qs;
         QTest::newRow("something else") << QByteArray("time_s,force,position\n") << u"x.gscap:0"_qs;
         QTest::newRow("unknown kind")
-            << header + encodeRecord(0, static_cast<CaptureKind>(3), report) << u"x.gscap:16"_qs;
+            << header + encodeRecord(0, static_cast<CaptureKind>(4), report) << u"x.gscap:16"_qs;
         QTest::newRow("long report") << header + encodeRecord(0, CaptureKind::Input,
                                                               std::vector<std::uint8_t>(129))
                                      << u"x.gscap:18"_qs;

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/replay/capture_reader.h"
+
+#include <QBuffer>
+#include <QDir>
+#include <QFileInfo>
+#include <QRegularExpression>
+#include <QtEndian>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr qint64 headerSize = 8;
+constexpr quint16 newestVersion = 2;
+
+tl::unexpected<Error> bad(const QString& name, qint64 at, const QString& found, const QString& expected)
+{
+    return failure(ErrorCode::BadInput, {name + u':' + QString::number(at), found, expected});
+}
+
+/// 0: this is no capture.
+quint16 versionOf(const QByteArray& header)
+{
+    if (header.size() < headerSize || !header.startsWith(QByteArray("GSCAP\0", 6)))
+        return 0;
+    return qFromLittleEndian<quint16>(header.constData() + 6);
+}
+
+} // namespace
+
+QStringList capturePartsFrom(const QString& file)
+{
+    static const QRegularExpression form(u"^(.+)\\.part(\\d{4,})\\.gscap$"_s);
+    const QFileInfo info(file);
+    const QRegularExpressionMatch match = form.match(info.fileName());
+    if (!match.hasMatch())
+        return {file};
+    QStringList parts;
+    const QDir folder = info.dir();
+    for (const QString& name :
+         folder.entryList({match.captured(1) + u".part*.gscap"_s}, QDir::Files, QDir::Name)) {
+        const QRegularExpressionMatch other = form.match(name);
+        if (other.captured(1) == match.captured(1) &&
+            other.captured(2).toULongLong() >= match.captured(2).toULongLong())
+            parts << folder.filePath(name);
+    }
+    return parts.isEmpty() ? QStringList{file} : parts;
+}
+
+Expected<CaptureReader> CaptureReader::open(const QString& file)
+{
+    CaptureReader reader;
+    reader.m_parts = capturePartsFrom(file);
+    const Expected<bool> begun = reader.beginNextPart();
+    if (!begun)
+        return tl::unexpected<Error>(begun.error());
+    return reader;
+}
+
+Expected<CaptureReader> CaptureReader::over(const QByteArray& bytes, const QString& name)
+{
+    auto buffer = std::make_unique<QBuffer>();
+    buffer->setData(bytes);
+    buffer->open(QIODevice::ReadOnly);
+    CaptureReader reader;
+    const Expected<void> begun = reader.begin(std::move(buffer), name);
+    if (!begun)
+        return tl::unexpected<Error>(begun.error());
+    return reader;
+}
+
+Expected<void> CaptureReader::begin(std::unique_ptr<QIODevice> part, const QString& name)
+{
+    m_part = std::move(part);
+    m_name = name;
+    m_version = versionOf(m_part->read(headerSize));
+    if (m_version == 0)
+        return bad(name, 0, u"this is no Gripscope capture"_s, u"expected GSCAP, version 1 or 2"_s);
+    if (m_version > newestVersion)
+        return bad(name, 0, u"a capture of version %1"_s.arg(m_version),
+                   u"expected version 1 or 2; a newer program reads it"_s);
+    m_at = headerSize;
+    m_left = 0;
+    return {};
+}
+
+Expected<bool> CaptureReader::beginNextPart()
+{
+    if (m_parts.isEmpty())
+        return false;
+    auto file = std::make_unique<QFile>(m_parts.takeFirst());
+    const QString name = file->fileName();
+    if (!file->open(QIODevice::ReadOnly))
+        return failure(ErrorCode::FileUnreadable, {name, file->errorString()});
+    return begin(std::move(file), name).map([] { return true; });
+}
+
+Expected<std::optional<CaptureRecord>> CaptureReader::next()
+{
+    const QByteArray head = m_part->read(captureRecordHead);
+    const auto length =
+        head.size() < captureRecordHead ? quint16(0) : qFromLittleEndian<quint16>(head.constData() + 10);
+    CaptureRecord record;
+    if (head.size() == captureRecordHead) {
+        record.time_us = qFromLittleEndian<quint64>(head.constData());
+        const auto kind = qFromLittleEndian<quint16>(head.constData() + 8);
+        record.kind = static_cast<CaptureKind>(kind);
+        const auto most = static_cast<quint16>(m_version > 1 ? CaptureKind::Note : CaptureKind::Output);
+        if (kind > most)
+            return bad(m_name, m_at + 8, u"a record of kind %1"_s.arg(kind),
+                       u"expected a kind from 0 to %1"_s.arg(most));
+        if (record.kind != CaptureKind::Note && length > longestCapturedReport)
+            return bad(m_name, m_at + 10, u"a report of %1 bytes"_s.arg(length),
+                       u"expected at most %1"_s.arg(longestCapturedReport));
+        if (record.time_us < m_lastTime)
+            return bad(m_name, m_at, u"a time before that of the record in front"_s,
+                       u"expected times in order"_s);
+    }
+    const QByteArray bytes = m_part->read(length);
+    if (head.size() < captureRecordHead || bytes.size() < length) {
+        m_left = head.size() + bytes.size();
+        const Expected<bool> more = beginNextPart();
+        if (!more)
+            return tl::unexpected<Error>(more.error());
+        return *more ? next() : std::optional<CaptureRecord>();
+    }
+    m_lastTime = record.time_us;
+    m_at += captureRecordHead + length;
+    const auto* first = reinterpret_cast<const std::uint8_t*>(bytes.constData());
+    record.bytes.assign(first, first + length);
+    return record;
+}
+
+} // namespace gripscope

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/replay/captured_session.h"
+
+#include "core/session/squeeze_notes.h"
+#include "devices/acquisition/gripscope_decoder.h"
+#include "devices/acquisition/sample_queue.h"
+#include "devices/replay/capture_transport.h"
+
+#include <deque>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// Takes the records of a session in their order.
+class SessionCutter {
+public:
+    SessionCutter(CapturedSession& session, GripscopeDecoder& decoder)
+        : m_session(session), m_decoder(decoder)
+    {
+    }
+
+    void take(const CaptureRecord& record)
+    {
+        m_now_s = 1e-6 * static_cast<double>(record.time_us);
+        switch (record.kind) {
+        case CaptureKind::Input:
+            return takeInput(record);
+        case CaptureKind::Output:
+            return takeOutput(record);
+        case CaptureKind::Note:
+            return takeNote(record.note());
+        case CaptureKind::Feature:
+            return;
+        }
+    }
+    void finish()
+    {
+        if (m_open && m_recorder.complete())
+            closeByItself();
+        else if (m_open)
+            fail(u"the capture ends within the squeeze"_s);
+        const ReportDecoder::Counts counts = m_decoder.counts();
+        m_session.counters.lostSamples = counts.lostSamples;
+        m_session.counters.duplicateReports = counts.duplicateReports;
+        m_session.seconds = m_now_s;
+    }
+
+private:
+    void takeInput(const CaptureRecord& record);
+    void takeOutput(const CaptureRecord& record);
+    void takeNote(const QString& note);
+    void open(const SqueezeBegins& begins);
+    void end(const SqueezeEnded& ended);
+    void closeByItself();
+    void fail(const QString& reason);
+
+    CapturedSession& m_session;
+    GripscopeDecoder& m_decoder;
+    std::vector<Sample> m_batch;
+    std::deque<Sample> m_recent; ///< what may have waited for the program when it began a squeeze
+    SqueezeRecorder m_recorder;
+    bool m_open = false;  ///< a squeeze is being cut out
+    bool m_noted = false; ///< the capture has notes of squeezes, so that commands need not be looked at
+    std::optional<std::uint16_t> m_excitation; ///< the last one that was uploaded
+    double m_now_s = 0, m_begins_s = 0;
+};
+
+void SessionCutter::takeInput(const CaptureRecord& record)
+{
+    m_batch.clear();
+    ++m_session.counters.reports;
+    if (std::holds_alternative<protocol::DecodeError>(m_decoder.take(record.bytes, m_batch)))
+        ++m_session.counters.badReports;
+    m_session.counters.samples += m_batch.size();
+    m_recent.insert(m_recent.end(), m_batch.begin(), m_batch.end());
+    while (m_recent.size() > SampleQueue::defaultCapacity)
+        m_recent.pop_front();
+    if (m_open)
+        m_recorder.take(m_batch);
+}
+
+void SessionCutter::takeOutput(const CaptureRecord& record)
+{
+    const auto command = protocol::decodeCommand(record.bytes);
+    const auto* upload = command ? std::get_if<protocol::UploadCommand>(&command->body) : nullptr;
+    if (m_noted || !upload || upload->excitationNumber == m_excitation)
+        return;
+    m_excitation = upload->excitationNumber;
+    // From here on: what came before this upload was before the squeeze.
+    open({SqueezeRecorder::Mode::Movement, 0,
+          m_recent.empty() ? std::nullopt : std::optional(m_recent.back().sequence)});
+}
+
+void SessionCutter::takeNote(const QString& note)
+{
+    if (const std::optional<SqueezeBegins> begins = squeezeBegins(note)) {
+        if (!m_noted)
+            m_open = false; // its first commands may stand before its note
+        m_noted = true;
+        return open(*begins);
+    }
+    if (const std::optional<SqueezeEnded> ended = squeezeEnded(note))
+        return end(*ended);
+    const auto fact = [&](const QString& key) {
+        return note.section(u'\n' + key + u": "_s, 1, 1).section(u'\n', 0, 0);
+    };
+    if (note.startsWith(u"session\n"_s)) {
+        m_session.name = fact(u"name"_s);
+        m_session.address = fact(u"address"_s);
+    } else if (note.startsWith(u"dropped\n"_s)) {
+        m_session.droppedRecords += fact(u"records"_s).toULongLong();
+    }
+}
+
+void SessionCutter::open(const SqueezeBegins& begins)
+{
+    if (m_open && m_recorder.complete())
+        closeByItself();
+    else if (m_open)
+        fail(u"another squeeze began within it"_s);
+    m_open = true;
+    m_begins_s = m_now_s;
+    m_recorder.begin(begins.mode, begins.samples, m_session.identity.sampleTime_s);
+    std::vector<Sample> waiting;
+    for (const Sample& sample : m_recent)
+        if (!begins.after || sample.sequence > *begins.after)
+            waiting.push_back(sample);
+    m_recorder.take(waiting);
+}
+
+void SessionCutter::end(const SqueezeEnded& ended)
+{
+    if (!m_open)
+        return; // its beginning is in a part that is not there
+    m_open = false;
+    CapturedSqueeze squeeze{ended.head, ended.failure, true, 0, m_begins_s};
+    if (!ended.failure) {
+        m_recorder.moveTo(squeeze.recording);
+        squeeze.recording = slice(squeeze.recording, {0, std::min(squeeze.recording.size(), ended.samples)});
+        squeeze.missingSamples = ended.samples - squeeze.recording.size();
+    }
+    m_session.squeezes.push_back(std::move(squeeze));
+}
+
+void SessionCutter::closeByItself()
+{
+    m_open = false;
+    const GripperIdentity& identity = m_session.identity;
+    CapturedSqueeze squeeze;
+    squeeze.begins_s = m_begins_s;
+    Recording& recording = squeeze.recording;
+    recording.sampleTime_s = identity.sampleTime_s;
+    recording.forceUnit = identity.forceUnit;
+    recording.positionUnit = identity.positionUnit;
+    recording.hold = identity.hold;
+    recording.forceLag_s = identity.forceLag_s;
+    recording.provenance = {
+        {u"device"_s, identity.name}, {u"serial"_s, identity.serial}, {u"firmware"_s, identity.firmware}};
+    m_recorder.moveTo(recording);
+    m_session.squeezes.push_back(std::move(squeeze));
+}
+
+void SessionCutter::fail(const QString& reason)
+{
+    m_open = false;
+    CapturedSqueeze squeeze;
+    squeeze.failure = reason;
+    squeeze.noted = m_noted;
+    squeeze.begins_s = m_begins_s;
+    m_session.squeezes.push_back(std::move(squeeze));
+}
+
+} // namespace
+
+Expected<CapturedSession> readCapturedSession(const QString& file)
+{
+    CaptureReplayTransport transport(file, 0);
+    if (const Expected<void> opened = transport.open(); !opened)
+        return tl::unexpected<Error>(opened.error());
+    GripscopeDecoder decoder;
+    Expected<DeviceDescription> device = decoder.describe(transport, u"replay:"_s + file);
+    if (!device)
+        return tl::unexpected<Error>(device.error());
+    Expected<CaptureReader> reader = CaptureReader::open(file);
+    if (!reader)
+        return tl::unexpected<Error>(reader.error());
+    CapturedSession session;
+    session.identity = device->identity;
+    SessionCutter cutter(session, decoder);
+    for (;;) {
+        const Expected<std::optional<CaptureRecord>> record = reader->next();
+        if (!record)
+            return tl::unexpected<Error>(record.error());
+        if (!*record)
+            break;
+        cutter.take(**record);
+    }
+    cutter.finish();
+    return session;
+}
+
+} // namespace gripscope
