@@ -186,6 +186,7 @@ Expected<ReportWatch::Snapshot> listen(std::shared_ptr<Transport> transport,
         look, [&] { return ended() || seen.state == ReportWatch::State::Listening; }, openingPatience_s));
     if (!ended())
         static_cast<void>(drive(look, ended, seconds));
+    watch.stop(std::chrono::milliseconds(500)); // before the program ends
     if (seen.kinds.empty())
         return tl::unexpected<Error>(seen.error.value_or(
             Error{ErrorCode::DeviceTimeout, {u"send anything"_s, QString::number(seconds)}}));

@@ -104,7 +104,7 @@ void ReportWatch::start(std::shared_ptr<Transport> transport)
     m_thread = BoundedThread([shared = m_shared] { run(shared); });
 }
 
-void ReportWatch::stop()
+void ReportWatch::stop(std::chrono::milliseconds atMost)
 {
     if (!m_shared)
         return;
@@ -113,9 +113,7 @@ void ReportWatch::stop()
         m_shared->ending = true;
     }
     m_shared->transport->close();
-    // A thread that is stuck in a system call is left behind with what it holds.
-    constexpr std::chrono::milliseconds longest{100};
-    m_thread.finishBy(Clock::now() + longest);
+    m_thread.finishBy(Clock::now() + atMost);
     m_shared.reset();
 }
 

@@ -43,7 +43,8 @@ public:
 
     /// Ends what ran before and begins anew.
     void start(std::shared_ptr<Transport> transport);
-    void stop();
+    /// Waits so long at most for the listening thread; one that takes longer ends by itself.
+    void stop(std::chrono::milliseconds atMost = std::chrono::milliseconds(0));
     /// Reads the reports by `profile` from now on; nothing: bytes only.
     void use(const std::optional<GripperProfile>& profile);
     [[nodiscard]] Snapshot snapshot();
