@@ -6,6 +6,7 @@
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
 #include "core/session/squeeze_job.h"
+#include "core/signal/stream_account.h"
 #include "core/signal/units.h"
 #include "devices/gripper_factory.h"
 
@@ -174,6 +175,18 @@ qint64 lostSamples(const Recording& recording)
     return lost;
 }
 
+QJsonObject streamJson(const Recording& recording)
+{
+    const StreamAccount stream = streamAccount(recording).value_or(StreamAccount());
+    const auto number = [](std::uint64_t count) { return static_cast<qint64>(count); };
+    return {{u"gaps"_qs, number(stream.gaps)},
+            {u"duplicate_reports"_qs, number(stream.duplicateReports)},
+            {u"bad_reports"_qs, number(stream.badReports)},
+            {u"clock_steps"_qs, number(stream.clockSteps)},
+            {u"stalls"_qs, number(stream.stalls)},
+            {u"longest_stall_s"_qs, stream.longestStall_s}};
+}
+
 void tell(const Request& request, const Recording& recording, const GripperIdentity& device, bool json)
 {
     const double seconds = recording.time_s.empty()
@@ -185,6 +198,7 @@ void tell(const Request& request, const Recording& recording, const GripperIdent
         printJson({{u"file"_qs, request.file},
                    {u"samples"_qs, static_cast<qint64>(recording.size())},
                    {u"lost_samples"_qs, lostSamples(recording)},
+                   {u"stream"_qs, streamJson(recording)},
                    {u"sample_time_s"_qs, recording.sampleTime_s},
                    {u"device"_qs, device.name},
                    {u"serial"_qs, device.serial},

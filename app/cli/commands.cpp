@@ -11,6 +11,7 @@ const std::vector<Command>& commands()
         {u"demo"_qs, u"enrols and inspects virtual cans through the whole chain"_qs, runDemo},
         {u"devices"_qs, u"lists the grippers that can be connected"_qs, runDevices},
         {u"profile"_qs, u"teaches Gripscope the reports of other makers' grippers"_qs, runProfile},
+        {u"device"_qs, u"says what a gripper is and does, and tests it without moving it"_qs, runDevice},
         {u"record"_qs, u"squeezes, or only listens, and writes a recording"_qs, runRecord},
         {u"simulate"_qs, u"writes a synthetic recording of a known object"_qs, runSimulate},
         {u"identify"_qs, u"finds mass, damping and stiffness in recordings"_qs, runIdentify},

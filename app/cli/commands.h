@@ -19,6 +19,7 @@ struct Command {
 [[nodiscard]] const std::vector<Command>& commands();
 
 int runDemo(const QStringList& arguments);
+int runDevice(const QStringList& arguments);
 int runDevices(const QStringList& arguments);
 int runProfile(const QStringList& arguments);
 int runRecord(const QStringList& arguments);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/validity_checks.h"
 
+#include "core/signal/stream_account.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -32,39 +34,72 @@ constexpr double negligibleShift = 0.005;
 /// Below this simulation fit the model explains less than three quarters of the variance.
 constexpr double smallestFitPercent = 50;
 
-ValidityCheck samplesLost(const Identification& data)
+/// Steps of the device's clock: found in the samples' times, or known from the stream where they do not show.
+std::uint64_t clockSteps(const Identification& data, const StreamAccount& stream)
+{
+    double breaks = 0;
+    for (const PreparationStep& step : data.preparation)
+        if (step.id == u"clock_break"_s)
+            breaks = std::max(breaks, step.value);
+    return std::max(stream.clockSteps, static_cast<std::uint64_t>(breaks));
+}
+
+QString lossWords(const Identification& data, bool tooMuch)
+{
+    const WindowChoice& choice = data.choice;
+    const QString missing = u"%1 samples are missing in %2 places"_s.arg(choice.lostSamples).arg(choice.gaps);
+    if (tooMuch)
+        return missing + u", too much of the squeeze. Check the cable and the load of the computer, then "
+                         "squeeze again."_s;
+    if (const Estimate* const best = data.best(); best && best->part.count < data.position.size())
+        return missing +
+               u". The estimate (%1) is of the longest stretch without any, %2 of %3 samples; oe "
+               "uses all. Check the cable and the load of the computer."_s.arg(toString(best->estimator))
+                   .arg(best->part.count)
+                   .arg(data.position.size());
+    return missing + u". Their forces count as unknown, which the errors include. Check the cable and the "
+                     "load of the computer."_s;
+}
+
+QString clockWords(std::uint64_t steps)
+{
+    return u"the gripper's clock jumped %1 times during the squeeze, so how long things took is in doubt. "
+           "Squeeze again; where it happens again, check the gripper's power supply and firmware."_s.arg(
+               steps);
+}
+
+QString stallWords(const StreamAccount& stream)
+{
+    return u"the gripper fell silent %1 times during the squeeze, for up to %2 s. Check its cable and hub, "
+           "then squeeze again."_s.arg(stream.stalls)
+               .arg(stream.longestStall_s, 0, 'g', 2);
+}
+
+/// Whether the stream came whole and in time. Reports that came twice or damaged say nothing of it where none
+/// is missing.
+ValidityCheck samplesLost(const Identification& data, const Recording& recording)
 {
     ValidityCheck check;
     check.id = u"samples_lost"_s;
     const WindowChoice& choice = data.choice;
+    const StreamAccount stream = streamAccount(recording).value_or(StreamAccount());
+    const std::uint64_t steps = clockSteps(data, stream);
+    const bool lost = choice.lostSamples != 0 || choice.gaps != 0;
     check.value = static_cast<double>(choice.lostSamples);
     check.limit = 0;
-    check.ok = choice.lostSamples == 0 && choice.gaps == 0;
+    check.ok = !lost && steps == 0 && stream.stalls == 0;
     // What was measured of the squeeze and used, against all of it.
     const double whole = static_cast<double>(choice.eligible) + static_cast<double>(choice.lostSamples);
     const double used = static_cast<double>(data.position.size()) - static_cast<double>(data.lost.size());
     check.decisive = whole > 0 && 1 - used / whole > PreparationOptions().largestLostShare;
-    if (check.ok)
-        check.message = u"no sample is missing"_s;
-    else if (check.decisive)
-        check.message =
-            u"%1 samples are missing in %2 places, too much of the squeeze. Check the cable and the load of "
-            "the computer, then squeeze again."_s.arg(choice.lostSamples)
-                .arg(choice.gaps);
-    else if (const Estimate* const best = data.best(); best && best->part.count < data.position.size())
-        check.message = u"%1 samples are missing in %2 places. The estimate (%3) is of the longest stretch "
-                        u"without any, %4 "
-                        "of %5 samples; oe uses all. Check the cable and the load of the computer."_s
-                            .arg(choice.lostSamples)
-                            .arg(choice.gaps)
-                            .arg(toString(best->estimator))
-                            .arg(best->part.count)
-                            .arg(data.position.size());
-    else
-        check.message =
-            u"%1 samples are missing in %2 places. Their forces count as unknown, which the errors "
-            "include. Check the cable and the load of the computer."_s.arg(choice.lostSamples)
-                .arg(choice.gaps);
+    QStringList words;
+    if (steps > 0)
+        words << clockWords(steps);
+    if (stream.stalls > 0)
+        words << stallWords(stream);
+    if (lost)
+        words << lossWords(data, check.decisive);
+    check.message = check.ok ? u"no sample is missing"_s : words.join(u' ');
     return check;
 }
 
@@ -359,7 +394,7 @@ std::vector<ValidityCheck> checkValidity(const Identification& identification, c
     const Estimate& estimate = found != nullptr ? *found : none;
     // Output error says best whether the force was rich enough, also when another estimator found numbers.
     const Estimate* const outputError = identification.find(Estimator::OutputError);
-    return {samplesLost(identification),
+    return {samplesLost(identification, recording),
             saturation(identification, recording),
             excitation(outputError != nullptr ? *outputError : estimate),
             residualWhiteness(estimate),

@@ -27,7 +27,7 @@ namespace gripscope {
 /// The recording goes from 20 ms before the device reports that it moves to 20 ms after it stopped to; it has
 /// the sample time, hold and units of the device's identity, what is known of its channels (lag, chain),
 /// every sample's sequence number and status, and in its provenance: device, serial, address, firmware,
-/// excitation (kind, peak, bias, bit, seed), operator and UTC time.
+/// excitation (kind, peak, bias, bit, seed), operator, UTC time and what befell the stream (StreamAccount).
 class SqueezeJob {
 public:
     enum class State { Idle, Starting, Squeezing, Done, Failed };

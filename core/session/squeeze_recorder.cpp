@@ -1,10 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/squeeze_recorder.h"
 
+#include "core/signal/stream_account.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace gripscope {
+
+namespace {
+
+/// From the marks of the samples; those of the first tell of what was before it.
+StreamAccount accountOf(const std::vector<Sample>& samples)
+{
+    StreamAccount account;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        const Sample& sample = samples[i];
+        const std::uint64_t before = samples[i - 1].sequence;
+        if (sample.sequence > before + 1) {
+            account.lostSamples += sample.sequence - before - 1;
+            ++account.gaps;
+        }
+        account.duplicateReports += sample.duplicates;
+        account.badReports += sample.badReports;
+        account.clockSteps += sample.clockStepped ? 1 : 0;
+        account.stalls += sample.stall_ms > 0 ? 1 : 0;
+        account.longestStall_s = std::max(account.longestStall_s, 1e-3 * sample.stall_ms);
+    }
+    return account;
+}
+
+} // namespace
 
 void SqueezeRecorder::begin(Mode mode, std::size_t samples, double sampleTime_s)
 {
@@ -73,6 +99,9 @@ double SqueezeRecorder::progress() const
 
 void SqueezeRecorder::moveTo(Recording& recording)
 {
+    // One that is cut out of a capture says already what befell it when it was made.
+    if (!m_samples.empty() && !recording.provenance.contains(streamAccountKey()))
+        recording.provenance[streamAccountKey()] = toText(accountOf(m_samples));
     for (const Sample& sample : m_samples) {
         recording.time_s.push_back(sample.time_s);
         recording.force.push_back(sample.force);

@@ -29,7 +29,8 @@ public:
     {
         return m_statusSeen;
     } ///< all bits since the movement began
-    /// Puts the samples into `recording` and forgets them.
+    /// Puts the samples into `recording` and forgets them, with what befell their stream (StreamAccount)
+    /// unless the recording says so already.
     void moveTo(Recording& recording);
 
 private:

@@ -3,6 +3,7 @@
 
 #include "devices/acquisition/bounded_thread.h"
 #include "devices/acquisition/device_link.h"
+#include "devices/acquisition/logged_transport.h"
 
 #include <atomic>
 
@@ -19,6 +20,7 @@ struct DevicePort::Private {
     TransportMaker makeTransport;
     DecoderMaker makeDecoder;
     std::size_t queueCapacity;
+    std::shared_ptr<ReportLog> log = std::make_shared<ReportLog>();
     /// Guards the pointer only: stop() and confirmAlive() may come from any thread while open() puts a new
     /// link.
     mutable std::mutex mutex;
@@ -50,8 +52,9 @@ DevicePort::~DevicePort()
 void DevicePort::open()
 {
     close();
+    auto transport = std::make_shared<LoggedTransport>(d->makeTransport(), d->log);
     auto link =
-        std::make_shared<DeviceLink>(d->makeTransport(), d->makeDecoder(), d->address, d->queueCapacity);
+        std::make_shared<DeviceLink>(std::move(transport), d->makeDecoder(), d->address, d->queueCapacity);
     {
         const std::lock_guard lock(d->mutex);
         d->link = link;
@@ -153,6 +156,11 @@ void DevicePort::confirmAlive() noexcept
 {
     if (const auto link = d->current())
         link->confirmAlive();
+}
+
+const ReportLog& DevicePort::reportLog() const
+{
+    return *d->log;
 }
 
 } // namespace gripscope

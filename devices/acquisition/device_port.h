@@ -3,6 +3,7 @@
 
 #include "core/session/gripper_port.h"
 #include "devices/acquisition/gripscope_decoder.h"
+#include "devices/acquisition/report_log.h"
 #include "devices/acquisition/sample_queue.h"
 #include "devices/transport.h"
 
@@ -41,6 +42,8 @@ public:
     void confirmAlive() noexcept override;
     /// Adds which sample was drained last.
     void note(const QString& text) override;
+    /// The last reports that passed, of this connection and those before it. May be copied from any thread.
+    [[nodiscard]] const ReportLog& reportLog() const;
 
 private:
     struct Private;

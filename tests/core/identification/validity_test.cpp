@@ -142,6 +142,55 @@ private slots:
         QCOMPARE(check(found, u"samples_lost"_s).value.value_or(-1), double(count));
         QCOMPARE(check(found, u"samples_lost"_s).ok, count == 0);
     }
+    void whatBefellTheStreamIsSeen_data()
+    {
+        QTest::addColumn<QString>("stream");
+        QTest::addColumn<QString>("verdict");
+        QTest::addColumn<QString>("word");
+        QTest::newRow("nothing") << u"gaps=0"_s << u"valid"_s << u"no sample"_s;
+        QTest::newRow("duplicates and damaged reports")
+            << u"duplicate_reports=9 bad_reports=3"_s << u"valid"_s << u"no sample"_s;
+        QTest::newRow("a stall") << u"stalls=1 longest_stall_s=0.12"_s << u"suspect"_s << u"silent"_s;
+        QTest::newRow("a clock set back") << u"clock_steps=1"_s << u"suspect"_s << u"clock jumped"_s;
+    }
+    void whatBefellTheStreamIsSeen()
+    {
+        QFETCH(QString, stream);
+        QFETCH(QString, verdict);
+        QFETCH(QString, word);
+        Synthetic synthetic = siCan();
+        synthetic.fitPercent = 95;
+        Recording recording = synthetic.make();
+        recording.provenance[u"stream"_s] = stream;
+        const Identification found = identifyByOutputError(recording);
+        QCOMPARE(toString(found.validity.verdict), verdict);
+        QVERIFY2(check(found, u"samples_lost"_s).message.contains(word),
+                 qPrintable(check(found, u"samples_lost"_s).message));
+        QCOMPARE(check(found, u"samples_lost"_s).ok, verdict == u"valid"_s);
+    }
+    void aStepOfTheClockMakesAMeasurementSuspectThenInvalid_data()
+    {
+        QTest::addColumn<int>("at");
+        QTest::addColumn<QString>("verdict");
+        QTest::newRow("near the end") << 1900 << u"suspect"_s;
+        QTest::newRow("in the middle") << 1000 << u"invalid"_s;
+    }
+    void aStepOfTheClockMakesAMeasurementSuspectThenInvalid()
+    {
+        QFETCH(int, at);
+        QFETCH(QString, verdict);
+        Synthetic synthetic = siCan();
+        synthetic.fitPercent = 95;
+        Recording recording = synthetic.make();
+        for (std::size_t i = 0; i < recording.size(); ++i) {
+            recording.sequence.push_back(i);
+            recording.time_s[i] += i >= std::size_t(at) ? 0.1 : 0;
+        }
+        const Identification found = identifyByOutputError(recording);
+        QCOMPARE(toString(found.validity.verdict), verdict);
+        QVERIFY(check(found, u"samples_lost"_s).message.contains(u"clock jumped"_s));
+        QVERIFY(!check(found, u"samples_lost"_s).message.contains(u"missing"_s));
+    }
     void anEstimateOfAPartSaysSo()
     {
         Synthetic synthetic = siCan();

@@ -135,6 +135,22 @@ private slots:
         QCOMPARE(m_connection->session.forceLag_s(), 0.0001);
         QVERIFY(m_connection->session.measuringChain() == MeasuringChain());
     }
+    void theProvenanceSaysWhatBefellTheStream()
+    {
+        gripper().dropSample = [](int index) { return index == 100 || (index >= 200 && index < 205); };
+        QVERIFY(m_job->start(m_recipe, 3));
+        // Marked as a device marks them: the first is before the recording, the others within it.
+        gripper().pending[0].badReports = 7;
+        gripper().pending[150].duplicates = 2;
+        gripper().pending[160].badReports = 1;
+        gripper().pending[170].stall_ms = 80;
+        gripper().pending[300].stall_ms = 60;
+        gripper().pending[310].clockStepped = true;
+        QVERIFY(finish());
+        QCOMPARE(m_job->recording().provenance.value(QStringLiteral("stream")),
+                 QStringLiteral("lost_samples=6 gaps=2 duplicate_reports=2 bad_reports=1 clock_steps=1 "
+                                "stalls=2 longest_stall_s=0.08"));
+    }
     void theProvenanceSaysWhereItComesFrom()
     {
         m_job->setOperator(QStringLiteral("Ada"));
