@@ -5,7 +5,7 @@
 #include "devices/hid/uhid_gripper.h"
 #include "devices/protocol/report_descriptor.h"
 #include "devices/virtual/virtual_transport.h"
-#include "tests/devices/port_helpers.h"
+#include "tests/devices/connected_program.h"
 
 #include <QCoreApplication>
 #include <QProcess>
@@ -31,9 +31,10 @@ const QString address = u"hid:1209:0001:VG-7"_qs;
 /// One gripper in a USB socket, as far as the kernel can tell.
 class PluggedIn {
 public:
-    PluggedIn()
+    explicit PluggedIn(int seed = 7)
     {
-        const auto virtualAddress = std::get<VirtualAddress>(*parseDeviceAddress(u"virtual:?seed=7"_qs));
+        const auto virtualAddress =
+            std::get<VirtualAddress>(*parseDeviceAddress(u"virtual:?seed=%1"_qs.arg(seed)));
         const std::shared_ptr<VirtualTransport> transport = *VirtualTransport::make(virtualAddress);
         if (!transport->open())
             qFatal("the virtual gripper does not open");
@@ -224,6 +225,62 @@ void replugged(int times)
         u"%1 of %2, to the stream in at most %3 ms"_qs.arg(good).arg(times).arg(longest_ms, 0, 'f', 0));
 }
 
+/// The same session before and after: armed by nobody but a person, and with nothing lost in between but what
+/// the gripper did not measure.
+void sessionsAreKept(int times)
+{
+    ConnectedProgram program;
+    auto plugged = std::make_unique<PluggedIn>();
+    bool good = program.connectTo(u"hid:"_qs) && program.arm();
+    std::vector<double> took_ms;
+    for (int i = 0; good && i < times; ++i) {
+        good = program.untilSamples(20);
+        plugged.reset();
+        good = good && program.untilState(ConnectSession::State::Lost);
+        const auto before = std::chrono::steady_clock::now();
+        plugged = std::make_unique<PluggedIn>();
+        good = good && program.untilSamples(1) && !program.connection.armed();
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - before;
+        took_ms.push_back(took.count());
+    }
+    std::sort(took_ms.begin(), took_ms.end());
+    const bool kept = good && program.connection.reconnections() == times &&
+                      program.connection.identity().serial == u"VG-7"_qs &&
+                      isWhole(program.connection.counters());
+    row("a session kept through replugs, by kernel events", kept && took_ms.back() < 1000,
+        took_ms.empty() ? u"did not begin"_qs
+                        : u"%1 of %2; to the first sample %3 ms (median), %4 ms (longest)"_qs
+                              .arg(program.connection.reconnections())
+                              .arg(times)
+                              .arg(took_ms[took_ms.size() / 2], 0, 'f', 0)
+                              .arg(took_ms.back(), 0, 'f', 0));
+}
+
+void twoAtOnce()
+{
+    const PluggedIn one(7);
+    const PluggedIn two(8);
+    (void)waitFor([] { return findDevices().size() == 3; }); // with the virtual one
+    OpenPort any(u"hid:"_qs);
+    const bool refused =
+        waitForState(*any.port, LinkState::Lost) && any.port->lastError()->code == ErrorCode::DeviceAmbiguous;
+    row("two at once: hid: names both", refused,
+        any.port->lastError() ? any.port->lastError()->describe() : u"no words"_qs);
+    ConnectedProgram seven, eight;
+    const bool open = seven.connectTo(address) && eight.connectTo(u"hid:1209:0001:VG-8"_qs);
+    const bool stream = waitFor([&] {
+        seven.poll();
+        eight.poll();
+        return seven.connection.counters().samples > 500 && eight.connection.counters().samples > 500;
+    });
+    const bool right =
+        seven.connection.identity().serial == u"VG-7"_qs && eight.connection.identity().serial == u"VG-8"_qs;
+    row("two at once, each chosen by its serial number",
+        open && stream && right && isWhole(seven.connection.counters()) &&
+            isWhole(eight.connection.counters()),
+        counted(eight.connection.counters()));
+}
+
 /// Whatever the moment, while it streams or squeezes: what came and what is missing make up all there was
 /// between the first sample and the last.
 void unpluggedAtAnyMoment(int times)
@@ -303,6 +360,8 @@ int main(int argc, char** argv)
                gripper.port->squeezeState() == SqueezeState::Uploading;
     });
     unpluggedWhileAFeatureIsAwaited();
+    sessionsAreKept(20);
+    twoAtOnce();
     replugged(application.arguments().value(2, u"100"_qs).toInt());
     return failures;
 }
