@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 packaging/install_dependencies.sh build run
 if [[ -n ${DISPLAY:-} || -n ${WAYLAND_DISPLAY:-} ]]; then
   packaging/build.sh release gripscope gripscope-cli
-  exec build/release/bin/gripscope --examples "$@"
+  exec build/release/bin/gripscope --examples --device virtual: "$@"
 fi
 packaging/build.sh release gripscope-cli
 echo "There is no display here, so this is the demonstration on the command line (gripscope-cli demo):"

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/connect_menu.h"
 
+#include "ui/access_dialog.h"
 #include "ui/lag_dialog.h"
 #include "ui/workbench.h"
 
 #include <QInputDialog>
+#include <QSettings>
 
 using namespace Qt::StringLiterals;
 
@@ -13,66 +15,106 @@ namespace gripscope {
 ConnectMenu::ConnectMenu(Workbench& workbench, QWidget* parent) : QMenu(parent), m_workbench(&workbench)
 {
     setAccessibleName(tr("Connect to a gripper"));
-    connect(this, &QMenu::aboutToShow, this, &ConnectMenu::rebuild);
+    connect(this, &QMenu::aboutToShow, this, &ConnectMenu::open);
+    connect(this, &QMenu::aboutToHide, this, [this] { m_watcher.reset(); });
+    connect(&workbench, &Workbench::ticked, this, &ConnectMenu::follow);
 }
 
-QAction* ConnectMenu::addAddress(const QString& text, const QString& address)
+QString ConnectMenu::wordsOf(const FoundDevice& device, bool lastUsed)
 {
-    QAction* action = addAction(text);
-    action->setData(address);
-    action->setCheckable(true);
-    action->setChecked(m_workbench->connection().state() == ConnectSession::State::Connected &&
-                       m_workbench->connection().address() == address);
-    connect(action, &QAction::triggered, m_workbench, [this, address] { m_workbench->connectTo(address); });
-    return action;
+    QStringList more;
+    more << (device.serial.isEmpty() ? tr("no serial number") : tr("serial %1").arg(device.serial));
+    if (!device.port.isEmpty())
+        more << tr("at %1").arg(device.port);
+    if (!device.toAllow.isEmpty())
+        more << tr("no permission: see what to type");
+    else if (lastUsed)
+        more << tr("used last");
+    return u"%1 · %2"_s.arg(device.name, more.join(u" · "_s));
 }
 
-void ConnectMenu::rebuild()
+void ConnectMenu::open()
 {
     clear();
+    m_found.clear();
+    m_none = addAction(tr("Looking for grippers on USB…"));
+    m_none->setEnabled(false);
+    m_afterFound = addSeparator();
     for (const QString& can : {u"A"_s, u"B"_s, u"C"_s, u"D"_s})
         addAddress(tr("Virtual gripper, can %1").arg(can),
                    can == "A"_L1 ? u"virtual:"_s : u"virtual:?object=%1"_s.arg(can));
     addSeparator();
-    m_looking = addAction(tr("Looking for grippers on USB…"));
-    m_looking->setEnabled(false);
-    m_afterFound = addSeparator();
+    addActions();
+    m_shownRevision = 0;
+    m_watcher = std::make_unique<HidWatcher>();
+}
+
+void ConnectMenu::addAddress(const QString& text, const QString& address)
+{
+    QAction* action = addAction(text);
+    const ConnectSession& connection = m_workbench->connection();
+    action->setCheckable(true);
+    action->setChecked(connection.state() == ConnectSession::State::Connected &&
+                       connection.address() == address);
+    connect(action, &QAction::triggered, m_workbench, [this, address] { m_workbench->connectTo(address); });
+}
+
+void ConnectMenu::addActions()
+{
     connect(addAction(tr("Other address…")), &QAction::triggered, this, &ConnectMenu::askForAddress);
     QAction* lag = addAction(tr("Measure the lag between its channels…"));
     lag->setObjectName("measureLag");
     lag->setEnabled(m_workbench->connection().state() == ConnectSession::State::Connected);
     connect(lag, &QAction::triggered, this,
             [this] { (new LagDialog(*m_workbench, parentWidget()))->open(); });
-    QAction* disconnect = addAction(tr("Disconnect"));
+    const bool awaiting = m_workbench->connection().awaiting();
+    QAction* disconnect = addAction(awaiting ? tr("Do not wait for the gripper") : tr("Disconnect"));
+    disconnect->setObjectName("disconnect");
     disconnect->setEnabled(m_workbench->connection().state() != ConnectSession::State::Disconnected);
     connect(disconnect, &QAction::triggered, m_workbench, [this] { m_workbench->connection().disconnect(); });
-    look();
 }
 
-void ConnectMenu::look()
+void ConnectMenu::follow()
 {
-    m_workbench->compute<std::vector<FoundDevice>>(
-        this, [] { return findDevices(); },
-        [this](const std::vector<FoundDevice>& found) { showFound(found); });
+    if (!m_watcher || m_watcher->revision() == m_shownRevision)
+        return;
+    const HidWatcher::Snapshot seen = m_watcher->snapshot();
+    m_shownRevision = seen.revision;
+    m_workbench->compute<std::vector<FoundDevice>>( // it may read profiles
+        this, [nodes = seen.nodes] { return devicesAmong(nodes); },
+        [this](const std::vector<FoundDevice>& found) {
+            if (m_watcher)
+                showFound(found);
+        });
 }
 
 void ConnectMenu::showFound(const std::vector<FoundDevice>& devices)
 {
-    if (!m_looking)
-        return;
-    bool any = false;
+    for (QAction* action : m_found)
+        delete action;
+    m_found.clear();
+    const QString lastUsed = QSettings().value(u"gripper"_s).toString();
+    const ConnectSession& connection = m_workbench->connection();
     for (const FoundDevice& device : devices) {
         if (!device.address.startsWith("hid:"_L1))
             continue;
-        any = true;
-        QAction* action = addAddress(tr("%1, serial %2").arg(device.name, device.serial), device.address);
-        if (device.state != "available"_L1)
-            action->setText(tr("%1, serial %2 (%3)").arg(device.name, device.serial, device.state));
+        auto* action = new QAction(wordsOf(device, device.address == lastUsed), this);
+        action->setCheckable(true);
+        action->setChecked(connection.state() == ConnectSession::State::Connected &&
+                           connection.identity().address == device.address);
+        connect(action, &QAction::triggered, m_workbench, [this, device] { choose(device); });
         insertAction(m_afterFound, action);
+        m_found << action;
     }
-    m_looking->setVisible(!any);
-    m_looking->setText(tr("No gripper found on USB"));
-    m_looking = nullptr;
+    m_none->setVisible(m_found.isEmpty());
+    m_none->setText(tr("No gripper found on USB"));
+}
+
+void ConnectMenu::choose(const FoundDevice& device)
+{
+    m_workbench->connectTo(device.address);
+    if (!device.toAllow.isEmpty())
+        (new AccessDialog(*m_workbench, device, parentWidget()))->open();
 }
 
 void ConnectMenu::askForAddress()

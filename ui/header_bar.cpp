@@ -2,10 +2,10 @@
 #include "ui/header_bar.h"
 
 #include "ui/connect_menu.h"
+#include "ui/connection_words.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/device_chip.h"
-#include "ui/widgets/number_format.h"
 #include "ui/workbench.h"
 
 #include <QHBoxLayout>
@@ -14,24 +14,6 @@
 using namespace Qt::StringLiterals;
 
 namespace gripscope {
-
-QString gripperWords(Workbench& workbench)
-{
-    ConnectSession& connection = workbench.connection();
-    switch (connection.state()) {
-    case ConnectSession::State::Connected: {
-        const GripperIdentity identity = connection.identity();
-        return identity.serial.isEmpty() ? identity.name : u"%1 %2"_s.arg(identity.name, identity.serial);
-    }
-    case ConnectSession::State::Connecting:
-        return QObject::tr("Connecting…");
-    case ConnectSession::State::Lost:
-        return QObject::tr("Gripper lost");
-    case ConnectSession::State::Disconnected:
-        return QObject::tr("No gripper");
-    }
-    return {};
-}
 
 HeaderBar::HeaderBar(Workbench& workbench, QWidget* parent) : QFrame(parent), m_workbench(&workbench)
 {
@@ -115,19 +97,9 @@ void HeaderBar::setTitle(const QString& title)
 
 void HeaderBar::refreshLink()
 {
-    ConnectSession& connection = m_workbench->connection();
-    QString detail;
-    if (connection.state() == ConnectSession::State::Connected) {
-        const double sampleTime_s = connection.identity().sampleTime_s;
-        const QString rate = sampleTime_s > 0 ? tr("%1 kHz").arg(1e-3 / sampleTime_s, 0, 'g', 3) : QString();
-        detail =
-            tr("%1 · %2 lost").arg(rate, formatCount(static_cast<qint64>(connection.counters().lostSamples)));
-    } else if (connection.state() == ConnectSession::State::Connecting) {
-        detail = connection.address();
-    } else {
-        detail = tr("choose one");
-    }
-    m_chip->setLink(connection.state(), gripperWords(*m_workbench), detail);
+    const ConnectSession& connection = m_workbench->connection();
+    const ConnectionWords words = chipWords(connection);
+    m_chip->setLink(connection.state(), words.headline, words.detail);
 }
 
 void HeaderBar::refreshArmed()

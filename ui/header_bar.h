@@ -32,7 +32,4 @@ private:
     QPushButton* m_stop;
 };
 
-/// The gripper in words: name and serial, or its state.
-[[nodiscard]] QString gripperWords(Workbench& workbench);
-
 } // namespace gripscope

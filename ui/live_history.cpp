@@ -73,9 +73,13 @@ void LiveHistory::push(Bin bin)
             level.open = bin;
             return;
         }
-        level.open->merge(bin);
-        bin = *level.open;
-        level.open.reset();
+        if (bin.begin_s - level.open->end_s > m_sampleTime_s * std::exp2(i)) {
+            std::swap(bin, *level.open); // a bin that spans a gap would hide it
+        } else {
+            level.open->merge(bin);
+            bin = *level.open;
+            level.open.reset();
+        }
         level.append(bin);
     }
 }

@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include "ui/about_dialog.h"
+#include "ui/connection_words.h"
 #include "ui/header_bar.h"
 #include "ui/manual_dialog.h"
 #include "ui/pages/enroll_page.h"
@@ -51,7 +52,8 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent) : QWidget(parent),
     row->addWidget(makeRail());
     row->addLayout(column, 1);
 
-    connect(&workbench, &Workbench::reported, m_messages, &MessageBar::show);
+    connect(&workbench, &Workbench::reported, this, &MainWindow::showMessage);
+    connect(&workbench, &Workbench::connectionChanged, this, &MainWindow::withdrawLoss);
     connect(&workbench, &Workbench::fitRequested, this, [this] { showPage(u"fit"_s); });
     connect(&workbench, &Workbench::pageRequested, this, qOverload<const QString&>(&MainWindow::showPage));
     makeShortcuts();
@@ -64,6 +66,24 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent) : QWidget(parent),
 MainWindow::~MainWindow()
 {
     qApp->removeEventFilter(this);
+}
+
+void MainWindow::showMessage(const QString& message)
+{
+    const ConnectSession& connection = m_workbench->connection();
+    const std::optional<Error> error = connection.lastError();
+    if (connection.awaiting() && error && message == connectionErrorWords(connection, *error))
+        m_lossMessages << message;
+    m_messages->show(message);
+}
+
+void MainWindow::withdrawLoss()
+{
+    if (m_workbench->connection().state() == ConnectSession::State::Lost)
+        return;
+    for (const QString& message : m_lossMessages)
+        m_messages->withdraw(message);
+    m_lossMessages.clear();
 }
 
 void MainWindow::addPages()

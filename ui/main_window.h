@@ -37,6 +37,8 @@ protected:
 
 private:
     void addPages();
+    void showMessage(const QString& message);
+    void withdrawLoss(); ///< that a gripper is away, once it is back or not waited for any more
     QWidget* makeRail();
     void makeShortcuts();
     Workbench* m_workbench;
@@ -44,6 +46,7 @@ private:
     QStackedWidget* m_stack;
     HeaderBar* m_header;
     MessageBar* m_messages;
+    QStringList m_lossMessages; ///< shown, that a gripper is away
     QButtonGroup* m_rail;
 };
 

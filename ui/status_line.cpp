@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/status_line.h"
 
-#include "ui/header_bar.h"
+#include "ui/connection_words.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/number_format.h"
@@ -35,7 +35,7 @@ void StatusLine::refresh()
 {
     ConnectSession& connection = m_workbench->connection();
     const bool connected = connection.state() == ConnectSession::State::Connected;
-    QStringList parts{gripperWords(*m_workbench)};
+    QStringList parts{chipWords(connection).headline};
     parts << tr("armed: %1").arg(connection.armed() ? tr("yes") : tr("no"));
     if (connected)
         parts << tr("latency %1 ms").arg(connection.counters().latency_ms, 0, 'f', 0);

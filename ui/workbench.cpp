@@ -3,6 +3,7 @@
 
 #include "core/session/stored_chain.h"
 #include "devices/gripper_factory.h"
+#include "ui/connection_words.h"
 
 #include <QPointer>
 #include <QThreadPool>
@@ -26,7 +27,35 @@ struct ConnectionView {
     ConnectSession::State state = ConnectSession::State::Disconnected;
     bool armed = false;
     QString address, serial;
+    int reconnections = 0;
     friend bool operator==(const ConnectionView&, const ConnectionView&) = default;
+};
+
+/// The time of the plots: the device's own, and on from there when a gripper that went away counts anew, so
+/// that the time without it shows as a gap.
+class PlotTime {
+public:
+    void reset() { *this = {}; }
+    void noticeReturn() { m_returned = true; }
+    /// Shifts `samples`, which just came, to behind `newest_s`.
+    [[nodiscard]] std::vector<Sample> place(std::vector<Sample> samples, double newest_s)
+    {
+        const Clock::time_point now = Clock::now();
+        if (m_returned && !samples.empty())
+            m_shift_s =
+                newest_s + std::chrono::duration<double>(now - m_newest).count() - samples.back().time_s;
+        m_returned = m_returned && samples.empty();
+        m_newest = now;
+        for (Sample& sample : samples)
+            sample.time_s += m_shift_s;
+        return samples;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    double m_shift_s = 0;
+    bool m_returned = false;
+    Clock::time_point m_newest;
 };
 
 } // namespace
@@ -45,6 +74,7 @@ struct Workbench::Private {
     EnrollSession enrollment;
     InspectSession inspection;
     LiveHistory history;
+    PlotTime plotTime;
     LiveEstimate estimate;
     QThreadPool pool;
     QTimer timer;
@@ -63,7 +93,7 @@ Workbench::Workbench(const QString& libraryFile, QObject* parent)
     : QObject(parent), d(std::make_unique<Private>(libraryFile))
 {
     d->connection.addListener([this](const std::vector<Sample>& samples) {
-        d->history.append(samples);
+        d->history.append(d->plotTime.place(samples, d->history.newestTime_s()));
         d->estimate.append(samples);
     });
     // A display refreshes at 60 Hz; the sessions ask to be polled every 16 to 33 ms.
@@ -218,14 +248,21 @@ void Workbench::tick()
 void Workbench::noticeConnection()
 {
     const ConnectionView now{d->connection.state(), d->connection.armed(), d->connection.address(),
-                             d->connection.port() ? d->connection.identity().serial : QString()};
+                             d->connection.port() ? d->connection.identity().serial : QString(),
+                             d->connection.reconnections()};
     if (now != d->seen) {
         const bool opened = now.state == ConnectSession::State::Connected && d->seen.state != now.state;
+        const bool back = opened && now.reconnections > d->seen.reconnections;
         d->seen = now;
         if (opened) {
             const GripperIdentity identity = d->connection.identity();
-            d->history.reset(identity.sampleTime_s);
-            d->estimate.reset(identity.sampleTime_s, identity.hold, d->connection.forceLag_s());
+            if (back) {
+                d->plotTime.noticeReturn();
+            } else {
+                d->plotTime.reset();
+                d->history.reset(identity.sampleTime_s);
+                d->estimate.reset(identity.sampleTime_s, identity.hold, d->connection.forceLag_s());
+            }
             applyMeasuringChain(now.serial);
         }
         emit connectionChanged();
@@ -282,7 +319,8 @@ void Workbench::noticeError(std::optional<Error>& known, const std::optional<Err
         return;
     known = now;
     if (now)
-        report(now->describe());
+        report(&known == &d->connectionError ? connectionErrorWords(d->connection, *now)
+                                             : squeezeErrorWords(d->connection, *now));
 }
 
 void Workbench::answerWaiting()

@@ -29,6 +29,18 @@ void prepareEnvironment(int argc, char** argv)
 #endif
 }
 
+/// The gripper that the next start connects to: one on USB by its serial number, or the virtual one.
+void rememberGripper(QSettings& settings, const ConnectSession& connection)
+{
+    if (connection.state() != ConnectSession::State::Connected)
+        return;
+    const QString address = connection.identity().address;
+    if (address.startsWith(u"hid:"_s))
+        settings.setValue(u"gripper"_s, address);
+    else if (address.startsWith(u"virtual:"_s))
+        settings.setValue(u"gripper"_s, u"virtual:"_s);
+}
+
 int runWindow(const DesktopOptions& options)
 {
     Theme::instance().apply(options.theme);
@@ -53,7 +65,10 @@ int runWindow(const DesktopOptions& options)
                 else
                     bench.report(done.error().describe());
             });
-    bench.connectTo(options.device);
+    QObject::connect(&bench, &Workbench::connectionChanged, &bench,
+                     [&bench, &settings] { rememberGripper(settings, bench.connection()); });
+    bench.connectTo(options.device.isEmpty() ? settings.value(u"gripper"_s, u"virtual:"_s).toString()
+                                             : options.device);
     return QApplication::exec();
 }
 

@@ -34,7 +34,7 @@ void addOptions(QCommandLineParser& parser)
         {u"size"_s, u"Size of the window in logical pixels."_s, u"WIDTHxHEIGHT"_s},
         {u"scale"_s, u"Enlarges everything, 1 to 4."_s, u"FACTOR"_s},
         {u"language"_s, u"Language of the program; en."_s, u"CODE"_s, u"en"_s},
-        {u"device"_s, u"Gripper to connect to."_s, u"ADDRESS"_s, u"virtual:"_s},
+        {u"device"_s, u"Gripper to connect to; without it, the one used last, or virtual:."_s, u"ADDRESS"_s},
         {u"library"_s, u"Library file; your own without it."_s, u"FILE"_s},
         {u"examples"_s, u"Adds the four example types to the library."_s},
         {{u"h"_s, u"help"_s}, u"Shows this."_s},

@@ -17,10 +17,10 @@ struct DesktopOptions {
     ThemeKind theme = ThemeKind::Light; ///< --theme light|dark|contrast
     QSize size;                         ///< --size 1440x900
     QString language = QStringLiteral("en");
-    QString device = QStringLiteral("virtual:"); ///< --device ADDRESS
-    QString library;                             ///< --library FILE; empty: the user's own
-    bool examples = false;                       ///< --examples: adds the example types to the library
-    QString answer;                              ///< --help or --version: print this and end
+    QString device;        ///< --device ADDRESS; empty: the gripper used last
+    QString library;       ///< --library FILE; empty: the user's own
+    bool examples = false; ///< --examples: adds the example types to the library
+    QString answer;        ///< --help or --version: print this and end
 };
 
 /// Usage errors name the option and what it may be.

@@ -35,6 +35,7 @@ private slots:
     void anErrorIsShownUntilItIsDismissed();
     void theOperatorIsKnownToTheSessions();
     void aLostGripperIsToldInWords();
+    void aGripperThatComesBackGoesOn();
     void everythingThatCanBePressedIsLargeEnoughAndHasAName();
     void closingStopsTheGripper();
 };
@@ -222,6 +223,25 @@ void MainWindowTest::aLostGripperIsToldInWords()
     QTRY_VERIFY(!f.find<QPushButton>("armButton")->isEnabled());
     const auto* status = f.window->findChild<StatusLine*>();
     QTRY_VERIFY(status->text().contains(u"lost"_s));
+}
+
+void MainWindowTest::aGripperThatComesBackGoesOn()
+{
+    WindowFixture f(false, u"virtual:?seed=3&fault=unplug:0.5,replug:1"_s);
+    ConnectSession& connection = f.bench->connection();
+    const auto* status = f.window->findChild<StatusLine*>();
+    QTRY_VERIFY_WITH_TIMEOUT(connection.state() == ConnectSession::State::Lost, patience_ms);
+    QTRY_COMPARE(f.window->message(), u"Gripper VG-3 went away: it was unplugged or switched off. Plug it in "
+                                      "again: Gripscope goes on by itself."_s);
+    QTRY_VERIFY(status->text().contains(u"Gripper VG-3 is away"_s));
+    const double before_s = f.bench->liveHistory().newestTime_s();
+    QTRY_VERIFY_WITH_TIMEOUT(connection.state() == ConnectSession::State::Connected, patience_ms);
+    QTRY_VERIFY(f.window->message().isEmpty());
+    QVERIFY(!connection.armed());
+    const LiveHistory& history = f.bench->liveHistory();
+    QTRY_VERIFY(history.newestTime_s() > before_s + 0.9); // the plots go on, behind the time without it
+    const auto stretches = history.columns(LiveHistory::Channel::Force, history.newestTime_s(), 10, 400);
+    QCOMPARE(stretches.size(), std::size_t(2));
 }
 
 void MainWindowTest::everythingThatCanBePressedIsLargeEnoughAndHasAName()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/enroll_squeeze_panel.h"
 
+#include "ui/connection_words.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/parameter_text.h"
 #include "ui/widgets/progress_ring.h"
@@ -177,7 +178,7 @@ void EnrollSqueezePanel::refresh()
     m_squeeze->setEnabled(ready && activity == Activity::Waiting);
     m_squeeze->setText(activity == Activity::Squeezing ? tr("Squeezing…") : tr("Squeeze (Space)"));
     if (!connected)
-        m_hint->setText(tr("No gripper. Choose one at the top."));
+        m_hint->setText(u"%1. %2."_s.arg(missingWords(connection).headline, missingWords(connection).detail));
     else if (!ready)
         m_hint->setText(tr("Place a part of this type, hands clear, then arm."));
     else if (accepted >= EnrollSession::suggestedSqueezes)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/inspect_page.h"
 
+#include "ui/connection_words.h"
 #include "ui/pages/inspect_measurement.h"
 #include "ui/pages/inspect_summary.h"
 #include "ui/rates_dialog.h"
@@ -287,7 +288,7 @@ void InspectPage::showHint()
     else if (session.state() == InspectSession::State::Loading)
         d->verdict->showHint(tr("Reading the library…"), {});
     else if (!connected)
-        d->verdict->showHint(tr("No gripper"), tr("Choose one at the top of the window"));
+        d->verdict->showHint(missingWords(connection).headline, missingWords(connection).detail);
     else if (session.types().empty())
         d->verdict->showHint(tr("No types yet"), tr("Enroll at least one type (Ctrl+3), then inspect parts"));
     else if (!connection.armed() && connection.identity().commandable)

@@ -2,6 +2,7 @@
 #include "ui/pages/live_page.h"
 
 #include "core/session/squeeze_job.h"
+#include "ui/connection_words.h"
 #include "ui/pages/live_channel_card.h"
 #include "ui/pages/live_estimate_card.h"
 #include "ui/theme/theme.h"
@@ -250,7 +251,8 @@ void LivePage::refreshControls()
     d->progress->setVisible(d->trialRunning);
     d->hint->setVisible(!d->trialRunning);
     if (!connected)
-        d->hint->setText(tr("No gripper is connected. Choose one at the top."));
+        d->hint->setText(
+            u"%1. %2."_s.arg(missingWords(connection).headline, missingWords(connection).detail));
     else if (!identity.commandable)
         d->hint->setText(tr("This gripper only streams: squeeze by its own program, and record."));
     else if (!connection.armed())

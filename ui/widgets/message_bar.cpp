@@ -65,6 +65,12 @@ void MessageBar::dismiss()
     refresh();
 }
 
+void MessageBar::withdraw(const QString& message)
+{
+    m_messages.removeAll(message);
+    refresh();
+}
+
 QString MessageBar::message() const
 {
     return m_messages.value(0);

@@ -17,7 +17,8 @@ public:
     explicit MessageBar(QWidget* parent = nullptr);
 
     void show(const QString& message);
-    void dismiss(); ///< the one shown; the next takes its place
+    void dismiss();                        ///< the one shown; the next takes its place
+    void withdraw(const QString& message); ///< it holds no longer; read or not
     [[nodiscard]] QString message() const;
 
 private:
