@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/chain_library.h"
+#include "app/cli/classification.h"
 #include "app/cli/commands.h"
-#include "app/cli/drive.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/measured_transfer.h"
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
 #include "app/cli/verdict_output.h"
-#include "core/session/inspect_session.h"
-#include "devices/gripper_factory.h"
 
-#include <QFileInfo>
 #include <QJsonArray>
 
 namespace gripscope::cli {
@@ -18,57 +14,6 @@ namespace gripscope::cli {
 using namespace Qt::StringLiterals;
 
 namespace {
-
-/// Longer than any identification takes.
-constexpr double patience_s = 600;
-
-class Classification {
-public:
-    Classification(const QString& library, const IdentificationOptions& options, const VerdictOptions& rates,
-                   const std::optional<CommonShift>& transfer)
-        : m_chains(library), m_library(library), m_connection(m_devices), m_session(m_connection, m_library)
-    {
-        m_session.setStoring(false);
-        m_session.setIdentificationOptions(options);
-        m_session.setRates(rates);
-        m_session.setTransfer(transfer);
-    }
-
-    /// Reads the types.
-    std::optional<Error> begin()
-    {
-        return waitFor(
-            [this] { return m_session.state() == InspectSession::State::Ready || m_session.lastError(); });
-    }
-
-    Expected<Verdict> judge(const QString& file, const CsvReadOptions& reading)
-    {
-        Expected<Recording> recording = readRecordingCsv(file, reading);
-        if (!recording)
-            return tl::unexpected<Error>(recording.error());
-        m_chains.complete(*recording, file);
-        if (const Expected<void> taken = m_session.judgeRecording(std::move(*recording), file); !taken)
-            return tl::unexpected<Error>(taken.error());
-        if (const std::optional<Error> error =
-                waitFor([this] { return m_session.state() == InspectSession::State::Ready; }))
-            return tl::unexpected<Error>(*error);
-        return m_session.result()->verdict;
-    }
-
-private:
-    std::optional<Error> waitFor(const std::function<bool()>& done)
-    {
-        if (!drive([this] { m_session.poll(); }, done, patience_s))
-            return Error{ErrorCode::Cancelled, {u"The classification"_qs}};
-        return m_session.lastError();
-    }
-
-    ChainLibrary m_chains;
-    DeviceFactory m_devices;
-    LibraryService m_library;
-    ConnectSession m_connection; // stays unconnected: the squeezes come from files
-    InspectSession m_session;
-};
 
 /// The adjustment for the gripper whose squeezes `other` holds; none without a library of that kind, or where
 /// it would not help.
@@ -82,15 +27,6 @@ Expected<std::optional<CommonShift>> transferFrom(const QString& other, const QS
     for (const QString& sentence : report->words)
         message(sentence);
     return report->adjust ? report->error : std::nullopt;
-}
-
-Expected<QString> existingLibrary(const CommandLine& line)
-{
-    Expected<QString> file = libraryFile(line);
-    // Opening would make an empty one, and every part would be unknown to it.
-    if (file && !QFileInfo::exists(*file))
-        return failure(ErrorCode::StorageOpen, {*file, u"there is no such file; enrol types first"_qs});
-    return file;
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/drive.h"
 #include "app/cli/exit_code.h"
+#include "app/cli/lost_samples.h"
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
 #include "core/session/squeeze_job.h"
@@ -166,14 +167,6 @@ private:
     ConnectSession m_connection;
     SqueezeJob m_job;
 };
-
-qint64 lostSamples(const Recording& recording)
-{
-    qint64 lost = 0;
-    for (const Gap& gap : findGaps(recording))
-        lost += gap.lostSamples;
-    return lost;
-}
 
 QJsonObject streamJson(const Recording& recording)
 {

@@ -13,6 +13,8 @@ const std::vector<Command>& commands()
         {u"profile"_qs, u"teaches Gripscope the reports of other makers' grippers"_qs, runProfile},
         {u"device"_qs, u"says what a gripper is and does, and tests it without moving it"_qs, runDevice},
         {u"record"_qs, u"squeezes, or only listens, and writes a recording"_qs, runRecord},
+        {u"replay"_qs, u"cuts the squeezes out of captured sessions, bit for bit"_qs, runReplay},
+        {u"captures"_qs, u"lists, verifies and prunes kept sessions"_qs, runCaptures},
         {u"simulate"_qs, u"writes a synthetic recording of a known object"_qs, runSimulate},
         {u"identify"_qs, u"finds mass, damping and stiffness in recordings"_qs, runIdentify},
         {u"cluster"_qs, u"groups a table of features without labels"_qs, runCluster},

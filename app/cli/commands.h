@@ -23,6 +23,8 @@ int runDevice(const QStringList& arguments);
 int runDevices(const QStringList& arguments);
 int runProfile(const QStringList& arguments);
 int runRecord(const QStringList& arguments);
+int runReplay(const QStringList& arguments);
+int runCaptures(const QStringList& arguments);
 int runSimulate(const QStringList& arguments);
 int runIdentify(const QStringList& arguments);
 int runCluster(const QStringList& arguments);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/device_address.h"
+#include "app/virtual_gripper/options.h"
 #include "devices/hid/uhid_gripper.h"
+#include "devices/virtual/virtual_plug.h"
 #include "devices/virtual/virtual_transport.h"
 
 #include <QCoreApplication>
@@ -8,15 +9,16 @@
 
 #include <atomic>
 #include <csignal>
+#include <future>
 
-// gripscope-virtual-gripper: the virtual gripper as a HID device of this computer, for any program to find.
+// gripscope-virtual-gripper: virtual grippers as HID devices of this computer, for any program to find.
 
 namespace {
 
 using namespace gripscope;
 using namespace Qt::StringLiterals;
 
-enum ExitCode { ExitDone = 0, ExitUsage = 2, ExitDevice = 4 };
+enum ExitCode { ExitDone = 0, ExitUsage = 2, ExitBadInput = 3, ExitDevice = 4 };
 
 std::atomic<bool> ending{false};
 void end(int)
@@ -24,44 +26,80 @@ void end(int)
     ending = true;
 }
 
+int exitFor(const Error& error)
+{
+    switch (error.code) {
+    case ErrorCode::Usage:
+        return ExitUsage;
+    case ErrorCode::BadInput:
+    case ErrorCode::FileUnreadable:
+        return ExitBadInput;
+    default:
+        return ExitDevice;
+    }
+}
+
 int fail(const Error& error)
 {
-    QTextStream(stderr) << error.describe() << '\n';
-    return error.code == ErrorCode::Usage ? ExitUsage : ExitDevice;
+    QTextStream(stderr) << "gripscope-virtual-gripper: " << error.describe() << '\n';
+    return exitFor(error);
 }
 
-Expected<VirtualAddress> parseArguments(const QStringList& arguments)
+void tell(const QString& text)
 {
-    if (arguments.size() > 1)
-        return failure(ErrorCode::Usage, {u"Name one virtual gripper, or none for the default one."_qs});
-    const Expected<DeviceAddress> address = parseDeviceAddress(arguments.value(0, u"virtual:"_qs));
-    if (!address)
-        return tl::unexpected<Error>(address.error());
-    const auto* gripper = std::get_if<VirtualAddress>(&*address);
-    if (!gripper || gripper->speed == 0 || !gripper->capture.isEmpty())
-        return failure(ErrorCode::Usage,
-                       {u"Only virtual: addresses can be served, with a speed above 0 and no capture."_qs});
-    return *gripper;
+    QTextStream(stdout) << text << '\n' << Qt::flush;
 }
 
-int serve(const VirtualAddress& address)
+/// Until it is unplugged, or this program ends.
+Expected<void> servePlugged(const VirtualAddress& address)
 {
     const Expected<std::shared_ptr<VirtualTransport>> transport = VirtualTransport::make(address);
     if (!transport)
-        return fail(transport.error());
+        return tl::unexpected<Error>(transport.error());
     if (const Expected<void> opened = (*transport)->open(); !opened)
-        return fail(opened.error());
+        return opened;
     const Expected<std::unique_ptr<UhidGripper>> gripper = UhidGripper::create(*transport);
     if (!gripper)
-        return fail(gripper.error());
-    QTextStream(stdout)
-        << u"The virtual gripper is plugged in as hid:1209:0001:VG-%1. Ctrl-C unplugs it.\n"_qs.arg(
-               address.seed)
-        << Qt::flush;
+        return tl::unexpected<Error>(gripper.error());
+    tell(
+        u"The virtual gripper is plugged in as hid:1209:0001:VG-%1. Ctrl-C unplugs it."_qs.arg(address.seed));
+    return (*gripper)->serve(ending);
+}
+
+/// Until its faults unplug it for good, or this program ends.
+Expected<void> serve(const VirtualAddress& address)
+{
+    for (;;) {
+        if (const Expected<void> served = servePlugged(address); !served)
+            return served;
+        if (ending || !virtual_plug::comesBack(address))
+            return {};
+        tell(u"hid:1209:0001:VG-%1 is unplugged, and comes back."_qs.arg(address.seed));
+        while (!ending && !virtual_plug::isIn(address))
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (ending)
+            return {};
+    }
+}
+
+int serveAll(const std::vector<VirtualAddress>& grippers)
+{
     std::signal(SIGINT, &end);
     std::signal(SIGTERM, &end);
-    const Expected<void> served = (*gripper)->serve(ending);
-    return served ? ExitDone : fail(served.error());
+    std::vector<std::future<Expected<void>>> served;
+    served.reserve(grippers.size());
+    for (const VirtualAddress& address : grippers)
+        served.push_back(std::async(std::launch::async, [&address] {
+            Expected<void> done = serve(address);
+            if (!done)
+                ending = true; // all or none
+            return done;
+        }));
+    int exit = ExitDone;
+    for (auto& one : served)
+        if (const Expected<void> done = one.get(); !done && exit == ExitDone)
+            exit = fail(done.error());
+    return exit;
 }
 
 } // namespace
@@ -69,14 +107,13 @@ int serve(const VirtualAddress& address)
 int main(int argc, char** argv)
 {
     const QCoreApplication application(argc, argv);
-    const QStringList arguments = QCoreApplication::arguments().mid(1);
-    if (arguments.contains(u"--help"_qs) || arguments.contains(u"-h"_qs)) {
-        QTextStream(stdout)
-            << "usage: gripscope-virtual-gripper [ADDRESS]\n\n"
-               "Plugs a virtual gripper into this computer as a HID device, through /dev/uhid.\n"
-               "ADDRESS is a virtual: address, such as \"virtual:?object=B&seed=7&fault=loss:0.01\".\n";
+    const Expected<VirtualGripperOptions> options =
+        parseVirtualGripperOptions(QCoreApplication::arguments().mid(1));
+    if (!options)
+        return fail(options.error());
+    if (options->help) {
+        QTextStream(stdout) << virtualGripperHelp();
         return ExitDone;
     }
-    const Expected<VirtualAddress> address = parseArguments(arguments);
-    return address ? serve(*address) : fail(address.error());
+    return serveAll(options->grippers);
 }

@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <linux/uhid.h>
 #include <poll.h>
+#include <thread>
 #include <unistd.h>
 
 namespace gripscope {
@@ -30,7 +31,9 @@ tl::unexpected<Error> cannotOpen(int reason)
     if (reason == EACCES || reason == EPERM)
         return failure(
             ErrorCode::DevicePermission,
-            {uhidPath, u"Start this program with sudo, or give your user the right to write to it."_qs});
+            {uhidPath,
+             u"Start this program with sudo, or let your user write to it until the next start of the "
+             "computer: sudo setfacl -m u:$USER:rw /dev/uhid"_qs});
     return failure(ErrorCode::DeviceNotFound,
                    {uhidPath,
                     u"Load the kernel's module first: sudo modprobe uhid. (Containers and some virtual "
@@ -46,9 +49,10 @@ struct UhidGripper::Private {
     ~Private() { ::close(file); }
     [[nodiscard]] Expected<void> send(const uhid_event& event) const;
     [[nodiscard]] Expected<void> plugIn() const;
-    [[nodiscard]] Expected<void> takeEvents() const;
+    [[nodiscard]] Expected<void> takeEvents(int wait_ms) const;
     [[nodiscard]] Expected<void> take(const uhid_event& event) const;
     void forward(const std::uint8_t* data, std::size_t size) const;
+    [[nodiscard]] Expected<void> stream(const std::atomic<bool>& ending, const std::atomic<bool>& over) const;
 };
 
 Expected<void> UhidGripper::Private::send(const uhid_event& event) const
@@ -118,10 +122,10 @@ Expected<void> UhidGripper::Private::take(const uhid_event& event) const
     }
 }
 
-Expected<void> UhidGripper::Private::takeEvents() const
+Expected<void> UhidGripper::Private::takeEvents(int wait_ms) const
 {
     pollfd waiting{file, POLLIN, 0};
-    while (::poll(&waiting, 1, 0) > 0) {
+    while (::poll(&waiting, 1, wait_ms) > 0) {
         uhid_event event{};
         if (::read(file, &event, sizeof event) <= 0)
             return failure(ErrorCode::DeviceLost, {uhidPath, u"the system closed it"_qs});
@@ -160,11 +164,28 @@ Expected<std::unique_ptr<UhidGripper>> UhidGripper::createOn(int file, std::shar
 
 Expected<void> UhidGripper::serve(const std::atomic<bool>& ending)
 {
+    // The host's questions have a thread of their own, so that a gripper whose answer hangs goes on
+    // streaming.
+    std::atomic<bool> over{false};
+    Expected<void> answered;
+    std::thread answering([&] {
+        constexpr int wait_ms = 20;
+        while (!over && answered)
+            answered = d->takeEvents(wait_ms);
+        over = true;
+    });
+    const Expected<void> streamed = d->stream(ending, over);
+    over = true;
+    answering.join();
+    return answered ? streamed : answered;
+}
+
+Expected<void> UhidGripper::Private::stream(const std::atomic<bool>& ending,
+                                            const std::atomic<bool>& over) const
+{
     Transport::Buffer buffer{};
-    while (!ending) {
-        if (const Expected<void> taken = d->takeEvents(); !taken)
-            return taken;
-        const Transport::ReadResult result = d->transport->read(buffer, std::chrono::milliseconds(1));
+    while (!ending && !over) {
+        const Transport::ReadResult result = transport->read(buffer, std::chrono::milliseconds(1));
         if (result.outcome == Transport::Outcome::Lost || result.outcome == Transport::Outcome::Ended)
             return {};
         if (result.outcome == Transport::Outcome::Timeout)
@@ -173,7 +194,7 @@ Expected<void> UhidGripper::serve(const std::atomic<bool>& ending)
         event.type = UHID_INPUT2;
         event.u.input2.size = static_cast<std::uint16_t>(std::min(result.size, buffer.size()));
         std::copy_n(buffer.begin(), event.u.input2.size, event.u.input2.data);
-        if (const Expected<void> sent = d->send(event); !sent)
+        if (const Expected<void> sent = send(event); !sent)
             return sent;
     }
     return {};

@@ -2,6 +2,7 @@
 #include "devices/replay/captured_session.h"
 
 #include "core/session/squeeze_notes.h"
+#include "core/signal/stream_account.h"
 #include "devices/acquisition/gripscope_decoder.h"
 #include "devices/acquisition/sample_queue.h"
 #include "devices/replay/capture_transport.h"
@@ -160,6 +161,7 @@ void SessionCutter::closeByItself()
     recording.provenance = {
         {u"device"_s, identity.name}, {u"serial"_s, identity.serial}, {u"firmware"_s, identity.firmware}};
     m_recorder.moveTo(recording);
+    recording.provenance.remove(streamAccountKey()); // of that a reading sees only a part
     m_session.squeezes.push_back(std::move(squeeze));
 }
 
