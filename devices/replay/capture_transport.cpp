@@ -8,8 +8,9 @@ namespace gripscope {
 using namespace Qt::StringLiterals;
 
 namespace {
-/// For what waits for the disk when a session ends; a disk that takes longer goes on by itself.
-constexpr std::chrono::milliseconds closingTakes{200};
+/// For what waits for the disk when a session ends, within the second that closing a port may take; a disk
+/// that takes longer goes on by itself.
+constexpr std::chrono::milliseconds closingTakes{450};
 } // namespace
 
 Expected<void> CapturingTransport::open()

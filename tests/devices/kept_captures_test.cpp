@@ -66,6 +66,16 @@ QStringList names(const std::vector<CaptureFolder::Part>& parts)
     return out;
 }
 
+/// A busy computer may close the files a little after the port.
+bool allClosed(const CaptureFolder& folder)
+{
+    return waitFor([&] {
+        const std::vector<CaptureFolder::Part> parts = folder.parts();
+        return !parts.empty() && std::all_of(parts.begin(), parts.end(),
+                                             [](const CaptureFolder::Part& part) { return part.closed(); });
+    });
+}
+
 /// The kinds of the records of a part.
 std::vector<CaptureKind> kinds(const QString& file)
 {
@@ -92,6 +102,7 @@ private slots:
         const QString session = gripper.port->identity().keptSession;
         gripper.port->close();
 
+        QVERIFY(allClosed(folder));
         const std::vector<CaptureFolder::Part> parts = folder.parts();
         QCOMPARE(names(parts), QStringList{session + u".part0001.gscap"_qs});
         QVERIFY(parts.front().closed());
@@ -107,6 +118,7 @@ private slots:
         const CaptureDestination to{{}, place.path(), u"virtual:"_qs};
         QCOMPARE(CapturedSqueezeRun(to).state, SqueezeState::Finished);
         const CaptureFolder folder(place.path());
+        QVERIFY(allClosed(folder));
         QFile file(folder.filePath(folder.parts().front().name));
         QVERIFY(file.open(QIODevice::ReadWrite) && file.seek(file.size() / 2));
         char byte = 0;
