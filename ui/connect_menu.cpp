@@ -3,6 +3,7 @@
 
 #include "ui/access_dialog.h"
 #include "ui/lag_dialog.h"
+#include "ui/profile_dialog.h"
 #include "ui/workbench.h"
 
 #include <QInputDialog>
@@ -67,6 +68,9 @@ void ConnectMenu::addActions()
     lag->setEnabled(m_workbench->connection().state() == ConnectSession::State::Connected);
     connect(lag, &QAction::triggered, this,
             [this] { (new LagDialog(*m_workbench, parentWidget()))->open(); });
+    QAction* profile = addAction(tr("Profile of another maker's gripper…"));
+    profile->setObjectName("gripperProfile");
+    connect(profile, &QAction::triggered, this, [this] { openProfile(); });
     const bool awaiting = m_workbench->connection().awaiting();
     QAction* disconnect = addAction(awaiting ? tr("Do not wait for the gripper") : tr("Disconnect"));
     disconnect->setObjectName("disconnect");
@@ -115,6 +119,16 @@ void ConnectMenu::choose(const FoundDevice& device)
     m_workbench->connectTo(device.address);
     if (!device.toAllow.isEmpty())
         (new AccessDialog(*m_workbench, device, parentWidget()))->open();
+}
+
+void ConnectMenu::openProfile()
+{
+    auto* dialog = new ProfileDialog(*m_workbench, parentWidget());
+    const QString address = m_workbench->connection().address();
+    if (m_workbench->connection().state() == ConnectSession::State::Connected &&
+        !address.startsWith("replay:"_L1))
+        dialog->listen(address);
+    dialog->show(); // beside the pages, which go on
 }
 
 void ConnectMenu::askForAddress()

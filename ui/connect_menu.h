@@ -29,6 +29,7 @@ private:
     void askForAddress();
     void addAddress(const QString& text, const QString& address);
     void addActions();
+    void openProfile();
 
     Workbench* m_workbench;
     std::unique_ptr<HidWatcher> m_watcher; ///< while the menu is open

@@ -99,7 +99,12 @@ ValidityCheck samplesLost(const Identification& data, const Recording& recording
         words << stallWords(stream);
     if (lost)
         words << lossWords(data, check.decisive);
-    check.message = check.ok ? u"no sample is missing"_s : words.join(u' ');
+    if (check.ok && recording.provenance.contains(unseenLossesKey()))
+        words
+            << u"whether samples are missing cannot be seen: the gripper sends neither a number nor a clock"_s;
+    else if (check.ok)
+        words << u"no sample is missing"_s;
+    check.message = words.join(u' ');
     return check;
 }
 

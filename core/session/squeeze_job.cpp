@@ -3,6 +3,7 @@
 
 #include "core/session/squeeze_notes.h"
 #include "core/session/squeeze_recorder.h"
+#include "core/signal/stream_account.h"
 
 #include <QDateTime>
 
@@ -106,6 +107,8 @@ void SqueezeJob::Private::begin(std::size_t samples, QMap<QString, QString> prov
     provenance[u"serial"_qs] = identity.serial;
     provenance[u"address"_qs] = identity.address.isEmpty() ? connection.address() : identity.address;
     provenance[u"firmware"_qs] = identity.firmware;
+    if (!identity.lossVisible)
+        provenance[unseenLossesKey()] = u"cannot be seen: the gripper sends neither a number nor a clock"_qs;
     if (!operatorName.isEmpty())
         provenance[u"operator"_qs] = operatorName;
     provenance[u"recorded_utc"_qs] = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs);

@@ -28,6 +28,11 @@ QString streamAccountKey()
     return QStringLiteral("stream");
 }
 
+QString unseenLossesKey()
+{
+    return QStringLiteral("losses");
+}
+
 QString toText(const StreamAccount& account)
 {
     QStringList parts;

@@ -21,6 +21,8 @@ struct StreamAccount {
 /// library: `lost_samples=0 gaps=0 duplicate_reports=0 bad_reports=0 clock_steps=0 stalls=0
 /// longest_stall_s=0`.
 [[nodiscard]] QString streamAccountKey();
+/// The key of a recording whose losses cannot be seen, and why; others do not have it.
+[[nodiscard]] QString unseenLossesKey();
 [[nodiscard]] QString toText(const StreamAccount& account);
 /// Names that are not known are passed over, those that are missing are zero.
 [[nodiscard]] StreamAccount streamAccountFromText(const QString& text);

@@ -176,6 +176,15 @@ private slots:
         const double k = best->parameters->k * si;
         QVERIFY2(std::abs(k - truth.k) < 0.02 * truth.k, qPrintable(u"%1 %2"_s.arg(k).arg(truth.k)));
     }
+    void aRecordingSaysThatItsLossesCannotBeSeen()
+    {
+        const Recording blind = listenTo(u"virtual:?speed=0&fault=loss:0.05&profile=example_bare"_s, 1);
+        QVERIFY(blind.provenance[u"losses"_s].startsWith(u"cannot be seen"_s));
+        for (const ValidityCheck& check : identify(blind).validity.checks)
+            QVERIFY(check.id != u"samples_lost" || check.message.contains(u"cannot be seen"));
+        const Recording seen = listenTo(u"virtual:?speed=0&profile=walkthrough"_s, 1);
+        QVERIFY(seen.size() > 0 && !seen.provenance.contains(u"losses"_s));
+    }
     void aProfileIsFoundByTheUsbNumbersOfWhatIsSent()
     {
         const QTemporaryDir folder;
