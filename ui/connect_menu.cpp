@@ -71,11 +71,27 @@ void ConnectMenu::addActions()
     QAction* profile = addAction(tr("Profile of another maker's gripper…"));
     profile->setObjectName("gripperProfile");
     connect(profile, &QAction::triggered, this, [this] { openProfile(); });
+    addKeeping();
     const bool awaiting = m_workbench->connection().awaiting();
     QAction* disconnect = addAction(awaiting ? tr("Do not wait for the gripper") : tr("Disconnect"));
     disconnect->setObjectName("disconnect");
     disconnect->setEnabled(m_workbench->connection().state() != ConnectSession::State::Disconnected);
     connect(disconnect, &QAction::triggered, m_workbench, [this] { m_workbench->connection().disconnect(); });
+}
+
+void ConnectMenu::addKeeping()
+{
+    QAction* keep = addAction(tr("Keep the raw reports of every session"));
+    keep->setObjectName("keepSessions");
+    keep->setCheckable(true);
+    keep->setChecked(m_workbench->keepsSessions());
+    connect(keep, &QAction::triggered, m_workbench, [bench = m_workbench](bool on) {
+        bench->setKeeping(bench->keeping(), on);
+        bench->report(on ? tr("From the next connection on, the raw reports of grippers are kept in %1.")
+                               .arg(bench->keeping().folder)
+                         : tr("From the next connection on, raw reports are not kept. Squeezes cannot be "
+                              "replayed then."));
+    });
 }
 
 void ConnectMenu::follow()

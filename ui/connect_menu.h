@@ -30,6 +30,7 @@ private:
     void addAddress(const QString& text, const QString& address);
     void addActions();
     void openProfile();
+    void addKeeping();
 
     Workbench* m_workbench;
     std::unique_ptr<HidWatcher> m_watcher; ///< while the menu is open

@@ -2,7 +2,7 @@
 #include "ui/workbench.h"
 
 #include "core/session/stored_chain.h"
-#include "devices/gripper_factory.h"
+#include "devices/replay/capture_folder.h"
 #include "ui/connection_words.h"
 
 #include <QPointer>
@@ -84,6 +84,9 @@ struct Workbench::Private {
     std::vector<Waiting> waiting;
     ConnectionView seen;
     std::optional<Error> connectionError, inspectionError, enrollmentError;
+    KeepSessions keeping{CaptureFolder::defaultPath(), {}, false};
+    bool keeps = false;
+    bool captureSuffers = false; ///< and that was told
     int enrolledSqueezes = 0;
     EnrollSession::Step enrollmentStep = EnrollSession::Step::Name;
     qint64 lastInspection = 0;
@@ -169,6 +172,24 @@ void Workbench::setRates(const StoredRates& rates)
     emit ratesChanged();
 }
 
+bool Workbench::keepsSessions() const
+{
+    return d->keeps;
+}
+
+const KeepSessions& Workbench::keeping() const
+{
+    return d->keeping;
+}
+
+void Workbench::setKeeping(const KeepSessions& how, bool on)
+{
+    d->keeping = how;
+    d->keeps = on;
+    d->factory.keepSessions(on ? std::optional(how) : std::nullopt);
+    emit keepingChanged();
+}
+
 void Workbench::connectTo(const QString& address)
 {
     d->connectionError.reset();
@@ -239,6 +260,7 @@ void Workbench::tick()
     d->connection.poll();
     d->estimate.setForceLag(d->connection.forceLag_s());
     noticeConnection();
+    noticeCapture();
     noticeEnrollment();
     noticeInspection();
     answerWaiting();
@@ -268,6 +290,22 @@ void Workbench::noticeConnection()
         emit connectionChanged();
     }
     noticeError(d->connectionError, d->connection.lastError());
+}
+
+void Workbench::noticeCapture()
+{
+    const CaptureStatus status = d->factory.captureStatus();
+    const bool suffers = status.problem || status.droppedRecords > 0;
+    if (suffers == d->captureSuffers)
+        return;
+    d->captureSuffers = suffers;
+    if (status.problem)
+        report(tr("The raw reports of this session are not being kept: %1 Measuring goes on.")
+                   .arg(status.problem->describe()));
+    else if (suffers)
+        report(
+            tr("The disk is too slow: of the raw reports of this session %n are not kept. Measuring goes on.",
+               nullptr, static_cast<int>(std::min<std::uint64_t>(status.droppedRecords, 1'000'000'000))));
 }
 
 void Workbench::applyMeasuringChain(const QString& serial)

@@ -5,6 +5,7 @@
 #include "core/session/enroll_session.h"
 #include "core/session/inspect_session.h"
 #include "core/store/library_service.h"
+#include "devices/gripper_factory.h"
 #include "ui/live_estimate.h"
 #include "ui/live_history.h"
 #include "ui/stored_rates.h"
@@ -47,6 +48,11 @@ public:
     /// What verdicts are held to, and whether squeezes end early.
     [[nodiscard]] StoredRates rates() const;
     void setRates(const StoredRates& rates);
+
+    /// Whether the raw reports of sessions are kept, and how, from the next connection on.
+    [[nodiscard]] bool keepsSessions() const;
+    [[nodiscard]] const KeepSessions& keeping() const;
+    void setKeeping(const KeepSessions& how, bool on);
 
     /// These word the errors of the connection in the message bar.
     void connectTo(const QString& address);
@@ -104,6 +110,7 @@ signals:
     void reported(const QString& message);
     void operatorChanged();
     void ratesChanged();
+    void keepingChanged();
     void pageRequested(const QString& id);
     void stopped(); ///< by a person, through stop()
 
@@ -112,6 +119,7 @@ private:
     void runInPool(std::function<void()> work);
     void tick();
     void noticeConnection();
+    void noticeCapture();
     void applyMeasuringChain(const QString& serial); ///< what the library knows of this gripper
     void noticeEnrollment();
     void noticeInspection();

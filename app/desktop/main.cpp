@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desktop/options.h"
 #include "core/store/library.h"
+#include "devices/replay/capture_folder.h"
 #include "ui/main_window.h"
 #include "ui/tour.h"
 #include "ui/workbench.h"
@@ -41,6 +42,19 @@ void rememberGripper(QSettings& settings, const ConnectSession& connection)
         settings.setValue(u"gripper"_s, u"virtual:"_s);
 }
 
+/// On unless somebody set it otherwise; real grippers only.
+void keepSessions(Workbench& bench, QSettings& settings)
+{
+    KeepSessions keep;
+    keep.folder = settings.value(u"captures/folder"_s, CaptureFolder::defaultPath()).toString();
+    const double megabytes = settings.value(u"captures/megabytes"_s, 0.0).toDouble();
+    if (megabytes > 0)
+        keep.limits.totalBytes = static_cast<qint64>(1e6 * megabytes);
+    bench.setKeeping(keep, settings.value(u"captures/keep"_s, true).toBool());
+    QObject::connect(&bench, &Workbench::keepingChanged, &bench,
+                     [&bench, &settings] { settings.setValue(u"captures/keep"_s, bench.keepsSessions()); });
+}
+
 int runWindow(const DesktopOptions& options)
 {
     Theme::instance().apply(options.theme);
@@ -52,6 +66,7 @@ int runWindow(const DesktopOptions& options)
     bench.setRates(readRates(settings));
     QObject::connect(&bench, &Workbench::ratesChanged, &bench,
                      [&bench, &settings] { writeRates(settings, bench.rates()); });
+    keepSessions(bench, settings);
     MainWindow window(bench);
     if (options.size.isValid())
         window.resize(options.size);
