@@ -40,6 +40,7 @@ AboutDialog::AboutDialog(const QStringList& pageTitles, QWidget* parent) : QDial
     for (qsizetype i = 0; i < pageTitles.size(); ++i)
         addKey(tr("Ctrl+%1").arg(i + 1), tr("Page %1").arg(pageTitles[i]));
     addKey(tr("F1"), tr("This window"));
+    addKey(tr("F9"), tr("Inspect the gripper: reports, counters, self-test"));
     keys->setColumnStretch(1, 1);
     column->addLayout(keys);
     column->addStretch(1);

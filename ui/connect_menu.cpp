@@ -2,6 +2,7 @@
 #include "ui/connect_menu.h"
 
 #include "ui/access_dialog.h"
+#include "ui/inspector/device_inspector.h"
 #include "ui/lag_dialog.h"
 #include "ui/profile_dialog.h"
 #include "ui/workbench.h"
@@ -63,6 +64,10 @@ void ConnectMenu::addAddress(const QString& text, const QString& address)
 void ConnectMenu::addActions()
 {
     connect(addAction(tr("Other address…")), &QAction::triggered, this, &ConnectMenu::askForAddress);
+    QAction* inspect = addAction(tr("Inspect the gripper…") + u"\tF9"_s);
+    inspect->setObjectName("inspectGripper");
+    connect(inspect, &QAction::triggered, this,
+            [this] { DeviceInspector::open(*m_workbench, parentWidget()->window()); });
     QAction* lag = addAction(tr("Measure the lag between its channels…"));
     lag->setObjectName("measureLag");
     lag->setEnabled(m_workbench->connection().state() == ConnectSession::State::Connected);

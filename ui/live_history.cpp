@@ -10,6 +10,7 @@ namespace {
 /// Bins a level keeps: twice the pixels of the widest plot, so that the level chosen always has a bin a
 /// column.
 constexpr std::size_t binsPerLevel = 8192;
+constexpr std::size_t mostGaps = 512;
 } // namespace
 
 void LiveHistory::Bin::merge(const Bin& later)
@@ -41,6 +42,7 @@ void LiveHistory::reset(double sampleTime_s)
 {
     m_sampleTime_s = sampleTime_s > 0 ? sampleTime_s : 0.0005;
     m_newest_s = 0;
+    m_gaps.clear();
     m_levels.clear();
     double covered = m_sampleTime_s * binsPerLevel;
     m_levels.emplace_back();
@@ -56,12 +58,33 @@ void LiveHistory::append(const std::vector<Sample>& samples)
         // A device that was opened anew counts from its own zero again.
         if (!empty() && sample.time_s <= m_newest_s)
             reset(m_sampleTime_s);
+        noteGap(sample);
         Bin bin;
         bin.begin_s = bin.end_s = m_newest_s = sample.time_s;
         bin.low[0] = bin.high[0] = static_cast<float>(sample.force);
         bin.low[1] = bin.high[1] = static_cast<float>(sample.position);
         push(bin);
     }
+}
+
+void LiveHistory::noteGap(const Sample& sample)
+{
+    const bool whole = empty() || (sample.sequence == m_newestSequence + 1 && !sample.clockStepped);
+    m_newestSequence = sample.sequence;
+    if (whole)
+        return;
+    if (m_gaps.size() == mostGaps)
+        m_gaps.pop_front();
+    m_gaps.push_back({m_newest_s, sample.time_s});
+}
+
+std::vector<LiveHistory::Gap> LiveHistory::gaps(double until_s, double seconds) const
+{
+    std::vector<Gap> found;
+    for (const Gap& gap : m_gaps)
+        if (gap.end >= until_s - seconds && gap.begin <= until_s)
+            found.push_back({gap.begin - until_s, gap.end - until_s});
+    return found;
 }
 
 void LiveHistory::push(Bin bin)

@@ -5,6 +5,8 @@
 #include "core/signal/decimation.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -27,6 +29,12 @@ public:
     /// the device's time that is wider than a column starts a new stretch.
     [[nodiscard]] std::vector<Stretch> columns(Channel channel, double until_s, double seconds,
                                                std::size_t columns) const;
+    /// Where samples are missing or the device's clock jumped, oldest first, as far as the last 512 reach; x
+    /// as above.
+    struct Gap {
+        double begin = 0, end = 0;
+    };
+    [[nodiscard]] std::vector<Gap> gaps(double until_s, double seconds) const;
     [[nodiscard]] double sampleTime_s() const { return m_sampleTime_s; }
     [[nodiscard]] double newestTime_s() const;
     [[nodiscard]] bool empty() const;
@@ -49,7 +57,11 @@ private:
     [[nodiscard]] std::size_t levelFor(double seconds) const;
     class Columns;
 
+    void noteGap(const Sample& sample);
+
     std::vector<Level> m_levels;
+    std::deque<Gap> m_gaps; ///< device's times
+    std::uint64_t m_newestSequence = 0;
     double m_sampleTime_s;
     double m_seconds;
     double m_newest_s = 0;

@@ -4,6 +4,7 @@
 #include "ui/about_dialog.h"
 #include "ui/connection_words.h"
 #include "ui/header_bar.h"
+#include "ui/inspector/device_inspector.h"
 #include "ui/manual_dialog.h"
 #include "ui/pages/enroll_page.h"
 #include "ui/pages/fit_page.h"
@@ -130,6 +131,8 @@ void MainWindow::makeShortcuts()
     }
     connect(new QShortcut(QKeySequence(Qt::Key_F1), this), &QShortcut::activated, this,
             &MainWindow::showHelp);
+    connect(new QShortcut(QKeySequence(Qt::Key_F9), this), &QShortcut::activated, this,
+            [this] { DeviceInspector::open(*m_workbench, this); });
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event)

@@ -16,7 +16,7 @@ QString manualPageFor(const QString& screen)
     if (screen == u"fit")
         return u"identification.md"_s;
     if (screen == u"live")
-        return u"excitation.md"_s;
+        return u"link.md"_s;
     if (screen == u"inspect")
         return u"inspect.md"_s;
     if (screen == u"history")

@@ -37,8 +37,12 @@ void StatusLine::refresh()
     const bool connected = connection.state() == ConnectSession::State::Connected;
     QStringList parts{chipWords(connection).headline};
     parts << tr("armed: %1").arg(connection.armed() ? tr("yes") : tr("no"));
-    if (connected)
-        parts << tr("latency %1 ms").arg(connection.counters().latency_ms, 0, 'f', 0);
+    if (connected) {
+        const LinkCounters counters = connection.counters();
+        parts << tr("latency %1 ms").arg(counters.latency_ms, 0, 'f', 0);
+        if (counters.stalled)
+            parts << tr("silent");
+    }
     const QFileInfo library(m_workbench->library().file());
     parts << tr("library %1").arg(library.completeBaseName());
     const auto types = static_cast<int>(m_workbench->inspection().types().size());

@@ -50,6 +50,7 @@ private slots:
     void reachesUpToTheNewestSample();
     void valuesStandAtTheirTimes();
     void gapsStayGaps();
+    void lostSamplesAndClockStepsAreMarked();
     void keepsTenMinutesAndForgetsWhatIsOlder();
     void aDeviceThatStartsAgainStartsANewHistory();
     void columnsStandStillWhileTheTimeMovesOn();
@@ -132,6 +133,22 @@ void LiveHistoryTest::gapsStayGaps()
     QCOMPARE(stretches.size(), std::size_t{2});
     const double hole = stretches[1].front().x - stretches[0].back().x;
     QVERIFY(std::abs(hole - 1.0) < 0.03); // to a column (20 ms)
+}
+
+void LiveHistoryTest::lostSamplesAndClockStepsAreMarked()
+{
+    LiveHistory history;
+    history.append(ramp(0, 1));
+    QVERIFY(history.gaps(1, 10).empty());
+    history.append(ramp(1.001, 2)); // two samples are missing
+    std::vector<Sample> stepped = ramp(2, 3);
+    stepped.front().clockStepped = true;
+    history.append(stepped);
+    const std::vector<LiveHistory::Gap> gaps = history.gaps(3, 10);
+    QCOMPARE(gaps.size(), std::size_t(2));
+    QVERIFY(std::abs(gaps[0].begin + 2.0005) < 1e-9 && std::abs(gaps[0].end + 1.999) < 1e-9);
+    QVERIFY(std::abs(gaps[1].end + 1) < 1e-9);
+    QCOMPARE(history.gaps(3, 1.5).size(), std::size_t(1));
 }
 
 void LiveHistoryTest::keepsTenMinutesAndForgetsWhatIsOlder()

@@ -2,10 +2,13 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
 #include "ui/charts/strip_chart.h"
+#include "ui/pages/live_link_panel.h"
 #include "ui/widgets/axis_ticks.h"
 
 #include <QElapsedTimer>
+#include <QFile>
 #include <QPushButton>
+#include <QTemporaryDir>
 
 #include <cmath>
 
@@ -30,6 +33,10 @@ class LivePageTest : public QObject {
     Q_OBJECT
 private slots:
     void chartsFollowTheGripper();
+    void theLinkIsSeenAtAGlance();
+    void whatGoesWrongIsSaid_data();
+    void whatGoesWrongIsSaid();
+    void aGapIsMarkedInTheChart();
     void pauseHoldsThePicture();
     void tareIsOnlyForTheScreen();
     void aTrialSqueezeOpensOnTheFitPage();
@@ -51,6 +58,79 @@ void LivePageTest::chartsFollowTheGripper()
         QTRY_VERIFY_WITH_TIMEOUT(points(*chart) > 50, patience_ms);
         QVERIFY(points(*chart) <= 2 * static_cast<std::size_t>(chart->columns() + 2));
     }
+}
+
+void LivePageTest::theLinkIsSeenAtAGlance()
+{
+    WindowFixture f(false);
+    f.window->showPage(u"live"_s);
+    auto* link = f.find<LiveLinkPanel>("liveLink");
+    QTRY_VERIFY_WITH_TIMEOUT(link->text(u"samples"_s).startsWith(u"20"_s) ||
+                                 link->text(u"samples"_s).startsWith(u"19"_s),
+                             patience_ms);
+    QCOMPARE(link->text(u"link"_s), u"connected"_s);
+    QCOMPARE(link->text(u"lost"_s), u"none"_s);
+    QCOMPARE(link->text(u"stream"_s), u"sound"_s);
+    QCOMPARE(link->text(u"armed"_s), u"no"_s);
+    QCOMPARE(link->text(u"force"_s), u"100 N"_s);
+    QCOMPARE(link->text(u"travel"_s), u"25 mm"_s);
+    QCOMPARE(link->text(u"excitation"_s), u"none"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(link->text(u"latency"_s).contains(u"ms, most "_s), patience_ms);
+    qInfo("latency to the screen: %s", qPrintable(link->text(u"latency"_s)));
+    f.bench->connection().disconnect();
+    QTRY_COMPARE_WITH_TIMEOUT(link->text(u"link"_s), u"none"_s, patience_ms);
+    QCOMPARE(link->text(u"latency"_s), u"–"_s);
+}
+
+void LivePageTest::whatGoesWrongIsSaid_data()
+{
+    QTest::addColumn<QByteArray>("script");
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<QString>("word");
+    QTest::newRow("loss") << QByteArray("0 loss 0.02\n") << u"lost"_s << u"%), "_s;
+    QTest::newRow("damaged") << QByteArray("0 crc 0.05\n") << u"stream"_s << u"damaged"_s;
+    QTest::newRow("twice") << QByteArray("0 duplicate 0.05\n") << u"stream"_s << u"twice"_s;
+    QTest::newRow("clock") << QByteArray("0.5 clock +1\n") << u"stream"_s << u"clock jump"_s;
+    QTest::newRow("stall") << QByteArray("0.5 stall\n1.2 resume\n") << u"stream"_s << u"silent ("_s;
+    QTest::newRow("silent now") << QByteArray("0.5 stall\n1.4 resume\n") << u"link"_s << u"silent"_s;
+    QTest::newRow("unplugged") << QByteArray("0.5 unplug\n") << u"link"_s << u"lost"_s;
+}
+
+void LivePageTest::whatGoesWrongIsSaid()
+{
+    QFETCH(QByteArray, script);
+    QFETCH(QString, id);
+    QFETCH(QString, word);
+    QTemporaryDir folder;
+    QFile file(folder.filePath(u"faults.txt"_s));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(script) == script.size());
+    file.close();
+    WindowFixture f(false, QString());
+    f.window->showPage(u"live"_s);
+    auto* link = f.find<LiveLinkPanel>("liveLink");
+    f.bench->connectTo(u"virtual:?script="_s + file.fileName());
+    QTRY_VERIFY_WITH_TIMEOUT(link->text(id).contains(word), patience_ms);
+}
+
+void LivePageTest::aGapIsMarkedInTheChart()
+{
+    Theme::instance().apply(ThemeKind::Light);
+    StripChart chart(LiveHistory::Channel::Force, 2.0);
+    chart.resize(600, 200);
+    const auto signs = [&chart] {
+        const QImage image = chart.grab().toImage();
+        int count = 0;
+        for (int y = 0; y < 12; ++y)
+            for (int x = 0; x < image.width(); ++x)
+                count += image.pixelColor(x, y) == Theme::instance().tokens().notValid;
+        return count;
+    };
+    QCOMPARE(signs(), 0);
+    chart.setGaps({{-5, -4.99}});
+    const int one = signs();
+    QVERIFY(one > 10);
+    chart.setGaps({{-5, -4.99}, {-4.98, -4.97}, {-2, -1}}); // the second stands where the first does
+    QVERIFY(signs() > 1.5 * one && signs() < 2.5 * one);
 }
 
 void LivePageTest::pauseHoldsThePicture()

@@ -12,6 +12,7 @@ namespace gripscope {
 
 namespace {
 constexpr int left = 64, right = 16, top = 10, bottom = 26;
+constexpr double gapSign = 8;  ///< a triangle on the upper edge
 constexpr int calmFrames = 60; ///< about a second: the range shrinks only after that
 } // namespace
 
@@ -53,6 +54,12 @@ void StripChart::setStretches(std::vector<LiveHistory::Stretch> stretches)
 {
     m_stretches = std::move(stretches);
     followRange();
+    update();
+}
+
+void StripChart::setGaps(std::vector<LiveHistory::Gap> gaps)
+{
+    m_gaps = std::move(gaps);
     update();
 }
 
@@ -105,7 +112,36 @@ void StripChart::paintEvent(QPaintEvent*)
         paintFrame();
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_frame);
+    paintGaps(painter);
     paintCurve(painter);
+    emit painted();
+}
+
+void StripChart::paintGaps(QPainter& painter) const
+{
+    const ThemeTokens& t = Theme::instance().tokens();
+    const QRectF area = plot();
+    QColor tint = t.notValid;
+    tint.setAlphaF(t.kind == ThemeKind::HighContrast ? 0.5F : 0.16F);
+    double drawnTo = area.left() - gapSign;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    for (const LiveHistory::Gap& gap : m_gaps) {
+        const double from = std::max(area.left(), area.right() + gap.begin / m_seconds * area.width());
+        const double to = std::min(area.right(), area.right() + gap.end / m_seconds * area.width());
+        const double middle = (from + to) / 2;
+        painter.setBrush(tint);
+        painter.drawRect(
+            QRectF(std::min(from, middle - 0.5), area.top(), std::max(1.0, to - from), area.height()));
+        if (middle - drawnTo < gapSign) // signs side by side would only be a bar
+            continue;
+        drawnTo = middle;
+        painter.setBrush(t.notValid);
+        painter.drawPolygon(QPolygonF({{middle - gapSign / 2, area.top() - gapSign},
+                                       {middle + gapSign / 2, area.top() - gapSign},
+                                       {middle, area.top()}}));
+    }
+    painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
 void StripChart::paintFrame()

@@ -23,6 +23,8 @@ public:
     void setUnit(const QString& unit); ///< stands at the topmost tick
     void setSeconds(double seconds);
     void setStretches(std::vector<LiveHistory::Stretch> stretches);
+    /// Where samples are missing: marked, and no line goes across.
+    void setGaps(std::vector<LiveHistory::Gap> gaps);
     [[nodiscard]] int columns() const; ///< pixel columns of the plot
     [[nodiscard]] double seconds() const { return m_seconds; }
     [[nodiscard]] AxisRange range() const { return m_range; }
@@ -33,6 +35,9 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {640, 220}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {280, 96}; }
 
+signals:
+    void painted(); ///< what was handed over last is on the screen
+
 protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
@@ -42,11 +47,13 @@ private:
     void followRange();
     void paintFrame();
     void paintCurve(QPainter& painter) const;
+    void paintGaps(QPainter& painter) const;
 
     LiveHistory::Channel m_channel;
     double m_leastSpan;
     double m_factor = 1, m_zero = 0, m_seconds = 10;
     std::vector<LiveHistory::Stretch> m_stretches;
+    std::vector<LiveHistory::Gap> m_gaps;
     AxisRange m_range{0, 1};
     std::optional<AxisRange> m_seen;
     QString m_unit;

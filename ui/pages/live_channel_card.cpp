@@ -92,6 +92,7 @@ void LiveChannelCard::refreshChart(const LiveHistory& history, double until_s)
     m_chart->setScale(m_factor, m_zero);
     m_chart->setStretches(history.columns(m_channel, until_s, m_chart->seconds(),
                                           static_cast<std::size_t>(m_chart->columns())));
+    m_chart->setGaps(history.gaps(until_s, m_chart->seconds()));
 }
 
 std::optional<double> LiveChannelCard::meanNow(const LiveHistory& history, double until_s) const

@@ -5,10 +5,10 @@
 #include "ui/connection_words.h"
 #include "ui/pages/live_channel_card.h"
 #include "ui/pages/live_estimate_card.h"
+#include "ui/pages/live_link_panel.h"
 #include "ui/theme/theme.h"
 #include "ui/tour_script.h"
 #include "ui/widgets/controls.h"
-#include "ui/widgets/number_format.h"
 #include "ui/workbench.h"
 
 #include <QButtonGroup>
@@ -45,7 +45,8 @@ struct LivePage::Private {
     QPushButton* tare = nullptr;
     QPushButton* squeeze = nullptr;
     QProgressBar* progress = nullptr;
-    QLabel *hint = nullptr, *reports = nullptr, *lost = nullptr, *dropped = nullptr, *latency = nullptr;
+    QLabel* hint = nullptr;
+    LiveLinkPanel* link = nullptr;
     TourScript tour;
 };
 
@@ -56,7 +57,12 @@ LivePage::LivePage(Workbench& bench, QWidget* parent)
     setSpacing(column, 16, 12);
     buildToolbar(column);
     buildCharts(column);
-    buildCounters(column);
+    d->link = new LiveLinkPanel(bench, this);
+    connect(&d->force->chart(), &StripChart::painted, d->link, [this] {
+        if (!d->paused)
+            d->link->notePainted();
+    });
+    column->addWidget(d->link);
     setFocusPolicy(Qt::StrongFocus);
     d->sinceNumbers.start();
     connect(&bench, &Workbench::ticked, this, &LivePage::refresh);
@@ -118,7 +124,17 @@ void LivePage::buildToolbar(QBoxLayout* column)
     connect(d->tare, &QPushButton::toggled, this, &LivePage::setTared);
     row->addWidget(d->pause);
     row->addWidget(d->tare);
-    row->addStretch(1);
+    d->hint = makeLabel({}, "caption", this);
+    d->hint->setWordWrap(true);
+    d->hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row->addSpacing(8);
+    row->addWidget(d->hint, 1);
+    d->progress = new QProgressBar(this);
+    d->progress->setTextVisible(false);
+    d->progress->setMinimumWidth(120);
+    d->progress->setAccessibleName(tr("Trial squeeze"));
+    d->progress->hide();
+    row->addWidget(d->progress, 1);
     d->squeeze = makeButton(tr("Trial squeeze"), u"media-playback-start"_s, "primary", this);
     d->squeeze->setObjectName("trialButton");
     connect(d->squeeze, &QPushButton::clicked, this, [this] {
@@ -141,31 +157,6 @@ void LivePage::buildCharts(QBoxLayout* column)
     column->addWidget(d->position, 1);
     d->estimate = new LiveEstimateCard(this);
     column->addWidget(d->estimate);
-}
-
-void LivePage::buildCounters(QBoxLayout* column)
-{
-    QFrame* card = makeCard(this);
-    auto* row = new QHBoxLayout(card);
-    row->setContentsMargins(16, 8, 16, 8);
-    row->setSpacing(24);
-    const auto add = [&](const QString& name) { return addCaptionedValue(row, name, 88, card); };
-    d->reports = add(tr("Reports"));
-    d->lost = add(tr("Lost samples"));
-    d->dropped = add(tr("Dropped"));
-    d->latency = add(tr("Latency"));
-    row->addStretch(1);
-    d->hint = makeLabel({}, "second", card);
-    d->hint->setWordWrap(true);
-    d->hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    row->addWidget(d->hint, 3);
-    d->progress = new QProgressBar(card);
-    d->progress->setTextVisible(false);
-    d->progress->setFixedWidth(160);
-    d->progress->setAccessibleName(tr("Trial squeeze"));
-    d->progress->hide();
-    row->addWidget(d->progress);
-    column->addWidget(card);
 }
 
 void LivePage::setActive(bool active)
@@ -217,12 +208,7 @@ void LivePage::refreshNumbers()
     const GripperIdentity identity = workbench().connection().identity();
     const LiveEstimate& estimate = workbench().liveEstimate();
     d->estimate->show(estimate.state(), estimate.following(), identity.forceUnit, identity.positionUnit);
-    const LinkCounters counters = workbench().connection().counters();
-    const auto count = [](std::uint64_t n) { return formatCount(static_cast<qint64>(n)); };
-    d->reports->setText(count(counters.reports));
-    d->lost->setText(count(counters.lostSamples));
-    d->dropped->setText(count(counters.droppedSamples));
-    d->latency->setText(tr("%1 ms").arg(counters.latency_ms, 0, 'f', 1));
+    d->link->refresh();
 }
 
 void LivePage::refreshControls()

@@ -7,7 +7,7 @@
 
 namespace gripscope {
 
-/// Force and position as they come, over 2 s to 10 min, with the link's counters; and a trial squeeze whose
+/// Force and position as they come, over 2 s to 10 min, with the link at a glance; and a trial squeeze whose
 /// result opens on the Fit page.
 class LivePage : public Page {
     Q_OBJECT
@@ -28,7 +28,6 @@ protected:
 private:
     void buildToolbar(class QBoxLayout* column);
     void buildCharts(QBoxLayout* column);
-    void buildCounters(QBoxLayout* column);
     void refresh();
     void refreshCharts();
     void refreshNumbers();
