@@ -18,6 +18,10 @@
 
 namespace gripscope {
 
+struct SensorCalibration;
+struct CalibrationRecord;
+struct CalibrationsInForce;
+
 /// How a part is squeezed. Forces in newtons.
 struct Recipe {
     QString name = QStringLiteral("squeeze-10N");
@@ -209,6 +213,14 @@ public:
     [[nodiscard]] Expected<void> addMeasuringChain(const NewMeasuringChain& measured);
     [[nodiscard]] Expected<std::optional<MeasuringChainRecord>>
     measuringChain(const QString& gripperSerial) const; ///< the newest
+
+    /// A sensor against a reference, in force from now on. Usage: no serial number or unit, no due date, or
+    /// points that evaluateCalibration() refuses.
+    [[nodiscard]] Expected<void> addCalibration(const SensorCalibration& calibration);
+    /// Newest first; of all grippers where the serial number is empty.
+    [[nodiscard]] Expected<std::vector<CalibrationRecord>> calibrations(const QString& gripperSerial,
+                                                                        int limit) const;
+    [[nodiscard]] Expected<CalibrationsInForce> calibrationsInForce(const QString& gripperSerial) const;
 
     /// Adds the paper's four cans in SI as types A to D with 10 squeezes each, once: nothing when they are
     /// there.

@@ -93,6 +93,7 @@ const std::vector<Migration>& migrations()
         {2, u"what is known of a gripper's channels"_s, statementsOf(QString::fromUtf8(migrationScript2))},
         {3, u"the noise of a gripper's force channel"_s, statementsOf(QString::fromUtf8(migrationScript3))},
         {4, u"versions of the library, and parts"_s, statementsOf(QString::fromUtf8(migrationScript4))},
+        {5, u"calibrations of sensors"_s, statementsOf(QString::fromUtf8(migrationScript5))},
     };
     return steps;
 }

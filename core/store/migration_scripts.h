@@ -9,5 +9,6 @@ extern const char* const migrationScript1;
 extern const char* const migrationScript2;
 extern const char* const migrationScript3;
 extern const char* const migrationScript4;
+extern const char* const migrationScript5;
 
 } // namespace gripscope

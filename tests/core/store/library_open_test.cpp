@@ -137,6 +137,8 @@ private slots:
                  u"d9dce13d44c1015bbeb24bd09c2ec4b7f0c9c6c9b0f49fdecc871916c1716a84"_s);
         QCOMPARE(migrations()[3].checksum(),
                  u"df417d941c7bf59bbcd7a281f62730f4f446b821cadc67fe975cad7793ee6ad9"_s);
+        QCOMPARE(migrations()[4].checksum(),
+                 u"ec80b874498ca7ec92bac62d324aa44dbb2303a2826586f7085a908edb3d760b"_s);
     }
     void furtherStepsAreAppliedInOrderAndOnce()
     {
