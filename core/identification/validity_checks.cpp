@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/validity_checks.h"
 
+#include "core/calibration/calibration_facts.h"
 #include "core/signal/stream_account.h"
 
 #include <algorithm>
@@ -381,11 +382,26 @@ ValidityCheck fitCheck(const Estimate& estimate)
     return check;
 }
 
-ValidityCheck calibration()
+/// value: days that the calibration still held; limit: none left.
+ValidityCheck calibration(const Recording& recording)
 {
     ValidityCheck check;
     check.id = u"calibration"_s;
-    check.message = u"not judged: the channels carry the device's own calibration"_s;
+    const std::vector<CalibrationFact> facts = calibrationFacts(recording.provenance);
+    const auto first = std::min_element(facts.begin(), facts.end(),
+                                        [](const auto& a, const auto& b) { return a.daysLeft < b.daysLeft; });
+    if (first == facts.end()) {
+        check.message = u"not judged: the channels carry the device's own calibration"_s;
+        return check;
+    }
+    check.value = static_cast<double>(first->daysLeft);
+    check.limit = 0;
+    check.ok = first->daysLeft >= 0;
+    check.message = check.ok
+                        ? u"the calibrations held on that day"_s
+                        : u"the calibration of the %1 was overdue by %2 days. Calibrate it, then squeeze "
+                          "again."_s.arg(toString(first->channel))
+                              .arg(-first->daysLeft);
     return check;
 }
 
@@ -408,7 +424,7 @@ std::vector<ValidityCheck> checkValidity(const Identification& identification, c
             convergence(estimate),
             physicalRange(estimate, identification.sampleTime_s),
             fitCheck(estimate),
-            calibration(),
+            calibration(recording),
             linearity(estimate),
             feedback(estimate),
             preparation(identification)};

@@ -40,6 +40,7 @@ struct ConnectSession::Private {
     int reconnections = 0;
     std::optional<double> measuredLag_s;
     MeasuringChain chain;
+    ChannelCalibration calibration;
     std::map<int, SampleListener> listeners;
     int nextHandle = 1;
     std::vector<Sample> batch;
@@ -63,6 +64,7 @@ void ConnectSession::Private::drain()
     counters += port->counters();
     if (batch.empty())
         return;
+    calibration.correct(batch);
     // A listener may come or go while one is called: so by handle, looked up each time.
     std::vector<int> handles;
     for (const auto& entry : listeners)
@@ -201,6 +203,7 @@ Expected<void> ConnectSession::connectTo(const QString& address)
     d->wasFruitless = false;
     d->measuredLag_s.reset();
     d->chain = {};
+    d->calibration.clear();
     d->state = State::Connecting;
     d->port->open();
     return {};
@@ -325,6 +328,21 @@ double ConnectSession::forceLag_s() const
 const MeasuringChain& ConnectSession::measuringChain() const
 {
     return d->chain;
+}
+
+void ConnectSession::setCalibrations(const CalibrationsInForce& calibrations)
+{
+    d->calibration.put(calibrations, d->identity);
+}
+
+const ChannelCalibration& ConnectSession::calibration() const
+{
+    return d->calibration;
+}
+
+double ConnectSession::uncorrected(SensorChannel channel, double value) const
+{
+    return d->calibration.uncorrected(channel, value);
 }
 
 int ConnectSession::addListener(SampleListener listener)

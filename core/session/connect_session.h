@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/channel_calibration.h"
 #include "core/session/gripper_port.h"
 #include "core/session/safety_gate.h"
 
@@ -64,6 +65,13 @@ public:
     void setMeasuringChain(double forceLag_s, const MeasuringChain& chain);
     [[nodiscard]] double forceLag_s() const; ///< as measured, else as the gripper says
     [[nodiscard]] const MeasuringChain& measuringChain() const;
+
+    /// What the channels are corrected by from now on, until the next connectTo(); samples, live and
+    /// recorded, are corrected from here on.
+    void setCalibrations(const CalibrationsInForce& calibrations);
+    [[nodiscard]] const ChannelCalibration& calibration() const;
+    /// The device's own reading behind a corrected value.
+    [[nodiscard]] double uncorrected(SensorChannel channel, double value) const;
 
     /// Called in poll() with each batch of new samples; returns a handle for removeListener(). A listener may
     /// add and remove listeners, itself too.

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/calibrate_session.h"
+
+#include "core/session/library_answer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr double driftShareAllowed = 5e-4; ///< of the range of loads: beside any sensor worth calibrating
+constexpr double leastStepShare = 0.2;     ///< of the load's step: a smaller one in the reading is doubtful
+
+std::optional<Error> notReady(ConnectSession& connection)
+{
+    if (connection.state() != ConnectSession::State::Connected)
+        return Error{ErrorCode::DeviceRefused, {u"calibrate"_s, u"no gripper is connected"_s}};
+    if (connection.armed())
+        return Error{ErrorCode::DeviceRefused,
+                     {u"calibrate"_s, u"it is armed, and hands are near: disarm it first"_s}};
+    return std::nullopt;
+}
+
+} // namespace
+
+struct CalibrateSession::Private {
+    Private(ConnectSession& session, LibraryService& service) : connection(session), library(service) {}
+
+    ConnectSession& connection;
+    LibraryService& library;
+    QString operatorName;
+    State state = State::Idle;
+    CalibrationPlan plan;
+    GripperIdentity gripper;
+    std::vector<PlannedPoint> planned;
+    std::vector<TakenPoint> points;
+    std::optional<Expected<CalibrationEvaluation>> evaluation;
+    std::optional<Error> error;
+    QDateTime begun;
+    LibraryAnswer storing;
+
+    std::optional<int> listener;
+    std::vector<double> values;
+    std::size_t wanted = 0;
+    bool saturated = false;
+    bool changed = false;
+
+    void listen();
+    void stopListening();
+    void finishReading();
+    void evaluate();
+    [[nodiscard]] QString unit() const;
+    [[nodiscard]] double range() const { return plan.loads.back() - plan.loads.front(); }
+    [[nodiscard]] QString doubtOf(const PlannedPoint& point, const SteadyReading& reading) const;
+};
+
+QString CalibrateSession::Private::unit() const
+{
+    return plan.channel == SensorChannel::Force ? gripper.forceUnit : gripper.positionUnit;
+}
+
+void CalibrateSession::Private::listen()
+{
+    values.clear();
+    saturated = false;
+    wanted = static_cast<std::size_t>(std::ceil(plan.averaging_s / gripper.sampleTime_s));
+    const bool force = plan.channel == SensorChannel::Force;
+    const std::uint16_t end = force ? StatusForceSaturated : StatusPositionSaturated;
+    listener = connection.addListener([this, force, end](const std::vector<Sample>& batch) {
+        for (const Sample& sample : batch) {
+            if (values.size() == wanted)
+                return;
+            saturated = saturated || sample.status & end;
+            values.push_back(connection.uncorrected(plan.channel, force ? sample.force : sample.position));
+        }
+    });
+    state = State::Reading;
+}
+
+void CalibrateSession::Private::stopListening()
+{
+    if (listener)
+        connection.removeListener(*listener);
+    listener.reset();
+}
+
+QString CalibrateSession::Private::doubtOf(const PlannedPoint& point, const SteadyReading& reading) const
+{
+    if (points.empty())
+        return {};
+    const TakenPoint& before = points.back();
+    const double step = point.load - before.planned.load;
+    const double seen = reading.mean - before.reading.mean;
+    if (std::abs(seen) < leastStepShare * std::abs(step))
+        return u"The reading hardly changed. Was the load put on?"_s;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double rise = (points[i].reading.mean - points[i - 1].reading.mean) /
+                            (points[i].planned.load - points[i - 1].planned.load);
+        if (std::isfinite(rise) && rise * seen * step < 0)
+            return u"The reading went the other way than before. Is it the right load?"_s;
+    }
+    return {};
+}
+
+void CalibrateSession::Private::finishReading()
+{
+    stopListening();
+    state = State::Waiting;
+    SteadyOptions options;
+    options.driftAllowed = driftShareAllowed * range();
+    const SteadyReading reading = steadyReading(values, options);
+    if (saturated) {
+        error = Error{ErrorCode::DeviceRefused,
+                      {u"take this point"_s, u"the channel is at its end, so the load cannot be told"_s}};
+    } else if (reading.status == SteadyStatus::Moving) {
+        error = Error{
+            ErrorCode::DeviceRefused,
+            {u"take this point"_s, u"the reading still moves (by %1 %2 within %3 s). Wait until it rests"_s
+                                       .arg(reading.drift, 0, 'g', 3)
+                                       .arg(unit())
+                                       .arg(plan.averaging_s)}};
+    } else if (reading.status == SteadyStatus::TooFewSamples) {
+        error = Error{ErrorCode::DeviceRefused,
+                      {u"take this point"_s, u"only %1 samples came"_s.arg(reading.samples)}};
+    } else {
+        const PlannedPoint& point = planned[points.size()];
+        points.push_back({point, reading, doubtOf(point, reading)});
+        evaluate();
+    }
+}
+
+void CalibrateSession::Private::evaluate()
+{
+    evaluation.reset();
+    if (static_cast<int>(points.size()) < plan.degree + 2)
+        return;
+    SensorCalibration soFar;
+    soFar.degree = plan.degree;
+    soFar.reference = plan.reference;
+    soFar.points.reserve(points.size());
+    for (const TakenPoint& point : points)
+        soFar.points.push_back({point.planned.load, point.reading.mean});
+    evaluation = evaluateCalibration(soFar);
+}
+
+CalibrateSession::CalibrateSession(ConnectSession& connection, LibraryService& library)
+    : d(std::make_unique<Private>(connection, library))
+{
+}
+
+CalibrateSession::~CalibrateSession()
+{
+    d->stopListening();
+}
+
+void CalibrateSession::setOperator(const QString& name)
+{
+    d->operatorName = name;
+}
+
+Expected<void> CalibrateSession::start(const CalibrationPlan& plan)
+{
+    if (d->state == State::Storing)
+        return failure(ErrorCode::Usage, {u"A calibration is being stored. Wait for its end."_s});
+    if (const std::optional<Error> problem = problemOf(plan))
+        return tl::unexpected<Error>(*problem);
+    if (const std::optional<Error> problem = notReady(d->connection))
+        return tl::unexpected<Error>(*problem);
+    abandon();
+    d->plan = plan;
+    d->planned = plannedPoints(plan);
+    d->gripper = d->connection.identity();
+    d->begun = QDateTime::currentDateTimeUtc();
+    d->state = State::Waiting;
+    return {};
+}
+
+Expected<void> CalibrateSession::take()
+{
+    if (d->state != State::Waiting || !next())
+        return failure(ErrorCode::Usage, {u"There is no point to be taken now."_s});
+    if (const std::optional<Error> problem = notReady(d->connection))
+        return tl::unexpected<Error>(*problem);
+    if (d->connection.identity().serial != d->gripper.serial)
+        return failure(
+            ErrorCode::DeviceRefused,
+            {u"take this point"_s,
+             u"it is another gripper than the one that was begun with (%1)"_s.arg(d->gripper.serial)});
+    d->error.reset();
+    d->listen();
+    return {};
+}
+
+void CalibrateSession::stopReading()
+{
+    if (d->state != State::Reading)
+        return;
+    d->stopListening();
+    d->state = State::Waiting;
+}
+
+void CalibrateSession::undo()
+{
+    if (d->state != State::Waiting || d->points.empty())
+        return;
+    d->points.pop_back();
+    d->error.reset();
+    d->evaluate();
+    d->changed = true;
+}
+
+void CalibrateSession::abandon()
+{
+    d->stopListening();
+    d->storing.forget();
+    d->points.clear();
+    d->planned.clear();
+    d->evaluation.reset();
+    d->error.reset();
+    d->state = State::Idle;
+    d->changed = true;
+}
+
+void CalibrateSession::setDegree(int degree)
+{
+    d->plan.degree = std::clamp(degree, 1, highestCalibrationDegree);
+    d->evaluate();
+    d->changed = true;
+}
+
+void CalibrateSession::setReference(const CalibrationReference& reference)
+{
+    d->plan.reference = reference;
+    d->evaluate();
+    d->changed = true;
+}
+
+Expected<void> CalibrateSession::accept(const QDate& due, const QString& note)
+{
+    if (d->state != State::Waiting || next())
+        return failure(ErrorCode::Usage,
+                       {u"The calibration is not complete: %1 of %2 points are taken."_s.arg(d->points.size())
+                            .arg(d->planned.size())});
+    if (!d->evaluation || !*d->evaluation)
+        return failure(ErrorCode::Usage, {u"These points make no calibration: %1"_s.arg(
+                                             d->evaluation ? d->evaluation->error().describe() : QString())});
+    SensorCalibration calibration = this->calibration();
+    calibration.due = due;
+    calibration.note = note;
+    d->error.reset();
+    d->state = State::Storing;
+    d->storing.await<CalibrationsInForce>(
+        d->library.run<CalibrationsInForce>([calibration](Library& library) {
+            return library.addCalibration(calibration).and_then([&] {
+                return library.calibrationsInForce(calibration.gripperSerial);
+            });
+        }),
+        [this](const Expected<CalibrationsInForce>& done) {
+            if (!done) {
+                d->error = done.error();
+                d->state = State::Waiting; // the points are still there
+                return;
+            }
+            if (d->connection.identity().serial == d->gripper.serial)
+                d->connection.setCalibrations(*done);
+            d->state = State::Stored;
+        });
+    return {};
+}
+
+bool CalibrateSession::poll()
+{
+    const State before = d->state;
+    bool changed = std::exchange(d->changed, false);
+    if (d->state == State::Reading) {
+        changed = true;
+        if (d->values.size() == d->wanted) {
+            d->finishReading();
+        } else if (const std::optional<Error> problem = notReady(d->connection)) {
+            d->error = problem;
+            stopReading();
+        }
+    }
+    changed = d->storing.poll() || changed;
+    return changed || d->state != before;
+}
+
+CalibrateSession::State CalibrateSession::state() const
+{
+    return d->state;
+}
+
+const CalibrationPlan& CalibrateSession::plan() const
+{
+    return d->plan;
+}
+
+const std::vector<PlannedPoint>& CalibrateSession::planned() const
+{
+    return d->planned;
+}
+
+const std::vector<TakenPoint>& CalibrateSession::points() const
+{
+    return d->points;
+}
+
+std::optional<PlannedPoint> CalibrateSession::next() const
+{
+    return d->points.size() < d->planned.size() ? std::optional(d->planned[d->points.size()]) : std::nullopt;
+}
+
+double CalibrateSession::readingProgress() const
+{
+    return d->state == State::Reading && d->wanted > 0
+               ? static_cast<double>(d->values.size()) / static_cast<double>(d->wanted)
+               : 0;
+}
+
+const std::optional<Expected<CalibrationEvaluation>>& CalibrateSession::evaluation() const
+{
+    return d->evaluation;
+}
+
+SensorCalibration CalibrateSession::calibration() const
+{
+    SensorCalibration calibration;
+    calibration.gripperSerial = d->gripper.serial;
+    calibration.gripperName = d->gripper.name;
+    calibration.channel = d->plan.channel;
+    calibration.unit = d->unit();
+    calibration.reference = d->plan.reference;
+    calibration.degree = d->plan.degree;
+    calibration.operatorName = d->operatorName;
+    calibration.takenUtc = d->begun;
+    calibration.points.reserve(d->points.size());
+    for (const TakenPoint& point : d->points)
+        calibration.points.push_back({point.planned.load, point.reading.mean});
+    return calibration;
+}
+
+std::optional<Error> CalibrateSession::error() const
+{
+    return d->error;
+}
+
+} // namespace gripscope

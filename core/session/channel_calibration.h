@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/calibration_record.h"
+#include "core/calibration/sensor_correction.h"
+#include "core/session/gripper_port.h"
+
+namespace gripscope {
+
+/// The calibrations in force for the connected gripper, and what they do to its samples: from the device's
+/// readings to loads. Recordings hold loads, and say in their provenance by which calibration; the readings
+/// can be found again from it.
+class ChannelCalibration {
+public:
+    /// Only those whose unit is the channel's own; the others are told by unusable().
+    void put(const CalibrationsInForce& calibrations, const GripperIdentity& gripper);
+    void clear() { *this = {}; }
+    [[nodiscard]] const CalibrationsInForce& inForce() const { return m_inForce; }
+    [[nodiscard]] const QString& unusable() const { return m_unusable; }
+
+    void correct(std::vector<Sample>& samples) const;
+    /// The reading of the device itself that correct() takes to this value.
+    [[nodiscard]] double uncorrected(SensorChannel channel, double value) const;
+    /// Notes in the recording what was done to its channels, how long that holds and how certain it is.
+    void describe(Recording& recording, const QDate& today) const;
+
+private:
+    CalibrationsInForce m_inForce;
+    std::optional<SensorCorrection> m_force, m_position;
+    std::optional<double> m_forceScale, m_positionScale; ///< relative standard uncertainties
+    QString m_unusable;
+};
+
+} // namespace gripscope
