@@ -6,6 +6,7 @@
 #include "ui/header_bar.h"
 #include "ui/inspector/device_inspector.h"
 #include "ui/manual_dialog.h"
+#include "ui/pages/calibrate_page.h"
 #include "ui/pages/enroll_page.h"
 #include "ui/pages/fit_page.h"
 #include "ui/pages/history_page.h"
@@ -89,8 +90,9 @@ void MainWindow::withdrawLoss()
 
 void MainWindow::addPages()
 {
-    m_pages = {new LivePage(*m_workbench),  new InspectPage(*m_workbench), new EnrollPage(*m_workbench),
-               new TypesPage(*m_workbench), new FitPage(*m_workbench),     new HistoryPage(*m_workbench)};
+    m_pages = {new LivePage(*m_workbench),   new InspectPage(*m_workbench), new EnrollPage(*m_workbench),
+               new TypesPage(*m_workbench),  new FitPage(*m_workbench),     new CalibratePage(*m_workbench),
+               new HistoryPage(*m_workbench)};
     for (Page* page : m_pages)
         m_stack->addWidget(page);
 }

@@ -193,6 +193,7 @@ void Workbench::setKeeping(const KeepSessions& how, bool on)
 void Workbench::connectTo(const QString& address)
 {
     d->connectionError.reset();
+    d->seen = {}; // the next one may be open before anybody looks, and must not pass for the one before
     if (const Expected<void> done = d->connection.connectTo(address); !done)
         report(done.error().describe());
 }
@@ -286,6 +287,7 @@ void Workbench::noticeConnection()
                 d->estimate.reset(identity.sampleTime_s, identity.hold, d->connection.forceLag_s());
             }
             applyMeasuringChain(now.serial);
+            applyCalibrations(now.serial);
         }
         emit connectionChanged();
     }
@@ -318,6 +320,22 @@ void Workbench::applyMeasuringChain(const QString& serial)
                 return report(found.error().describe());
             if (*found && d->seen.serial == serial)
                 putInForce(d->connection, **found);
+        });
+}
+
+void Workbench::applyCalibrations(const QString& serial)
+{
+    ask<CalibrationsInForce>(
+        this, [serial](Library& library) { return library.calibrationsInForce(serial); },
+        [this, serial](const Expected<CalibrationsInForce>& found) {
+            if (!found)
+                return report(found.error().describe());
+            if (d->seen.serial != serial)
+                return;
+            d->connection.setCalibrations(*found);
+            if (const QString& words = d->connection.calibration().unusable(); !words.isEmpty())
+                report(words);
+            emit connectionChanged();
         });
 }
 

@@ -96,6 +96,8 @@ public:
     void showPage(const QString& id) { emit pageRequested(id); }
     /// Types or squeezes in the library were changed by a page.
     void tellLibraryChanged();
+    /// A calibration of the connected gripper was stored, and is in force.
+    void tellCalibrationChanged() { emit connectionChanged(); }
     /// Shows a message (errors, mostly) in the window's message bar.
     void report(const QString& message) { emit reported(message); }
 
@@ -120,6 +122,7 @@ private:
     void tick();
     void noticeConnection();
     void noticeCapture();
+    void applyCalibrations(const QString& serial);
     void applyMeasuringChain(const QString& serial); ///< what the library knows of this gripper
     void noticeEnrollment();
     void noticeInspection();

@@ -40,6 +40,7 @@ constexpr Word words[] = {
     {"hang-feature", Fault::HangFeature, Operand::Seconds},
     {"hang-write", Fault::HangWrite, Operand::Seconds},
     {"broken", Fault::Broken, Operand::Switch},
+    {"load", Fault::Load, Operand::Newtons},
 };
 
 struct CommandName {
@@ -221,6 +222,9 @@ void FaultState::apply(const FaultEvent& event)
         return;
     case Fault::Saturate:
         saturate_N = event.value;
+        return;
+    case Fault::Load:
+        load_N = event.value.value_or(0);
         return;
     case Fault::Stuck:
         stuck = event.value.has_value();

@@ -28,9 +28,10 @@ enum class Fault {
     HangFeature,
     HangWrite,
     Broken,
+    Load,
 };
 
-/// From `at_s` on. `value`: a share (Loss, Duplicate, Crc), newtons (Saturate), seconds (Clock: the step;
+/// From `at_s` on. `value`: a share (Loss, Duplicate, Crc), newtons (Saturate, Load), seconds (Clock: the step;
 /// HangFeature, HangWrite: how long a call blocks), a report ID (Deaf; 0: all commands); without one: off
 /// again, or nothing to say.
 struct FaultEvent {
@@ -44,6 +45,7 @@ struct FaultEvent {
 struct FaultState {
     double loss = 0, duplicate = 0, badCrc = 0; ///< share of the reports
     std::optional<double> saturate_N;           ///< the force channel ends there
+    double load_N = 0;                          ///< a weight hangs on the force sensor (no fault: to calibrate with)
     bool stuck = false;                         ///< the position channel stays where it was
     bool stalled = false;                       ///< nothing is sent
     bool unplugged = false;

@@ -318,7 +318,7 @@ VirtualFirmware::Reading VirtualFirmware::read(double force_N)
 {
     Reading reading;
     reading.status = status();
-    double force = force_N + m_options.forceNoise_N * m_noise.normal();
+    double force = force_N + m_faults.load_N + m_options.forceNoise_N * m_noise.normal();
     if (m_faults.saturateForce_N && force > *m_faults.saturateForce_N) {
         force = *m_faults.saturateForce_N;
         reading.status |= StatusForceSaturated;

@@ -33,6 +33,7 @@ struct FirmwareFaults {
     bool sensorStuck = false;              ///< the position channel stays where it was
     bool broken = false;                   ///< it finds a fault in itself: stops, and does not arm
     double clock_s = 0;                    ///< its clock is ahead by so much
+    double load_N = 0;                     ///< a weight hangs on the force sensor
 };
 
 /// A gripper without hardware: what its firmware would do, sample for sample, in the bytes of

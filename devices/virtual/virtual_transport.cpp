@@ -76,7 +76,7 @@ void VirtualTransport::followFaults()
 {
     m_timeline.advanceTo(faults_s());
     const FaultState& now = m_timeline.state();
-    m_firmware.setFaults({now.saturate_N, now.stuck, now.broken, now.clock_s});
+    m_firmware.setFaults({now.saturate_N, now.stuck, now.broken, now.clock_s, now.load_N});
     if (now.unplugged && !m_unplugged) {
         m_unplugged = true;
         rememberUnplug();

@@ -36,7 +36,7 @@ class LayoutTest : public QObject {
     static void pages()
     {
         QTest::addColumn<QString>("id");
-        for (const char* id : {"live", "inspect", "enroll", "types", "fit", "history"})
+        for (const char* id : {"live", "inspect", "enroll", "types", "fit", "calibrate", "history"})
             QTest::newRow(id) << QString::fromLatin1(id);
     }
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/calibration_record.h"
+#include "ui/models/fact.h"
+
+#include <QCoreApplication>
+
+#include <vector>
+
+namespace gripscope {
+
+/// A calibration in words, the same on the screen and on its certificate.
+class CalibrationWords {
+    Q_DECLARE_TR_FUNCTIONS(CalibrationWords)
+public:
+    [[nodiscard]] static QString channel(SensorChannel channel); ///< "Force"
+    /// "holds until 1 Mar 2027", "was due on 1 Mar 2026", "not calibrated here".
+    [[nodiscard]] static QString status(const std::optional<CalibrationRecord>& record, const QDate& today);
+    /// Expanded uncertainty, linearity and so on; "–" for what the points do not tell.
+    [[nodiscard]] static std::vector<Fact> figures(const SensorCalibration& calibration,
+                                                   const CalibrationEvaluation& evaluation);
+    /// "reading = 0.2001 + 1.0299 × load".
+    [[nodiscard]] static QString curve(const CalibrationEvaluation& evaluation);
+    /// What speaks against it; empty when nothing does.
+    [[nodiscard]] static QString doubt(const CalibrationEvaluation& evaluation);
+    [[nodiscard]] static QString date(const QDate& date);
+};
+
+} // namespace gripscope

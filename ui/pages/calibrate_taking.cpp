@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/calibrate_taking.h"
+
+#include "ui/charts/calibration_plot.h"
+#include "ui/charts/channel_scale.h"
+#include "ui/models/calibration_points_model.h"
+#include "ui/models/calibration_words.h"
+#include "ui/pages/calibrate_table.h"
+#include "ui/pages/fit_page_facts.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/number_format.h"
+#include "ui/workbench.h"
+
+#include <QDateEdit>
+#include <QGridLayout>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QSpinBox>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QVBoxLayout>
+
+using namespace Qt::StringLiterals;
+
+namespace gripscope {
+
+namespace {
+constexpr int usualMonths = 12;
+} // namespace
+
+CalibrateTaking::CalibrateTaking(Workbench& workbench, CalibrateSession& session, QWidget* parent)
+    : QWidget(parent), m_workbench(&workbench), m_session(&session)
+{
+    auto* row = new QHBoxLayout(this);
+    setSpacing(row, 0, 16);
+    row->addWidget(makePlots(), 1);
+    row->addWidget(makeSide());
+}
+
+CalibrateTaking::~CalibrateTaking() = default;
+
+QWidget* CalibrateTaking::makePlots()
+{
+    QFrame* card = makeCard(this);
+    auto* column = new QVBoxLayout(card);
+    setSpacing(column, 8, 8);
+    m_plot = new CalibrationPlot(card);
+    m_model = new CalibrationPointsModel(this);
+    m_table = makeCalibrationTable(*m_model, card);
+    m_table->setObjectName("calibrationPoints");
+    column->addWidget(m_plot, 2);
+    column->addWidget(m_table, 3);
+    return card;
+}
+
+QWidget* CalibrateTaking::makeSide()
+{
+    QFrame* card = makeCard(this);
+    card->setFixedWidth(320);
+    auto* column = new QVBoxLayout(card);
+    setSpacing(column, 16, 8);
+    m_title = makeLabel({}, "heading", card);
+    m_title->setWordWrap(true);
+    m_stack = new QStackedWidget(card);
+    m_stack->addWidget(makeNext());
+    m_stack->addWidget(makeDecision());
+    m_words = makeLabel({}, "error", card);
+    m_words->setObjectName("calibrationWords");
+    m_words->setWordWrap(true);
+    m_undo = makeButton(tr("Undo the last point"), u"edit-undo"_s, "", card);
+    m_undo->setObjectName("calibrationUndo");
+    m_abandon = makeButton(tr("Leave it"), u"dialog-cancel"_s, "quiet", card);
+    m_abandon->setObjectName("calibrationAbandon");
+    column->addWidget(m_title);
+    column->addWidget(m_stack, 1);
+    column->addWidget(m_words);
+    column->addWidget(m_undo);
+    column->addWidget(m_abandon);
+    connect(m_undo, &QPushButton::clicked, this, [this] {
+        m_session->undo();
+        refresh();
+    });
+    connect(m_abandon, &QPushButton::clicked, this, &CalibrateTaking::abandoned);
+    return card;
+}
+
+QWidget* CalibrateTaking::makeNext()
+{
+    auto* box = new QWidget(this);
+    auto* column = new QVBoxLayout(box);
+    setSpacing(column, 0, 8);
+    m_step = makeLabel({}, "second", box);
+    m_load = makeLabel({}, "big-number", box);
+    m_load->setObjectName("calibrationLoad");
+    m_way = makeLabel({}, "second", box);
+    m_reading = makeLabel({}, "number", box);
+    m_progress = new QProgressBar(box);
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Reading the channel"));
+    m_take = makeButton(tr("Take it (Space)"), u"dialog-ok-apply"_s, "primary", box);
+    m_take->setObjectName("calibrationTake");
+    column->addWidget(m_step);
+    column->addWidget(m_load);
+    column->addWidget(m_way);
+    column->addStretch(1);
+    column->addWidget(makeLabel(tr("The channel says"), "caption", box));
+    column->addWidget(m_reading);
+    column->addStretch(1);
+    column->addWidget(m_progress);
+    column->addWidget(m_take);
+    connect(m_take, &QPushButton::clicked, this, &CalibrateTaking::take);
+    return box;
+}
+
+QWidget* CalibrateTaking::makeDecision()
+{
+    auto* box = new QWidget(this);
+    auto* column = new QVBoxLayout(box);
+    setSpacing(column, 0, 8);
+    m_figures = makeFactGrid();
+    m_doubt = makeLabel({}, "error", box);
+    m_doubt->setWordWrap(true);
+    m_degree = new QSpinBox(box);
+    m_degree->setRange(1, highestCalibrationDegree);
+    m_due = new QDateEdit(box);
+    m_due->setCalendarPopup(true);
+    m_due->setDisplayFormat(u"d MMM yyyy"_s);
+    m_due->setMinimumDate(QDate::currentDate());
+    m_due->setDate(QDate::currentDate().addMonths(usualMonths));
+    m_note = new QLineEdit(box);
+    m_note->setMaxLength(200);
+    m_note->setPlaceholderText(tr("Note"));
+    m_note->setAccessibleName(tr("Note"));
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(16);
+    grid->setVerticalSpacing(8);
+    const std::pair<QString, QWidget*> fields[] = {{tr("Degree of the curve"), m_degree},
+                                                   {tr("Holds until"), m_due}};
+    int line = 0;
+    for (const auto& [name, field] : fields) {
+        field->setAccessibleName(name);
+        auto* label = makeLabel(name, "strong", box);
+        label->setBuddy(field);
+        grid->addWidget(label, line, 0);
+        grid->addWidget(field, line++, 1);
+    }
+    m_accept = makeButton(tr("Accept"), u"dialog-ok-apply"_s, "primary", box);
+    m_accept->setObjectName("calibrationAccept");
+    column->addLayout(m_figures);
+    column->addWidget(m_doubt);
+    column->addStretch(1);
+    column->addLayout(grid);
+    column->addWidget(m_note);
+    column->addWidget(m_accept);
+    connect(m_degree, &QSpinBox::valueChanged, this, [this](int degree) {
+        m_session->setDegree(degree);
+        refresh();
+    });
+    connect(m_accept, &QPushButton::clicked, this, &CalibrateTaking::accept);
+    return box;
+}
+
+QString CalibrateTaking::shown(double value, int digits) const
+{
+    return formatNumber(value, {}, m_session->calibration().unit, digits).valueWithUnit();
+}
+
+void CalibrateTaking::take()
+{
+    if (m_session->state() == CalibrateSession::State::Reading)
+        m_session->stopReading();
+    else if (const Expected<void> begun = m_session->take(); !begun)
+        m_workbench->report(begun.error().describe());
+    refresh();
+}
+
+void CalibrateTaking::accept()
+{
+    m_session->setOperator(m_workbench->operatorName());
+    if (const Expected<void> begun = m_session->accept(m_due->date(), m_note->text().trimmed()); !begun)
+        m_workbench->report(begun.error().describe());
+    refresh();
+}
+
+void CalibrateTaking::takeOrAccept()
+{
+    if (m_session->next())
+        take();
+    else if (m_accept->isEnabled())
+        m_accept->setFocus();
+}
+
+void CalibrateTaking::refresh()
+{
+    const SensorCalibration calibration = m_session->calibration();
+    m_title->setText(
+        tr("%1 of %2").arg(CalibrationWords::channel(calibration.channel), calibration.gripperName));
+    const bool waiting = m_session->state() == CalibrateSession::State::Waiting;
+    m_undo->setEnabled(waiting && !m_session->points().empty());
+    m_abandon->setEnabled(m_session->state() != CalibrateSession::State::Storing);
+    m_words->setText(m_session->error()             ? m_session->error()->describe()
+                     : !m_session->points().empty() ? m_session->points().back().doubt
+                                                    : QString());
+    m_words->setVisible(!m_words->text().isEmpty());
+    m_stack->setCurrentIndex(m_session->next() ? 0 : 1);
+    showPoints();
+    showNext();
+    showFigures();
+}
+
+void CalibrateTaking::showPoints()
+{
+    const SensorCalibration calibration = m_session->calibration();
+    const auto& evaluation = m_session->evaluation();
+    const bool known = evaluation && *evaluation;
+    m_model->setPoints(calibration.unit, m_session->planned(), m_session->points(),
+                       known ? (*evaluation)->residuals : std::vector<double>());
+    if (known)
+        m_plot->setCalibration(calibration, **evaluation, ascendingPoints(calibration.points));
+    else
+        m_plot->clear();
+    m_table->scrollTo(m_model->index(std::min(int(m_session->points().size()), m_model->rowCount() - 1), 0));
+}
+
+void CalibrateTaking::showNext()
+{
+    const std::optional<PlannedPoint> next = m_session->next();
+    const bool reading = m_session->state() == CalibrateSession::State::Reading;
+    m_progress->setValue(int(100 * m_session->readingProgress()));
+    m_take->setText(reading ? tr("Cancel") : tr("Take it (Space)"));
+    if (!next)
+        return;
+    m_step->setText(
+        tr("Point %1 of %2").arg(m_session->points().size() + 1).arg(m_session->planned().size()));
+    const ChannelScale scale = channelScale(m_session->calibration().unit, m_session->plan().loads.back());
+    m_load->setText(QLocale().toString(scale.factor * next->load, 'g', 6) + QChar(QChar::Nbsp) + scale.unit);
+    m_way->setText(next->ascending ? tr("Put it on from below, and let it rest.")
+                                   : tr("Come down to it from above, and let it rest."));
+}
+
+void CalibrateTaking::showFigures()
+{
+    const auto& evaluation = m_session->evaluation();
+    {
+        const QSignalBlocker quiet(m_degree);
+        m_degree->setValue(m_session->plan().degree);
+    }
+    const bool waiting = m_session->state() == CalibrateSession::State::Waiting;
+    m_accept->setEnabled(waiting && evaluation && *evaluation);
+    if (m_session->next() || !evaluation)
+        return;
+    fillFacts(m_figures, *evaluation
+                             ? CalibrationWords::figures(m_session->calibration(), **evaluation)
+                             : std::vector<Fact>{{tr("No curve"), evaluation->error().describe(), false}});
+    m_doubt->setText(*evaluation ? CalibrationWords::doubt(**evaluation) : QString());
+    m_doubt->setVisible(!m_doubt->text().isEmpty());
+}
+
+void CalibrateTaking::refreshReading()
+{
+    const bool force = m_session->plan().channel == SensorChannel::Force;
+    const LiveHistory& history = m_workbench->liveHistory();
+    constexpr double averaged_s = 0.2;
+    const auto stretches =
+        history.columns(force ? LiveHistory::Channel::Force : LiveHistory::Channel::Position,
+                        history.newestTime_s(), averaged_s, 16);
+    double sum = 0;
+    int count = 0;
+    for (const LiveHistory::Stretch& stretch : stretches)
+        for (const auto& point : stretch) {
+            sum += point.y;
+            ++count;
+        }
+    ConnectSession& connection = m_workbench->connection();
+    m_reading->setText(count > 0 ? shown(connection.uncorrected(m_session->plan().channel, sum / count), 4)
+                                 : u"–"_s);
+    m_progress->setValue(int(100 * m_session->readingProgress()));
+}
+
+} // namespace gripscope
