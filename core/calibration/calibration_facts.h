@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/calibration/calibration_record.h"
+#include "core/calibration/sensor_correction.h"
+#include "core/signal/recording.h"
 
 #include <QMap>
 
@@ -9,7 +11,8 @@ namespace gripscope {
 
 /// What a recording says of the calibration of one of its channels, as keys of its provenance:
 /// `force_calibration` (when, against what, until when, the curve) and `force_calibration_days_left` (on the
-/// day it was recorded; negative: overdue); the same for `position`.
+/// day it was recorded; negative: overdue), `force_correction` (SensorCorrection::text()); the same for
+/// `position`.
 struct CalibrationFact {
     SensorChannel channel = SensorChannel::Force;
     qint64 daysLeft = 0;
@@ -17,7 +20,10 @@ struct CalibrationFact {
 };
 
 void noteCalibration(QMap<QString, QString>& provenance, const CalibrationRecord& calibration,
-                     const QDate& today);
+                     const SensorCorrection& correction, const QDate& today);
+/// Corrects a recording of the device's own readings as its provenance notes that it was: what is cut out of
+/// kept reports becomes the recording that was made of them, to the last bit.
+void correctAsNoted(Recording& recording);
 /// Of both channels, those that are noted.
 [[nodiscard]] std::vector<CalibrationFact> calibrationFacts(const QMap<QString, QString>& provenance);
 

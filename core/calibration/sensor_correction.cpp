@@ -7,13 +7,45 @@
 namespace gripscope {
 
 SensorCorrection::SensorCorrection(const CalibrationCurve& curve)
-    : m_degree(curve.degree()), m_center(curve.leastLoad() + (curve.largestLoad() - curve.leastLoad()) / 2),
-      m_halfRange((curve.largestLoad() - curve.leastLoad()) / 2)
+    : SensorCorrection(curve.leastLoad() + (curve.largestLoad() - curve.leastLoad()) / 2,
+                       (curve.largestLoad() - curve.leastLoad()) / 2, curve.scaledCoefficients())
 {
-    const std::vector<double> powers = curve.scaledCoefficients();
+}
+
+SensorCorrection::SensorCorrection(double center, double halfRange, const std::vector<double>& powers)
+    : m_degree(static_cast<int>(powers.size()) - 1), m_center(center), m_halfRange(halfRange)
+{
     std::copy(powers.begin(), powers.end(), m_powers.begin());
     m_first = valueAt(-1);
     m_last = valueAt(1);
+}
+
+std::optional<SensorCorrection> SensorCorrection::fromText(const QString& text)
+{
+    std::vector<double> numbers;
+    for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+        bool isNumber = false;
+        numbers.push_back(word.toDouble(&isNumber));
+        if (!isNumber || !std::isfinite(numbers.back()))
+            return std::nullopt;
+    }
+    constexpr std::size_t least = 4; // centre, half range, a straight line
+    if (numbers.size() < least || numbers.size() > 2 + std::size_t(highestCalibrationDegree) + 1)
+        return std::nullopt;
+    const SensorCorrection correction(numbers[0], numbers[1], {numbers.begin() + 2, numbers.end()});
+    const bool usable = correction.m_halfRange > 0 &&
+                        correction.m_first.slope * correction.m_last.slope > 0 &&
+                        correction.m_first.reading != correction.m_last.reading;
+    return usable ? std::optional(correction) : std::nullopt;
+}
+
+QString SensorCorrection::text() const
+{
+    constexpr int exact = 17;
+    QString text = QString::number(m_center, 'g', exact) + u' ' + QString::number(m_halfRange, 'g', exact);
+    for (int i = 0; i <= m_degree; ++i)
+        text += u' ' + QString::number(m_powers[static_cast<std::size_t>(i)], 'g', exact);
+    return text;
 }
 
 SensorCorrection::Value SensorCorrection::valueAt(double scaled) const

@@ -12,6 +12,10 @@ namespace gripscope {
 class SensorCorrection {
 public:
     explicit SensorCorrection(const CalibrationCurve& curve);
+    /// The one whose text() this is, to the last bit; nothing for another text.
+    [[nodiscard]] static std::optional<SensorCorrection> fromText(const QString& text);
+    /// Centre of the range, half the range, coefficients of powers of the scaled load.
+    [[nodiscard]] QString text() const;
 
     /// To the last digits of the range. `reading` is finite.
     [[nodiscard]] double loadOf(double reading) const;
@@ -19,6 +23,7 @@ public:
     [[nodiscard]] double readingOf(double load) const;
 
 private:
+    SensorCorrection(double center, double halfRange, const std::vector<double>& powers);
     struct Value {
         double reading = 0, slope = 0; ///< slope: per scaled load
     };

@@ -54,9 +54,9 @@ double ChannelCalibration::uncorrected(SensorChannel channel, double value) cons
 void ChannelCalibration::describe(Recording& recording, const QDate& today) const
 {
     if (m_inForce.force)
-        noteCalibration(recording.provenance, *m_inForce.force, today);
+        noteCalibration(recording.provenance, *m_inForce.force, *m_force, today);
     if (m_inForce.position)
-        noteCalibration(recording.provenance, *m_inForce.position, today);
+        noteCalibration(recording.provenance, *m_inForce.position, *m_position, today);
     recording.chain.forceScaleUncertainty = m_forceScale.value_or(recording.chain.forceScaleUncertainty);
     recording.chain.positionScaleUncertainty =
         m_positionScale.value_or(recording.chain.positionScaleUncertainty);

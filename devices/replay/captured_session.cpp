@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/captured_session.h"
 
+#include "core/calibration/calibration_facts.h"
 #include "core/session/squeeze_notes.h"
 #include "core/signal/stream_account.h"
 #include "devices/acquisition/gripscope_decoder.h"
@@ -142,6 +143,7 @@ void SessionCutter::end(const SqueezeEnded& ended)
         m_recorder.moveTo(squeeze.recording);
         squeeze.recording = slice(squeeze.recording, {0, std::min(squeeze.recording.size(), ended.samples)});
         squeeze.missingSamples = ended.samples - squeeze.recording.size();
+        correctAsNoted(squeeze.recording);
     }
     m_session.squeezes.push_back(std::move(squeeze));
 }

@@ -167,6 +167,29 @@ std::vector<InspectSession::Result> judgeAgain(const QString& libraryFile,
     return results;
 }
 
+/// A force channel that reads too high, and a position channel with a bend.
+CalibrationsInForce twoPercentLess()
+{
+    CalibrationsInForce calibrations;
+    calibrations.force.emplace();
+    calibrations.force->unit = u"N"_qs;
+    calibrations.position.emplace();
+    calibrations.position->unit = u"m"_qs;
+    calibrations.position->channel = SensorChannel::Position;
+    calibrations.position->degree = 2;
+    for (auto* record : {&calibrations.force, &calibrations.position}) {
+        (*record)->reference.name = u"Weights and gauge blocks"_qs;
+        (*record)->takenUtc = QDateTime::currentDateTimeUtc();
+        (*record)->due = QDate::currentDate().addDays(100);
+    }
+    for (int i = 0; i <= 10; ++i) {
+        calibrations.force->points.push_back({10.0 * i, 10.2 * i + 0.01});
+        const double x = 0.0025 * i;
+        calibrations.position->points.push_back({x, x + 0.1 * x * x});
+    }
+    return calibrations;
+}
+
 /// The capture as a program of before would have written it: without notes, version 1.
 void writeWithoutNotes(const QString& from, const QString& to)
 {
@@ -300,6 +323,7 @@ private slots:
         };
         QVERIFY(connection.connectTo(u"virtual:?speed=1&fault=loss:0.02"_qs).has_value());
         QVERIFY(until([&] { return connection.state() == ConnectSession::State::Connected; }));
+        connection.setCalibrations(twoPercentLess()); // the reports stay those of the device
         QVERIFY(connection.arm(u"tester"_qs).has_value());
         QVERIFY(until([&] { return connection.armed(); }));
         QVERIFY(job.start(Recipe{}, 3).has_value());
@@ -318,6 +342,7 @@ private slots:
         QCOMPARE(replay.name, session);
         QCOMPARE(replay.squeezes.size(), std::size_t(1));
         QVERIFY(sameBits(replay.squeezes.front().recording, job.recording()));
+        QVERIFY(!replay.squeezes.front().recording.provenance.value(u"position_correction"_qs).isEmpty());
     }
 
 private:

@@ -168,10 +168,20 @@ private slots:
             const double back = correction.loadOf(correction.readingOf(load));
             QVERIFY2(std::abs(back - load) < 1e-10 * 1000 + 1e-14 * std::abs(load),
                      qPrintable(u"%1 became %2"_s.arg(load).arg(back)));
+            const auto again = SensorCorrection::fromText(correction.text());
+            QVERIFY(again && again->loadOf(correction.readingOf(load)) == back);
             const auto exact = curve.loadAt(correction.readingOf(load));
             if (i > 0 && i < 100)
                 QVERIFY(exact && std::abs(exact->load - back) < 1e-9 * 1000);
         }
+    }
+
+    void aTextThatIsNoCorrectionIsNone()
+    {
+        for (const QString& text : {u""_s, u"0 1"_s, u"0 1 2"_s, u"0 1 2 x"_s, u"0 0 1 2"_s, u"0 -1 1 2"_s,
+                                    u"0 1 5 0"_s, u"0 1 0 nan"_s, u"1 2 3 4 5 6 7 8 9 10 11 12"_s})
+            QVERIFY2(!SensorCorrection::fromText(text), qPrintable(text));
+        QVERIFY(SensorCorrection::fromText(u"0 1 5 2"_s));
     }
 
     void whatIsDueIsToldBeforehand()
