@@ -10,6 +10,8 @@ using namespace Qt::StringLiterals;
 void ChannelCalibration::put(const CalibrationsInForce& calibrations, const GripperIdentity& gripper)
 {
     clear();
+    if (gripper.corrected)
+        return;
     const auto use = [&](const std::optional<CalibrationRecord>& record, const QString& unit,
                          std::optional<CalibrationRecord>& kept, std::optional<SensorCorrection>& correction,
                          std::optional<double>& scale) {

@@ -12,7 +12,8 @@ namespace gripscope {
 /// can be found again from it.
 class ChannelCalibration {
 public:
-    /// Only those whose unit is the channel's own; the others are told by unusable().
+    /// Only those whose unit is the channel's own; the others are told by unusable(). None for a gripper
+    /// whose samples are corrected already.
     void put(const CalibrationsInForce& calibrations, const GripperIdentity& gripper);
     void clear() { *this = {}; }
     [[nodiscard]] const CalibrationsInForce& inForce() const { return m_inForce; }

@@ -26,6 +26,7 @@ struct GripperIdentity {
     double forceLag_s = 0;
     DeviceLimits limits;
     QString keptSession;      ///< the name under which its raw reports are kept; empty where they are not
+    bool corrected = false;   ///< its samples are loads already: a recording that is played back
     bool commandable = false; ///< false: it only streams (a replay, a read-only gripper)
     bool lossVisible = true;  ///< false: it sends neither a number nor a clock; what gets lost is not seen
     QString port;             ///< where it is plugged in, in the system's words; empty: nowhere

@@ -15,6 +15,7 @@ GripperIdentity identityOf(const Recording& recording, const QString& address, c
 {
     GripperIdentity identity;
     identity.address = address;
+    identity.corrected = true;
     identity.serial = recording.provenance.value(u"serial"_qs);
     identity.name = u"Replay of %1"_qs.arg(QFileInfo(file).fileName());
     identity.firmware = recording.provenance.value(u"firmware"_qs);

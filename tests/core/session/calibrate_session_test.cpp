@@ -260,6 +260,18 @@ private slots:
         QCOMPARE(found.validity.verdict == ValidityVerdict::Suspect, days < 0);
     }
 
+    void aRecordingThatIsPlayedBackIsNotCorrectedTwice()
+    {
+        CalibrationRecord record;
+        record.unit = u"N"_s;
+        for (const double load : {0.0, 10.0, 20.0})
+            record.points.push_back({load, 2 * load});
+        m_connection->gripper().identity.corrected = true;
+        m_connection->session.poll();
+        m_connection->session.setCalibrations({record, {}});
+        QCOMPARE(m_connection->session.uncorrected(SensorChannel::Force, 5), 5.0);
+    }
+
     void aCalibrationInAnotherUnitIsNotApplied()
     {
         CalibrationRecord record;
