@@ -76,8 +76,8 @@ QString stallWords(const StreamAccount& stream)
                .arg(stream.longestStall_s, 0, 'g', 2);
 }
 
-/// Whether the stream came whole and in time. Reports that came twice or damaged say nothing of it where none
-/// is missing.
+/// Whether the stream came whole, and its clock ran on. Reports that came twice or damaged, and silences, say
+/// nothing of it where no sample is missing.
 ValidityCheck samplesLost(const Identification& data, const Recording& recording)
 {
     ValidityCheck check;
@@ -88,7 +88,7 @@ ValidityCheck samplesLost(const Identification& data, const Recording& recording
     const bool lost = choice.lostSamples != 0 || choice.gaps != 0;
     check.value = static_cast<double>(choice.lostSamples);
     check.limit = 0;
-    check.ok = !lost && steps == 0 && stream.stalls == 0;
+    check.ok = !lost && steps == 0;
     // What was measured of the squeeze and used, against all of it.
     const double whole = static_cast<double>(choice.eligible) + static_cast<double>(choice.lostSamples);
     const double used = static_cast<double>(data.position.size()) - static_cast<double>(data.lost.size());
@@ -100,11 +100,12 @@ ValidityCheck samplesLost(const Identification& data, const Recording& recording
         words << stallWords(stream);
     if (lost)
         words << lossWords(data, check.decisive);
-    if (check.ok && recording.provenance.contains(unseenLossesKey()))
+    const bool unseen = recording.provenance.contains(unseenLossesKey());
+    if (check.ok && unseen)
         words
             << u"whether samples are missing cannot be seen: the gripper sends neither a number nor a clock"_s;
-    else if (check.ok)
-        words << u"no sample is missing"_s;
+    else if (check.ok) // a silence that took nothing with it delays the numbers, and changes none
+        words.prepend(stream.stalls > 0 ? u"no sample is missing, though"_s : u"no sample is missing"_s);
     check.message = words.join(u' ');
     return check;
 }
