@@ -88,7 +88,8 @@ ValidityCheck samplesLost(const Identification& data, const Recording& recording
     const bool lost = choice.lostSamples != 0 || choice.gaps != 0;
     check.value = static_cast<double>(choice.lostSamples);
     check.limit = 0;
-    check.ok = !lost && steps == 0;
+    const bool unseen = recording.provenance.contains(unseenLossesKey());
+    check.ok = !lost && steps == 0 && !(unseen && stream.stalls > 0);
     // What was measured of the squeeze and used, against all of it.
     const double whole = static_cast<double>(choice.eligible) + static_cast<double>(choice.lostSamples);
     const double used = static_cast<double>(data.position.size()) - static_cast<double>(data.lost.size());
@@ -100,7 +101,6 @@ ValidityCheck samplesLost(const Identification& data, const Recording& recording
         words << stallWords(stream);
     if (lost)
         words << lossWords(data, check.decisive);
-    const bool unseen = recording.provenance.contains(unseenLossesKey());
     if (check.ok && unseen)
         words
             << u"whether samples are missing cannot be seen: the gripper sends neither a number nor a clock"_s;
