@@ -31,9 +31,9 @@ enum class Fault {
     Load,
 };
 
-/// From `at_s` on. `value`: a share (Loss, Duplicate, Crc), newtons (Saturate, Load), seconds (Clock: the step;
-/// HangFeature, HangWrite: how long a call blocks), a report ID (Deaf; 0: all commands); without one: off
-/// again, or nothing to say.
+/// From `at_s` on. `value`: a share (Loss, Duplicate, Crc), newtons (Saturate, Load), seconds (Clock: the
+/// step; HangFeature, HangWrite: how long a call blocks), a report ID (Deaf; 0: all commands); without one:
+/// off again, or nothing to say.
 struct FaultEvent {
     double at_s = 0;
     Fault fault = Fault::Loss;
@@ -45,9 +45,9 @@ struct FaultEvent {
 struct FaultState {
     double loss = 0, duplicate = 0, badCrc = 0; ///< share of the reports
     std::optional<double> saturate_N;           ///< the force channel ends there
-    double load_N = 0;                          ///< a weight hangs on the force sensor (no fault: to calibrate with)
-    bool stuck = false;                         ///< the position channel stays where it was
-    bool stalled = false;                       ///< nothing is sent
+    double load_N = 0;    ///< a weight hangs on the force sensor (no fault: to calibrate with)
+    bool stuck = false;   ///< the position channel stays where it was
+    bool stalled = false; ///< nothing is sent
     bool unplugged = false;
     bool broken = false;       ///< the device finds a fault in itself
     double clock_s = 0;        ///< its clock is ahead by so much
