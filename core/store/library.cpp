@@ -44,7 +44,8 @@ Library::~Library() = default;
 
 QString Library::defaultFile()
 {
-    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + u"/library.db"_s;
+    // Not by the application's name: desktop and command line are to find the same one.
+    return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + u"/gripscope/library.db"_s;
 }
 
 Expected<std::unique_ptr<Library>> Library::open(const QString& file)

@@ -54,7 +54,7 @@ LivePage::LivePage(Workbench& bench, QWidget* parent)
     : Page(bench, parent), d(std::make_unique<Private>(bench))
 {
     auto* column = new QVBoxLayout(this);
-    setSpacing(column, 16, 12);
+    setSpacing(column, 16, 8);
     buildToolbar(column);
     buildCharts(column);
     d->link = new LiveLinkPanel(bench, this);

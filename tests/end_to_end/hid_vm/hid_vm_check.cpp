@@ -2,6 +2,7 @@
 // Runs as root in a virtual machine with a kernel of its own (hid_vm.sh): the program's device side against
 // real hidraw nodes, which the virtual gripper makes through /dev/uhid. Prints a table; exits with the number
 // of rows that failed.
+#include "devices/hid/hid_transport.h"
 #include "devices/hid/uhid_gripper.h"
 #include "devices/protocol/report_descriptor.h"
 #include "devices/virtual/virtual_transport.h"
@@ -31,10 +32,10 @@ const QString address = u"hid:1209:0001:VG-7"_qs;
 /// One gripper in a USB socket, as far as the kernel can tell.
 class PluggedIn {
 public:
-    explicit PluggedIn(int seed = 7)
+    explicit PluggedIn(int seed = 7, const QString& faults = {})
     {
         const auto virtualAddress =
-            std::get<VirtualAddress>(*parseDeviceAddress(u"virtual:?seed=%1"_qs.arg(seed)));
+            std::get<VirtualAddress>(*parseDeviceAddress(u"virtual:?seed=%1"_qs.arg(seed) + faults));
         const std::shared_ptr<VirtualTransport> transport = *VirtualTransport::make(virtualAddress);
         if (!transport->open())
             qFatal("the virtual gripper does not open");
@@ -170,6 +171,41 @@ void commandsAreObeyed()
     const auto took =
         std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - before);
     row("stopped while it squeezes", running && stopped, u"acknowledged after %1 ms"_qs.arg(took.count()));
+}
+
+/// Another program asks the device what it is, and gets no answer for five seconds.
+void stoppedWhileAFeatureIsAwaited()
+{
+    constexpr double hangsFrom_s = 2;
+    const PluggedIn plugged(7, u"&fault=hang-feature:%1"_qs.arg(hangsFrom_s));
+    OpenPort gripper(address);
+    const bool running = gripper.ready() && gripper.arm() &&
+                         gripper.gate.start(usualForce(20000)).has_value() && gripper.pollUntil([&] {
+                             return gripper.port->squeezeState() == SqueezeState::Running &&
+                                    !gripper.samples.empty() &&
+                                    gripper.samples.back().time_s > hangsFrom_s + 0.2;
+                         });
+    std::atomic<bool> asks{false};
+    std::atomic<bool> answered{false};
+    std::thread other([&] {
+        HidTransport transport(std::get<HidAddress>(*parseDeviceAddress(address)));
+        if (transport.open()) {
+            asks = true;
+            answered = transport.feature(protocol::ReportId::Identity).has_value();
+        }
+    });
+    const auto waited = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
+    const bool waits = gripper.pollUntil([&] { return asks && std::chrono::steady_clock::now() > waited; });
+    const auto before = std::chrono::steady_clock::now();
+    gripper.port->stop();
+    const bool stopped =
+        gripper.pollUntil([&] { return gripper.port->squeezeState() == SqueezeState::Stopped; });
+    const auto took =
+        std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - before);
+    other.join();
+    row("stopped while a feature request waits",
+        running && waits && stopped && !answered && took < std::chrono::milliseconds(200),
+        u"acknowledged after %1 ms"_qs.arg(took.count()));
 }
 
 void unpluggedWhile(const char* what, const std::function<bool(OpenPort&)>& busy)
@@ -352,6 +388,7 @@ int main(int argc, char** argv)
     theVirtualGripperProgramIsFound();
     fiveSecondsLoseNothing();
     commandsAreObeyed();
+    stoppedWhileAFeatureIsAwaited();
     unpluggedWhile("unplugged while reading", [](OpenPort& gripper) {
         return gripper.pollUntil([&] { return gripper.samples.size() > 500; });
     });
