@@ -71,14 +71,13 @@ StreamAssembler::Outcome StreamAssembler::take(const StreamReport& report, std::
     const bool stepped = followClock(report);
     for (std::size_t i = 0; i < report.count; ++i) {
         const RawSample& raw = report.samples[i];
-        Sample sample;
+        Sample& sample = samples.emplace_back(); // filled in place: a copy waits for its narrow stores
         sample.sequence = m_nextSample++;
         sample.time_s = 1e-6 * static_cast<double>(m_time_us) + static_cast<double>(i) * m_sampleTime_s;
         sample.force = raw.force * m_forcePerCount;
         sample.position = raw.position * m_positionPerCount;
         sample.status = report.status;
         sample.clockStepped = stepped && i == 0;
-        samples.push_back(sample);
     }
     return Outcome::Accepted;
 }
