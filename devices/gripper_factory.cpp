@@ -6,6 +6,7 @@
 #include "devices/hid/hid_return.h"
 #include "devices/hid/hid_transport.h"
 #include "devices/profile/profiled_device.h"
+#include "devices/replay/capture_decoder.h"
 #include "devices/replay/capture_transport.h"
 #include "devices/replay/replay_port.h"
 #include "devices/virtual/virtual_return.h"
@@ -92,9 +93,12 @@ Port makePort(const QString& text, const ReplayAddress& address, const Keeping&)
     const double speed = address.speed;
     if (!file.endsWith(u".gscap", Qt::CaseInsensitive))
         return std::make_unique<ReplayPort>(text, file, speed);
-    return std::make_unique<DevicePort>(text, [file, speed]() -> std::shared_ptr<Transport> {
-        return std::make_shared<CaptureReplayTransport>(file, speed);
-    });
+    return std::make_unique<DevicePort>(
+        text,
+        [file, speed]() -> std::shared_ptr<Transport> {
+            return std::make_shared<CaptureReplayTransport>(file, speed);
+        },
+        SampleQueue::defaultCapacity, [file] { return std::make_unique<CaptureDecoder>(file); });
 }
 
 /// Another file for each link, so that a gripper that comes back does not write over what it sent before:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/profile_decoder.h"
 
+#include "devices/profile/profile_note.h"
+
 #include <cmath>
 
 namespace gripscope {
@@ -39,10 +41,11 @@ void ProfileDecoder::use(const GripperProfile& profile)
     m_read.resize(profile.samples);
 }
 
-Expected<DeviceDescription> ProfileDecoder::describe(Transport&, const QString& address)
+Expected<DeviceDescription> ProfileDecoder::describe(Transport& transport, const QString& address)
 {
     return m_source().map([&](const ProfiledDevice& device) {
         use(device.profile);
+        transport.note(toNote(device)); // what is kept of the session must be read the same way later
         return descriptionOf(device, address);
     });
 }

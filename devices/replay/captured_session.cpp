@@ -4,8 +4,8 @@
 #include "core/calibration/calibration_facts.h"
 #include "core/session/squeeze_notes.h"
 #include "core/signal/stream_account.h"
-#include "devices/acquisition/gripscope_decoder.h"
 #include "devices/acquisition/sample_queue.h"
+#include "devices/replay/capture_decoder.h"
 #include "devices/replay/capture_transport.h"
 
 #include <deque>
@@ -19,8 +19,7 @@ namespace {
 /// Takes the records of a session in their order.
 class SessionCutter {
 public:
-    SessionCutter(CapturedSession& session, GripscopeDecoder& decoder)
-        : m_session(session), m_decoder(decoder)
+    SessionCutter(CapturedSession& session, ReportDecoder& decoder) : m_session(session), m_decoder(decoder)
     {
     }
 
@@ -60,7 +59,7 @@ private:
     void fail(const QString& reason);
 
     CapturedSession& m_session;
-    GripscopeDecoder& m_decoder;
+    ReportDecoder& m_decoder;
     std::vector<Sample> m_batch;
     std::deque<Sample> m_recent; ///< what may have waited for the program when it began a squeeze
     SqueezeRecorder m_recorder;
@@ -184,7 +183,7 @@ Expected<CapturedSession> readCapturedSession(const QString& file)
     CaptureReplayTransport transport(file, 0);
     if (const Expected<void> opened = transport.open(); !opened)
         return tl::unexpected<Error>(opened.error());
-    GripscopeDecoder decoder;
+    CaptureDecoder decoder(file);
     Expected<DeviceDescription> device = decoder.describe(transport, u"replay:"_s + file);
     if (!device)
         return tl::unexpected<Error>(device.error());

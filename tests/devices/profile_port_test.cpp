@@ -8,6 +8,7 @@
 #include "devices/profile/profiled_device.h"
 #include "devices/profile/report_watch.h"
 #include "devices/profile/virtual_robot_transport.h"
+#include "devices/replay/captured_session.h"
 #include "tests/devices/port_helpers.h"
 #include "tests/support/test_registry.h"
 
@@ -184,6 +185,35 @@ private slots:
             QVERIFY(check.id != u"samples_lost" || check.message.contains(u"cannot be seen"));
         const Recording seen = listenTo(u"virtual:?speed=0&profile=walkthrough"_s, 1);
         QVERIFY(seen.size() > 0 && !seen.provenance.contains(u"losses"_s));
+    }
+    void aKeptSessionIsReadByTheProfileItWasReadBy_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"example_big_endian", "example_float_stream", "example_bare"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void aKeptSessionIsReadByTheProfileItWasReadBy()
+    {
+        QFETCH(QString, name);
+        const QTemporaryDir folder;
+        const QString capture = folder.filePath(u"robot.gscap"_s);
+        OpenPort live(u"virtual:?speed=0&fault=loss:0.02&profile=%1&capture=%2"_s.arg(name, capture));
+        const std::vector<Sample> then = streamOf(live);
+        const GripperIdentity identity = live.port->identity();
+        live.port->close();
+        OpenPort replay(u"replay:%1?speed=0"_s.arg(capture));
+        QVERIFY(replay.pollUntil([&] { return replay.port->state() == LinkState::Closed; }));
+        replay.port->drain(replay.samples);
+        QCOMPARE(replay.port->identity().name, identity.name);
+        QCOMPARE(replay.port->identity().serial, identity.serial);
+        QVERIFY(then.size() > 100 && replay.samples.size() >= then.size());
+        for (std::size_t i = 0; i < then.size(); ++i)
+            QVERIFY(replay.samples[i].sequence == then[i].sequence &&
+                    replay.samples[i].time_s == then[i].time_s && replay.samples[i].force == then[i].force &&
+                    replay.samples[i].position == then[i].position);
+        const Expected<CapturedSession> session = readCapturedSession(capture);
+        QVERIFY(session && session->counters.samples == replay.samples.size());
+        QCOMPARE(session->counters.lostSamples, replay.port->counters().lostSamples);
     }
     void aProfileIsFoundByTheUsbNumbersOfWhatIsSent()
     {

@@ -82,7 +82,7 @@ DeviceInspector::DeviceInspector(Workbench& workbench, QWidget* parent)
 
 QWidget* DeviceInspector::makeIdentity()
 {
-    m_identity = makeFactTable({tr("What"), tr("Is")}, this);
+    m_identity = makeFactTable({tr("Property"), tr("Value")}, this);
     m_identity->setObjectName("identity");
     m_identity->setAccessibleName(tr("Identity"));
     m_identity->setColumnWidth(0, 208);

@@ -73,7 +73,7 @@ QString ReportTableModel::cell(const LoggedReport& report, int column) const
     switch (column) {
     case Time: {
         const std::chrono::duration<double, std::milli> before = m_all.back().time - report.time;
-        return u"−%1 ms"_s.arg(before.count(), 0, 'f', 1);
+        return (before.count() > 0 ? u"−%1 ms"_s : u"%1 ms"_s).arg(before.count(), 0, 'f', 1);
     }
     case Direction:
         return report.direction == ReportDirection::In    ? tr("in")
@@ -117,7 +117,11 @@ QVariant ReportTableModel::data(const QModelIndex& index, int role) const
 
 QVariant ReportTableModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
-    if (role != Qt::DisplayRole || orientation != Qt::Horizontal)
+    if (orientation != Qt::Horizontal)
+        return {};
+    if (role == Qt::TextAlignmentRole)
+        return int(Qt::AlignLeft | Qt::AlignVCenter);
+    if (role != Qt::DisplayRole)
         return {};
     const QString names[] = {tr("Time"), tr("Way"), tr("Report"), tr("In words")};
     return names[section];
