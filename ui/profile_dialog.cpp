@@ -138,7 +138,7 @@ QWidget* ProfileDialog::buildBytes()
     table->horizontalHeader()->setStretchLastSection(true);
     table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table->horizontalHeader()->setMinimumSectionSize(40);
-    constexpr int widths[] = {58, 44, 48, 48, 78};
+    constexpr int widths[] = {60, 46, 50, 48, 60};
     for (int i = 0; i < d->bytes->columnCount() - 1; ++i)
         table->setColumnWidth(i, widths[i]);
     column->addWidget(table, 1);

@@ -97,7 +97,7 @@ void ProfileFieldRow::addEditor(QGridLayout* grid, QWidget* editor, int row, int
 {
     editor->setAccessibleName(tr("%1: %2").arg(m_present->text(), caption));
     editor->setToolTip(caption);
-    constexpr int widths[] = {0, 48, 72, 80, 64, 56, 68};
+    constexpr int widths[] = {0, 48, 72, 80, 60, 56, 76};
     editor->setMinimumWidth(widths[column]);
     if (columns == 1)
         editor->setMaximumWidth(widths[column]);

@@ -2,6 +2,12 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/layout_audit.h"
 #include "tests/ui/workbench_fixture.h"
+#include "ui/about_dialog.h"
+#include "ui/inspector/device_inspector.h"
+#include "ui/lag_dialog.h"
+#include "ui/manual_dialog.h"
+#include "ui/pages/enrolled_types_dialog.h"
+#include "ui/profile_dialog.h"
 
 using namespace gripscope;
 using namespace gripscope::test;
@@ -12,18 +18,18 @@ using namespace gripscope::test;
 class LayoutTest : public QObject {
     Q_OBJECT
 
-    static void audit(WindowFixture& f, const QString& state)
+    static void audit(QWidget& top, const QString& state, const std::vector<QSize>& sizes)
     {
         const std::pair<ThemeKind, const char*> themes[] = {
             {ThemeKind::Light, "light"}, {ThemeKind::Dark, "dark"}, {ThemeKind::HighContrast, "contrast"}};
         QMap<QString, QStringList> where; // by finding, so that each is told once
         for (const auto& [theme, name] : themes) {
             Theme::instance().apply(theme);
-            for (const QSize size : {QSize(1024, 640), QSize(1440, 900), QSize(2048, 1280)}) {
-                f.window->resize(size);
+            for (const QSize size : sizes) {
+                top.resize(size);
                 QCoreApplication::processEvents();
                 QCoreApplication::processEvents();
-                for (const QString& finding : LayoutAudit::of(*f.window))
+                for (const QString& finding : LayoutAudit::of(top))
                     where[finding] << QStringLiteral("%1 %2").arg(QLatin1String(name)).arg(size.width());
             }
         }
@@ -33,6 +39,7 @@ class LayoutTest : public QObject {
                      qPrintable(finding->join(QStringLiteral(", "))));
         QVERIFY(where.isEmpty());
     }
+    static std::vector<QSize> windowSizes() { return {{1024, 640}, {1440, 900}, {2048, 1280}}; }
     static void pages()
     {
         QTest::addColumn<QString>("id");
@@ -50,7 +57,7 @@ private slots:
         f.page(id)->prepareTour();
         QTRY_VERIFY_WITH_TIMEOUT(f.page(id)->tourReady(), 60000);
         f.window->showPage(id);
-        audit(f, QStringLiteral("at work"));
+        audit(*f.window, QStringLiteral("at work"), windowSizes());
     }
 
     void anEmptyPage_data() { pages(); }
@@ -59,7 +66,36 @@ private slots:
         QFETCH(QString, id);
         WindowFixture f(false, QString());
         f.window->showPage(id);
-        audit(f, QStringLiteral("empty"));
+        audit(*f.window, QStringLiteral("empty"), windowSizes());
+    }
+
+    void aDialog_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"about", "lag", "manual", "profile", "inspector", "types"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void aDialog()
+    {
+        QFETCH(QString, name);
+        WindowFixture f;
+        QDialog* dialog = nullptr;
+        if (name == QLatin1String("about"))
+            dialog = new AboutDialog({QStringLiteral("Live"), QStringLiteral("Inspect")}, f.window.get());
+        else if (name == QLatin1String("lag"))
+            dialog = new LagDialog(*f.bench, f.window.get());
+        else if (name == QLatin1String("manual"))
+            dialog = new ManualDialog(QStringLiteral("live"), f.window.get());
+        else if (name == QLatin1String("profile"))
+            dialog = new ProfileDialog(*f.bench, f.window.get());
+        else if (name == QLatin1String("inspector"))
+            dialog = new DeviceInspector(*f.bench, f.window.get());
+        else
+            dialog = new EnrolledTypesDialog(*f.bench, f.window.get());
+        dialog->show();
+        QTest::qWait(300); // what the dialog asks the library or the gripper for
+        audit(*dialog, name, {dialog->size()});
+        QVERIFY(dialog->width() <= 1024 && dialog->height() <= 640);
     }
 };
 

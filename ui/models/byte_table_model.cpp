@@ -130,7 +130,7 @@ QVariant ByteTableModel::headerData(int section, Qt::Orientation orientation, in
     case Column::Most:
         return tr("Most");
     case Column::Changes:
-        return tr("Changes/s");
+        return tr("per s");
     case Column::Field:
         return tr("Belongs to");
     }
