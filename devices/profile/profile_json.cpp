@@ -50,7 +50,7 @@ ProfileStatus readStatus(const QJsonObject& json)
     ProfileStatus status;
     status.field = readField(json);
     const QJsonArray flags = json[u"flags"_s].toArray();
-    for (const QJsonValue& flag : flags)
+    for (const auto& flag : flags)
         status.flags.push_back({static_cast<unsigned>(flag[u"bit"_s].toInt()),
                                 flagFromName(flag[u"means"_s].toString()), flag[u"when"_s].toInt(1) != 0});
     return status;

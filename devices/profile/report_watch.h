@@ -14,7 +14,11 @@ namespace gripscope {
 struct ReportKind {
     std::size_t length = 0;
     std::optional<std::uint8_t> id; ///< only where the profile says that the first byte is one
-    friend auto operator<=>(const ReportKind&, const ReportKind&) = default;
+    friend bool operator==(const ReportKind&, const ReportKind&) = default;
+    friend bool operator<(const ReportKind& a, const ReportKind& b)
+    {
+        return std::tie(a.length, a.id) < std::tie(b.length, b.id);
+    }
 };
 
 /// The bytes of a gripper as they come, and what a profile makes of them, for whoever writes that profile.

@@ -10,10 +10,10 @@ namespace gripscope {
 struct CaptureLimits {
     qint64 totalBytes =
         2'000'000'000; ///< of all kept sessions together: seven hours at 1,000 reports a second
-    qint64 partBytes = 64 * 1024 * 1024;
+    qint64 partBytes = qint64(64) * 1024 * 1024;
     std::chrono::seconds partTime{15 * 60};
     /// On the way to the disk: a minute at 1,000 reports a second.
-    std::size_t bufferBytes = 4 * 1024 * 1024;
+    std::size_t bufferBytes = std::size_t(4) * 1024 * 1024;
 };
 
 /// Where a session is written to: one file, which is replaced, or parts in a folder of kept sessions.

@@ -217,12 +217,11 @@ private:
     /// By the program's own count; but what it throws away when it begins to read is not counted.
     [[nodiscard]] bool wasRead(std::uint64_t taken) const
     {
-        if (!m_written || taken != m_takenBefore)
-            return true;
         int waiting = 0;
+        if (!m_written || ::ioctl(m_slave, FIONREAD, &waiting) != 0)
+            return !m_written;
         constexpr std::chrono::milliseconds untilItShows{200};
-        return Clock::now() - *m_written > untilItShows && ::ioctl(m_slave, FIONREAD, &waiting) == 0 &&
-               waiting == 0;
+        return waiting == 0 && (taken != m_takenBefore || Clock::now() - *m_written > untilItShows);
     }
 
     /// What hidapi asks of a node: the descriptor and its size, and features. On a thread of umockdev.
