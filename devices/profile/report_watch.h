@@ -7,6 +7,7 @@
 #include "devices/transport.h"
 
 #include <map>
+#include <tuple>
 
 namespace gripscope {
 
