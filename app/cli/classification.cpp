@@ -3,10 +3,9 @@
 
 #include "app/cli/chain_library.h"
 #include "app/cli/drive.h"
+#include "app/cli/library_squeezes.h"
 #include "app/cli/shared_options.h"
 #include "devices/gripper_factory.h"
-
-#include <QFileInfo>
 
 namespace gripscope::cli {
 
@@ -78,10 +77,7 @@ Expected<Verdict> Classification::judge(const QString& file, const CsvReadOption
 
 Expected<QString> existingLibrary(const CommandLine& line)
 {
-    Expected<QString> file = libraryFile(line);
-    if (file && !QFileInfo::exists(*file))
-        return failure(ErrorCode::StorageOpen, {*file, u"there is no such file; enrol types first"_qs});
-    return file;
+    return libraryFile(line).and_then(existingLibraryFile);
 }
 
 } // namespace gripscope::cli

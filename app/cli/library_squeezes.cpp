@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/library_squeezes.h"
 
+#include "core/recognition/squeeze_values.h"
 #include "core/session/comparable_units.h"
 #include "core/signal/units.h"
 
@@ -22,20 +23,21 @@ TypeSqueeze inCommonUnits(const InspectionRecord& inspection, const QString& typ
                           const std::optional<Eigen::Matrix3d>& covariance)
 {
     const double factor = siFactor(inspection.forceUnit, inspection.positionUnit).value_or(1.0);
-    const MassDampingStiffness& p = *inspection.parameters;
-    TypeSqueeze squeeze{type, {p.m * factor, p.b * factor, p.k * factor}};
-    if (covariance)
-        squeeze.covariance = factor * *covariance * factor;
-    return squeeze;
+    return scaledSqueeze(type, *inspection.parameters, covariance, factor);
 }
 
 } // namespace
 
-Expected<std::unique_ptr<Library>> openExistingLibrary(const QString& file)
+Expected<QString> existingLibraryFile(const QString& file)
 {
     if (!QFileInfo::exists(file)) // opening would make an empty one
         return failure(ErrorCode::StorageOpen, {file, u"there is no such file; enrol types first"_qs});
-    return Library::open(file);
+    return file;
+}
+
+Expected<std::unique_ptr<Library>> openExistingLibrary(const QString& file)
+{
+    return existingLibraryFile(file).and_then([](const QString& path) { return Library::open(path); });
 }
 
 Expected<TypeModels> enrolledModels(Library& library)

@@ -11,6 +11,9 @@ namespace gripscope::cli {
 
 // What a library holds, all in the same units: SI where the channels' units are known.
 
+/// The path itself, if there is a file; else StorageOpen with the advice to enrol types.
+[[nodiscard]] Expected<QString> existingLibraryFile(const QString& file);
+
 /// Opens a library that is there; StorageOpen for one that is not.
 [[nodiscard]] Expected<std::unique_ptr<Library>> openExistingLibrary(const QString& file);
 

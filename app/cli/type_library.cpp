@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/type_library.h"
 
+#include "app/cli/library_squeezes.h"
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
-
-#include <QFileInfo>
 
 namespace gripscope::cli {
 
@@ -15,12 +14,7 @@ namespace {
 /// The library of --library, or the user's own. An absent one is an error, not made.
 Expected<std::unique_ptr<Library>> openExisting(const CommandLine& line)
 {
-    const Expected<QString> file = libraryFile(line);
-    if (!file)
-        return tl::unexpected<Error>(file.error());
-    if (!QFileInfo::exists(*file))
-        return failure(ErrorCode::StorageOpen, {*file, u"there is no such file; enrol types first"_qs});
-    return Library::open(*file);
+    return libraryFile(line).and_then(openExistingLibrary);
 }
 
 } // namespace

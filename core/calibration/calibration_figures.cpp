@@ -46,22 +46,16 @@ struct Scatter {
     }
 };
 
-/// The points reached from a lower load and those from a higher one; a repeated load keeps its direction, and
-/// the first point goes the way the second does.
 struct Directions {
     Groups up, down;
 };
 Directions directionsOf(const std::vector<CalibrationPoint>& points)
 {
+    const std::vector<bool> ascending = ascendingPoints(points);
     Directions directions;
-    const auto turn = std::adjacent_find(points.begin(), points.end(),
-                                         [](const auto& a, const auto& b) { return a.load != b.load; });
-    bool rising = turn == points.end() || (turn + 1)->load > turn->load;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (i > 0 && points[i].load != points[i - 1].load)
-            rising = points[i].load > points[i - 1].load;
-        (rising ? directions.up : directions.down)[points[i].load].readings.push_back(points[i].reading);
-    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+        (ascending[i] ? directions.up : directions.down)[points[i].load].readings.push_back(
+            points[i].reading);
     return directions;
 }
 
@@ -120,6 +114,21 @@ std::optional<double> lackOfFit(const CalibrationCurve& curve, const std::vector
 }
 
 } // namespace
+
+std::vector<bool> ascendingPoints(const std::vector<CalibrationPoint>& points)
+{
+    const auto turn = std::adjacent_find(points.begin(), points.end(),
+                                         [](const auto& a, const auto& b) { return a.load != b.load; });
+    bool rising = turn == points.end() || (turn + 1)->load > turn->load;
+    std::vector<bool> ascending;
+    ascending.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i > 0 && points[i].load != points[i - 1].load)
+            rising = points[i].load > points[i - 1].load;
+        ascending.push_back(rising);
+    }
+    return ascending;
+}
 
 CalibrationFigures calibrationFigures(const CalibrationCurve& curve,
                                       const std::vector<CalibrationPoint>& points)

@@ -27,6 +27,10 @@ struct CalibrationFigures {
     std::optional<double> lackOfFitProbability;
 };
 
+/// For points in the order they were taken: reached from a lower load? A repeated load keeps its direction,
+/// and the first goes the way the first different one does; all are ascending where there is none.
+[[nodiscard]] std::vector<bool> ascendingPoints(const std::vector<CalibrationPoint>& points);
+
 /// Points in the order they were taken: that is what tells up from down.
 [[nodiscard]] CalibrationFigures calibrationFigures(const CalibrationCurve& curve,
                                                     const std::vector<CalibrationPoint>& points);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/enrollment_advice.h"
 
+#include "core/recognition/squeeze_values.h"
 #include "core/signal/units.h"
 
 #include <algorithm>
@@ -17,10 +18,7 @@ std::optional<TypeSqueeze> typeSqueezeOf(const QString& type, const EnrollSqueez
     if (!object)
         return {};
     const double si = siFactor(squeeze.recording.forceUnit, squeeze.recording.positionUnit).value_or(1);
-    const MassDampingStiffness& p = object->parameters;
-    TypeSqueeze result{type, {p.m * si, p.b * si, p.k * si}};
-    if (!object->covariance.isZero(0))
-        result.covariance = si * object->covariance * si;
+    TypeSqueeze result = scaledSqueeze(type, *object, si);
     result.part = squeeze.part;
     return result;
 }

@@ -149,7 +149,7 @@ void SqueezeJob::Private::end(State outcome)
     if (GripperPort* port = connection.port())
         port->note(
             toNote(SqueezeEnded{outcome == State::Failed ? std::optional(error->describe()) : std::nullopt,
-                                recording.size(), recording}));
+                                recording.size(), slice(recording, {})}));
 }
 
 void SqueezeJob::Private::fail(Error reason)

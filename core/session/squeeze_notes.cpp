@@ -43,15 +43,10 @@ QString toNote(const SqueezeBegins& begins)
 
 QString toNote(const SqueezeEnded& ended)
 {
-    Recording head = ended.head;
-    for (std::vector<double>* channel : {&head.time_s, &head.force, &head.position})
-        channel->clear();
-    head.sequence.clear();
-    head.status.clear();
     const QString failure =
         ended.failure ? u"failure: %1\n"_s.arg(QString(*ended.failure).replace(u'\n', u' ')) : u""_s;
     return title(squeezeEndedNote) + failure + u"samples: %1\n"_s.arg(ended.samples) +
-           QString::fromUtf8(toCsv(head));
+           QString::fromUtf8(toCsv(slice(ended.head, {})));
 }
 
 std::optional<SqueezeBegins> squeezeBegins(const QString& note)
@@ -76,10 +71,8 @@ std::optional<SqueezeEnded> squeezeEnded(const QString& note)
     Expected<Recording> recording = parseRecordingCsv(text, u"note"_s);
     if (!recording)
         return {};
-    for (std::vector<double>* channel : {&recording->time_s, &recording->force, &recording->position})
-        channel->clear();
     return SqueezeEnded{fact(note.left(head), u"failure"_s), static_cast<std::size_t>(*samples),
-                        std::move(*recording)};
+                        slice(*recording, {})};
 }
 
 } // namespace gripscope

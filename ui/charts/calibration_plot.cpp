@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/calibration_plot.h"
 
+#include "core/calibration/calibration_figures.h"
 #include "ui/charts/channel_scale.h"
 #include "ui/theme/theme.h"
 
@@ -10,16 +11,6 @@
 #include <cmath>
 
 namespace gripscope {
-
-std::vector<bool> ascendingPoints(const std::vector<CalibrationPoint>& points)
-{
-    std::vector<bool> up(points.size(), true);
-    for (std::size_t i = 1; i < points.size(); ++i)
-        up[i] = points[i].load == points[i - 1].load ? up[i - 1] : points[i].load > points[i - 1].load;
-    if (points.size() > 1)
-        up[0] = up[1];
-    return up;
-}
 
 CalibrationPlot::CalibrationPlot(QWidget* parent)
     : PlotFrame(parent), m_up(new QScatterSeries(this)), m_down(new QScatterSeries(this))
@@ -37,8 +28,7 @@ CalibrationPlot::CalibrationPlot(QWidget* parent)
 }
 
 void CalibrationPlot::setCalibration(const SensorCalibration& calibration,
-                                     const CalibrationEvaluation& evaluation,
-                                     const std::vector<bool>& ascending)
+                                     const CalibrationEvaluation& evaluation)
 {
     m_unit = calibration.unit;
     m_loads.clear();
@@ -55,6 +45,7 @@ void CalibrationPlot::setCalibration(const SensorCalibration& calibration,
         largest = std::max(largest, std::abs(residual));
     const ChannelScale loads = channelScale(m_unit, largestLoad);
     const ChannelScale rest = channelScale(m_unit, largest);
+    const std::vector<bool> ascending = ascendingPoints(calibration.points);
     QList<QPointF> up, down;
     for (std::size_t i = 0; i < m_residuals.size(); ++i)
         (ascending[i] ? up : down) << QPointF(loads.factor * m_loads[i], rest.factor * m_residuals[i]);

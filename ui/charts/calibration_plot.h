@@ -15,9 +15,7 @@ class CalibrationPlot : public PlotFrame {
 public:
     explicit CalibrationPlot(QWidget* parent = nullptr);
 
-    /// `ascending`: for each point, whether it was reached from below.
-    void setCalibration(const SensorCalibration& calibration, const CalibrationEvaluation& evaluation,
-                        const std::vector<bool>& ascending);
+    void setCalibration(const SensorCalibration& calibration, const CalibrationEvaluation& evaluation);
     void clear();
     [[nodiscard]] PlotTable numbers() const override;
 
@@ -31,8 +29,5 @@ private:
     std::vector<double> m_loads, m_readings, m_residuals;
     QString m_unit;
 };
-
-/// For the points of a calibration in their order: reached from below? The first goes the way of the second.
-[[nodiscard]] std::vector<bool> ascendingPoints(const std::vector<CalibrationPoint>& points);
 
 } // namespace gripscope

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/calibration_points_model.h"
 
-#include "ui/charts/calibration_plot.h"
+#include "core/calibration/calibration_figures.h"
 #include "ui/theme/theme.h"
 
 #include <QLocale>
@@ -33,7 +33,6 @@ void CalibrationPointsModel::setPoints(const QString& unit, std::vector<PlannedP
                                        std::vector<TakenPoint> taken, std::vector<double> residuals)
 {
     beginResetModel();
-    m_unit = unit;
     m_planned = std::move(planned);
     m_taken = std::move(taken);
     m_residuals = std::move(residuals);

@@ -30,7 +30,6 @@ public:
 private:
     [[nodiscard]] QString text(int row, Column column) const;
 
-    QString m_unit;
     ChannelScale m_loads, m_rest;
     int m_decimals = 3;
     std::vector<PlannedPoint> m_planned;

@@ -182,7 +182,7 @@ QWidget* CalibratePage::makeHistory()
                 d->chosen->clear();
                 if (row == nullptr || !row->evaluation)
                     return;
-                d->plot->setCalibration(row->record, *row->evaluation, ascendingPoints(row->record.points));
+                d->plot->setCalibration(row->record, *row->evaluation);
                 d->chosen->setText(CalibrationWords::curve(*row->evaluation));
             });
     connect(d->certificate, &QPushButton::clicked, this, &CalibratePage::saveCertificate);

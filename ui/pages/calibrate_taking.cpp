@@ -216,7 +216,7 @@ void CalibrateTaking::showPoints()
     m_model->setPoints(calibration.unit, m_session->planned(), m_session->points(),
                        known ? (*evaluation)->residuals : std::vector<double>());
     if (known)
-        m_plot->setCalibration(calibration, **evaluation, ascendingPoints(calibration.points));
+        m_plot->setCalibration(calibration, **evaluation);
     else
         m_plot->clear();
     m_table->scrollTo(m_model->index(std::min(int(m_session->points().size()), m_model->rowCount() - 1), 0));

@@ -93,7 +93,7 @@ QImage residualPicture(const CalibrationRecord& record)
         return {};
     CalibrationPlot plot;
     plot.resize(680, 260);
-    plot.setCalibration(record, *evaluation, ascendingPoints(record.points));
+    plot.setCalibration(record, *evaluation);
     return toImage(plot, 3);
 }
 
