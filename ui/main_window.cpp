@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window.h"
 
-#include "ui/about_dialog.h"
 #include "ui/connection_words.h"
 #include "ui/header_bar.h"
+#include "ui/help/about_dialog.h"
+#include "ui/help/manual_window.h"
 #include "ui/inspector/device_inspector.h"
-#include "ui/manual_dialog.h"
 #include "ui/pages/calibrate_page.h"
 #include "ui/pages/enroll_page.h"
 #include "ui/pages/fit_page.h"
@@ -119,7 +119,7 @@ QWidget* MainWindow::makeRail()
     column->addStretch(1);
     auto* help = new RailButton(tr("Help"), u"help-about"_s, rail);
     help->setObjectName("rail-help");
-    help->setToolTip(tr("About Gripscope and its keys (F1)"));
+    help->setToolTip(tr("The manual, at the page about this screen (F1)"));
     connect(help, &RailButton::clicked, this, &MainWindow::showHelp);
     column->addWidget(help);
     return rail;
@@ -177,13 +177,22 @@ void MainWindow::showPage(const QString& id)
 
 void MainWindow::showHelp()
 {
+    if (!m_manual) {
+        m_manual = new ManualWindow(this);
+        connect(m_manual, &ManualWindow::keysAsked, this, &MainWindow::showAbout);
+        m_manual->show();
+    }
+    m_manual->showPage(manualPageFor(currentPage()->id()));
+    m_manual->raise();
+    m_manual->activateWindow();
+}
+
+void MainWindow::showAbout()
+{
     QStringList titles;
     for (const Page* page : m_pages)
         titles << page->title();
-    auto* dialog = new AboutDialog(titles, this);
-    connect(dialog, &AboutDialog::manualAsked, this,
-            [this] { (new ManualDialog(currentPage()->id(), this))->open(); });
-    dialog->open();
+    (new AboutDialog(titles, m_manual ? static_cast<QWidget*>(m_manual) : this))->open();
 }
 
 QString MainWindow::message() const

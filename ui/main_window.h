@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 
 #include <vector>
@@ -11,6 +12,7 @@ class QStackedWidget;
 namespace gripscope {
 
 class HeaderBar;
+class ManualWindow;
 class MessageBar;
 class Page;
 class Workbench;
@@ -27,7 +29,7 @@ public:
     [[nodiscard]] Page* currentPage() const;
     void showPage(int index);
     void showPage(const QString& id);
-    void showHelp();
+    void showHelp();                       ///< the manual, at the page about the screen
     [[nodiscard]] QString message() const; ///< the one in the message bar
 
 protected:
@@ -40,6 +42,7 @@ private:
     void showMessage(const QString& message);
     void withdrawLoss(); ///< that a gripper is away, once it is back or not waited for any more
     QWidget* makeRail();
+    void showAbout();
     void makeShortcuts();
     Workbench* m_workbench;
     std::vector<Page*> m_pages;
@@ -48,6 +51,7 @@ private:
     MessageBar* m_messages;
     QStringList m_lossMessages; ///< shown, that a gripper is away
     QButtonGroup* m_rail;
+    QPointer<ManualWindow> m_manual;
 };
 
 } // namespace gripscope

@@ -60,6 +60,21 @@ private slots:
             QVERIFY2(run.out.contains("--" + option.toUtf8()), qPrintable(option));
         QVERIFY(m_work.cli({u"--help"_s}).out.contains(command.section(u' ', 0, 0).toUtf8()));
     }
+    void everyCommandIsInTheManual()
+    {
+        QFile page(QStringLiteral(GRIPSCOPE_SOURCE_DIR "/resources/manual/commands.md"));
+        QVERIFY(page.open(QIODevice::ReadOnly));
+        const QByteArray text = page.readAll();
+        const QByteArray help = m_work.cli({u"--help"_s}).out;
+        int commands = 0;
+        const QByteArray list = help.mid(help.indexOf("Commands:\n") + 10);
+        for (const QByteArray& line : list.left(list.indexOf("\n\n")).split('\n')) {
+            const QByteArray name = line.trimmed().split(' ').first();
+            QVERIFY2(text.contains('`' + name + '`'), name.constData());
+            ++commands;
+        }
+        QVERIFY(commands > 15);
+    }
     void whatCannotBeUnderstoodIsExit2_data()
     {
         QTest::addColumn<QStringList>("arguments");

@@ -2,10 +2,10 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/layout_audit.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/about_dialog.h"
+#include "ui/help/about_dialog.h"
+#include "ui/help/manual_window.h"
 #include "ui/inspector/device_inspector.h"
 #include "ui/lag_dialog.h"
-#include "ui/manual_dialog.h"
 #include "ui/pages/enrolled_types_dialog.h"
 #include "ui/profile_dialog.h"
 
@@ -85,7 +85,7 @@ private slots:
         else if (name == QLatin1String("lag"))
             dialog = new LagDialog(*f.bench, f.window.get());
         else if (name == QLatin1String("manual"))
-            dialog = new ManualDialog(QStringLiteral("live"), f.window.get());
+            dialog = new ManualWindow(f.window.get());
         else if (name == QLatin1String("profile"))
             dialog = new ProfileDialog(*f.bench, f.window.get());
         else if (name == QLatin1String("inspector"))

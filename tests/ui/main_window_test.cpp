@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/about_dialog.h"
-#include "ui/manual_dialog.h"
+#include "ui/help/about_dialog.h"
+#include "ui/help/manual_browser.h"
+#include "ui/help/manual_window.h"
 #include "ui/status_line.h"
 
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
 
@@ -32,6 +34,7 @@ private slots:
     void escapeStopsWhereverTheFocusIs();
     void escapeStopsInADialogToo();
     void theManualOpensAtThePageOfTheScreen();
+    void theManualIsSearched();
     void anErrorIsShownUntilItIsDismissed();
     void theOperatorIsKnownToTheSessions();
     void aLostGripperIsToldInWords();
@@ -163,6 +166,8 @@ void MainWindowTest::escapeStopsInADialogToo()
     f.bench->arm();
     QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
     QTest::keyClick(f.window.get(), Qt::Key_F1);
+    QTRY_VERIFY(f.window->findChild<ManualWindow*>());
+    WindowFixture::click(f.window->findChild<ManualWindow*>()->findChild<QPushButton*>(u"keysButton"_s));
     QTRY_VERIFY(f.window->findChild<AboutDialog*>());
     QTest::keyClick(f.window->findChild<AboutDialog*>(), Qt::Key_Escape);
     QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), patience_ms);
@@ -172,19 +177,33 @@ void MainWindowTest::escapeStopsInADialogToo()
 void MainWindowTest::theManualOpensAtThePageOfTheScreen()
 {
     WindowFixture f(false);
-    f.window->showPage(QStringLiteral("fit"));
+    for (const Page* page : f.window->pages()) {
+        f.window->showPage(page->id());
+        QTest::keyClick(f.window.get(), Qt::Key_F1);
+        auto* manual = f.window->findChild<ManualWindow*>(); // one, that stays beside the work
+        QVERIFY(manual && manual->isVisible());
+        QCOMPARE(manual->browser()->page(), manualPageFor(page->id()));
+        QCOMPARE(f.window->findChildren<ManualWindow*>().size(), 1);
+    }
+}
+
+void MainWindowTest::theManualIsSearched()
+{
+    WindowFixture f(false);
     QTest::keyClick(f.window.get(), Qt::Key_F1);
-    QTRY_VERIFY(f.window->findChild<AboutDialog*>());
-    auto* about = f.window->findChild<AboutDialog*>();
-    for (QPushButton* button : about->findChildren<QPushButton*>())
-        if (button->text() == QStringLiteral("Manual"))
-            QTest::mouseClick(button, Qt::LeftButton);
-    QTRY_VERIFY(f.window->findChild<ManualDialog*>());
-    auto* browser = f.window->findChild<ManualDialog*>()->browser();
-    QVERIFY(browser->toPlainText().startsWith(QStringLiteral("From a squeeze to m, b and k")));
-    // Every page that a screen names is there.
-    for (const char* screen : {"inspect", "enroll", "live", "types", "history", "calibrate"})
-        QVERIFY(QFile::exists(QStringLiteral(":/manual/") + manualPageFor(QLatin1String(screen))));
+    auto* manual = f.window->findChild<ManualWindow*>();
+    auto* list = manual->findChild<QListWidget*>(u"manualPages"_s);
+    auto* words = manual->findChild<QLineEdit*>(u"manualWords"_s);
+    const int all = list->count();
+    QVERIFY(all > 15);
+    QTest::keyClicks(words, u"gauge blocks"_s);
+    QVERIFY(list->count() >= 1 && list->count() < all);
+    QTest::keyClick(words, Qt::Key_Return);
+    QVERIFY(manual->browser()->toPlainText().contains(u"gauge"_s));
+    QTest::keyClicks(words, u" qqqq"_s);
+    QVERIFY(list->item(0)->flags() == Qt::NoItemFlags);
+    QTest::keyClick(manual, Qt::Key_Escape);
+    QTRY_VERIFY(!f.window->findChild<ManualWindow*>());
 }
 
 void MainWindowTest::anErrorIsShownUntilItIsDismissed()

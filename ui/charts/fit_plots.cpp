@@ -80,7 +80,7 @@ FitPlots::FitPlots(QWidget* parent)
     m_response->setMinimumHeight(116);
     m_force->setMinimumHeight(92);
     m_residuals->setMinimumHeight(104);
-    m_auto->setMinimumHeight(104);
+    m_auto->setMinimumHeight(112);
     const int stretches[] = {40, 18, 26, 26};
     for (int row = 0; row < 4; ++row)
         grid->setRowStretch(row, stretches[row]);

@@ -149,13 +149,15 @@ PlotRange PlotFrame::vertical() const
 void PlotFrame::setTicks(QValueAxis* axis, int most)
 {
     AxisTicks ticks = roundTicks(axis->min(), axis->max(), most);
-    for (int more = most + 1; ticks.values.size() < 2 && more < most + 8; ++more)
-        ticks = roundTicks(axis->min(), axis->max(), more); // one number says nothing about the scale
+    if (most < 4 && axis->min() == -axis->max())
+        ticks.step = symmetricStep(axis->max()); // zero and both ends, or they would stand too close
+    else
+        for (int more = most + 1; ticks.values.size() < 2 && more < most + 8; ++more)
+            ticks = roundTicks(axis->min(), axis->max(), more); // one number says nothing about the scale
     if (!(ticks.step > 0))
         return;
     axis->setTickInterval(ticks.step);
-    const int decimals = std::clamp(-int(std::floor(std::log10(ticks.step) + 1e-9)), 0, 9);
-    axis->setLabelFormat(u"%.%1f"_s.arg(decimals));
+    axis->setLabelFormat(u"%.%1f"_s.arg(decimalsOf(ticks.step)));
 }
 
 void PlotFrame::setHorizontal(PlotRange range)

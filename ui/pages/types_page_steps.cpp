@@ -50,7 +50,8 @@ StepBar::StepBar(QWidget* parent)
     line->addSpacing(metrics::step);
     for (QToolButton* button : {m_play, m_back, m_forward})
         line->addWidget(button);
-    line->addWidget(m_slider, 1);
+    line->addWidget(m_slider, 8);
+    line->addStretch(1); // keeps the rest to the left while the slider is away
     line->addSpacing(metrics::step);
     line->addLayout(texts);
 
@@ -121,6 +122,8 @@ void StepBar::play(bool on)
 
 void StepBar::refresh()
 {
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_play, m_back, m_forward, m_slider, m_text})
+        widget->setVisible(m_byCluster); // types have no iterations
     for (QWidget* widget : std::initializer_list<QWidget*>{m_play, m_slider})
         widget->setEnabled(m_count > 1);
     m_back->setEnabled(step() > 0);

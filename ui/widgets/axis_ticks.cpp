@@ -24,7 +24,7 @@ double roundStep(double span, int most)
 
 QString AxisTicks::label(double value) const
 {
-    const int decimals = step > 0 ? std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9))) : 0;
+    const int decimals = decimalsOf(step);
     const double clean = std::abs(value) < step / 1e6 ? 0 : value;
     QLocale locale = QLocale::c();
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
@@ -42,6 +42,29 @@ AxisTicks roundTicks(double low, double high, int most)
     for (double i = first; i <= last; i += 1)
         ticks.values.push_back(i * ticks.step);
     return ticks;
+}
+
+double symmetricStep(double half)
+{
+    if (!(half > 0) || !std::isfinite(half))
+        return 0;
+    const double power = std::pow(10.0, std::floor(std::log10(half) + 1e-9));
+    double step = power;
+    for (const double multiple : {1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
+        if (multiple * power <= half * (1 + 1e-9))
+            step = multiple * power;
+    return step;
+}
+
+int decimalsOf(double step)
+{
+    if (!(step > 0))
+        return 0;
+    int decimals = 0;
+    for (double scaled = step; decimals < 9 && std::abs(scaled - std::round(scaled)) > 1e-6 * scaled;
+         ++decimals)
+        scaled *= 10;
+    return decimals;
 }
 
 AxisRange roundRange(double low, double high, double leastSpan)

@@ -15,6 +15,11 @@ struct AxisTicks {
     label(double value) const; ///< with the decimals the step needs, and a true minus sign
 };
 [[nodiscard]] AxisTicks roundTicks(double low, double high, int most);
+/// For a low plot from -half to half with three numbers: the largest round number that is not above `half`,
+/// at least two thirds of it.
+[[nodiscard]] double symmetricStep(double half);
+/// Decimals that multiples of `step` need, at most 9.
+[[nodiscard]] int decimalsOf(double step);
 
 struct AxisRange {
     double low = 0, high = 1;

@@ -10,9 +10,6 @@ class AboutDialog : public QDialog {
     Q_OBJECT
 public:
     explicit AboutDialog(const QStringList& pageTitles, QWidget* parent = nullptr);
-
-signals:
-    void manualAsked();
 };
 
 } // namespace gripscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/about_dialog.h"
+#include "ui/help/about_dialog.h"
 
 #include "ui/widgets/controls.h"
 
@@ -39,20 +39,14 @@ AboutDialog::AboutDialog(const QStringList& pageTitles, QWidget* parent) : QDial
     addKey(tr("Space"), tr("Squeeze (pages Inspect and Enroll)"));
     for (qsizetype i = 0; i < pageTitles.size(); ++i)
         addKey(tr("Ctrl+%1").arg(i + 1), tr("Page %1").arg(pageTitles[i]));
-    addKey(tr("F1"), tr("This window"));
+    addKey(tr("F1"), tr("The manual, at the page about this screen"));
     addKey(tr("F9"), tr("Inspect the gripper: reports, counters, self-test"));
     keys->setColumnStretch(1, 1);
     column->addLayout(keys);
     column->addStretch(1);
     auto* line = new QHBoxLayout;
-    QPushButton* manual = makeButton(tr("Manual"), {}, "", this);
-    connect(manual, &QPushButton::clicked, this, [this] {
-        emit manualAsked();
-        accept();
-    });
     QPushButton* close = makeButton(tr("Close"), {}, "primary", this);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
-    line->addWidget(manual);
     line->addStretch(1);
     line->addWidget(close);
     column->addLayout(line);

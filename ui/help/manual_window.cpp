@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/help/manual_window.h"
+
+#include "ui/help/manual_browser.h"
+#include "ui/widgets/controls.h"
+
+#include <QLineEdit>
+#include <QListWidget>
+#include <QShortcut>
+#include <QVBoxLayout>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+ManualWindow::ManualWindow(QWidget* parent)
+    : QDialog(parent), m_pages(manualPages()), m_words(new QLineEdit(this)), m_list(new QListWidget(this)),
+      m_browser(new ManualBrowser(this))
+{
+    setWindowTitle(tr("Manual"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    m_browser->setObjectName(u"manualPage"_s);
+    m_browser->setAccessibleName(tr("Page of the manual"));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(12);
+    buildSide(row);
+    row->addWidget(m_browser, 1);
+    auto* column = new QVBoxLayout(this);
+    setSpacing(column, 12, 12);
+    column->addLayout(row, 1);
+    buildButtons(column);
+    connect(new QShortcut(QKeySequence::Find, this), &QShortcut::activated, m_words,
+            [this] { m_words->setFocus(); });
+    connect(m_browser, &QTextBrowser::sourceChanged, this, &ManualWindow::followBrowser);
+    filter();
+    showPage(m_pages.front().file);
+    resize(980, 620);
+}
+
+void ManualWindow::buildSide(QBoxLayout* row)
+{
+    m_words->setObjectName(u"manualWords"_s);
+    m_words->setPlaceholderText(tr("Search (Ctrl+F)"));
+    m_words->setAccessibleName(tr("Search the manual"));
+    m_words->setClearButtonEnabled(true);
+    m_list->setObjectName(u"manualPages"_s);
+    m_list->setAccessibleName(tr("Pages of the manual"));
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setTextElideMode(Qt::ElideRight);
+    auto* side = new QVBoxLayout;
+    side->setSpacing(8);
+    side->addWidget(m_words);
+    side->addWidget(m_list, 1);
+    row->addLayout(side);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_words, m_list})
+        widget->setFixedWidth(264);
+    connect(m_words, &QLineEdit::textChanged, this, &ManualWindow::filter);
+    connect(m_words, &QLineEdit::returnPressed, m_list, [this] {
+        m_list->setFocus();
+        if (m_list->count() > 0)
+            m_list->setCurrentRow(0);
+    });
+    connect(m_list, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
+        if (item && item->data(Qt::UserRole).toString() != m_browser->page())
+            showPage(item->data(Qt::UserRole).toString());
+    });
+}
+
+void ManualWindow::buildButtons(QBoxLayout* column)
+{
+    auto* back = makeButton(tr("Back"), u"go-previous"_s, "", this);
+    back->setEnabled(false);
+    auto* keys = makeButton(tr("Keys and version…"), {}, "quiet", this);
+    keys->setObjectName(u"keysButton"_s);
+    auto* close = makeButton(tr("Close"), {}, "primary", this);
+    for (QPushButton* button : {back, keys, close})
+        button->setAutoDefault(false); // Enter belongs to the search
+    auto* line = new QHBoxLayout;
+    line->addWidget(back);
+    line->addWidget(keys);
+    line->addStretch(1);
+    line->addWidget(close);
+    column->addLayout(line);
+    connect(back, &QPushButton::clicked, m_browser, &QTextBrowser::backward);
+    connect(m_browser, &QTextBrowser::backwardAvailable, back, &QPushButton::setEnabled);
+    connect(keys, &QPushButton::clicked, this, &ManualWindow::keysAsked);
+    connect(close, &QPushButton::clicked, this, &QDialog::accept);
+}
+
+void ManualWindow::showPage(const QString& file)
+{
+    m_browser->showPage(file);
+    const QString word = m_words->text().section(u' ', 0, 0, QString::SectionSkipEmpty);
+    if (!word.isEmpty())
+        m_browser->find(word);
+}
+
+void ManualWindow::filter()
+{
+    const QSignalBlocker quiet(m_list);
+    m_list->clear();
+    for (const ManualPage& page : m_pages) {
+        if (!speaksOf(page, m_words->text()))
+            continue;
+        auto* item = new QListWidgetItem(page.title, m_list);
+        item->setData(Qt::UserRole, page.file);
+        item->setToolTip(page.title);
+        item->setSizeHint({0, 40});
+    }
+    if (m_list->count() == 0) {
+        auto* none = new QListWidgetItem(tr("On no page. Try another word."), m_list);
+        none->setFlags(Qt::NoItemFlags);
+    }
+    followBrowser();
+}
+
+void ManualWindow::followBrowser()
+{
+    const QSignalBlocker quiet(m_list);
+    for (int row = 0; row < m_list->count(); ++row)
+        if (m_list->item(row)->data(Qt::UserRole).toString() == m_browser->page())
+            m_list->setCurrentRow(row);
+}
+
+} // namespace gripscope
