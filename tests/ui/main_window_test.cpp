@@ -184,6 +184,8 @@ void MainWindowTest::theManualOpensAtThePageOfTheScreen()
         QVERIFY(manual && manual->isVisible());
         QCOMPARE(manual->browser()->page(), manualPageFor(page->id()));
         QCOMPARE(f.window->findChildren<ManualWindow*>().size(), 1);
+        const QListWidgetItem* chosen = manual->findChild<QListWidget*>(u"manualPages"_s)->currentItem();
+        QVERIFY(chosen && chosen->data(Qt::UserRole).toString() == manual->browser()->page());
     }
 }
 

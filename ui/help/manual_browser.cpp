@@ -2,6 +2,8 @@
 #include "ui/help/manual_browser.h"
 
 #include <QImage>
+#include <QTextBlock>
+#include <QTextTable>
 #include <QUrl>
 
 #include <algorithm>
@@ -29,6 +31,35 @@ void ManualBrowser::showPage(const QString& file)
 QString ManualBrowser::page() const
 {
     return source().fileName();
+}
+
+void ManualBrowser::doSetSource(const QUrl& name, QTextDocument::ResourceType type)
+{
+    QTextBrowser::doSetSource(name, type);
+    spaceOut();
+    emit pageShown(page());
+}
+
+void ManualBrowser::spaceOut()
+{
+    QTextCursor cursor(document());
+    cursor.beginEditBlock();
+    for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+        cursor.setPosition(block.position());
+        if (cursor.currentTable())
+            continue;
+        QTextBlockFormat format = block.blockFormat();
+        const bool isHeading = format.headingLevel() > 0;
+        const bool isFirst = block == document()->begin();
+        const bool isItem = block.textList() && block.next().textList();
+        const bool isCode = format.hasProperty(QTextFormat::BlockCodeFence) || format.nonBreakableLines();
+        format.setTopMargin(isHeading && !isFirst ? 16 : 0);
+        format.setBottomMargin(isItem ? 4 : isCode ? 0 : 8);
+        format.setLineHeight(120, QTextBlockFormat::ProportionalHeight);
+        cursor.setBlockFormat(format);
+    }
+    cursor.endEditBlock();
+    moveCursor(QTextCursor::Start);
 }
 
 QVariant ManualBrowser::loadResource(int type, const QUrl& name)

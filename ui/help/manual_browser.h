@@ -13,8 +13,15 @@ public:
     void showPage(const QString& file); ///< "inspect.md"
     [[nodiscard]] QString page() const;
 
+signals:
+    void pageShown(const QString& file);
+
 protected:
+    void doSetSource(const QUrl& name, QTextDocument::ResourceType type) override;
     QVariant loadResource(int type, const QUrl& name) override;
+
+private:
+    void spaceOut(); ///< as a page of print: Markdown comes without air between its blocks
 };
 
 } // namespace gripscope

@@ -31,7 +31,7 @@ ManualWindow::ManualWindow(QWidget* parent)
     buildButtons(column);
     connect(new QShortcut(QKeySequence::Find, this), &QShortcut::activated, m_words,
             [this] { m_words->setFocus(); });
-    connect(m_browser, &QTextBrowser::sourceChanged, this, &ManualWindow::followBrowser);
+    connect(m_browser, &ManualBrowser::pageShown, this, &ManualWindow::followBrowser);
     filter();
     showPage(m_pages.front().file);
     resize(980, 620);
