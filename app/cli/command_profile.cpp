@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/actions.h"
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
 #include "app/cli/exit_code.h"
@@ -15,14 +16,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-struct Action {
-    QString name, summary;
-    int (*run)(const QStringList& arguments);
-};
-
-const std::vector<Action>& actions()
+const std::vector<Command>& actions()
 {
-    static const std::vector<Action> all{
+    static const std::vector<Command> all{
         {u"check"_s, u"says what is wrong with profiles, place by place"_s, checkProfiles},
         {u"show"_s, u"the fields of a profile as a table"_s, showProfile},
         {u"list"_s, u"the profiles that grippers are found by"_s, listProfiles},
@@ -266,22 +262,8 @@ int installProfiles(const QStringList& arguments)
 
 int runProfile(const QStringList& arguments)
 {
-    QStringList names, lines;
-    for (const Action& action : actions()) {
-        names << action.name;
-        lines << u"%1: %2"_s.arg(action.name, action.summary);
-        if (!arguments.isEmpty() && arguments.first() == action.name)
-            return action.run(arguments.mid(1));
-    }
-    CommandLine line(
-        u"profile"_s,
-        u"Teaches Gripscope the reports of other makers' grippers. %1. \"profile ACTION --help\" "
-        "tells an action's options."_s.arg(lines.join(u"; "_s)),
-        u"ACTION"_s);
-    if (const std::optional<int> exit = line.parse(arguments))
-        return *exit;
-    line.reject(u"the name of an action was expected first: %1."_s.arg(names.join(u", "_s)));
-    return line.finish().value_or(2);
+    return runAction(u"profile"_s, u"Teaches Gripscope the reports of other makers' grippers."_s, actions(),
+                     arguments);
 }
 
 } // namespace gripscope::cli

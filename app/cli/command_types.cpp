@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
+#include "app/cli/actions.h"
 #include "app/cli/commands.h"
 #include "app/cli/type_commands.h"
 
@@ -9,14 +9,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-struct Action {
-    QString name, summary;
-    int (*run)(const QStringList& arguments);
-};
-
-const std::vector<Action>& actions()
+const std::vector<Command>& actions()
 {
-    static const std::vector<Action> all{
+    static const std::vector<Command> all{
         {u"list"_qs, u"the types, now or at an earlier version"_qs, listTypes},
         {u"squeezes"_qs, u"the squeezes of a type, with their keys"_qs, listSqueezes},
         {u"guide"_qs, u"is a type enrolled well enough, which squeeze is an outlier, what overlaps"_qs,
@@ -39,22 +34,10 @@ const std::vector<Action>& actions()
 
 int runTypes(const QStringList& arguments)
 {
-    QStringList names, lines;
-    for (const Action& action : actions()) {
-        names << action.name;
-        lines << u"%1: %2"_qs.arg(action.name, action.summary);
-        if (!arguments.isEmpty() && arguments.first() == action.name)
-            return action.run(arguments.mid(1));
-    }
-    CommandLine line(
+    return runAction(
         u"types"_qs,
-        u"Manages the types of a library; nothing is lost, every change is a version with who, when and why. "
-        "%1. \"types ACTION --help\" tells an action's options."_qs.arg(lines.join(u"; "_qs)),
-        u"ACTION"_qs);
-    if (const std::optional<int> exit = line.parse(arguments))
-        return *exit;
-    line.reject(u"the name of an action was expected first: %1."_qs.arg(names.join(u", "_qs)));
-    return line.finish().value_or(2);
+        u"Manages the types of a library; nothing is lost, every change is a version with who, when and why."_qs,
+        actions(), arguments);
 }
 
 } // namespace gripscope::cli

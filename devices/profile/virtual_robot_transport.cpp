@@ -15,19 +15,6 @@ constexpr std::uint64_t faultPurpose = 5;
 /// Reports that wait for a reader; the newest are dropped behind that, as a kernel does.
 constexpr std::size_t wireCapacity = 4096;
 
-/// Those of the address and those of its script, in order of time.
-Expected<std::vector<FaultEvent>> allFaults(const VirtualAddress& address)
-{
-    std::vector<FaultEvent> faults = address.faults;
-    if (address.script.isEmpty())
-        return faults;
-    return readFaultScript(address.script).map([&](const std::vector<FaultEvent>& script) {
-        faults.insert(faults.end(), script.begin(), script.end());
-        sortByTime(faults);
-        return faults;
-    });
-}
-
 } // namespace
 
 VirtualRobotTransport::VirtualRobotTransport(VirtualAddress address,
@@ -45,7 +32,7 @@ Expected<void> VirtualRobotTransport::open()
     const Expected<VirtualObject> object = VirtualObject::fromText(m_address.object);
     if (!object)
         return tl::unexpected<Error>(object.error());
-    Expected<std::vector<FaultEvent>> faults = allFaults(m_address);
+    Expected<std::vector<FaultEvent>> faults = withScript(m_address.faults, m_address.script);
     if (!faults)
         return tl::unexpected<Error>(faults.error());
     const std::optional<virtual_plug::Past> past = virtual_plug::plugIn(m_address);

@@ -289,4 +289,15 @@ void sortByTime(std::vector<FaultEvent>& events)
                      [](const FaultEvent& a, const FaultEvent& b) { return a.at_s < b.at_s; });
 }
 
+Expected<std::vector<FaultEvent>> withScript(std::vector<FaultEvent> events, const QString& script)
+{
+    if (script.isEmpty())
+        return events;
+    return readFaultScript(script).map([&](const std::vector<FaultEvent>& read) {
+        events.insert(events.end(), read.begin(), read.end());
+        sortByTime(events);
+        return events;
+    });
+}
+
 } // namespace gripscope

@@ -76,6 +76,10 @@ struct FaultState {
 /// The events in order of time; those of one time stay in their order.
 void sortByTime(std::vector<FaultEvent>& events);
 
+/// These events and those of a script, in order of time; no script where the name is empty.
+[[nodiscard]] Expected<std::vector<FaultEvent>> withScript(std::vector<FaultEvent> events,
+                                                           const QString& script);
+
 /// Longest time in a script, s: eleven days.
 inline constexpr double longestFaultTime_s = 1e6;
 /// How long a call hangs unless told otherwise: as long as the kernel waits for a device's answer.

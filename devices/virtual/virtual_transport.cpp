@@ -38,20 +38,15 @@ VirtualTransport::VirtualTransport(const VirtualAddress& address, VirtualFirmwar
 
 Expected<void> VirtualTransport::open()
 {
-    std::vector<FaultEvent> faults = m_address.faults;
-    if (!m_address.script.isEmpty()) {
-        const Expected<std::vector<FaultEvent>> script = readFaultScript(m_address.script);
-        if (!script)
-            return tl::unexpected<Error>(script.error());
-        faults.insert(faults.end(), script->begin(), script->end());
-        sortByTime(faults);
-    }
+    Expected<std::vector<FaultEvent>> faults = withScript(m_address.faults, m_address.script);
+    if (!faults)
+        return tl::unexpected<Error>(faults.error());
     const std::optional<virtual_plug::Past> past = virtual_plug::plugIn(m_address);
     if (!past)
         return failure(ErrorCode::DeviceNotFound,
                        {u"virtual:"_qs, u"It is unplugged; its faults plug it in again by themselves."_qs});
     const std::lock_guard lock(m_mutex);
-    m_timeline = FaultTimeline(std::move(faults));
+    m_timeline = FaultTimeline(std::move(*faults));
     m_faultsBefore_s = past->faults_s;
     m_firmware.goOnAfter(past->squeezes);
     m_squeezesSeen = past->squeezes;

@@ -152,6 +152,21 @@ void fiveSecondsLoseNothing()
     row("5 s of stream, 1,000 reports a second", came && isWhole(counters), counted(counters));
 }
 
+/// How long it took from Stop to the gripper's answer; nothing when none came.
+std::optional<std::chrono::milliseconds> stopInTime(OpenPort& gripper)
+{
+    const auto before = std::chrono::steady_clock::now();
+    gripper.port->stop();
+    if (!gripper.pollUntil([&] { return gripper.port->squeezeState() == SqueezeState::Stopped; }))
+        return {};
+    return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - before);
+}
+
+QString inWords(const std::optional<std::chrono::milliseconds>& took)
+{
+    return took ? u"acknowledged after %1 ms"_qs.arg(took->count()) : u"not acknowledged"_qs;
+}
+
 void commandsAreObeyed()
 {
     const PluggedIn plugged;
@@ -164,13 +179,8 @@ void commandsAreObeyed()
     const bool running = gripper.gate.start(usualForce(20000)).has_value() && gripper.pollUntil([&] {
         return gripper.port->squeezeState() == SqueezeState::Running;
     });
-    const auto before = std::chrono::steady_clock::now();
-    gripper.port->stop();
-    const bool stopped =
-        gripper.pollUntil([&] { return gripper.port->squeezeState() == SqueezeState::Stopped; });
-    const auto took =
-        std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - before);
-    row("stopped while it squeezes", running && stopped, u"acknowledged after %1 ms"_qs.arg(took.count()));
+    const std::optional<std::chrono::milliseconds> took = stopInTime(gripper);
+    row("stopped while it squeezes", running && took, inWords(took));
 }
 
 /// Another program asks the device what it is, and gets no answer for five seconds.
@@ -196,16 +206,10 @@ void stoppedWhileAFeatureIsAwaited()
     });
     const auto waited = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
     const bool waits = gripper.pollUntil([&] { return asks && std::chrono::steady_clock::now() > waited; });
-    const auto before = std::chrono::steady_clock::now();
-    gripper.port->stop();
-    const bool stopped =
-        gripper.pollUntil([&] { return gripper.port->squeezeState() == SqueezeState::Stopped; });
-    const auto took =
-        std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - before);
+    const std::optional<std::chrono::milliseconds> took = stopInTime(gripper);
     other.join();
     row("stopped while a feature request waits",
-        running && waits && stopped && !answered && took < std::chrono::milliseconds(200),
-        u"acknowledged after %1 ms"_qs.arg(took.count()));
+        running && waits && took && !answered && *took < std::chrono::milliseconds(200), inWords(took));
 }
 
 void unpluggedWhile(const char* what, const std::function<bool(OpenPort&)>& busy)
