@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/device_address.h"
 
+#include "core/words.h"
 #include "devices/virtual/virtual_object.h"
 
 #include <QStringList>
@@ -16,7 +17,8 @@ namespace {
 
 tl::unexpected<Error> wrong(const QString& found, const QString& expected)
 {
-    return failure(ErrorCode::Usage, {u"Device address: %1 is not understood; %2."_qs.arg(found, expected)});
+    return failure(ErrorCode::Usage,
+                   {Words::tr("Device address: %1 is not understood; %2.").arg(found, expected)});
 }
 
 Expected<double> number(const QString& key, const QString& text, double least, double most)
@@ -24,7 +26,8 @@ Expected<double> number(const QString& key, const QString& text, double least, d
     bool isNumber = false;
     const double value = text.toDouble(&isNumber);
     if (!isNumber || !std::isfinite(value) || value < least || value > most)
-        return wrong(key + u'=' + text, u"%1 is a number from %2 to %3"_qs.arg(key).arg(least).arg(most));
+        return wrong(key + u'=' + text,
+                     Words::tr("%1 is a number from %2 to %3").arg(key).arg(least).arg(most));
     return value;
 }
 
@@ -79,9 +82,10 @@ Expected<void> parseFault(const QString& text, VirtualAddress& address)
     const auto* known = std::find_if(std::begin(faultNames), std::end(faultNames),
                                      [&](const FaultName& each) { return name == QLatin1String(each.text); });
     if (known == std::end(faultNames))
-        return wrong(u"fault="_qs + text,
-                     u"a fault is loss:P, duplicate:P, crc:P, saturate:N, stall:S, unplug:S, replug:S, "
-                     "deaf:S, hang-feature:S, hang-write:S, broken:S, stuck or units"_qs);
+        return wrong(
+            u"fault="_qs + text,
+            Words::tr("a fault is loss:P, duplicate:P, crc:P, saturate:N, stall:S, unplug:S, replug:S, "
+                      "deaf:S, hang-feature:S, hang-write:S, broken:S, stuck or units"));
     const Expected<double> value = number(u"fault="_qs + name, text.section(u':', 1), 0, known->most);
     if (!value)
         return tl::unexpected<Error>(value.error());
@@ -105,7 +109,7 @@ Expected<void> parseFaults(const QString& text, VirtualAddress& address)
     for (FaultEvent& event : address.faults)
         if (event.fault == Fault::Replug) {
             if (!unplugged_s)
-                return wrong(u"fault="_qs + text, u"replug:S needs unplug:S beside it"_qs);
+                return wrong(u"fault="_qs + text, Words::tr("replug:S needs unplug:S beside it"));
             event.at_s += *unplugged_s;
         }
     sortByTime(address.faults);
@@ -122,7 +126,7 @@ Expected<void> parseVirtualOption(const QString& key, const QString& value, Virt
         bool isNumber = false;
         address.seed = value.toULongLong(&isNumber);
         if (!isNumber)
-            return wrong(u"seed="_qs + value, u"seed is a whole number from 0 on"_qs);
+            return wrong(u"seed="_qs + value, Words::tr("seed is a whole number from 0 on"));
         return {};
     }
     if (key == u"noise")
@@ -131,7 +135,8 @@ Expected<void> parseVirtualOption(const QString& key, const QString& value, Virt
         return number(key, value, 0, 100).map([&](double speed) { address.speed = speed; });
     if (key == u"fault") {
         if (!address.faults.empty())
-            return wrong(u"a second fault="_qs, u"faults stand behind one fault=, with commas between"_qs);
+            return wrong(Words::tr("a second fault="),
+                         Words::tr("faults stand behind one fault=, with commas between"));
         return parseFaults(value, address);
     }
     if (key == u"script") {
@@ -146,8 +151,9 @@ Expected<void> parseVirtualOption(const QString& key, const QString& value, Virt
         (key == u"like" ? address.like : address.profile) = value;
         return {};
     }
-    return wrong(key,
-                 u"virtual: knows object, seed, noise, speed, fault, script, capture, profile and like"_qs);
+    return wrong(
+        key,
+        Words::tr("virtual: knows object, seed, noise, speed, fault, script, capture, profile and like"));
 }
 
 Expected<DeviceAddress> parseVirtual(const QString& rest)
@@ -156,10 +162,11 @@ Expected<DeviceAddress> parseVirtual(const QString& rest)
     if (rest.isEmpty() || rest == u"?")
         return address;
     if (!rest.startsWith(u'?'))
-        return wrong(rest, u"behind virtual: comes nothing, or ? and options such as object=A&seed=7"_qs);
+        return wrong(rest,
+                     Words::tr("behind virtual: comes nothing, or ? and options such as object=A&seed=7"));
     for (const QString& option : rest.mid(1).split(u'&')) {
         if (!option.contains(u'='))
-            return wrong(u'"' + option + u'"', u"an option is name=value"_qs);
+            return wrong(u'"' + option + u'"', Words::tr("an option is name=value"));
         const Expected<void> parsed =
             parseVirtualOption(option.section(u'=', 0, 0), option.section(u'=', 1), address);
         if (!parsed)
@@ -173,7 +180,8 @@ Expected<std::uint16_t> hexId(const QString& text)
     bool isNumber = false;
     const uint value = text.toUInt(&isNumber, 16);
     if (!isNumber || value > 0xFFFF)
-        return wrong(text, u"a vendor or product number has up to four hexadecimal digits, such as 1209"_qs);
+        return wrong(text,
+                     Words::tr("a vendor or product number has up to four hexadecimal digits, such as 1209"));
     return static_cast<std::uint16_t>(value);
 }
 
@@ -188,7 +196,8 @@ Expected<void> parseHidOptions(const QString& options, HidAddress& address)
         else if (option.startsWith(u"profile="))
             address.profile = value;
         else
-            return wrong(option, u"behind hid: the options are port=PORT, profile=FILE and capture=FILE"_qs);
+            return wrong(option,
+                         Words::tr("behind hid: the options are port=PORT, profile=FILE and capture=FILE"));
     }
     return {};
 }
@@ -203,7 +212,7 @@ Expected<DeviceAddress> parseHid(const QString& rest)
     if (name.isEmpty())
         return address;
     if (!name.contains(u':'))
-        return wrong(name, u"hid: stands alone, or as hid:1209:0001 or hid:1209:0001:SERIAL"_qs);
+        return wrong(name, Words::tr("hid: stands alone, or as hid:1209:0001 or hid:1209:0001:SERIAL"));
     const Expected<std::uint16_t> vendor = hexId(name.section(u':', 0, 0));
     if (!vendor)
         return tl::unexpected<Error>(vendor.error());
@@ -241,9 +250,9 @@ Expected<DeviceAddress> parseDeviceAddress(const QString& text)
         return parseHid(rest);
     if (kind == u"replay" && !rest.isEmpty())
         return parseReplay(rest);
-    return wrong(
-        text.isEmpty() ? u"nothing"_qs : text,
-        u"an address is virtual: or virtual:?object=A&seed=7, hid: or hid:1209:0001:SERIAL, or replay:FILE"_qs);
+    return wrong(text.isEmpty() ? u"nothing"_qs : text,
+                 Words::tr("an address is virtual: or virtual:?object=A&seed=7, hid: or "
+                           "hid:1209:0001:SERIAL, or replay:FILE"));
 }
 
 } // namespace gripscope

@@ -13,10 +13,9 @@ namespace {
 
 using State = ConnectSession::State;
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("Connection", text);
-}
+struct Told {
+    Q_DECLARE_TR_FUNCTIONS(gripscope::Connection)
+};
 
 /// It was connected before, so that it has a name.
 bool isKnown(const ConnectSession& connection)
@@ -33,16 +32,17 @@ bool isForbidden(const ConnectSession& connection)
 QString streamWords(const ConnectSession& connection)
 {
     const double sampleTime_s = connection.identity().sampleTime_s;
-    const QString rate = sampleTime_s > 0 ? tr("%1 kHz").arg(1e-3 / sampleTime_s, 0, 'g', 3) : QString();
+    const QString rate =
+        sampleTime_s > 0 ? Told::tr("%1 kHz").arg(1e-3 / sampleTime_s, 0, 'g', 3) : QString();
     const auto lost = static_cast<qint64>(connection.counters().lostSamples);
-    return tr("%1 · %2 lost").arg(rate, formatCount(lost));
+    return Told::tr("%1 · %2 lost").arg(rate, formatCount(lost));
 }
 
 } // namespace
 
 QString gripperName(const GripperIdentity& identity)
 {
-    return identity.serial.isEmpty() ? identity.name : tr("Gripper %1").arg(identity.serial);
+    return identity.serial.isEmpty() ? identity.name : Told::tr("Gripper %1").arg(identity.serial);
 }
 
 ConnectionWords chipWords(const ConnectSession& connection)
@@ -53,16 +53,17 @@ ConnectionWords chipWords(const ConnectSession& connection)
         return {identity.serial.isEmpty() ? identity.name : u"%1 %2"_s.arg(identity.name, identity.serial),
                 streamWords(connection)};
     case State::Connecting:
-        return {tr("Connecting…"), connection.address()};
+        return {Told::tr("Connecting…"), connection.address()};
     case State::Lost:
         if (isForbidden(connection))
-            return {tr("No permission"), tr("see what to type")};
+            return {Told::tr("No permission"), Told::tr("see what to type")};
         if (!connection.awaiting())
-            return {tr("Gripper lost"), tr("choose one")};
-        return {isKnown(connection) ? tr("%1 is away").arg(gripperName(identity)) : tr("No gripper yet"),
-                tr("waiting for it")};
+            return {Told::tr("Gripper lost"), Told::tr("choose one")};
+        return {isKnown(connection) ? Told::tr("%1 is away").arg(gripperName(identity))
+                                    : Told::tr("No gripper yet"),
+                Told::tr("waiting for it")};
     case State::Disconnected:
-        return {tr("No gripper"), tr("choose one")};
+        return {Told::tr("No gripper"), Told::tr("choose one")};
     }
     return {};
 }
@@ -70,13 +71,13 @@ ConnectionWords chipWords(const ConnectSession& connection)
 ConnectionWords missingWords(const ConnectSession& connection)
 {
     if (isForbidden(connection))
-        return {tr("No permission"), tr("Choose the gripper at the top to see what to type")};
+        return {Told::tr("No permission"), Told::tr("Choose the gripper at the top to see what to type")};
     if (!connection.awaiting())
-        return {tr("No gripper"), tr("Choose one at the top of the window")};
+        return {Told::tr("No gripper"), Told::tr("Choose one at the top of the window")};
     if (!isKnown(connection))
-        return {tr("No gripper yet"), tr("Plug it in: Gripscope connects it by itself")};
-    return {tr("%1 is away").arg(gripperName(connection.identity())),
-            tr("Plug it in again: Gripscope goes on by itself")};
+        return {Told::tr("No gripper yet"), Told::tr("Plug it in: Gripscope connects it by itself")};
+    return {Told::tr("%1 is away").arg(gripperName(connection.identity())),
+            Told::tr("Plug it in again: Gripscope goes on by itself")};
 }
 
 QString connectionErrorWords(const ConnectSession& connection, const Error& error)
@@ -84,23 +85,25 @@ QString connectionErrorWords(const ConnectSession& connection, const Error& erro
     if (!connection.awaiting())
         return error.describe();
     if (error.code == ErrorCode::DevicePermission)
-        return tr("The gripper at %1 may not be opened by this user. Choose it at the top to see what to "
-                  "type; "
-                  "Gripscope connects it by itself then.")
+        return Told::tr(
+                   "The gripper at %1 may not be opened by this user. Choose it at the top to see what to "
+                   "type; "
+                   "Gripscope connects it by itself then.")
             .arg(error.arguments.value(0));
     if (error.code == ErrorCode::DeviceLost && isKnown(connection))
-        return tr("%1 went away: %2. Plug it in again: Gripscope goes on by itself.")
+        return Told::tr("%1 went away: %2. Plug it in again: Gripscope goes on by itself.")
             .arg(gripperName(connection.identity()), error.arguments.value(1));
-    return tr("%1 Gripscope connects it as soon as it is there.").arg(error.describe());
+    return Told::tr("%1 Gripscope connects it as soon as it is there.").arg(error.describe());
 }
 
 QString squeezeErrorWords(const ConnectSession& connection, const Error& error)
 {
     if (error.code != ErrorCode::DeviceLost || !connection.awaiting())
         return error.describe();
-    return tr("%1 went away during the squeeze, so nothing was measured. Plug it in again, arm it, then "
-              "repeat "
-              "the squeeze.")
+    return Told::tr(
+               "%1 went away during the squeeze, so nothing was measured. Plug it in again, arm it, then "
+               "repeat "
+               "the squeeze.")
         .arg(gripperName(connection.identity()));
 }
 

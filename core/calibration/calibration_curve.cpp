@@ -2,6 +2,7 @@
 #include "core/calibration/calibration_curve.h"
 
 #include "core/calibration/polynomial.h"
+#include "core/words.h"
 
 #include <Eigen/QR>
 
@@ -20,27 +21,31 @@ using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
 Error unusable(const QString& found, const QString& expected)
 {
-    return {ErrorCode::BadInput, {u"calibration points"_s, found, expected}};
+    return {ErrorCode::BadInput, {Words::tr("calibration points"), found, expected}};
 }
 
 std::optional<Error> problemOf(const std::vector<CalibrationPoint>& points, int degree)
 {
     if (degree < 1 || degree > highestCalibrationDegree)
         return unusable(u"degree %1"_s.arg(degree),
-                        u"expected a degree from 1 to %1"_s.arg(highestCalibrationDegree));
+                        Words::tr("expected a degree from 1 to %1").arg(highestCalibrationDegree));
     std::set<double> loads;
     for (const CalibrationPoint& point : points) {
         if (!std::isfinite(point.load) || !std::isfinite(point.reading))
-            return unusable(u"found a number that is not finite"_s, u"expected finite loads and readings"_s);
+            return unusable(Words::tr("found a number that is not finite"),
+                            Words::tr("expected finite loads and readings"));
         loads.insert(point.load);
     }
     if (static_cast<int>(points.size()) < degree + 2 || static_cast<int>(loads.size()) < degree + 1)
         return unusable(
-            u"found %1 points at %2 different loads"_s.arg(points.size()).arg(loads.size()),
-            u"degree %1 needs at least %2 points at %3 loads"_s.arg(degree).arg(degree + 2).arg(degree + 1));
+            Words::tr("found %1 points at %2 different loads").arg(points.size()).arg(loads.size()),
+            Words::tr("degree %1 needs at least %2 points at %3 loads")
+                .arg(degree)
+                .arg(degree + 2)
+                .arg(degree + 1));
     if (!std::isfinite(*loads.rbegin() - *loads.begin()))
-        return unusable(u"found loads from %1 to %2"_s.arg(*loads.begin()).arg(*loads.rbegin()),
-                        u"expected a range that is a number"_s);
+        return unusable(Words::tr("found loads from %1 to %2").arg(*loads.begin()).arg(*loads.rbegin()),
+                        Words::tr("expected a range that is a number"));
     return std::nullopt;
 }
 
@@ -107,14 +112,14 @@ Expected<CalibrationCurve> CalibrationCurve::fit(const std::vector<CalibrationPo
     curve.m_covariance = variance * (root * root.transpose());
     if (!curve.coefficients().allFinite() || !curve.standardDeviations().allFinite())
         return tl::unexpected<Error>(
-            unusable(u"the numbers are too large or too small"_s, u"choose other units"_s));
+            unusable(Words::tr("the numbers are too large or too small"), Words::tr("choose other units")));
     constexpr long double inside = 1 - 1e-9L; // a curve may be level at its very end
     const std::vector<long double> turns =
         polynomialRoots(polynomialDerivative(curve.m_powers), -inside, inside);
     if (!turns.empty() || curve.readingAt(curve.leastLoad()) == curve.readingAt(curve.largestLoad()))
-        return tl::unexpected<Error>(
-            unusable(u"the curve does not only rise or only fall between the least and the largest load"_s,
-                     u"a reading would belong to two loads: choose a lower degree or look at the points"_s));
+        return tl::unexpected<Error>(unusable(
+            Words::tr("the curve does not only rise or only fall between the least and the largest load"),
+            Words::tr("a reading would belong to two loads: choose a lower degree or look at the points")));
     return curve;
 }
 

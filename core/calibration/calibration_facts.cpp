@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_facts.h"
 
+#include "core/words.h"
+
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
@@ -33,9 +35,10 @@ void correct(std::vector<double>& values, const QString& text)
 void noteCalibration(QMap<QString, QString>& provenance, const CalibrationRecord& calibration,
                      const SensorCorrection& correction, const QDate& today)
 {
-    provenance[wordsKey(calibration.channel)] = u"taken %1 against %2, holds until %3"_s.arg(
-        calibration.takenUtc.date().toString(Qt::ISODate), calibration.reference.name.simplified(),
-        calibration.due.toString(Qt::ISODate));
+    provenance[wordsKey(calibration.channel)] =
+        Words::tr("taken %1 against %2, holds until %3")
+            .arg(calibration.takenUtc.date().toString(Qt::ISODate), calibration.reference.name.simplified(),
+                 calibration.due.toString(Qt::ISODate));
     provenance[correctionKey(calibration.channel)] = correction.text();
     provenance[daysKey(calibration.channel)] = QString::number(today.daysTo(calibration.due));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_plan.h"
 
+#include "core/words.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,25 +15,27 @@ std::optional<Error> problemOf(const CalibrationPlan& plan)
 {
     const auto usage = [](const QString& words) { return Error{ErrorCode::Usage, {words}}; };
     if (plan.degree < 1 || plan.degree > highestCalibrationDegree)
-        return usage(u"The degree of the curve is %1; it may be 1 to %2."_s.arg(plan.degree)
+        return usage(Words::tr("The degree of the curve is %1; it may be 1 to %2.")
+                         .arg(plan.degree)
                          .arg(highestCalibrationDegree));
     if (!std::all_of(plan.loads.begin(), plan.loads.end(), [](double load) { return std::isfinite(load); }) ||
         std::adjacent_find(plan.loads.begin(), plan.loads.end(), std::greater_equal<>()) != plan.loads.end())
-        return usage(u"The loads must be different numbers, the least first."_s);
+        return usage(Words::tr("The loads must be different numbers, the least first."));
     if (static_cast<int>(plan.loads.size()) < plan.degree + 1)
-        return usage(u"A curve of degree %1 needs at least %2 loads; there are %3."_s.arg(plan.degree)
+        return usage(Words::tr("A curve of degree %1 needs at least %2 loads; there are %3.")
+                         .arg(plan.degree)
                          .arg(plan.degree + 1)
                          .arg(plan.loads.size()));
     constexpr int mostRuns = 20;
     if (plan.runs < 1 || plan.runs > mostRuns)
-        return usage(u"There are %1 runs; there may be 1 to %2."_s.arg(plan.runs).arg(mostRuns));
+        return usage(Words::tr("There are %1 runs; there may be 1 to %2.").arg(plan.runs).arg(mostRuns));
     if (static_cast<int>(plannedPoints(plan).size()) < plan.degree + 2)
-        return usage(
-            u"A curve of degree %1 needs at least %2 points: go down again, or add a run."_s.arg(plan.degree)
-                .arg(plan.degree + 2));
+        return usage(Words::tr("A curve of degree %1 needs at least %2 points: go down again, or add a run.")
+                         .arg(plan.degree)
+                         .arg(plan.degree + 2));
     constexpr double longest_s = 60;
     if (!(plan.averaging_s > 0) || plan.averaging_s > longest_s)
-        return usage(u"A reading is averaged over %1 s; more than 0 and at most %2 s make sense."_s
+        return usage(Words::tr("A reading is averaged over %1 s; more than 0 and at most %2 s make sense.")
                          .arg(plan.averaging_s)
                          .arg(longest_s));
     return std::nullopt;

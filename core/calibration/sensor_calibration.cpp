@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/sensor_calibration.h"
 
+#include "core/words.h"
+
 #include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
@@ -108,15 +110,18 @@ Expected<CalibrationEvaluation> evaluateCalibration(const SensorCalibration& cal
     for (const double uncertainty : {reference.standardUncertainty, reference.relativeUncertainty})
         if (!std::isfinite(uncertainty) || uncertainty < 0)
             return failure(ErrorCode::BadInput,
-                           {u"the reference"_s, u"found an uncertainty of %1"_s.arg(uncertainty),
-                            u"expected zero or more, as its certificate states it"_s});
+                           {Words::tr("the reference"),
+                            Words::tr("found an uncertainty of %1").arg(uncertainty),
+                            Words::tr("expected zero or more, as its certificate states it")});
     Expected<CalibrationCurve> curve = CalibrationCurve::fit(calibration.points, calibration.degree);
     if (!curve)
         return tl::unexpected<Error>(curve.error());
     if (const std::optional<double> level = levelPlace(*curve))
-        return failure(ErrorCode::BadInput,
-                       {u"calibration points"_s, u"the curve is nearly level at a load of %1"_s.arg(*level),
-                        u"loads cannot be told there: choose a lower degree or look at the points"_s});
+        return failure(
+            ErrorCode::BadInput,
+            {Words::tr("calibration points"),
+             Words::tr("the curve is nearly level at a load of %1").arg(*level),
+             Words::tr("loads cannot be told there: choose a lower degree or look at the points")});
     CalibrationEvaluation evaluation;
     evaluation.curve = std::move(*curve);
     evaluation.figures = calibrationFigures(evaluation.curve, calibration.points);

@@ -7,6 +7,7 @@
 #include "core/identification/lag_alignment.h"
 #include "core/identification/residual_tests.h"
 #include "core/identification/tall_qr.h"
+#include "core/words.h"
 
 #include <Eigen/Core>
 
@@ -26,8 +27,9 @@ constexpr double largestCondition = 1e13;
 /// Above this one-step fit, percent, the residuals are rounding errors, which are neither white nor noise.
 constexpr double roundingFit = 100 * (1 - 1e-9);
 
-constexpr const char* fitWarning = "noise on the position biases m, b and k of an ARX model heavily while "
-                                   "its fit still looks good: compare oe";
+constexpr const char* fitWarning =
+    QT_TRANSLATE_NOOP("Words", "noise on the position biases m, b and k of an ARX model heavily while "
+                               "its fit still looks good: compare oe");
 
 /// The regression in scaled units, so that no square overflows: y / positionScale, u / forceScale.
 struct Regression {
@@ -240,8 +242,8 @@ void mapToParameters(const Regression& regression, const Solution& solution, con
         byPoles ? poleMapping(c.a1, c.a2, numerator, t) : centralDifferenceMapping(c.a1, c.a2, numerator, t);
     if (!estimate.parameters) {
         estimate.status = EstimateStatus::NoPhysicalMapping;
-        estimate.message =
-            "the coefficients belong to no object with m, b, k > 0; noise on the position does that";
+        estimate.message = QT_TRANSLATE_NOOP(
+            "Words", "the coefficients belong to no object with m, b, k > 0; noise on the position does that");
         return;
     }
     estimate.status = EstimateStatus::Converged;
@@ -285,21 +287,22 @@ Estimate estimateArx(const std::vector<double>& force, const std::vector<double>
     const Regression regression = makeRegression(force, position, options);
     if (static_cast<Eigen::Index>(regression.rows()) <= regression.columns()) {
         estimate.status = EstimateStatus::TooFewSamples;
-        estimate.message = "there are fewer samples than the model has coefficients; record for longer";
+        estimate.message = QT_TRANSLATE_NOOP(
+            "Words", "there are fewer samples than the model has coefficients; record for longer");
         return estimate;
     }
     const Solution solution = solve(regression);
     if (solution.coefficients.size() == 0 || !solution.coefficients.allFinite()) {
         estimate.status = EstimateStatus::NotIdentifiable;
-        estimate.message =
-            "force and position do not determine the coefficients; squeeze with a force that varies";
+        estimate.message = QT_TRANSLATE_NOOP(
+            "Words", "force and position do not determine the coefficients; squeeze with a force that varies");
         return estimate;
     }
     estimate.coefficients = inChannelUnits(regression, solution.coefficients);
     if (!isFinite(*estimate.coefficients)) {
         estimate.coefficients.reset();
         estimate.status = EstimateStatus::NotIdentifiable;
-        estimate.message = "the coefficients are outside the range of numbers";
+        estimate.message = QT_TRANSLATE_NOOP("Words", "the coefficients are outside the range of numbers");
         return estimate;
     }
     describeModel(regression, solution.coefficients, estimate);

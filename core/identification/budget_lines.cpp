@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/budget_lines.h"
 
+#include "core/words.h"
+
 #include <QStringList>
 #include <boost/math/distributions/normal.hpp>
 
@@ -15,7 +17,7 @@ namespace {
 
 QString percent(double share)
 {
-    return QString::number(100 * share, 'g', 2);
+    return Words::number(100 * share, 'g', 2);
 }
 
 /// Values within +-a, all alike (JCGM 100, 4.3.7): a shift that may be there wholly, in part or not at all.
@@ -78,17 +80,18 @@ std::vector<BudgetLine> effectLines(const Eigen::Vector3d& p, const LinearizedRe
     if (chain.forceLagUncertainty_s > 0) {
         const Eigen::Vector3d shift = shifts.col(0) * chain.forceLagUncertainty_s;
         lines.push_back(lineOf(u"lag"_s,
-                               u"the lag between the channels is known to %1 us"_s.arg(
-                                   chain.forceLagUncertainty_s * 1e6, 0, 'g', 3),
+                               Words::tr("the lag between the channels is known to %1 us")
+                                   .arg(chain.forceLagUncertainty_s * 1e6, 0, 'g', 3),
                                EvaluationType::B, p, shift * shift.transpose()));
     }
     if (chain.frameComplianceUncertainty > 0) {
         const Eigen::Vector3d shift = shifts.col(1) * chain.frameComplianceUncertainty;
         const double share = chain.frameComplianceUncertainty * p(2);
-        lines.push_back(lineOf(
-            u"frame_compliance"_s,
-            u"the compliance of frame and fingers is known to %1 % of the object's"_s.arg(percent(share)),
-            EvaluationType::B, p, shift * shift.transpose()));
+        lines.push_back(
+            lineOf(u"frame_compliance"_s,
+                   Words::tr("the compliance of frame and fingers is known to %1 % of the object's")
+                       .arg(percent(share)),
+                   EvaluationType::B, p, shift * shift.transpose()));
     }
     return lines;
 }
@@ -103,8 +106,8 @@ std::vector<BudgetLine> holdLines(const Eigen::Vector3d& p, const std::optional<
         if (term.id != u"smooth_force"_s)
             continue;
         relative += rectangular(term.shift);
-        words.append(u"the residuals ask for %1: m would be %2 % away"_s.arg(
-            term.words, percent(std::abs(term.shift(0)))));
+        words.append(Words::tr("the residuals ask for %1: m would be %2 % away")
+                         .arg(term.words, percent(std::abs(term.shift(0)))));
     }
     if (hold) {
         const Eigen::Vector3d shift = relativeShift(p, hold->other.vector());
@@ -113,8 +116,9 @@ std::vector<BudgetLine> holdLines(const Eigen::Vector3d& p, const std::optional<
         relative += more * more.transpose();
         if (!more.isZero(0))
             words.prepend(
-                u"it is not certain how the force is held between samples: the other way m would be "
-                "%1 % away"_s.arg(percent(std::abs(shift(0)))));
+                Words::tr("it is not certain how the force is held between samples: the other way m would be "
+                          "%1 % away")
+                    .arg(percent(std::abs(shift(0)))));
     }
     if (relative.allFinite() && relative.trace() > 0)
         lines.push_back(lineOf(u"hold"_s, words.join(u"; "_s), EvaluationType::B, p, relative));
@@ -129,8 +133,8 @@ std::vector<BudgetLine> calibrationLines(const Eigen::Vector3d& p, const Measuri
         return {};
     const double variance = force * force + position * position;
     return {lineOf(u"calibration"_s,
-                   u"the scales of force and position are known to %1 % and %2 %"_s.arg(percent(force),
-                                                                                        percent(position)),
+                   Words::tr("the scales of force and position are known to %1 % and %2 %")
+                       .arg(percent(force), percent(position)),
                    EvaluationType::B, p, Eigen::Matrix3d::Constant(variance))};
 }
 
@@ -138,7 +142,7 @@ std::vector<BudgetLine> baselineLines(const GripperBaseline& baseline)
 {
     BudgetLine line;
     line.id = u"baseline"_s;
-    line.words = u"the empty gripper's own m, b and k, which were taken off"_s;
+    line.words = Words::tr("the empty gripper's own m, b and k, which were taken off");
     for (Eigen::Index i = 0; i < 3; ++i) {
         const double error = baseline.standardErrors[static_cast<std::size_t>(i)];
         line.covariance(i, i) = error * error;
@@ -156,11 +160,11 @@ std::vector<BudgetLine> discrepancyLines(const Eigen::Vector3d& p,
         if (term.id == u"smooth_force"_s)
             continue;
         shift += term.shift;
-        words.append(u"the residuals ask for %1"_s.arg(term.words));
+        words.append(Words::tr("the residuals ask for %1").arg(term.words));
     }
     Eigen::Matrix3d relative = misfit.remainder + rectangular(shift);
     if (misfit.remainder.trace() > 0)
-        words.append(u"the force explains a part of the residuals that the model does not have"_s);
+        words.append(Words::tr("the force explains a part of the residuals that the model does not have"));
     // Welch-Satterthwaite within the line.
     Eigen::Vector3d quartic = Eigen::Vector3d::Zero();
     if (misfit.remainderDegreesOfFreedom > 0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/derived_quantities.h"
 
+#include "core/words.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +26,7 @@ struct Logarithmic {
 
 QString digits(double value)
 {
-    return QString::number(value, 'g', 2);
+    return Words::number(value, 'g', 2);
 }
 
 DerivedQuantity quantity(const UncertaintyBudget& budget, const QString& id, const QString& name,
@@ -47,8 +49,8 @@ DerivedQuantity quantity(const UncertaintyBudget& budget, const QString& id, con
         out.value = q.value;
     else
         out.words =
-            u"this record does not determine the %1: its standard uncertainty is %2 % of its value"_s.arg(
-                name, digits(100 * relative));
+            Words::tr("this record does not determine the %1: its standard uncertainty is %2 % of its value")
+                .arg(name, digits(100 * relative));
     return out;
 }
 
@@ -61,7 +63,8 @@ void boundFrequency(const UncertaintyBudget& budget, DerivedQuantity& frequency)
     if (!std::isfinite(least))
         return;
     frequency.value.reset();
-    frequency.words = u"at least %1 Hz: this record does not tell the mass from zero"_s.arg(digits(least));
+    frequency.words =
+        Words::tr("at least %1 Hz: this record does not tell the mass from zero").arg(digits(least));
 }
 
 } // namespace
@@ -78,25 +81,27 @@ std::vector<DerivedQuantity> derivedFrom(const UncertaintyBudget& budget)
     const Eigen::Vector3d ofFrequency(-0.5, 0, 0.5);
     const Eigen::Vector3d ofDamping(-0.5, 1, -0.5);
     std::vector<DerivedQuantity> out;
-    out.push_back(quantity(budget, u"natural_frequency"_s, u"natural frequency"_s, u"Hz"_s,
+    out.push_back(quantity(budget, u"natural_frequency"_s, Words::tr("natural frequency"), u"Hz"_s,
                            {angular / twoPi, ofFrequency}));
     boundFrequency(budget, out.back());
-    out.push_back(quantity(budget, u"damping_ratio"_s, u"damping ratio"_s, u"1"_s, {zeta, ofDamping}));
+    out.push_back(
+        quantity(budget, u"damping_ratio"_s, Words::tr("damping ratio"), u"1"_s, {zeta, ofDamping}));
     const double uncertainty = out.back().uncertainty.standardUncertainty;
     if (std::abs(zeta - 1) <= 2 * uncertainty) {
-        DerivedQuantity both =
-            quantity(budget, u"time_constant"_s, u"time constant"_s, u"s"_s, {1 / angular, -ofFrequency});
+        DerivedQuantity both = quantity(budget, u"time_constant"_s, Words::tr("time constant"),
+                                        u"s"_s, {1 / angular, -ofFrequency});
         both.words += both.words.isEmpty() ? QString() : u"; "_s;
-        both.words += u"the damping is critical within its uncertainty, so that two time constants cannot be "
-                      "told apart"_s;
+        both.words +=
+            Words::tr("the damping is critical within its uncertainty, so that two time constants cannot be "
+                      "told apart");
         out.push_back(both);
     } else if (zeta < 1) {
         // d ln sqrt(1 - zeta^2) = -zeta^2 / (1 - zeta^2) d ln zeta.
         const double rest = 1 - zeta * zeta;
         out.push_back(
-            quantity(budget, u"damped_frequency"_s, u"damped frequency"_s, u"Hz"_s,
+            quantity(budget, u"damped_frequency"_s, Words::tr("damped frequency"), u"Hz"_s,
                      {angular / twoPi * std::sqrt(rest), ofFrequency - zeta * zeta / rest * ofDamping}));
-        out.push_back(quantity(budget, u"decay_time"_s, u"decay time"_s, u"s"_s,
+        out.push_back(quantity(budget, u"decay_time"_s, Words::tr("decay time"), u"s"_s,
                                {1 / (zeta * angular), Eigen::Vector3d(1, -1, 0)}));
     } else {
         // tau = (zeta +- sqrt(zeta^2 - 1)) / angular; d ln tau = +-zeta / sqrt(zeta^2 - 1) d ln zeta - d ln
@@ -104,10 +109,10 @@ std::vector<DerivedQuantity> derivedFrom(const UncertaintyBudget& budget)
         const double root = std::sqrt(zeta - 1) * std::sqrt(zeta + 1);
         const double sum = zeta + root;
         const Eigen::Vector3d slope = zeta / root * ofDamping;
-        out.push_back(quantity(budget, u"time_constant_slow"_s, u"slow time constant"_s, u"s"_s,
-                               {sum / angular, slope - ofFrequency}));
-        out.push_back(quantity(budget, u"time_constant_fast"_s, u"fast time constant"_s, u"s"_s,
-                               {1 / (sum * angular), -slope - ofFrequency}));
+        out.push_back(quantity(budget, u"time_constant_slow"_s, Words::tr("slow time constant"),
+                               u"s"_s, {sum / angular, slope - ofFrequency}));
+        out.push_back(quantity(budget, u"time_constant_fast"_s, Words::tr("fast time constant"),
+                               u"s"_s, {1 / (sum * angular), -slope - ofFrequency}));
     }
     std::erase_if(out, [](const DerivedQuantity& q) {
         return !std::isfinite(q.interval.lower) || !std::isfinite(q.uncertainty.standardUncertainty);
@@ -123,12 +128,12 @@ std::optional<QString> upperBoundWords(const UncertaintyBudget& budget, int para
     if (!interval.onlyUpperBound)
         return std::nullopt;
     static const std::array<QString, 3> names{u"m"_s, u"b"_s, u"k"_s};
-    static const std::array<QString, 3> advice{u"squeeze with faster changes of force, or sample faster"_s,
-                                               u"squeeze for longer, or with more force"_s,
-                                               u"squeeze for longer, or with slower changes of force"_s};
+    const std::array<QString, 3> advice{Words::tr("squeeze with faster changes of force, or sample faster"),
+                                        Words::tr("squeeze for longer, or with more force"),
+                                        Words::tr("squeeze for longer, or with slower changes of force")};
     const auto at = static_cast<std::size_t>(parameter);
-    return u"%1 is at most %2 %3: this record does not tell it from zero; %4"_s.arg(
-        names[at], digits(interval.upper), unit, advice[at]);
+    return Words::tr("%1 is at most %2 %3: this record does not tell it from zero; %4")
+        .arg(names[at], digits(interval.upper), unit, advice[at]);
 }
 
 } // namespace gripscope

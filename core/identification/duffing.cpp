@@ -8,6 +8,7 @@
 #include "core/identification/output_error.h"
 #include "core/identification/scaled_residuals.h"
 #include "core/identification/tall_qr.h"
+#include "core/words.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -204,14 +205,20 @@ void describe(const DuffingProblem& problem, const DuffingSearchResult& search,
 const char* boundaryMessage(const DuffingSearchResult& search)
 {
     static constexpr std::array<const char*, 3> toZero{
-        "the mass cannot be told from zero beside a cubic spring; excite faster, or sample faster",
-        "the damping cannot be told from zero beside a cubic spring; squeeze longer or with more force",
-        "the linear stiffness cannot be told from zero beside a cubic spring; squeeze longer, and gently as "
-        "well as hard"};
+        QT_TRANSLATE_NOOP(
+            "Words",
+            "the mass cannot be told from zero beside a cubic spring; excite faster, or sample faster"),
+        QT_TRANSLATE_NOOP(
+            "Words",
+            "the damping cannot be told from zero beside a cubic spring; squeeze longer or with more force"),
+        QT_TRANSLATE_NOOP("Words", "the linear stiffness cannot be told from zero beside a cubic spring; "
+                                   "squeeze longer, and gently as "
+                                   "well as hard")};
     static constexpr std::array<const char*, 3> toInfinity{
-        "no finite mass explains the position; check the grip and the sensor",
-        "no finite damping explains the position; check the grip and the sensor",
-        "no finite stiffness explains the position; check the grip and the sensor"};
+        QT_TRANSLATE_NOOP("Words", "no finite mass explains the position; check the grip and the sensor"),
+        QT_TRANSLATE_NOOP("Words", "no finite damping explains the position; check the grip and the sensor"),
+        QT_TRANSLATE_NOOP("Words",
+                          "no finite stiffness explains the position; check the grip and the sensor")};
     const auto i = static_cast<std::size_t>(search.boundaryIndex);
     return search.boundaryAtZero ? toZero[i] : toInfinity[i];
 }
@@ -221,14 +228,17 @@ std::optional<Estimate> obstacle(const std::vector<double>& force, const std::ve
                                  const DuffingProblem& problem)
 {
     if (problem.rows() <= problem.unknowns())
-        return failed(EstimateStatus::TooFewSamples, "the lag between the channels leaves too few samples");
+        return failed(EstimateStatus::TooFewSamples,
+                      QT_TRANSLATE_NOOP("Words", "the lag between the channels leaves too few samples"));
     if (isConstant(position))
         return failed(EstimateStatus::NotIdentifiable, constantPosition);
     if (isConstant(force) && problem.freeInitialState)
         return failed(
             EstimateStatus::NotIdentifiable,
-            "a constant force does not determine m, b, k and k3 together with a free start; squeeze "
-            "with a force that varies, for instance a pseudo-random binary sequence");
+            QT_TRANSLATE_NOOP(
+                "Words",
+                "a constant force does not determine m, b, k and k3 together with a free start; squeeze "
+                "with a force that varies, for instance a pseudo-random binary sequence"));
     return std::nullopt;
 }
 
@@ -242,11 +252,13 @@ Estimate inChannelUnits(const DuffingProblem& problem, const DuffingSearchResult
     const auto covariance =
         covarianceOf(search, {p(0), p(1), p(2), cubicUnit(problem)}, search.degreesOfFreedom(problem));
     if (!p.allFinite() || !(p.minCoeff() > 0) || !std::isfinite(k3) || !covariance)
-        return failed(EstimateStatus::NotIdentifiable,
-                      "m, b, k, k3 or their errors are outside the range of numbers");
+        return failed(
+            EstimateStatus::NotIdentifiable,
+            QT_TRANSLATE_NOOP("Words", "m, b, k, k3 or their errors are outside the range of numbers"));
     const bool converged = search.outcome == DuffingOutcome::Converged;
-    Estimate estimate = converged ? failed(EstimateStatus::Converged, "converged")
-                                  : failed(EstimateStatus::NotConverged, "the search did not settle");
+    Estimate estimate = converged ? failed(EstimateStatus::Converged, QT_TRANSLATE_NOOP("Words", "converged"))
+                                  : failed(EstimateStatus::NotConverged,
+                                           QT_TRANSLATE_NOOP("Words", "the search did not settle"));
     estimate.parameters = parameters;
     estimate.covariance = covariance->topLeftCorner<3, 3>();
     estimate.cubic = CubicSpring{k3, *covariance};
@@ -262,14 +274,19 @@ Estimate estimateDuffing(const std::vector<double>& force, const std::vector<dou
                          const DuffingOptions& options)
 {
     if (!options.lost.empty())
-        return failed(EstimateStatus::NotApplicable,
-                      "the cubic spring needs an unbroken record; choose a window without lost samples");
+        return failed(
+            EstimateStatus::NotApplicable,
+            QT_TRANSLATE_NOOP(
+                "Words", "the cubic spring needs an unbroken record; choose a window without lost samples"));
     if (force.size() != position.size())
-        return failed(EstimateStatus::NotApplicable, "force and position have different lengths");
+        return failed(EstimateStatus::NotApplicable,
+                      QT_TRANSLATE_NOOP("Words", "force and position have different lengths"));
     const std::size_t unknowns = 4 + (options.freeInitialState ? 2 : 0) + (options.freeOffset ? 1 : 0);
     if (force.size() <= unknowns)
-        return failed(EstimateStatus::TooFewSamples,
-                      "there are fewer samples than the cubic spring has unknowns; record for longer");
+        return failed(
+            EstimateStatus::TooFewSamples,
+            QT_TRANSLATE_NOOP(
+                "Words", "there are fewer samples than the cubic spring has unknowns; record for longer"));
     DuffingProblem problem = scaledProblem(force, position, options);
     if (const std::optional<Estimate> stop = obstacle(force, position, problem))
         return *stop;
@@ -283,7 +300,8 @@ Estimate estimateDuffing(const std::vector<double>& force, const std::vector<dou
     if (search->outcome == DuffingOutcome::Boundary)
         estimate.message = boundaryMessage(*search);
     else if (!isDetermined(*search))
-        estimate.message = "this force does not determine m, b, k and k3; squeeze with a richer one";
+        estimate.message = QT_TRANSLATE_NOOP(
+            "Words", "this force does not determine m, b, k and k3; squeeze with a richer one");
     else
         estimate = inChannelUnits(problem, *search, position);
     estimate.iterations = search->iterations;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/identifiability.h"
 
+#include "core/words.h"
+
 #include <array>
 
 namespace gripscope {
@@ -8,13 +10,14 @@ namespace gripscope {
 const char* boundaryMessage(int parameter, bool atZero)
 {
     static constexpr std::array<const char*, 3> toZero{
-        "the mass cannot be told from zero; excite faster, or sample faster",
-        "the damping cannot be told from zero; squeeze longer or with more force",
-        "the stiffness cannot be told from zero; squeeze longer"};
+        QT_TRANSLATE_NOOP("Words", "the mass cannot be told from zero; excite faster, or sample faster"),
+        QT_TRANSLATE_NOOP("Words", "the damping cannot be told from zero; squeeze longer or with more force"),
+        QT_TRANSLATE_NOOP("Words", "the stiffness cannot be told from zero; squeeze longer")};
     static constexpr std::array<const char*, 3> toInfinity{
-        "no finite mass explains the position; check the grip and the sensor",
-        "no finite damping explains the position; check the grip and the sensor",
-        "no finite stiffness explains the position; check the grip and the sensor"};
+        QT_TRANSLATE_NOOP("Words", "no finite mass explains the position; check the grip and the sensor"),
+        QT_TRANSLATE_NOOP("Words", "no finite damping explains the position; check the grip and the sensor"),
+        QT_TRANSLATE_NOOP("Words",
+                          "no finite stiffness explains the position; check the grip and the sensor")};
     const auto i = static_cast<std::size_t>(parameter);
     return atZero ? toZero[i] : toInfinity[i];
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/identification/estimate.h"
+#include "core/words.h"
 
 namespace gripscope {
 
@@ -16,13 +17,14 @@ inline constexpr double smallestOwnShare = 1e-9;
 /// trusted before others have been tried.
 inline constexpr double poorShare = 0.25;
 
-inline constexpr const char* constantForce = "a constant force does not determine m, b and k together with a "
-                                             "free start and offset; squeeze with a force that "
-                                             "varies, for instance a pseudo-random binary sequence";
-inline constexpr const char* constantPosition =
-    "the position does not change; check that the fingers hold the object and that the sensor works";
-inline constexpr const char* noAnswer =
-    "the position does not answer the force; check the grip and which column is which";
+inline constexpr const char* constantForce =
+    QT_TRANSLATE_NOOP("Words", "a constant force does not determine m, b and k together with a "
+                               "free start and offset; squeeze with a force that "
+                               "varies, for instance a pseudo-random binary sequence");
+inline constexpr const char* constantPosition = QT_TRANSLATE_NOOP(
+    "Words", "the position does not change; check that the fingers hold the object and that the sensor works");
+inline constexpr const char* noAnswer = QT_TRANSLATE_NOOP(
+    "Words", "the position does not answer the force; check the grip and which column is which");
 
 /// m, b or k (0, 1, 2) has its best value at zero or at infinity.
 [[nodiscard]] const char* boundaryMessage(int parameter, bool atZero);

@@ -8,6 +8,7 @@
 #include "core/identification/run_estimator.h"
 #include "core/identification/validation_records.h"
 #include "core/identification/validity_checks.h"
+#include "core/words.h"
 
 #include <algorithm>
 #include <array>
@@ -22,12 +23,12 @@ namespace {
 const char* unusable(const PreparedRecord& record)
 {
     if (record.force.size() != record.position.size())
-        return "force and position have different lengths";
+        return QT_TRANSLATE_NOOP("Words", "force and position have different lengths");
     if (!std::isfinite(record.sampleTime_s) || !(record.sampleTime_s > 0) ||
         !std::isfinite(record.forceLag_s))
-        return "the sample time or the lag is not a usable number";
+        return QT_TRANSLATE_NOOP("Words", "the sample time or the lag is not a usable number");
     if (!allFinite(record.force) || !allFinite(record.position))
-        return "the recording holds values that are not finite";
+        return QT_TRANSLATE_NOOP("Words", "the recording holds values that are not finite");
     return nullptr;
 }
 
@@ -84,7 +85,7 @@ void judgeBaseline(Identification& data)
             continue;
         check.ok = false;
         check.decisive = true;
-        check.message = QStringLiteral(
+        check.message = Words::tr(
             "the squeeze is not told from the empty gripper: with its m, b and k taken off, not all that is "
             "left is above zero. Check that the part was between the fingers, and measure the empty gripper "
             "again");

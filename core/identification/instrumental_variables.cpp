@@ -7,6 +7,7 @@
 #include "core/identification/output_error_start.h"
 #include "core/identification/scaled_residuals.h"
 #include "core/identification/tall_qr.h"
+#include "core/words.h"
 
 #include <Eigen/LU>
 
@@ -117,10 +118,12 @@ Estimate inChannelUnits(const ScaledRecord& record, const InstrumentalResult& re
     const MassDampingStiffness parameters = record.toChannelUnits(result.model.theta);
     const Eigen::Vector3d p = parameters.vector();
     if (!p.allFinite() || !(p.minCoeff() > 0))
-        return failed(EstimateStatus::NotIdentifiable, "m, b or k is outside the range of numbers");
+        return failed(EstimateStatus::NotIdentifiable,
+                      QT_TRANSLATE_NOOP("Words", "m, b or k is outside the range of numbers"));
     Estimate estimate = result.outcome == InstrumentalOutcome::Converged
-                            ? failed(EstimateStatus::Converged, "converged")
-                            : failed(EstimateStatus::NotConverged, "the iteration did not settle");
+                            ? failed(EstimateStatus::Converged, QT_TRANSLATE_NOOP("Words", "converged"))
+                            : failed(EstimateStatus::NotConverged,
+                                     QT_TRANSLATE_NOOP("Words", "the iteration did not settle"));
     estimate.parameters = parameters;
     estimate.nuisance = nuisanceInChannelUnits(record, result.model.x0, result.model.v0, result.model.offset);
     const double freedom = result.degreesOfFreedom(record);
@@ -138,17 +141,23 @@ Estimate estimateInstrumentalVariables(const std::vector<double>& force, const s
                                        const InstrumentalVariablesOptions& options)
 {
     if (!options.lost.empty())
-        return failed(EstimateStatus::NotApplicable,
-                      "instrumental variables need an unbroken record; choose a window without lost samples");
+        return failed(
+            EstimateStatus::NotApplicable,
+            QT_TRANSLATE_NOOP(
+                "Words",
+                "instrumental variables need an unbroken record; choose a window without lost samples"));
     if (force.size() != position.size())
-        return failed(EstimateStatus::NotApplicable, "force and position have different lengths");
+        return failed(EstimateStatus::NotApplicable,
+                      QT_TRANSLATE_NOOP("Words", "force and position have different lengths"));
     const std::size_t unknowns = 3 + (options.freeInitialState ? 2 : 0) + (options.freeOffset ? 1 : 0);
     if (force.size() <= unknowns)
-        return failed(EstimateStatus::TooFewSamples,
-                      "there are fewer samples than there are unknowns; record for longer");
+        return failed(
+            EstimateStatus::TooFewSamples,
+            QT_TRANSLATE_NOOP("Words", "there are fewer samples than there are unknowns; record for longer"));
     const ScaledRecord record = makeOutputErrorProblem(force, position, reading(options));
     if (record.rows() <= static_cast<std::ptrdiff_t>(unknowns))
-        return failed(EstimateStatus::TooFewSamples, "the lag between the channels leaves too few samples");
+        return failed(EstimateStatus::TooFewSamples,
+                      QT_TRANSLATE_NOOP("Words", "the lag between the channels leaves too few samples"));
     if (isConstant(position))
         return failed(EstimateStatus::NotIdentifiable, constantPosition);
     const std::optional<InstrumentalResult> result = findSolution(record, options);
@@ -156,9 +165,11 @@ Estimate estimateInstrumentalVariables(const std::vector<double>& force, const s
         return failed(EstimateStatus::NotIdentifiable, isConstant(force) ? constantForce : noAnswer);
     Estimate estimate = failed(EstimateStatus::NotIdentifiable, "");
     if (!isDetermined(*result))
-        estimate.message = isConstant(force)
-                               ? constantForce
-                               : "this force does not determine m, b and k; squeeze with a richer one";
+        estimate.message =
+            isConstant(force)
+                ? constantForce
+                : QT_TRANSLATE_NOOP("Words",
+                                    "this force does not determine m, b and k; squeeze with a richer one");
     else if (result->outcome == InstrumentalOutcome::Boundary)
         estimate.message = boundaryMessage(result->boundaryIndex, result->boundaryAtZero);
     else

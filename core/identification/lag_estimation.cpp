@@ -2,6 +2,7 @@
 #include "core/identification/lag_estimation.h"
 
 #include "core/identification/lag_profile.h"
+#include "core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,28 +35,30 @@ double expectedGain(double sampleTime_s, double standardError_s)
 
 QString microseconds(double seconds)
 {
-    return QString::number(seconds * 1e6, 'g', 4);
+    return Words::number(seconds * 1e6, 'g', 4);
 }
 
 /// Status and words for a lag with an error.
 void judge(LagEstimate& estimate)
 {
     estimate.expectedGain = expectedGain(estimate.sampleTime_s, estimate.standardError_s);
-    const QString value =
-        u"%1 us, known to %2 us"_s.arg(microseconds(estimate.lag_s), microseconds(estimate.standardError_s));
+    const QString value = Words::tr("%1 us, known to %2 us")
+                              .arg(microseconds(estimate.lag_s), microseconds(estimate.standardError_s));
     if (estimate.holdGain && *estimate.holdGain < clearGain) {
         estimate.status = LagStatus::HoldOrLag;
         estimate.message =
-            u"a lag of %1; but the other force hold with another lag does as well. Name the hold."_s.arg(
-                value);
+            Words::tr("a lag of %1; but the other force hold with another lag does as well. Name the hold.")
+                .arg(value);
     } else if (estimate.expectedGain < clearGain) {
         estimate.status = LagStatus::TooUncertain;
         estimate.message =
-            u"a lag of %1: too little to tell it from none. Measure it on more squeezes, or on a "
-            "stiffer object with less noise."_s.arg(value);
+            Words::tr("a lag of %1: too little to tell it from none. Measure it on more squeezes, or on a "
+                      "stiffer object with less noise.")
+                .arg(value);
     } else {
         estimate.status = LagStatus::Measured;
-        estimate.message = u"the position channel samples later than the force channel by %1"_s.arg(value);
+        estimate.message =
+            Words::tr("the position channel samples later than the force channel by %1").arg(value);
     }
 }
 
@@ -103,24 +106,26 @@ LagEstimate estimateLag(const std::vector<double>& force, const std::vector<doub
                         const LagEstimationOptions& options)
 {
     if (!isUsable(force, position, options))
-        return failed(LagStatus::NotEstimated, u"the data or the options hold numbers that can't be used"_s);
+        return failed(LagStatus::NotEstimated,
+                      Words::tr("the data or the options hold numbers that can't be used"));
     LagRange range;
     range.middle = options.expectedLag_s / options.sampleTime_s;
     range.half = std::clamp(options.searchedSamples, smallestSearch, largestSearch);
     const LagProfile profile(force, position, options, range);
     const std::optional<LagMinimum> best = profile.minimum();
     if (!best)
-        return failed(LagStatus::NotEstimated,
-                      u"no m, b and k could be found, so there is nothing to measure the lag against"_s);
+        return failed(
+            LagStatus::NotEstimated,
+            Words::tr("no m, b and k could be found, so there is nothing to measure the lag against"));
     LagEstimate estimate;
     estimate.sampleTime_s = options.sampleTime_s;
     estimate.lag_s = best->lag * options.sampleTime_s;
     if (best->atEnd || !best->error) {
         estimate.status = LagStatus::AtLimit;
         estimate.message =
-            u"the best lag, %1 us, lies at the end of what was searched: the object is no mass, "
-            "spring and damper at this force, or the lag is much larger than expected"_s.arg(
-                microseconds(estimate.lag_s));
+            Words::tr("the best lag, %1 us, lies at the end of what was searched: the object is no mass, "
+                      "spring and damper at this force, or the lag is much larger than expected")
+                .arg(microseconds(estimate.lag_s));
         return estimate;
     }
     estimate.standardError_s = *best->error * options.sampleTime_s;
@@ -138,7 +143,7 @@ LagEstimate combineLags(std::span<const LagEstimate> squeezes)
             used.push_back(squeeze);
     }
     if (used.empty())
-        return failed(LagStatus::NotEstimated, u"none of the squeezes tells the lag"_s);
+        return failed(LagStatus::NotEstimated, Words::tr("none of the squeezes tells the lag"));
     // No squeeze is perfect: a floor keeps one without noise from outweighing all others without end.
     for (LagEstimate& squeeze : used)
         squeeze.standardError_s = std::max(squeeze.standardError_s, 1e-9 * squeeze.sampleTime_s);

@@ -4,6 +4,7 @@
 #include "core/identification/effect_regression.h"
 #include "core/identification/series_model.h"
 #include "core/identification/smooth_force.h"
+#include "core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,8 @@ ComparedModel delayed(const std::vector<double>& force, const std::vector<double
 {
     constexpr int iterations = 4;
     OutputErrorOptions moved = options;
-    ComparedModel best = modelOf(u"delay"_s, u"a further delay between force and position"_s, linear, 1);
+    ComparedModel best =
+        modelOf(u"delay"_s, Words::tr("a further delay between force and position"), linear, 1);
     best.delay_s = 0;
     Estimate at = linear;
     for (int i = 0; i < iterations; ++i) {
@@ -99,30 +101,31 @@ std::vector<ComparedModel> candidates(const std::vector<double>& force, const st
                                       const std::optional<Estimate>& cubic)
 {
     std::vector<ComparedModel> models;
-    models.push_back(modelOf(u"linear"_s, u"mass, spring and damper"_s, linear));
+    models.push_back(modelOf(u"linear"_s, Words::tr("mass, spring and damper"), linear));
     if (cubic && cubic->cubic) {
         const bool stiffens = cubic->cubic->k3 > 0;
-        models.push_back(modelOf(u"cubic_spring"_s,
-                                 stiffens ? u"a stiffening spring"_s : u"a softening spring"_s, *cubic, 1));
+        models.push_back(modelOf(
+            u"cubic_spring"_s, stiffens ? Words::tr("a stiffening spring") : Words::tr("a softening spring"),
+            *cubic, 1));
     }
     OutputErrorOptions other = options;
     other.start = linear.parameters;
     other.freeOffset = !options.freeOffset;
-    models.push_back(
-        modelOf(options.freeOffset ? u"without_offset"_s : u"with_offset"_s,
-                options.freeOffset ? u"no offset of the position"_s : u"an offset of the position"_s,
-                estimateOutputError(force, position, other)));
+    models.push_back(modelOf(options.freeOffset ? u"without_offset"_s : u"with_offset"_s,
+                             options.freeOffset ? Words::tr("no offset of the position")
+                                                : Words::tr("an offset of the position"),
+                             estimateOutputError(force, position, other)));
     models.push_back(delayed(force, position, options, linear));
     other.freeOffset = options.freeOffset;
     const bool straight = options.hold == ForceHold::First;
     other.hold = straight ? ForceHold::Zero : ForceHold::First;
     models.push_back(modelOf(u"other_hold"_s,
-                             straight ? u"a force that is held from sample to sample"_s
-                                      : u"a force that runs straight from sample to sample"_s,
+                             straight ? Words::tr("a force that is held from sample to sample")
+                                      : Words::tr("a force that runs straight from sample to sample"),
                              estimateOutputError(force, position, other)));
     if (straight) {
         other.hold = options.hold;
-        models.push_back(modelOf(u"smooth_force"_s, u"a force that is smooth between its samples"_s,
+        models.push_back(modelOf(u"smooth_force"_s, Words::tr("a force that is smooth between its samples"),
                                  estimateOutputError(straightAsSpline(force), position, other)));
     }
     return models;
@@ -154,17 +157,18 @@ void conclude(ModelComparison& comparison)
     const ComparedModel& linear = *comparison.find(u"linear"_s);
     const bool clear = linear.delta > decisiveDelta;
     if (!clear) {
-        comparison.sentence = u"The linear model is enough."_s;
+        comparison.sentence = Words::tr("The linear model is enough.");
         return;
     }
     if (best.change <= noticeable) {
         comparison.sentence =
-            u"%1 explains this squeeze better, but m, b and k stay within their errors: the "
-            "linear model is enough."_s.arg(capitalized(best.words));
+            Words::tr("%1 explains this squeeze better, but m, b and k stay within their errors: the "
+                      "linear model is enough.")
+                .arg(capitalized(best.words));
         return;
     }
     comparison.decisive = true;
-    comparison.sentence = u"%1 explains this squeeze better."_s.arg(capitalized(best.words));
+    comparison.sentence = Words::tr("%1 explains this squeeze better.").arg(capitalized(best.words));
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/model_discrepancy.h"
 
+#include "core/words.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <boost/math/distributions/fisher_f.hpp>
@@ -104,7 +106,7 @@ void estimateSpread(const std::vector<Part>& parts, ModelDiscrepancy& out)
 
 QString percent(double share)
 {
-    return QString::number(100 * share, 'g', 2);
+    return Words::number(100 * share, 'g', 2);
 }
 
 } // namespace
@@ -118,19 +120,19 @@ ModelDiscrepancy discrepancyBetween(std::span<const Estimate> estimates)
             parts.push_back(*part);
     }
     if (parts.size() < fewestParts) {
-        out.words = u"too few parts determine m, b and k well enough to be compared"_s;
+        out.words = Words::tr("too few parts determine m, b and k well enough to be compared");
         return out;
     }
     out.parts = static_cast<int>(parts.size());
     out.agreementP = agreement(parts);
     if (!out.agreementP || *out.agreementP >= discrepancyLevel) {
-        out.words = u"%1 parts agree on m, b and k within their noise"_s.arg(out.parts);
+        out.words = Words::tr("%1 parts agree on m, b and k within their noise").arg(out.parts);
         return out;
     }
     estimateSpread(parts, out);
     const Eigen::Vector3d u = out.covariance.diagonal().cwiseSqrt();
-    out.words = u"%1 parts disagree beyond their noise by %2 % in m, %3 % in b and %4 % in k"_s.arg(
-        QString::number(out.parts), percent(u(0)), percent(u(1)), percent(u(2)));
+    out.words = Words::tr("%1 parts disagree beyond their noise by %2 % in m, %3 % in b and %4 % in k")
+                    .arg(QString::number(out.parts), percent(u(0)), percent(u(1)), percent(u(2)));
     return out;
 }
 
@@ -162,12 +164,12 @@ ModelDiscrepancy modelDiscrepancy(std::size_t samples, double sampleTime_s, cons
 {
     ModelDiscrepancy none;
     if (!whole.parameters) {
-        none.words = u"there is no estimate whose parts could be compared"_s;
+        none.words = Words::tr("there is no estimate whose parts could be compared");
         return none;
     }
     const std::vector<Window> windows = discrepancyWindows(samples, sampleTime_s, *whole.parameters);
     if (windows.empty()) {
-        none.words = u"the record is too short to compare parts of it; squeeze longer"_s;
+        none.words = Words::tr("the record is too short to compare parts of it; squeeze longer");
         return none;
     }
     std::vector<Estimate> estimates;

@@ -6,6 +6,7 @@
 #include "core/identification/series_model.h"
 #include "core/identification/small_regression.h"
 #include "core/identification/smooth_force.h"
+#include "core/words.h"
 
 #include <algorithm>
 #include <array>
@@ -53,10 +54,10 @@ std::vector<Candidate> candidates(const Estimate& e, const LinearizedRecord& rec
     const double size = std::max(std::abs(*std::max_element(force.begin(), force.end())),
                                  std::abs(*std::min_element(force.begin(), force.end())));
     std::vector<Candidate> out{
-        {u"cubic_spring"_s, u"a spring that stiffens or softens with travel"_s, {}},
-        {u"quadratic_spring"_s, u"a spring that differs between both directions"_s, {}},
-        {u"quadratic_damping"_s, u"damping that grows with speed"_s, {}},
-        {u"dry_friction"_s, u"dry friction"_s, {}}};
+        {u"cubic_spring"_s, Words::tr("a spring that stiffens or softens with travel"), {}},
+        {u"quadratic_spring"_s, Words::tr("a spring that differs between both directions"), {}},
+        {u"quadratic_damping"_s, Words::tr("damping that grows with speed"), {}},
+        {u"dry_friction"_s, Words::tr("dry friction"), {}}};
     std::vector<double> extra(force.size());
     for (std::size_t which = 0; which < out.size(); ++which) {
         for (std::size_t i = 0; i < force.size(); ++i) {
@@ -71,7 +72,7 @@ std::vector<Candidate> candidates(const Estimate& e, const LinearizedRecord& rec
         for (std::size_t i = 0; i < bend.size(); ++i)
             bend[i] -= force[i];
         out.push_back(
-            {u"smooth_force"_s, u"a force that is smooth between the samples, not a straight line"_s,
+            {u"smooth_force"_s, Words::tr("a force that is smooth between the samples, not a straight line"),
              simulate(*e.parameters, bend, {options.sampleTime_s, options.hold, options.lag_s, 0, 0, 0})});
     }
     return out;

@@ -3,6 +3,7 @@
 
 #include "core/identification/budget_lines.h"
 #include "core/identification/discretization.h"
+#include "core/words.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -110,9 +111,11 @@ BudgetLine residualNoise(const Estimate& estimate)
     const double independent = coloured ? degreesOfFreedom / (inflation * inflation) : degreesOfFreedom;
     noise.degreesOfFreedom = Eigen::Vector3d::Constant(std::max(independent, 1.0));
     noise.id = coloured ? u"noise"_s : u"position_noise"_s;
-    noise.words = coloured ? u"noise of position and force, correlated over time (an autoregressive model of "
-                             "order %1)"_s.arg(estimate.noise->coefficients.size())
-                           : u"white noise of the position"_s;
+    noise.words =
+        coloured ? Words::tr("noise of position and force, correlated over time (an autoregressive model of "
+                             "order %1)")
+                       .arg(estimate.noise->coefficients.size())
+                 : Words::tr("white noise of the position");
     return noise;
 }
 
@@ -127,17 +130,18 @@ std::vector<BudgetLine> noiseLines(const Estimate& estimate, const LinearizedRec
     ForceNoiseEffect effect = forceNoiseEffect(estimate, record, options);
     const double variance = forceNoiseDeviation * forceNoiseDeviation;
     const Eigen::Vector3d p = estimate.parameters->vector();
-    const BudgetLine force =
-        lineOf(u"force_noise"_s, u"white noise of the force, as stated or measured before the squeeze"_s,
-               EvaluationType::B, p, variance * effect.relative);
+    const BudgetLine force = lineOf(
+        u"force_noise"_s, Words::tr("white noise of the force, as stated or measured before the squeeze"),
+        EvaluationType::B, p, variance * effect.relative);
     const double degreesOfFreedom = std::max(estimate.residuals.degreesOfFreedom, 1.0);
     const double residual = estimate.residuals.sse / degreesOfFreedom;
     if (!force.covariance.allFinite() || !effect.whiteRelative.allFinite() || !(residual > 0))
         return {both};
     for (double& value : effect.position)
         value *= variance;
-    BudgetLine position = lineOf(u"position_noise"_s, u"white noise of the position"_s, EvaluationType::A, p,
-                                 std::max(residual - effect.position[0], 0.0) * effect.whiteRelative);
+    BudgetLine position =
+        lineOf(u"position_noise"_s, Words::tr("white noise of the position"), EvaluationType::A, p,
+               std::max(residual - effect.position[0], 0.0) * effect.whiteRelative);
     position.degreesOfFreedom = Eigen::Vector3d::Constant(degreesOfFreedom);
     // Where something else colours the residuals, with or without the noise that is stated, the larger of the
     // two answers holds.

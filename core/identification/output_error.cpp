@@ -10,6 +10,7 @@
 #include "core/identification/output_error_start.h"
 #include "core/identification/scaled_record.h"
 #include "core/identification/tall_qr.h"
+#include "core/words.h"
 
 #include <Eigen/LU>
 
@@ -224,14 +225,19 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
 {
     const int parameterCount = 3 + (options.freeInitialState ? 2 : 0) + (options.freeOffset ? 1 : 0);
     if (static_cast<int>(std::min<std::size_t>(force.size(), 100)) <= parameterCount)
-        return failed(EstimateStatus::TooFewSamples,
-                      "there are fewer samples than output error has unknowns; record for longer");
+        return failed(
+            EstimateStatus::TooFewSamples,
+            QT_TRANSLATE_NOOP("Words",
+                              "there are fewer samples than output error has unknowns; record for longer"));
     OutputErrorProblem problem = makeOutputErrorProblem(force, position, options);
     if (problem.rows() <= parameterCount)
-        return failed(EstimateStatus::TooFewSamples, "the lag between the channels leaves too few samples");
-    if (problem.measuredRows() <= std::max<std::ptrdiff_t>(parameterCount, problem.rows() / 2))
         return failed(EstimateStatus::TooFewSamples,
-                      "more than half of the samples are lost; check the connection and record again");
+                      QT_TRANSLATE_NOOP("Words", "the lag between the channels leaves too few samples"));
+    if (problem.measuredRows() <= std::max<std::ptrdiff_t>(parameterCount, problem.rows() / 2))
+        return failed(
+            EstimateStatus::TooFewSamples,
+            QT_TRANSLATE_NOOP(
+                "Words", "more than half of the samples are lost; check the connection and record again"));
     if (isConstant(problem.position))
         return failed(EstimateStatus::NotIdentifiable, constantPosition);
 
@@ -242,9 +248,11 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
     Estimate estimate = failed(EstimateStatus::NotIdentifiable, "");
     estimate.iterations = search.iterations;
     if (!isDetermined(search)) {
-        estimate.message = isConstant(problem.force)
-                               ? constantForce
-                               : "this force does not determine m, b and k; squeeze with a richer one";
+        estimate.message =
+            isConstant(problem.force)
+                ? constantForce
+                : QT_TRANSLATE_NOOP("Words",
+                                    "this force does not determine m, b and k; squeeze with a richer one");
         return estimate;
     }
     if (search.outcome == SearchOutcome::Boundary) {
@@ -254,7 +262,7 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
     const MassDampingStiffness parameters = problem.toChannelUnits(search.theta);
     const Eigen::Vector3d p = parameters.vector();
     if (!p.allFinite() || !(p.minCoeff() > 0)) {
-        estimate.message = "m, b or k is outside the range of numbers";
+        estimate.message = QT_TRANSLATE_NOOP("Words", "m, b or k is outside the range of numbers");
         return estimate;
     }
     estimate.parameters = parameters;
@@ -262,7 +270,9 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
     estimate.nuisance = nuisanceInChannelUnits(problem, solution.x0, solution.v0, solution.offset);
     estimate.status =
         search.outcome == SearchOutcome::Converged ? EstimateStatus::Converged : EstimateStatus::NotConverged;
-    estimate.message = search.outcome == SearchOutcome::Converged ? "converged" : "the search did not settle";
+    estimate.message = search.outcome == SearchOutcome::Converged
+                           ? QT_TRANSLATE_NOOP("Words", "converged")
+                           : QT_TRANSLATE_NOOP("Words", "the search did not settle");
     describeResiduals(problem, search, force, position, options, estimate);
     if (!estimate.covariance)
         estimate.covariance = covarianceOf(search, parameters, estimate.residuals.degreesOfFreedom);

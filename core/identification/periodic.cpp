@@ -7,6 +7,7 @@
 #include "core/identification/periodic_response_fit.h"
 #include "core/identification/periodic_search.h"
 #include "core/identification/periodic_stretch.h"
+#include "core/words.h"
 
 #include <Eigen/LU>
 
@@ -137,22 +138,23 @@ std::optional<Eigen::Matrix3d> covarianceOfTheta(const PeriodicCost& cost)
     return covariance.allFinite() ? std::optional<Eigen::Matrix3d>(covariance) : std::nullopt;
 }
 
-std::string percent(double value)
+QString twoDigits(double value)
 {
-    return QString::number(value, 'g', 2).toStdString();
+    return Words::number(value, 'g', 2);
 }
 
 std::string convergedMessage(const PeriodicDiagnostics& diagnostics)
 {
-    std::string message = "converged on " + std::to_string(diagnostics.periods) + " periods of " +
-                          std::to_string(diagnostics.periodSamples) + " samples";
+    QString message = Words::tr("converged on %1 periods of %2 samples")
+                          .arg(diagnostics.periods)
+                          .arg(diagnostics.periodSamples);
     if (diagnostics.costP < misfitP)
-        message += "; the misfit is larger than the noise between periods explains, and the errors were "
-                   "enlarged to match";
+        message += Words::tr("; the misfit is larger than the noise between periods explains, and the errors "
+                             "were enlarged to match");
     if (diagnostics.distortionP && *diagnostics.distortionP < misfitP)
-        message += "; harmonics that the force does not have show a nonlinear answer of " +
-                   percent(*diagnostics.distortionPercent) + " %";
-    return message;
+        message += Words::tr("; harmonics that the force does not have show a nonlinear answer of %1 %")
+                       .arg(twoDigits(*diagnostics.distortionPercent));
+    return message.toStdString();
 }
 
 /// The period and where it holds, or words why there is none.
@@ -171,23 +173,28 @@ Repetition findRepetition(const std::vector<double>& force, const PeriodicOption
     const std::optional<std::size_t> period = options.period ? options.period : findPeriod(values);
     if (!period || *period < 4) {
         out.status = EstimateStatus::NotApplicable;
-        out.message = "the force does not repeat four times or more without lost samples; record a periodic "
-                      "excitation, such as inverse-repeat, over at least four periods";
+        out.message = QT_TRANSLATE_NOOP(
+            "Words", "the force does not repeat four times or more without lost samples; record a periodic "
+                    "excitation, such as inverse-repeat, over at least four periods");
         return out;
     }
     out.period = *period;
     if (values.size() / *period < fewestPeriods) {
         out.status = EstimateStatus::TooFewSamples;
-        out.message = "there are " + percent(double(values.size()) / double(*period)) +
-                      " periods without lost samples, and four are needed; record more periods";
+        out.message =
+            Words::tr("there are %1 periods without lost samples, and four are needed; record more periods")
+                .arg(twoDigits(double(values.size()) / double(*period)))
+                .toStdString();
         return out;
     }
     out.window = periodicStretch(values, *period);
     out.window.first += run.first;
     if (out.window.count / *period < fewestPeriods) {
         out.status = EstimateStatus::NotApplicable;
-        out.message = "the force does not repeat after " + std::to_string(*period) +
-                      " samples over four periods; record a periodic excitation, such as inverse-repeat";
+        out.message = Words::tr("the force does not repeat after %1 samples over four periods; record a "
+                                "periodic excitation, such as inverse-repeat")
+                          .arg(*period)
+                          .toStdString();
     }
     return out;
 }
@@ -204,7 +211,8 @@ void describe(const PeriodicProblem& problem, const PeriodicSearch& search, cons
         estimate.message = convergedMessage(diagnostics);
     } else {
         estimate.status = EstimateStatus::NotConverged;
-        estimate.message = "the search did not settle; record more periods or a stronger excitation";
+        estimate.message = QT_TRANSLATE_NOOP(
+            "Words", "the search did not settle; record more periods or a stronger excitation");
     }
     estimate.residuals.inputIndependenceP = diagnostics.costP;
     if (diagnostics.costP < misfitP && estimate.covariance)
@@ -223,16 +231,18 @@ PeriodicResult analysePeriodic(const std::vector<double>& force, const std::vect
     const LagAlignment lag(options.lag_s, options.sampleTime_s);
     const Periods periods = wholePeriods(force, position, repetition.window, repetition.period, lag);
     if (periods.count < fewestPeriods)
-        return failed(EstimateStatus::TooFewSamples, "the lag between the channels leaves too few periods");
+        return failed(EstimateStatus::TooFewSamples,
+                      QT_TRANSLATE_NOOP("Words", "the lag between the channels leaves too few periods"));
     if (!(periods.positionRange > 0))
-        return failed(
-            EstimateStatus::NotIdentifiable,
-            "the position does not change; check that the fingers hold the object and that the sensor works");
+        return failed(EstimateStatus::NotIdentifiable,
+                      QT_TRANSLATE_NOOP("Words", "the position does not change; check that the fingers hold "
+                                                 "the object and that the sensor works"));
 
     const PeriodicProblem problem(periodicSpectrum(periods.force, periods.position, periods.count),
                                   options.hold, lag.rest, periods.positionRange);
-    const char* const tooFewLines = "the repeating force has too few frequencies to determine m, b and k; "
-                                    "squeeze with a richer one";
+    const char* const tooFewLines =
+        QT_TRANSLATE_NOOP("Words", "the repeating force has too few frequencies to determine m, b and k; "
+                                   "squeeze with a richer one");
     if (problem.lines.size() < 2)
         return failed(EstimateStatus::NotIdentifiable, tooFewLines);
     const PeriodicSearch search =
@@ -248,7 +258,7 @@ PeriodicResult analysePeriodic(const std::vector<double>& force, const std::vect
     const Eigen::Vector3d p = parameters.vector();
     const Eigen::Matrix3d inUnits = p.asDiagonal() * *covariance * p.asDiagonal();
     if (!p.allFinite() || !(p.minCoeff() > 0) || !inUnits.allFinite()) {
-        result.estimate.message = "m, b or k is outside the range of numbers";
+        result.estimate.message = QT_TRANSLATE_NOOP("Words", "m, b or k is outside the range of numbers");
         return result;
     }
     result.estimate.parameters = parameters;

@@ -3,6 +3,7 @@
 
 #include "core/identification/budget_lines.h"
 #include "core/identification/noise_lines.h"
+#include "core/words.h"
 
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -128,7 +129,7 @@ UncertaintyBudget uncertaintyBudget(const Estimate& estimate, const std::vector<
     budget.coverage = budgetOptions.coverage;
     if (!estimate.parameters || !estimate.covariance || !estimate.covariance->allFinite() ||
         !(estimate.parameters->vector().minCoeff() > 0) || force.size() != position.size()) {
-        budget.message = u"there is no estimate with a covariance to start from"_s;
+        budget.message = Words::tr("there is no estimate with a covariance to start from");
         return budget;
     }
     const LinearizedRecord record = linearizedRecord(estimate, force, options);
@@ -156,7 +157,7 @@ UncertaintyBudget uncertaintyBudget(const Estimate& estimate, const std::vector<
     append(budget.lines, holdLines(measured, budgetOptions.hold, budgetOptions.coverage, misfit, others));
     const bool needsRecord = chain.forceLagUncertainty_s > 0 || chain.frameComplianceUncertainty > 0;
     if (needsRecord && budget.find(u"lag"_s) == nullptr && budget.find(u"frame_compliance"_s) == nullptr)
-        budget.message = u"what the lag and the frame's compliance do could not be computed"_s;
+        budget.message = Words::tr("what the lag and the frame's compliance do could not be computed");
     budget.parameters = MassDampingStiffness{own(0), own(1), own(2)};
     addUp(budget, !withBaseline);
     return budget;

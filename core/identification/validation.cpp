@@ -6,6 +6,7 @@
 #include "core/identification/residual_tests.h"
 #include "core/identification/run_estimator.h"
 #include "core/identification/validation_contrast.h"
+#include "core/words.h"
 
 #include <array>
 #include <cmath>
@@ -100,9 +101,9 @@ QString changeWords(const Validation& validation)
     for (std::size_t i = 0; i < names.size(); ++i) {
         const double percent = 100 * (*validation.change)(static_cast<Eigen::Index>(i));
         parts << u"%1 by %2%3 %"_s.arg(QLatin1String(names[i]), percent < 0 ? u"\u2212"_s : u"+"_s,
-                                       QString::number(std::abs(percent), 'g', 2));
+                                       Words::number(std::abs(percent), 'g', 2));
     }
-    return u": to explain it best, "_s + parts.join(u", "_s) + u" would have to change"_s;
+    return Words::tr(": to explain it best, %1 would have to change").arg(parts.join(u", "_s));
 }
 
 void conclude(Validation& out)
@@ -111,16 +112,18 @@ void conclude(Validation& out)
     const bool complete = !out.inputIndependenceP || *out.inputIndependenceP >= validationLimit;
     out.asExpected = parametersHold && complete;
     if (*out.asExpected) {
-        out.message = u"the misfit is no larger than noise and the errors of m, b and k explain"_s;
+        out.message = Words::tr("the misfit is no larger than noise and the errors of m, b and k explain");
         if (out.whitenessP && *out.whitenessP < certainlyColoured)
-            out.message += u", though it is not white: slow noise, or a term that is missing here and there "
-                           u"alike"_s;
+            out.message +=
+                Words::tr(", though it is not white: slow noise, or a term that is missing here and there "
+                          "alike");
     } else if (!parametersHold) {
-        out.message =
-            u"the model misses by more than noise and the errors of m, b and k explain"_s + changeWords(out);
+        out.message = Words::tr("the model misses by more than noise and the errors of m, b and k explain") +
+                      changeWords(out);
     } else {
-        out.message = u"m, b and k hold here too, but the residuals still follow the force: the object does "
-                      u"something that the model does not"_s;
+        out.message =
+            Words::tr("m, b and k hold here too, but the residuals still follow the force: the object does "
+                      "something that the model does not");
     }
 }
 
@@ -129,13 +132,14 @@ void judge(const Estimate& estimate, const GivenModel& model, const Eigen::Matri
 {
     const ValidationContrast raw(model, {}, covariance);
     if (!raw.usable()) {
-        out.message = u"this record does not tell m, b and k, so that the misfit could not be judged"_s;
+        out.message =
+            Words::tr("this record does not tell m, b and k, so that the misfit could not be judged");
         return;
     }
     const AutoregressiveNoise noise = noiseOf(raw);
     const ValidationContrast white(model, noise, covariance);
     if (!white.usable()) {
-        out.message = u"the noise of this record could not be told from the misfit"_s;
+        out.message = Words::tr("the noise of this record could not be told from the misfit");
         return;
     }
     const Eigen::RowVectorXd standardized = raw.standardized();
@@ -185,20 +189,20 @@ Validation validate(const Estimate& estimate, const PreparedRecord& record, Forc
     out.estimator = estimate.estimator;
     out.validatedOn = longestKnownStretch(record.force.size(), record.lost);
     if (!estimate.parameters) {
-        out.message = u"there is no estimate to hold against this record"_s;
+        out.message = Words::tr("there is no estimate to hold against this record");
         return out;
     }
     out.parameters = *estimate.parameters;
     if (estimate.cubic)
         out.k3 = estimate.cubic->k3;
     if (out.validatedOn.count < fewestSamples || record.position.size() != record.force.size()) {
-        out.message = u"too few samples without a loss to hold a model against"_s;
+        out.message = Words::tr("too few samples without a loss to hold a model against");
         return out;
     }
     const PreparedRecord part = windowOf(record, out.validatedOn);
     const std::optional<GivenModel> model = applyGivenModel(out.parameters, out.k3.value_or(0), part, hold);
     if (!model) {
-        out.message = u"with these parameters the motion leaves all bounds here"_s;
+        out.message = Words::tr("with these parameters the motion leaves all bounds here");
         return out;
     }
     keepRecord(part, *model, out);
@@ -213,12 +217,13 @@ Validation validate(const Estimate& estimate, const PreparedRecord& record, Forc
             .norm();
     if (!(model->residual.norm() > roundingShare * size)) {
         out.asExpected = true;
-        out.message = u"the model explains this record to the last digit"_s;
+        out.message = Words::tr("the model explains this record to the last digit");
     } else if (estimate.estimator == Estimator::Periodic) {
-        out.message = u"not judged: the estimate is for a force that answers to the position, which a "
-                      u"simulation from the measured force cannot judge"_s;
+        out.message =
+            Words::tr("not judged: the estimate is for a force that answers to the position, which a "
+                      "simulation from the measured force cannot judge");
     } else if (!covariance) {
-        out.message = u"not judged: the estimate has no errors to compare the misfit with"_s;
+        out.message = Words::tr("not judged: the estimate has no errors to compare the misfit with");
     } else {
         judge(estimate, *model, *covariance, out);
     }

@@ -4,6 +4,7 @@
 #include "core/identification/fit.h"
 #include "core/identification/identification.h"
 #include "core/signal/units.h"
+#include "core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,15 +53,18 @@ Validation validateOnSecondWindow(Estimator estimator, const PreparedRecord& rec
     none.estimator = estimator;
     const std::size_t count = std::min(record.force.size(), longest);
     if (count < shortest) {
-        none.message = u"fewer than %1 samples are too few to estimate on one part and check on the other; "
-                       u"validate with another squeeze"_s.arg(shortest);
+        none.message =
+            Words::tr("fewer than %1 samples are too few to estimate on one part and check on the other; "
+                      "validate with another squeeze")
+                .arg(shortest);
         return none;
     }
     const auto first = static_cast<std::size_t>(firstShare * static_cast<double>(count));
     const Estimate estimate = runEstimator(estimator, windowOf(record, {0, first}), task);
     if (estimate.status != EstimateStatus::Converged) {
-        none.message = u"the first 60 % of the record alone do not give m, b and k; validate with another "
-                       u"squeeze"_s;
+        none.message =
+            Words::tr("the first 60 % of the record alone do not give m, b and k; validate with another "
+                      "squeeze");
         return none;
     }
     PreparedRecord rest = windowOf(record, {first, count - first});
@@ -83,16 +87,18 @@ Validation validateOnRecording(const Estimate& estimate, const Recording& record
     const std::optional<double> force = quotient(other.forceUnit, recording.forceUnit, newtonsPer);
     const std::optional<double> position = quotient(other.positionUnit, recording.positionUnit, metresPer);
     if (!force || !position) {
-        none.message = u"the other recording is in %1 and %2, which cannot be compared with %3 and %4"_s.arg(
-            other.forceUnit, other.positionUnit, recording.forceUnit, recording.positionUnit);
+        none.message =
+            Words::tr("the other recording is in %1 and %2, which cannot be compared with %3 and %4")
+                .arg(other.forceUnit, other.positionUnit, recording.forceUnit, recording.positionUnit);
         return none;
     }
     PreparationOptions preparation;
     preparation.hold = options.hold;
     PreparedRecord record = prepare(other, preparation);
     if (!usable(record)) {
-        none.message = u"the other recording cannot be used: its channels differ in length or hold values "
-                       u"that are no numbers"_s;
+        none.message =
+            Words::tr("the other recording cannot be used: its channels differ in length or hold values "
+                      "that are no numbers");
         return none;
     }
     scale(record.force, *force);

@@ -3,6 +3,7 @@
 
 #include "core/calibration/calibration_facts.h"
 #include "core/signal/stream_account.h"
+#include "core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,32 +49,39 @@ std::uint64_t clockSteps(const Identification& data, const StreamAccount& stream
 QString lossWords(const Identification& data, bool tooMuch)
 {
     const WindowChoice& choice = data.choice;
-    const QString missing = u"%1 samples are missing in %2 places"_s.arg(choice.lostSamples).arg(choice.gaps);
+    const QString missing =
+        Words::tr("%1 samples are missing in %2 places").arg(choice.lostSamples).arg(choice.gaps);
     if (tooMuch)
-        return missing + u", too much of the squeeze. Check the cable and the load of the computer, then "
-                         "squeeze again."_s;
+        return missing +
+               Words::tr(", too much of the squeeze. Check the cable and the load of the computer, then "
+                         "squeeze again.");
     if (const Estimate* const best = data.best(); best && best->part.count < data.position.size())
         return missing +
-               u". The estimate (%1) is of the longest stretch without any, %2 of %3 samples; oe "
-               "uses all. Check the cable and the load of the computer."_s.arg(toString(best->estimator))
+               Words::tr(". The estimate (%1) is of the longest stretch without any, %2 of %3 samples; oe "
+                         "uses all. Check the cable and the load of the computer.")
+                   .arg(toString(best->estimator))
                    .arg(best->part.count)
                    .arg(data.position.size());
-    return missing + u". Their forces count as unknown, which the errors include. Check the cable and the "
-                     "load of the computer."_s;
+    return missing +
+           Words::tr(". Their forces count as unknown, which the errors include. Check the cable and the "
+                     "load of the computer.");
 }
 
 QString clockWords(std::uint64_t steps)
 {
-    return u"the gripper's clock jumped %1 times during the squeeze, so how long things took is in doubt. "
-           "Squeeze again; where it happens again, check the gripper's power supply and firmware."_s.arg(
-               steps);
+    return Words::tr(
+               "the gripper's clock jumped %1 times during the squeeze, so how long things took is in doubt. "
+               "Squeeze again; where it happens again, check the gripper's power supply and firmware.")
+        .arg(steps);
 }
 
 QString stallWords(const StreamAccount& stream)
 {
-    return u"the gripper fell silent %1 times during the squeeze, for up to %2 s. Check its cable and hub, "
-           "then squeeze again."_s.arg(stream.stalls)
-               .arg(stream.longestStall_s, 0, 'g', 2);
+    return Words::
+        tr("the gripper fell silent %1 times during the squeeze, for up to %2 s. Check its cable and hub, "
+           "then squeeze again.")
+            .arg(stream.stalls)
+            .arg(stream.longestStall_s, 0, 'g', 2);
 }
 
 /// Whether the stream came whole, and its clock ran on. Reports that came twice or damaged, and silences, say
@@ -105,7 +113,8 @@ ValidityCheck samplesLost(const Identification& data, const Recording& recording
         words
             << u"whether samples are missing cannot be seen: the gripper sends neither a number nor a clock"_s;
     else if (check.ok) // a silence that took nothing with it delays the numbers, and changes none
-        words.prepend(stream.stalls > 0 ? u"no sample is missing, though"_s : u"no sample is missing"_s);
+        words.prepend(stream.stalls > 0 ? Words::tr("no sample is missing, though")
+                                        : Words::tr("no sample is missing"));
     check.message = words.join(u' ');
     return check;
 }
@@ -127,10 +136,10 @@ ValidityCheck saturation(const Identification& data, const Recording& recording)
     check.value = 100 * share;
     check.ok = saturated == 0;
     check.decisive = share > largestSaturatedShare;
-    check.message =
-        check.ok
-            ? u"no sample is marked as saturated"_s
-            : u"%1 samples are at the end of a sensor's range. Squeeze with less force."_s.arg(saturated);
+    check.message = check.ok
+                        ? Words::tr("no sample is marked as saturated")
+                        : Words::tr("%1 samples are at the end of a sensor's range. Squeeze with less force.")
+                              .arg(saturated);
     return check;
 }
 
@@ -146,7 +155,7 @@ ValidityCheck preparation(const Identification& data)
             doubts << step.message;
     check.value = static_cast<double>(doubts.size());
     check.ok = doubts.isEmpty();
-    check.message = check.ok ? u"nothing in the recording was beyond mending"_s : doubts.join(u' ');
+    check.message = check.ok ? Words::tr("nothing in the recording was beyond mending") : doubts.join(u' ');
     return check;
 }
 
@@ -159,24 +168,24 @@ ValidityCheck excitation(const Estimate& estimate)
         estimate.status == EstimateStatus::TooFewSamples) {
         check.ok = false;
         check.decisive = true;
-        check.message = QString::fromStdString(estimate.message);
+        check.message = Words::tr(estimate.message.c_str());
         return check;
     }
     const std::optional<Eigen::Vector3d> errors = estimate.standardErrors();
     if (!estimate.parameters || !errors) {
-        check.message = u"not judged without an estimate"_s;
+        check.message = Words::tr("not judged without an estimate");
         return check;
     }
     const double mass = (*errors)(0) / estimate.parameters->m;
     const double stiffness = (*errors)(2) / estimate.parameters->k;
     check.value = 100 * std::max(mass, stiffness);
     check.ok = *check.value <= *check.limit;
-    check.message = check.ok
-                        ? u"the force moves the object enough to tell m and k"_s
-                        : u"the %1 is known to %2 % only. Squeeze longer or with a force that varies %3."_s
-                              .arg(mass > stiffness ? u"mass"_s : u"stiffness"_s)
-                              .arg(*check.value, 0, 'g', 2)
-                              .arg(mass > stiffness ? u"faster"_s : u"more slowly"_s);
+    check.message =
+        check.ok ? Words::tr("the force moves the object enough to tell m and k")
+                 : Words::tr("the %1 is known to %2 % only. Squeeze longer or with a force that varies %3.")
+                       .arg(mass > stiffness ? Words::tr("mass") : Words::tr("stiffness"))
+                       .arg(*check.value, 0, 'g', 2)
+                       .arg(mass > stiffness ? Words::tr("faster") : Words::tr("more slowly"));
     return check;
 }
 
@@ -191,9 +200,9 @@ ValidityCheck residualTest(const QString& id, std::optional<double> p, bool matt
     const bool found = p && *p < smallestP;
     check.ok = !found || !matters;
     if (!p)
-        check.message = u"not judged: there is nothing to test"_s;
+        check.message = Words::tr("not judged: there is nothing to test");
     else
-        check.message = !found ? good : matters ? bad : bad + u"; too little to matter"_s;
+        check.message = !found ? good : matters ? bad : bad + Words::tr("; too little to matter");
     return check;
 }
 
@@ -205,13 +214,13 @@ bool remainderMatters(const Estimate& estimate)
 QString noiseWords(const AutoregressiveNoise& noise, double inflation)
 {
     const QString errors =
-        u"; counted in the errors, which are up to %1 times as large"_s.arg(inflation, 0, 'g', 2);
+        Words::tr("; counted in the errors, which are up to %1 times as large").arg(inflation, 0, 'g', 2);
     if (noise.forceDeviation)
-        return u"the force is measured with noise of %1 (standard deviation)"_s.arg(*noise.forceDeviation, 0,
-                                                                                    'g', 2) +
+        return Words::tr("the force is measured with noise of %1 (standard deviation)")
+                   .arg(*noise.forceDeviation, 0, 'g', 2) +
                errors;
-    return u"the residuals are not white: a noise model of order %1 describes them"_s.arg(
-               noise.coefficients.size()) +
+    return Words::tr("the residuals are not white: a noise model of order %1 describes them")
+               .arg(noise.coefficients.size()) +
            errors;
 }
 
@@ -224,13 +233,13 @@ ValidityCheck residualWhiteness(const Estimate& estimate)
     const bool matters =
         modelled ? residuals.innovationInflation.value_or(largestInflation) >= largestInnovationInflation
                  : residuals.errorInflation.value_or(largestInflation) >= largestInflation;
-    return residualTest(
-        u"residual_whiteness"_s, p, remainderMatters(estimate) && matters,
-        modelled ? noiseWords(*estimate.noise, residuals.errorInflation.value_or(1))
-                 : u"the residuals look like white noise"_s,
-        u"the residuals are not white%1: something besides sensor noise is in the position, and the errors "
-        "shown are too small. Check for a loose grip, vibration and drift"_s.arg(
-            modelled ? u", and no noise model describes them"_s : QString()));
+    return residualTest(u"residual_whiteness"_s, p, remainderMatters(estimate) && matters,
+                        modelled ? noiseWords(*estimate.noise, residuals.errorInflation.value_or(1))
+                                 : Words::tr("the residuals look like white noise"),
+                        Words::tr("the residuals are not white%1: something besides sensor noise is in the "
+                                  "position, and the errors "
+                                  "shown are too small. Check for a loose grip, vibration and drift")
+                            .arg(modelled ? Words::tr(", and no noise model describes them") : QString()));
 }
 
 ValidityCheck inputIndependence(const Estimate& estimate)
@@ -238,9 +247,10 @@ ValidityCheck inputIndependence(const Estimate& estimate)
     const bool matters = estimate.residuals.inputMisfit.value_or(halfWidth) >= halfWidth;
     return residualTest(
         u"input_independence"_s, estimate.residuals.inputIndependenceP, remainderMatters(estimate) && matters,
-        u"the residuals do not depend on the force"_s,
-        u"the residuals depend on the force: the object is not just a mass, a spring and a damper at "
-        "this force, or the hold or the lag is wrong. Check these, and compare with duffing"_s);
+        Words::tr("the residuals do not depend on the force"),
+        Words::tr(
+            "the residuals depend on the force: the object is not just a mass, a spring and a damper at "
+            "this force, or the hold or the lag is wrong. Check these, and compare with duffing"));
 }
 
 ValidityCheck linearity(const Estimate& estimate)
@@ -249,12 +259,13 @@ ValidityCheck linearity(const Estimate& estimate)
     const double shift = residuals.linearityShift.value_or(0);
     const bool matters =
         residuals.linearityShiftInErrors.value_or(0) >= halfWidth && shift >= negligibleShift;
-    return residualTest(u"linearity"_s, residuals.linearityP, matters,
-                        u"the spring is straight at this force"_s,
-                        u"the spring is not straight: with a curved one m, b or k moves by up to %1 %, %2 "
-                        u"standard errors. Use "
-                        "duffing, or squeeze with a smaller peak"_s.arg(100 * shift, 0, 'g', 2)
-                            .arg(residuals.linearityShiftInErrors.value_or(0), 0, 'g', 2));
+    return residualTest(
+        u"linearity"_s, residuals.linearityP, matters, Words::tr("the spring is straight at this force"),
+        Words::tr("the spring is not straight: with a curved one m, b or k moves by up to %1 %, %2 "
+                  "standard errors. Use "
+                  "duffing, or squeeze with a smaller peak")
+            .arg(100 * shift, 0, 'g', 2)
+            .arg(residuals.linearityShiftInErrors.value_or(0), 0, 'g', 2));
 }
 
 ValidityCheck feedback(const Estimate& estimate)
@@ -262,18 +273,19 @@ ValidityCheck feedback(const Estimate& estimate)
     // What the model misses of the past force shows in the future force too, where that is smooth.
     const double misfit = estimate.residuals.feedbackMisfit.value_or(0);
     const bool matters = misfit >= halfWidth && misfit >= estimate.residuals.inputMisfit.value_or(0);
-    return residualTest(u"feedback"_s, estimate.residuals.feedbackP, remainderMatters(estimate) && matters,
-                        u"the force does not answer to the position"_s,
-                        u"the force answers to disturbances of the position, as under feedback: m, b and k "
-                        u"are biased. Squeeze "
-                        "with a repeated excitation and use periodic, or control the force less stiffly"_s);
+    return residualTest(
+        u"feedback"_s, estimate.residuals.feedbackP, remainderMatters(estimate) && matters,
+        Words::tr("the force does not answer to the position"),
+        Words::tr("the force answers to disturbances of the position, as under feedback: m, b and k "
+                  "are biased. Squeeze "
+                  "with a repeated excitation and use periodic, or control the force less stiffly"));
 }
 
 /// " with gripper SERIAL" where the recording names one.
 QString withGripper(const Recording& recording)
 {
     const QString serial = recording.provenance.value(u"serial"_s);
-    return serial.isEmpty() ? QString() : u" with gripper "_s + serial;
+    return serial.isEmpty() ? QString() : Words::tr(" with gripper %1").arg(serial);
 }
 
 /// A contradiction: what speaks against the declared hold, where, and what to do.
@@ -282,18 +294,23 @@ QString contradictedHold(const Identification& data, const Recording& recording,
 {
     const HoldEvidence& telling = data.tellingHold();
     if (telling.squeezes < 2)
-        return u"the position fits the force hold %1 clearly better than %2, which was used: m and b are "
-               u"off. "
-               "Name the right hold, or check the lag between the channels."_s.arg(other, name);
-    QString words = u"over %1 squeezes%2 the position fits the force hold %3 clearly better than %4, "
-                    u"which was used: m "
-                    "and b of this squeeze are off, and those of the earlier ones too. Name the right hold, "
-                    "or measure the "
-                    "lag between the channels, and identify them again."_s.arg(telling.squeezes)
-                        .arg(withGripper(recording), other, name);
+        return Words::tr(
+                   "the position fits the force hold %1 clearly better than %2, which was used: m and b are "
+                   "off. "
+                   "Name the right hold, or check the lag between the channels.")
+            .arg(other, name);
+    QString words =
+        Words::tr("over %1 squeezes%2 the position fits the force hold %3 clearly better than %4, "
+                  "which was used: m "
+                  "and b of this squeeze are off, and those of the earlier ones too. Name the right hold, "
+                  "or measure the "
+                  "lag between the channels, and identify them again.")
+            .arg(telling.squeezes)
+            .arg(withGripper(recording), other, name);
     if (data.holdEvidence.verdict() == HoldVerdict::Agrees)
-        words += u" This squeeze alone agrees with %1: see whether the gripper was changed in between."_s.arg(
-            name);
+        words +=
+            Words::tr(" This squeeze alone agrees with %1: see whether the gripper was changed in between.")
+                .arg(name);
     return words;
 }
 
@@ -314,20 +331,22 @@ ValidityCheck hold(const Identification& data, const Recording& recording,
         check.message = contradictedHold(data, recording, name, other);
     else if (verdict == HoldVerdict::Agrees)
         check.message =
-            several ? u"over %1 squeezes%2 the position agrees with the force hold %3 and not with %4"_s
-                          .arg(telling.squeezes)
-                          .arg(withGripper(recording), name, other)
-                    : u"the position agrees with the force hold %1 and not with %2"_s.arg(name, other);
+            several
+                ? Words::tr("over %1 squeezes%2 the position agrees with the force hold %3 and not with %4")
+                      .arg(telling.squeezes)
+                      .arg(withGripper(recording), name, other)
+                : Words::tr("the position agrees with the force hold %1 and not with %2").arg(name, other);
     else if (options.hold)
-        check.message = u"the force hold %1 was asked for"_s.arg(name);
+        check.message = Words::tr("the force hold %1 was asked for").arg(name);
     else if (recording.hold)
-        check.message = u"the force hold %1 is the recording's own"_s.arg(name);
+        check.message = Words::tr("the force hold %1 is the recording's own").arg(name);
     else
-        check.message = u"the recording names no force hold; %1 was assumed"_s.arg(name);
+        check.message = Words::tr("the recording names no force hold; %1 was assumed").arg(name);
     if (verdict == HoldVerdict::Ambiguous)
         check.message +=
-            several ? u"; %1 squeezes together cannot tell it from %2"_s.arg(telling.squeezes).arg(other)
-                    : u"; this record cannot tell it from %1"_s.arg(other);
+            several
+                ? Words::tr("; %1 squeezes together cannot tell it from %2").arg(telling.squeezes).arg(other)
+                : Words::tr("; this record cannot tell it from %1").arg(other);
     return check;
 }
 
@@ -338,9 +357,9 @@ ValidityCheck convergence(const Estimate& estimate)
     check.value = estimate.iterations;
     check.ok = estimate.status == EstimateStatus::Converged;
     check.decisive = true;
-    check.message =
-        check.ok ? u"the estimator reached its answer"_s
-                 : u"%1: %2"_s.arg(toString(estimate.status), QString::fromStdString(estimate.message));
+    check.message = check.ok
+                        ? Words::tr("the estimator reached its answer")
+                        : u"%1: %2"_s.arg(toString(estimate.status), Words::tr(estimate.message.c_str()));
     return check;
 }
 
@@ -351,7 +370,7 @@ ValidityCheck physicalRange(const Estimate& estimate, double sampleTime_s)
     if (!estimate.parameters) {
         check.ok = false;
         check.decisive = true;
-        check.message = u"no m, b and k above zero were found. Squeeze again."_s;
+        check.message = Words::tr("no m, b and k above zero were found. Squeeze again.");
         return check;
     }
     // Above half the sample rate a natural frequency is an alias, not a measurement.
@@ -359,9 +378,10 @@ ValidityCheck physicalRange(const Estimate& estimate, double sampleTime_s)
     check.limit = 0.5 / sampleTime_s;
     check.ok = *check.value < *check.limit;
     check.message =
-        check.ok ? u"m, b and k are above zero and the natural frequency is below half the sample rate"_s
-                 : u"the natural frequency found, %1 Hz, is above half the sample rate. Sample faster."_s.arg(
-                       *check.value, 0, 'g', 4);
+        check.ok
+            ? Words::tr("m, b and k are above zero and the natural frequency is below half the sample rate")
+            : Words::tr("the natural frequency found, %1 Hz, is above half the sample rate. Sample faster.")
+                  .arg(*check.value, 0, 'g', 4);
     return check;
 }
 
@@ -372,14 +392,15 @@ ValidityCheck fitCheck(const Estimate& estimate)
     check.value = estimate.fit.simulationPercent;
     check.limit = smallestFitPercent;
     if (!estimate.parameters) {
-        check.message = u"not judged without an estimate"_s;
+        check.message = Words::tr("not judged without an estimate");
         return check;
     }
     check.ok = check.value && *check.value >= smallestFitPercent;
     check.message =
-        check.ok ? u"the model follows the position"_s
-                 : u"the model does not follow the position. Look at the residuals: noise, a loose grip "
-                   "and an object that is no mass, spring and damper all do this."_s;
+        check.ok
+            ? Words::tr("the model follows the position")
+            : Words::tr("the model does not follow the position. Look at the residuals: noise, a loose grip "
+                        "and an object that is no mass, spring and damper all do this.");
     return check;
 }
 
@@ -392,17 +413,19 @@ ValidityCheck calibration(const Recording& recording)
     const auto first = std::min_element(facts.begin(), facts.end(),
                                         [](const auto& a, const auto& b) { return a.daysLeft < b.daysLeft; });
     if (first == facts.end()) {
-        check.message = u"not judged: the channels carry the device's own calibration"_s;
+        check.message = Words::tr("not judged: the channels carry the device's own calibration");
         return check;
     }
     check.value = static_cast<double>(first->daysLeft);
     check.limit = 0;
     check.ok = first->daysLeft >= 0;
-    check.message = check.ok
-                        ? u"the calibrations held on that day"_s
-                        : u"the calibration of the %1 was overdue by %2 days. Calibrate it, then squeeze "
-                          "again."_s.arg(toString(first->channel))
-                              .arg(-first->daysLeft);
+    check.message =
+        check.ok
+            ? Words::tr("the calibrations held on that day")
+            : Words::tr("the calibration of the %1 was overdue by %2 days. Calibrate it, then squeeze "
+                        "again.")
+                  .arg(first->channel == SensorChannel::Force ? Words::tr("force") : Words::tr("position"))
+                  .arg(-first->daysLeft);
     return check;
 }
 

@@ -2,8 +2,8 @@
 #include "core/recognition/binomial_evidence.h"
 
 #include "core/recognition/quiet_policy.h"
+#include "core/words.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <boost/math/distributions/beta.hpp>
 
@@ -19,12 +19,12 @@ using Beta = boost::math::beta_distribution<double, QuietPolicy>;
 
 QString percent(double share)
 {
-    return QString::number(100 * share, 'g', 2) + u" %"_s;
+    return Words::number(100 * share, 'g', 2) + u" %"_s;
 }
 
 QString whole(std::int64_t number)
 {
-    QLocale locale = QLocale::c();
+    QLocale locale;
     locale.setNumberOptions(QLocale::DefaultNumberOptions); // with separators
     return locale.toString(qlonglong(number));
 }
@@ -55,14 +55,12 @@ std::optional<std::int64_t> trialsNeeded(double rate, double confidence)
 
 QString inWords(const BinomialEvidence& evidence, double statedRate, double confidence)
 {
-    QString text =
-        QCoreApplication::translate("BinomialEvidence", "%1 wrong of %2: at most %3 with %4 confidence")
-            .arg(whole(evidence.failures), whole(evidence.trials), percent(evidence.highest),
-                 percent(confidence));
+    QString text = Words::tr("%1 wrong of %2: at most %3 with %4 confidence")
+                       .arg(whole(evidence.failures), whole(evidence.trials), percent(evidence.highest),
+                            percent(confidence));
     const std::optional<std::int64_t> needed = trialsNeeded(statedRate, confidence);
     if (evidence.highest > statedRate && needed)
-        text += QCoreApplication::translate("BinomialEvidence", "; %1 without one are needed to show %2")
-                    .arg(whole(*needed), percent(statedRate));
+        text += Words::tr("; %1 without one are needed to show %2").arg(whole(*needed), percent(statedRate));
     return text + u'.';
 }
 

@@ -4,8 +4,8 @@
 #include "core/recognition/cluster_indices.h"
 #include "core/recognition/cluster_items.h"
 #include "core/recognition/gaussian_mixture.h"
+#include "core/words.h"
 
-#include <QCoreApplication>
 #include <QMap>
 
 #include <algorithm>
@@ -17,11 +17,6 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("ClusterAdvice", text);
-}
-
 /// How much of the time the criteria other than the gap take.
 constexpr double shareOfFigures = 0.5;
 
@@ -29,15 +24,15 @@ QString nameOf(ClusterCriterion criterion)
 {
     switch (criterion) {
     case ClusterCriterion::Silhouette:
-        return tr("silhouette");
+        return Words::tr("silhouette");
     case ClusterCriterion::CalinskiHarabasz:
-        return tr("Calinski-Harabasz");
+        return Words::tr("Calinski-Harabasz");
     case ClusterCriterion::DaviesBouldin:
-        return tr("Davies-Bouldin");
+        return Words::tr("Davies-Bouldin");
     case ClusterCriterion::Gap:
-        return tr("gap");
+        return Words::tr("gap");
     case ClusterCriterion::Bic:
-        return tr("BIC");
+        return Words::tr("BIC");
     }
     return {};
 }
@@ -150,10 +145,11 @@ void decide(ClusterAdvice& advice)
     const QMap<int, QStringList> named = supporters(advice.votes);
     if (named.isEmpty() || saysOneGroup(advice.votes)) {
         advice.clusters = 1;
-        advice.reason = named.isEmpty() ? tr("One group: nothing speaks for more.")
-                                        : tr("One group: %1 can say so and do; the other criteria compare "
-                                             "two groups and more only.")
-                                              .arg(named.value(1).join(tr(" and ")));
+        advice.reason = named.isEmpty()
+                            ? Words::tr("One group: nothing speaks for more.")
+                            : Words::tr("One group: %1 can say so and do; the other criteria compare "
+                                        "two groups and more only.")
+                                  .arg(named.value(1).join(Words::tr(" and ")));
         return;
     }
     qsizetype most = 0;
@@ -172,13 +168,14 @@ void decide(ClusterAdvice& advice)
     QStringList others;
     for (auto number = named.begin(); number != named.end(); ++number)
         if (number.key() != advice.clusters)
-            others << tr("%1 for %2").arg(number->join(u", "_s)).arg(number.key());
-    advice.reason = tr("%1 groups: %2 for it").arg(advice.clusters).arg(named[advice.clusters].join(u", "_s));
+            others << Words::tr("%1 for %2").arg(number->join(u", "_s)).arg(number.key());
+    advice.reason =
+        Words::tr("%1 groups: %2 for it").arg(advice.clusters).arg(named[advice.clusters].join(u", "_s));
     if (!others.isEmpty())
-        advice.reason += tr("; %1").arg(others.join(u"; "_s));
+        advice.reason += Words::tr("; %1").arg(others.join(u"; "_s));
     if (tie)
-        advice.reason += silhouettes == advice.clusters ? tr("; of equals the silhouette's")
-                                                        : tr("; of equals the fewest groups");
+        advice.reason += silhouettes == advice.clusters ? Words::tr("; of equals the silhouette's")
+                                                        : Words::tr("; of equals the fewest groups");
     advice.reason += u'.';
 }
 
@@ -211,8 +208,8 @@ Expected<ClusterAdvice> adviseClusters(const Eigen::MatrixXd& items, const Clust
     if (const auto problem = clusterItemsProblem(items))
         return tl::unexpected(*problem);
     if (items.size() == 0)
-        return failure(ErrorCode::BadInput,
-                       {u"The table to be clustered"_s, u"found no rows"_s, u"expected at least one"_s});
+        return failure(ErrorCode::BadInput, {Words::tr("The table to be clustered"),
+                                             Words::tr("found no rows"), Words::tr("expected at least one")});
     ClusterAdvice advice;
     const Eigen::MatrixXd sample = sampleOfItems(items, options.mostItems, options.seed);
     const double scale = powerOfTwoScale(sample);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/cluster_items.h"
 
-#include <QCoreApplication>
+#include "core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,20 +20,21 @@ std::optional<Error> clusterItemsProblem(const Eigen::MatrixXd& items)
         std::isfinite(items.cwiseAbs().maxCoeff() * double(items.rows())))
         return {};
     return Error{ErrorCode::BadInput,
-                 {u"The table to be clustered"_s, u"found numbers that are not finite or too large"_s,
-                  u"expected finite ones whose squares can be added"_s}};
+                 {Words::tr("The table to be clustered"),
+                  Words::tr("found numbers that are not finite or too large"),
+                  Words::tr("expected finite ones whose squares can be added")}};
 }
 
 Error clusteringCancelled()
 {
-    return {ErrorCode::Cancelled, {QCoreApplication::translate("ClusterItems", "The grouping")}};
+    return {ErrorCode::Cancelled, {Words::tr("The grouping")}};
 }
 
 std::optional<Error> countProblem(const QString& name, int value)
 {
     if (value >= 1)
         return {};
-    return Error{ErrorCode::Usage, {u"%1 must be at least 1, not %2."_s.arg(name).arg(value)}};
+    return Error{ErrorCode::Usage, {Words::tr("%1 must be at least 1, not %2.").arg(name).arg(value)}};
 }
 
 double powerOfTwoScale(const Eigen::MatrixXd& items)

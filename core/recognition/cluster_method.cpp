@@ -2,6 +2,7 @@
 #include "core/recognition/cluster_method.h"
 
 #include "core/recognition/cluster_items.h"
+#include "core/words.h"
 
 #include <utility>
 
@@ -102,8 +103,8 @@ Expected<ClusterOutcome> groupRows(const Eigen::MatrixXd& table, const ClusterRe
 {
     if (table.rows() < request.clusters || table.cols() == 0)
         return failure(ErrorCode::BadInput,
-                       {u"The table"_s, u"it has %1 rows"_s.arg(table.rows()),
-                        u"at least %1 rows, one a cluster, were expected"_s.arg(request.clusters)});
+                       {Words::tr("The table"), Words::tr("it has %1 rows").arg(table.rows()),
+                        Words::tr("at least %1 rows, one a cluster, were expected").arg(request.clusters)});
     const Expected<FeatureTransform> transform = featureTransform(table, request.scaling);
     if (!transform)
         return tl::unexpected(transform.error());

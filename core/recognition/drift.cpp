@@ -4,8 +4,7 @@
 #include "core/recognition/run_length.h"
 #include "core/recognition/self_starting_chart.h"
 #include "core/recognition/squeeze_values.h"
-
-#include <QCoreApplication>
+#include "core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +21,6 @@ constexpr int fewestSqueezes = 3; ///< whose mean is held against the enrolment
 constexpr int charts = 4;         ///< a type: m, b, k and T^2
 constexpr double leastAgreement = 0.01;
 constexpr double clearlyBetter = 4; ///< of chi-square: e^2 times as likely
-
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("Drift", text);
-}
 
 std::vector<TypeSqueeze> ofType(const std::vector<TypeSqueeze>& squeezes, const QString& type)
 {
@@ -96,31 +90,35 @@ QString causeInWords(const DriftReport& report)
     const QString names = report.moved.join(u", "_s);
     switch (report.cause) {
     case DriftCause::TooFew:
-        return tr("Too few squeezes since the enrolment to say whether anything has moved.");
+        return Words::tr("Too few squeezes since the enrolment to say whether anything has moved.");
     case DriftCause::Nothing:
-        return tr("No type has moved since its enrolment.");
+        return Words::tr("No type has moved since its enrolment.");
     case DriftCause::Sensor:
-        return tr("All types have moved by the same factors: the force or the position channel, not the "
-                  "products. Check the sensors' calibration.");
+        return Words::tr(
+            "All types have moved by the same factors: the force or the position channel, not the "
+            "products. Check the sensors' calibration.");
     case DriftCause::Fingers:
-        return tr("The same mass, damping and stiffness has come on top of all types: the fingers or their "
-                  "baseline. Measure the empty gripper again.");
+        return Words::tr(
+            "The same mass, damping and stiffness has come on top of all types: the fingers or their "
+            "baseline. Measure the empty gripper again.");
     case DriftCause::Gripper:
-        return tr("All types have moved together: the gripper, its sensors or its fingers, not the "
-                  "products.");
+        return Words::tr("All types have moved together: the gripper, its sensors or its fingers, not the "
+                         "products.");
     case DriftCause::Product:
-        return tr("Of all types only %1 moved: the product itself, not the gripper.").arg(names);
+        return Words::tr("Of all types only %1 moved: the product itself, not the gripper.").arg(names);
     case DriftCause::Unclear:
-        return tr("%1 moved, but the squeezes are too few to tell the product from the gripper. Squeeze "
-                  "parts "
-                  "of other types too.")
+        return Words::tr(
+                   "%1 moved, but the squeezes are too few to tell the product from the gripper. Squeeze "
+                   "parts "
+                   "of other types too.")
             .arg(names);
     case DriftCause::OneTypeOnly:
-        return tr("%1 has moved. Squeeze parts of another type too: only that tells the product from the "
-                  "gripper.")
+        return Words::tr(
+                   "%1 has moved. Squeeze parts of another type too: only that tells the product from the "
+                   "gripper.")
             .arg(names);
     case DriftCause::NoCommonCause:
-        return tr("%1 have moved, each in its own way: no single cause in the gripper explains it.")
+        return Words::tr("%1 have moved, each in its own way: no single cause in the gripper explains it.")
             .arg(names);
     }
     return {};
@@ -131,15 +129,15 @@ void describe(DriftReport& report)
     report.words = {causeInWords(report)};
     const bool together = report.cause == DriftCause::Sensor || report.cause == DriftCause::Gripper;
     if (together && report.factor)
-        report.words
-            << tr("All types: %1.").arg(changeInWords(report.factor->value, report.factor->covariance));
+        report.words << Words::tr("All types: %1.")
+                            .arg(changeInWords(report.factor->value, report.factor->covariance));
     for (const TypeDrift& type : report.types) {
         if (type.moved)
-            report.words << tr("%1, last %2 squeezes: %3.")
+            report.words << Words::tr("%1, last %2 squeezes: %3.")
                                 .arg(type.type, QString::number(type.shift->squeezes),
                                      changeInWords(type.shift->log, type.shift->covariance));
         if (type.firstAlarm)
-            report.words << tr("%1: its charts gave the alarm at squeeze %2 of %3.")
+            report.words << Words::tr("%1: its charts gave the alarm at squeeze %2 of %3.")
                                 .arg(type.type, QString::number(*type.firstAlarm),
                                      QString::number(type.squeezes));
     }
@@ -175,13 +173,16 @@ QString toString(DriftCause cause)
 std::optional<Error> DriftOptions::validate() const
 {
     if (!(weight >= 0.05 && weight <= 1))
-        return Error{ErrorCode::Usage, {u"The weight of the newest squeeze must be between 0.05 and 1."_s}};
+        return Error{ErrorCode::Usage,
+                     {Words::tr("The weight of the newest squeeze must be between 0.05 and 1.")}};
     if (!(averageRunLength >= 20 && averageRunLength <= 1e5))
-        return Error{ErrorCode::Usage, {u"The run length must be between 20 and 100,000 squeezes."_s}};
+        return Error{ErrorCode::Usage,
+                     {Words::tr("The run length must be between 20 and 100,000 squeezes.")}};
     if (recent < fewestSqueezes)
-        return Error{ErrorCode::Usage, {u"At least %1 recent squeezes."_s.arg(fewestSqueezes)}};
+        return Error{ErrorCode::Usage, {Words::tr("At least %1 recent squeezes.").arg(fewestSqueezes)}};
     if (!(falseAlarm >= 1e-6 && falseAlarm <= 0.5))
-        return Error{ErrorCode::Usage, {u"The share of false alarms must be between 1e-6 and 0.5."_s}};
+        return Error{ErrorCode::Usage,
+                     {Words::tr("The share of false alarms must be between 1e-6 and 0.5.")}};
     return {};
 }
 
@@ -194,7 +195,7 @@ Expected<DriftReport> findDrift(const TypeModels& models, const std::vector<Type
     const auto single = movingAverageLimit(options.weight, 1, runLength);
     const auto joint = movingAverageLimit(options.weight, 3, runLength);
     if (!single || !joint)
-        return failure(ErrorCode::Usage, {u"There are no limits for this weight and run length."_s});
+        return failure(ErrorCode::Usage, {Words::tr("There are no limits for this weight and run length.")});
     DriftReport report;
     report.averageLimit = std::sqrt(*single * options.weight / (2 - options.weight));
     report.tSquaredLimit = *joint;

@@ -2,8 +2,7 @@
 #include "core/recognition/early_verdict.h"
 
 #include "core/recognition/quantity_text.h"
-
-#include <QCoreApplication>
+#include "core/words.h"
 
 namespace gripscope {
 
@@ -11,14 +10,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("EarlyEnd", text);
-}
-
 QString answer(VerdictKind kind, const QString& type)
 {
-    return kind == VerdictKind::Type ? type : tr("unknown");
+    return kind == VerdictKind::Type ? type : Words::tr("unknown");
 }
 
 } // namespace
@@ -27,24 +21,24 @@ Verdict verdictOnEarlyEnd(Verdict verdict, const EarlyEnd& end, double decided_s
 {
     const QString seconds = shortNumber(decided_s);
     if (verdict.kind == VerdictKind::Invalid) {
-        verdict.reasons += tr("The squeeze had ended early, after %1 s.").arg(seconds);
+        verdict.reasons += Words::tr("The squeeze had ended early, after %1 s.").arg(seconds);
         return verdict;
     }
     if (verdict.kind == end.kind && verdict.type == end.type) {
-        verdict.reasons += tr("Decided after %1 s.").arg(seconds);
+        verdict.reasons += Words::tr("Decided after %1 s.").arg(seconds);
         return verdict;
     }
     const QString decided = answer(end.kind, end.type);
     if (verdict.kind == VerdictKind::Inconclusive)
         verdict.reasons.prepend(
-            tr("The squeeze ended after %1 s as %2, but all that was recorded by then does "
-               "not show it.")
+            Words::tr("The squeeze ended after %1 s as %2, but all that was recorded by then does "
+                      "not show it.")
                 .arg(seconds, decided));
     else
         verdict.reasons = {
-            tr("The squeeze ended after %1 s as %2, but all that was recorded by then says %3.")
+            Words::tr("The squeeze ended after %1 s as %2, but all that was recorded by then says %3.")
                 .arg(seconds, decided, answer(verdict.kind, verdict.type)),
-            tr("Squeeze it again.")};
+            Words::tr("Squeeze it again.")};
     verdict.kind = VerdictKind::Inconclusive;
     verdict.type.clear();
     return verdict;
@@ -52,9 +46,9 @@ Verdict verdictOnEarlyEnd(Verdict verdict, const EarlyEnd& end, double decided_s
 
 QString inWords(const EarlyEnd& end, double decided_s)
 {
-    return u"%1 after %2 s, posterior %3"_s.arg(end.kind == VerdictKind::Type ? end.type : u"unknown"_s,
-                                                QString::number(decided_s, 'g', 6),
-                                                QString::number(end.posterior, 'g', 6));
+    return Words::tr("%1 after %2 s, posterior %3")
+        .arg(end.kind == VerdictKind::Type ? end.type : Words::tr("unknown"),
+             Words::number(decided_s, 'g', 6), Words::number(end.posterior, 'g', 6));
 }
 
 } // namespace gripscope

@@ -5,8 +5,8 @@
 #include "core/recognition/predictive.h"
 #include "core/recognition/quantity_text.h"
 #include "core/recognition/quiet_policy.h"
+#include "core/words.h"
 
-#include <QCoreApplication>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <boost/math/distributions/non_central_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -89,19 +89,15 @@ std::optional<double> stiffnessUncertainty(const TypeModels& models, const TypeM
     return std::isfinite(halfWidth) ? std::optional(std::expm1(std::min(halfWidth, 10.0))) : std::nullopt;
 }
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("EnrollmentProgress", text);
-}
-
 QString inHundred(double share)
 {
-    return share < 0.005 ? tr("fewer than 1 in 100") : tr("%1 in 100").arg(int(std::round(100 * share)));
+    return share < 0.005 ? Words::tr("fewer than 1 in 100")
+                         : Words::tr("%1 in 100").arg(int(std::round(100 * share)));
 }
 
 QString squeezes(int count)
 {
-    return count == 1 ? tr("1 more squeeze") : tr("%1 more squeezes").arg(count);
+    return count == 1 ? Words::tr("1 more squeeze") : Words::tr("%1 more squeezes").arg(count);
 }
 
 } // namespace
@@ -142,30 +138,32 @@ QStringList inWords(const EnrollmentProgress& progress)
 {
     QStringList words;
     if (progress.squeezes == 1 && !progress.stiffnessUncertainty)
-        words +=
-            tr("One squeeze says where %1 is, but nothing of how squeezes of it differ.").arg(progress.type);
+        words += Words::tr("One squeeze says where %1 is, but nothing of how squeezes of it differ.")
+                     .arg(progress.type);
     else if (progress.squeezes == 1)
         words +=
-            tr("One squeeze tells the stiffness of %1 only to %2 % (95 %), if its squeezes differ as those "
-               "of the other types do.")
+            Words::tr(
+                "One squeeze tells the stiffness of %1 only to %2 % (95 %), if its squeezes differ as those "
+                "of the other types do.")
                 .arg(progress.type, shortNumber(100 * *progress.stiffnessUncertainty));
     if (!progress.gate) {
-        words +=
-            tr("No verdict can be given yet: %1 and there is a gate.").arg(squeezes(progress.moreForGate));
+        words += Words::tr("No verdict can be given yet: %1 and there is a gate.")
+                     .arg(squeezes(progress.moreForGate));
         return words;
     }
-    words += tr("A squeeze further than %1 sd from %2 is called unknown; with all known it would be %3 sd.")
-                 .arg(*progress.gate, 0, 'f', 1)
-                 .arg(progress.type)
-                 .arg(progress.gateLimit, 0, 'f', 1);
-    words += tr("A foreign part 6 sd away passes for it %1 times (at best %2).")
+    words +=
+        Words::tr("A squeeze further than %1 sd from %2 is called unknown; with all known it would be %3 sd.")
+            .arg(*progress.gate, 0, 'f', 1)
+            .arg(progress.type)
+            .arg(progress.gateLimit, 0, 'f', 1);
+    words += Words::tr("A foreign part 6 sd away passes for it %1 times (at best %2).")
                  .arg(inHundred(*progress.strangersPassing), inHundred(progress.strangersLimit));
     if (!progress.moreForMost)
-        words += tr("It takes more than 100 more squeezes to come near that.");
+        words += Words::tr("It takes more than 100 more squeezes to come near that.");
     else if (*progress.moreForMost > 0)
-        words += tr("%1 bring it near that.").arg(squeezes(*progress.moreForMost));
+        words += Words::tr("%1 bring it near that.").arg(squeezes(*progress.moreForMost));
     else
-        words += tr("More squeezes would gain little.");
+        words += Words::tr("More squeezes would gain little.");
     return words;
 }
 

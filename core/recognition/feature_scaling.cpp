@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/feature_scaling.h"
 
+#include "core/words.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +32,7 @@ double columnScale(const Eigen::ArrayXd& column, double mean)
 
 tl::unexpected<Error> badValue(Eigen::Index row, Eigen::Index column, double found, const QString& expected)
 {
-    return failure(ErrorCode::BadInput, {u"Row %1, feature %2"_s.arg(row + 1).arg(column + 1),
+    return failure(ErrorCode::BadInput, {Words::tr("Row %1, feature %2").arg(row + 1).arg(column + 1),
                                          u"found %1"_s.arg(found), u"expected %1"_s.arg(expected)});
 }
 
@@ -80,10 +82,10 @@ Expected<FeatureTransform> featureTransform(const Eigen::MatrixXd& features, Fea
     for (Eigen::Index i = 0; i < features.rows(); ++i)
         for (Eigen::Index j = 0; j < features.cols(); ++j) {
             if (!std::isfinite(features(i, j)))
-                return badValue(i, j, features(i, j), u"a finite number"_s);
+                return badValue(i, j, features(i, j), Words::tr("a finite number"));
             if (logarithm && features(i, j) <= 0)
                 return badValue(i, j, features(i, j),
-                                u"a number above 0, since its logarithm is asked for"_s);
+                                Words::tr("a number above 0, since its logarithm is asked for"));
         }
     FeatureTransform transform;
     transform.logarithm = logarithm;
@@ -99,8 +101,9 @@ Expected<FeatureTransform> featureTransform(const Eigen::MatrixXd& features, Fea
         if (!std::isfinite(transform.shift(j)) || !std::isfinite(transform.scale(j)) ||
             transform.scale(j) <= 0)
             return failure(ErrorCode::BadInput,
-                           {u"Feature %1"_s.arg(j + 1), u"found numbers too large or too small"_s,
-                            u"expected numbers whose squares can be computed"_s});
+                           {Words::tr("Feature %1").arg(j + 1),
+                            Words::tr("found numbers too large or too small"),
+                            Words::tr("expected numbers whose squares can be computed")});
     }
     return transform;
 }

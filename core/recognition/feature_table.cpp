@@ -2,6 +2,7 @@
 #include "core/recognition/feature_table.h"
 
 #include "core/recognition/table_lines.h"
+#include "core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ Expected<FeatureTable> parseFeatureTable(const QByteArray& text, const QString& 
                                          const QStringList& features, const QString& truthColumn)
 {
     if (features.isEmpty())
-        return failure(ErrorCode::Usage, {u"No feature is named."_s});
+        return failure(ErrorCode::Usage, {Words::tr("No feature is named.")});
     const auto lines = splitTable(text, name);
     if (!lines)
         return tl::unexpected(lines.error());
@@ -32,14 +33,14 @@ Expected<FeatureTable> parseFeatureTable(const QByteArray& text, const QString& 
         if (line.fields.size() != header.fields.size())
             return TablePlace{name, line.number, std::min(line.fields.size(), header.fields.size()) + 1}
                 .error(u"%1 fields"_s.arg(line.fields.size()),
-                       u"%1, as in the header"_s.arg(header.fields.size()));
+                       Words::tr("%1, as in the header").arg(header.fields.size()));
         for (qsizetype j = 0; j < features.size(); ++j) {
             const qsizetype column = (*columns)[std::size_t(j)];
             bool ok = false;
             const double value = line.fields[column].toDouble(&ok);
             if (!ok || !std::isfinite(value))
                 return TablePlace{name, line.number, column + 1}.error(u"\"%1\""_s.arg(line.fields[column]),
-                                                                       u"a finite number"_s);
+                                                                       Words::tr("a finite number"));
             table.values(Eigen::Index(i) - 1, j) = value;
         }
         if (!truthColumn.isEmpty())

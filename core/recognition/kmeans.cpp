@@ -5,6 +5,7 @@
 #include "core/recognition/kmeans_assignment.h"
 #include "core/recognition/kmeans_single_moves.h"
 #include "core/recognition/kmeans_start.h"
+#include "core/words.h"
 
 #include <random>
 #include <utility>
@@ -125,14 +126,15 @@ Expected<KMeansResult> kMeansFrom(const Eigen::MatrixXd& items, const Eigen::Mat
     if (const auto problem = problemWith(items, options))
         return tl::unexpected(*problem);
     if (centres.rows() == 0 || centres.cols() != items.cols() || !centres.allFinite())
-        return failure(ErrorCode::Usage, {u"The centres to start from do not fit the table."_s});
+        return failure(ErrorCode::Usage, {Words::tr("The centres to start from do not fit the table.")});
     if (items.rows() < centres.rows() || items.cols() == 0)
         return KMeansResult{};
     const double scale = powerOfTwoScale(items);
     const Eigen::MatrixXd start = centres * scale;
     if (!(start.cwiseAbs().maxCoeff() < farthestStart))
-        return failure(ErrorCode::BadInput, {u"The centres to start from"_s, u"found one too far away"_s,
-                                             u"expected centres near the items"_s});
+        return failure(ErrorCode::BadInput,
+                       {Words::tr("The centres to start from"), Words::tr("found one too far away"),
+                        Words::tr("expected centres near the items")});
     KMeansResult result = runFrom(items * scale, start, options, Polish::No);
     if (isStopped(options.watch))
         return tl::unexpected(clusteringCancelled());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/quantity_text.h"
 
-#include <QCoreApplication>
+#include "core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,11 +37,11 @@ QString nameOf(MechanicalQuantity quantity)
 {
     switch (quantity) {
     case MechanicalQuantity::Mass:
-        return QCoreApplication::translate("Verdict", "Mass");
+        return Words::tr("Mass");
     case MechanicalQuantity::Damping:
-        return QCoreApplication::translate("Verdict", "Damping");
+        return Words::tr("Damping");
     case MechanicalQuantity::Stiffness:
-        return QCoreApplication::translate("Verdict", "Stiffness");
+        return Words::tr("Stiffness");
     }
     return {};
 }
@@ -51,8 +51,8 @@ QString shortNumber(double value)
     const double r = rounded(value);
     const double size = std::abs(r);
     if (size >= 1000 && size < 1e6)
-        return QString::number(r, 'f', 0);
-    return QString::number(r, 'g', 3);
+        return Words::number(r, 'f', 0);
+    return Words::number(r, 'g', 3);
 }
 
 QString quantityText(MechanicalQuantity quantity, double siValue)

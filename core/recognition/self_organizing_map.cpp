@@ -6,6 +6,7 @@
 #include "core/recognition/map_training.h"
 #include "core/recognition/principal_axes.h"
 #include "core/recognition/unit_groups.h"
+#include "core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -171,10 +172,12 @@ std::optional<Error> SelfOrganizingMapOptions::validate() const
     const auto units = double(std::max(rows, 1)) * double(std::max(columns, 1));
     if (rows < 0 || columns < 0 || units > mostMapUnits)
         return Error{ErrorCode::Usage,
-                     {u"A map of %1 x %2 units is not between 1 and %3 units."_s.arg(rows).arg(columns).arg(
-                         mostMapUnits)}};
+                     {Words::tr("A map of %1 x %2 units is not between 1 and %3 units.")
+                          .arg(rows)
+                          .arg(columns)
+                          .arg(mostMapUnits)}};
     if (groups > (rows > 0 && columns > 0 ? int(units) : mostMapUnits))
-        return Error{ErrorCode::Usage, {u"A map has too few units for %1 groups."_s.arg(groups)}};
+        return Error{ErrorCode::Usage, {Words::tr("A map has too few units for %1 groups.").arg(groups)}};
     return {};
 }
 

@@ -6,8 +6,8 @@
 #include "core/recognition/quantity_text.h"
 #include "core/recognition/quiet_policy.h"
 #include "core/recognition/squeeze_values.h"
+#include "core/words.h"
 
-#include <QCoreApplication>
 #include <QMap>
 #include <boost/math/distributions/students_t.hpp>
 
@@ -26,11 +26,6 @@ constexpr std::size_t leastSqueezes = 3;
 constexpr std::size_t mostSteps = 5;
 /// More squeezes of another type make its scatter no better known than it need be here.
 constexpr int lentSqueezes = 30;
-
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("SqueezeOutlier", text);
-}
 
 /// The squeezes of one type that are still taken for its own, and those that lend their scatter.
 class Enrolled {
@@ -123,10 +118,10 @@ QString comparedWithOthers(double offset)
 {
     const double ratio = std::exp(offset);
     if (ratio >= 2)
-        return tr("%1 times that of the others").arg(shortNumber(ratio));
+        return Words::tr("%1 times that of the others").arg(shortNumber(ratio));
     if (ratio >= 1)
-        return tr("%1 % above the others").arg(shortNumber(100 * (ratio - 1)));
-    return tr("%1 % below the others").arg(shortNumber(100 * (1 - ratio)));
+        return Words::tr("%1 % above the others").arg(shortNumber(100 * (ratio - 1)));
+    return Words::tr("%1 % below the others").arg(shortNumber(100 * (1 - ratio)));
 }
 
 SqueezeOutlier describe(const TypeSqueeze& squeeze, std::size_t index, const TypePrediction& seen)
@@ -139,13 +134,14 @@ SqueezeOutlier describe(const TypeSqueeze& squeeze, std::size_t index, const Typ
     const double alone = found.deviations.cwiseAbs().maxCoeff(&most);
     if (found.alone <= found.together || alone >= outlier.deviations / 2) {
         outlier.parameter = int(most);
-        outlier.reason = tr("%1 is %2, %3 of their standard deviations.")
+        outlier.reason = Words::tr("%1 is %2, %3 of their standard deviations.")
                              .arg(nameOf(MechanicalQuantity(most)), comparedWithOthers(found.offset(most)),
                                   shortNumber(alone));
     } else {
-        outlier.reason = tr("Mass, damping and stiffness are each near those of the others, but do not go "
-                            "together as theirs do: %1 standard deviations away.")
-                             .arg(shortNumber(outlier.deviations));
+        outlier.reason =
+            Words::tr("Mass, damping and stiffness are each near those of the others, but do not go "
+                      "together as theirs do: %1 standard deviations away.")
+                .arg(shortNumber(outlier.deviations));
     }
     return outlier;
 }

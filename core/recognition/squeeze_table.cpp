@@ -2,6 +2,7 @@
 #include "core/recognition/squeeze_table.h"
 
 #include "core/recognition/table_lines.h"
+#include "core/words.h"
 
 #include <cmath>
 #include <utility>
@@ -15,11 +16,13 @@ namespace {
 std::optional<Error> problemOf(const SqueezeColumns& columns)
 {
     if (columns.parameters.size() != 3)
-        return Error{ErrorCode::Usage, {u"Mass, damping and stiffness need a column each: three names."_s}};
+        return Error{ErrorCode::Usage,
+                     {Words::tr("Mass, damping and stiffness need a column each: three names.")}};
     if (!columns.deviations.isEmpty() && columns.deviations.size() != 3)
-        return Error{ErrorCode::Usage, {u"The errors of m, b and k need a column each: three names."_s}};
+        return Error{ErrorCode::Usage,
+                     {Words::tr("The errors of m, b and k need a column each: three names.")}};
     if (columns.type.isEmpty() && columns.typeName.trimmed().isEmpty())
-        return Error{ErrorCode::Usage, {u"Neither a type nor a column with types is named."_s}};
+        return Error{ErrorCode::Usage, {Words::tr("Neither a type nor a column with types is named.")}};
     return {};
 }
 
@@ -38,13 +41,13 @@ public:
         m_row = &row;
         if (line.fields.size() != m_fields) {
             refuse(std::min(line.fields.size(), m_fields), u"%1 fields"_s.arg(line.fields.size()),
-                   u"%1, as in the header"_s.arg(m_fields));
+                   Words::tr("%1, as in the header").arg(m_fields));
             return row;
         }
         row.squeeze.type =
             m_columns.type.isEmpty() ? m_columns.typeName.trimmed() : line.fields[m_places.back()];
         if (row.squeeze.type.isEmpty())
-            refuse(m_places.back(), u"nothing"_s, u"the name of a type"_s);
+            refuse(m_places.back(), u"nothing"_s, Words::tr("the name of a type"));
         const Eigen::Vector3d parameters = numbers(line, 0, false);
         row.squeeze.parameters = {parameters(0), parameters(1), parameters(2)};
         if (!m_columns.deviations.isEmpty()) {
@@ -76,7 +79,8 @@ private:
                 result(Eigen::Index(i)) = value;
             else
                 refuse(column, u"\"%1\""_s.arg(line.fields[column]),
-                       zeroAllowed ? u"a standard error, zero or above"_s : u"a number above zero"_s);
+                       zeroAllowed ? Words::tr("a standard error, zero or above")
+                                   : Words::tr("a number above zero"));
         }
         return result;
     }

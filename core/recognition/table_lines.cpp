@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/table_lines.h"
 
+#include "core/words.h"
+
 #include <QFile>
 
 #include <optional>
@@ -70,12 +72,12 @@ Expected<std::vector<TableLine>> splitTable(const QByteArray& text, const QStrin
             continue;
         auto fields = splitFields(QString::fromUtf8(trimmed));
         if (!fields)
-            return TablePlace{name, number, 1}.error(u"a quote that is not closed"_s,
-                                                     u"a closing quote on the same line"_s);
+            return TablePlace{name, number, 1}.error(Words::tr("a quote that is not closed"),
+                                                     Words::tr("a closing quote on the same line"));
         lines.push_back({number, std::move(*fields)});
     }
     if (lines.empty())
-        return TablePlace{name}.error(u"an empty file"_s, u"a header and rows"_s);
+        return TablePlace{name}.error(Words::tr("an empty file"), Words::tr("a header and rows"));
     return lines;
 }
 
@@ -89,15 +91,16 @@ Expected<std::vector<qsizetype>> findTableColumns(const std::vector<TableLine>& 
         const qsizetype column = header.fields.indexOf(feature);
         if (column < 0)
             return TablePlace{name, header.number, 1}.error(
-                u"the columns %1"_s.arg(header.fields.join(", "_L1)), u"a column called %1"_s.arg(feature));
+                Words::tr("the columns %1").arg(header.fields.join(", "_L1)),
+                Words::tr("a column called %1").arg(feature));
         if (const qsizetype again = header.fields.indexOf(feature, column + 1); again >= 0)
             return TablePlace{name, header.number, again + 1}.error(
-                u"a second column called %1"_s.arg(feature), u"each name once"_s);
+                Words::tr("a second column called %1").arg(feature), Words::tr("each name once"));
         columns.push_back(column);
     }
     if (lines.size() == 1)
-        return TablePlace{name, header.number + 1, 1}.error(u"no rows"_s,
-                                                            u"at least one row below the header"_s);
+        return TablePlace{name, header.number + 1, 1}.error(Words::tr("no rows"),
+                                                            Words::tr("at least one row below the header"));
     return columns;
 }
 

@@ -4,8 +4,7 @@
 #include "core/recognition/predictive.h"
 #include "core/recognition/squeeze_values.h"
 #include "core/recognition/verdict.h"
-
-#include <QCoreApplication>
+#include "core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +16,6 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr double clearGain = 2; ///< e^2 times as likely
-
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("Transfer", text);
-}
 
 std::vector<TypeShift> shiftsOf(const TypeModels& models, const std::vector<TypeSqueeze>& squeezes)
 {
@@ -79,22 +73,24 @@ TransferTrial leaveOut(const TypeModels& models, const std::vector<TypeSqueeze>&
 QStringList inWords(const TransferReport& report)
 {
     if (!report.error)
-        return {
-            tr("No squeeze of an enrolled type: nothing can be said of the transfer. Squeeze parts of two "
-               "or more enrolled types on this gripper.")};
-    QStringList words{tr("What this gripper finds differs from that of the enrolment: %1.")
+        return {Words::tr(
+            "No squeeze of an enrolled type: nothing can be said of the transfer. Squeeze parts of two "
+            "or more enrolled types on this gripper.")};
+    QStringList words{Words::tr("What this gripper finds differs from that of the enrolment: %1.")
                           .arg(changeInWords(report.error->value, report.error->covariance))};
     if (report.error->agreement < 0.01)
-        words << tr("The types differ in it by more than chance: one adjustment does not serve them all.");
+        words << Words::tr(
+            "The types differ in it by more than chance: one adjustment does not serve them all.");
     const TransferTrial& shown = report.unseenTypes.value_or(report.trial);
-    words << tr("Of %1 squeezes left out, %2 are named right as measured and %3 adjusted.")
+    words << Words::tr("Of %1 squeezes left out, %2 are named right as measured and %3 adjusted.")
                  .arg(QString::number(shown.squeezes), QString::number(shown.namedBefore),
                       QString::number(shown.namedAfter));
-    words << (report.adjust ? tr("The adjustment helps: use it.")
-                            : tr("The adjustment does not help: the types serve as they are, or must be "
-                                 "enrolled here."));
+    words << (report.adjust
+                  ? Words::tr("The adjustment helps: use it.")
+                  : Words::tr("The adjustment does not help: the types serve as they are, or must be "
+                              "enrolled here."));
     if (!report.unseenTypes)
-        words << tr("Only one type was squeezed here; how others fare is not known.");
+        words << Words::tr("Only one type was squeezed here; how others fare is not known.");
     return words;
 }
 

@@ -5,9 +5,9 @@
 #include "core/recognition/quantity_text.h"
 #include "core/recognition/quiet_policy.h"
 #include "core/signal/gaussian.h"
+#include "core/words.h"
 
 #include <Eigen/Cholesky>
-#include <QCoreApplication>
 #include <boost/math/distributions/chi_squared.hpp>
 
 #include <algorithm>
@@ -66,17 +66,12 @@ void count(const Verdict& verdict, const QString& type, double share, ExpectedVe
     }
 }
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("TypeOverlap", text);
-}
-
 /// "12 in 100", "3 in 1,000".
 QString oftenness(double share)
 {
     if (share >= 0.01)
-        return tr("%1 in 100").arg(shortNumber(std::round(100 * share)));
-    return tr("%1 in 1,000").arg(shortNumber(std::ceil(1000 * share)));
+        return Words::tr("%1 in 100").arg(shortNumber(std::round(100 * share)));
+    return Words::tr("%1 in 1,000").arg(shortNumber(std::ceil(1000 * share)));
 }
 
 } // namespace
@@ -122,12 +117,12 @@ std::optional<TypeOverlap> worstOverlap(const TypeModels& models, const QString&
 
 QString inWords(const TypeOverlap& overlap)
 {
-    QString text = tr("%1 and %2 overlap: of the squeezes of %1, about %3 cannot be told from %2")
+    QString text = Words::tr("%1 and %2 overlap: of the squeezes of %1, about %3 cannot be told from %2")
                        .arg(overlap.type, overlap.other, oftenness(overlap.undecided + overlap.wrong));
     if (overlap.wrong > 0)
-        text += tr(", and %1 are called %2").arg(oftenness(overlap.wrong), overlap.other);
+        text += Words::tr(", and %1 are called %2").arg(oftenness(overlap.wrong), overlap.other);
     if (overlap.back > 0)
-        text += tr("; of those of %2, about %3 cannot be told from %1")
+        text += Words::tr("; of those of %2, about %3 cannot be told from %1")
                     .arg(overlap.type, overlap.other, oftenness(overlap.back));
     return text + u'.';
 }

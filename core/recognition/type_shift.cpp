@@ -4,9 +4,9 @@
 #include "core/recognition/gates.h"
 #include "core/recognition/predictive.h"
 #include "core/recognition/squeeze_values.h"
+#include "core/words.h"
 
 #include <Eigen/Cholesky>
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,8 @@ constexpr double dimensions = 3;
 
 QString percent(double log, double deviation)
 {
-    return u"%1%2 ± %3 %"_s.arg(log < 0 ? QString() : u"+"_s, QString::number(100 * std::expm1(log), 'f', 1),
-                                QString::number(100 * deviation * std::exp(log), 'f', 1));
+    return u"%1%2 ± %3 %"_s.arg(log < 0 ? QString() : u"+"_s, Words::number(100 * std::expm1(log), 'f', 1),
+                                Words::number(100 * deviation * std::exp(log), 'f', 1));
 }
 
 Eigen::Matrix3d designOf(const TypeShift& shift, ShiftKind kind, const Eigen::Vector3d& centre)
@@ -71,7 +71,7 @@ std::optional<TypeShift> typeShift(const TypeModels& models, const TypeModel& ty
 QString changeInWords(const Eigen::Vector3d& log, const Eigen::Matrix3d& covariance)
 {
     const Eigen::Vector3d deviation = covariance.diagonal().cwiseSqrt();
-    return QCoreApplication::translate("Shift", "mass %1, damping %2, stiffness %3")
+    return Words::tr("mass %1, damping %2, stiffness %3")
         .arg(percent(log(0), deviation(0)), percent(log(1), deviation(1)), percent(log(2), deviation(2)));
 }
 

@@ -5,8 +5,7 @@
 #include "core/recognition/squeeze_values.h"
 #include "core/recognition/transfer.h"
 #include "core/recognition/verdict_reasons.h"
-
-#include <QCoreApplication>
+#include "core/words.h"
 
 namespace gripscope {
 
@@ -72,10 +71,12 @@ std::optional<Error> VerdictOptions::validate() const
     const auto check = [](const QString& name, double rate) -> std::optional<Error> {
         if (rate >= leastRate && rate <= mostRate)
             return {};
-        return Error{
-            ErrorCode::Usage,
-            {u"The rate %1 must be between %2 and %3, not %4."_s.arg(name).arg(leastRate).arg(mostRate).arg(
-                rate)}};
+        return Error{ErrorCode::Usage,
+                     {Words::tr("The rate %1 must be between %2 and %3, not %4.")
+                          .arg(name)
+                          .arg(leastRate)
+                          .arg(mostRate)
+                          .arg(rate)}};
     };
     if (auto problem = check(u"false-reject"_s, falseReject))
         return problem;
@@ -85,12 +86,14 @@ std::optional<Error> VerdictOptions::validate() const
         return problem;
     if (confidence && !(*confidence >= leastConfidence && *confidence <= mostConfidence))
         return Error{ErrorCode::Usage,
-                     {u"The confidence must be between %1 and %2, not %3."_s.arg(leastConfidence)
+                     {Words::tr("The confidence must be between %1 and %2, not %3.")
+                          .arg(leastConfidence)
                           .arg(mostConfidence)
                           .arg(*confidence)}};
     if (range && !range->logVolume())
-        return Error{ErrorCode::Usage,
-                     {u"The instrument's range must have lowest values above zero and below the highest."_s}};
+        return Error{
+            ErrorCode::Usage,
+            {Words::tr("The instrument's range must have lowest values above zero and below the highest.")}};
     return {};
 }
 
@@ -99,8 +102,7 @@ Verdict judge(const TypeModels& models, const MassDampingStiffness& parameters, 
 {
     if (!isUsable(parameters)) {
         Verdict verdict;
-        verdict.reasons = {
-            QCoreApplication::translate("Verdict", "Mass, damping and stiffness are not all above zero.")};
+        verdict.reasons = {Words::tr("Mass, damping and stiffness are not all above zero.")};
         return verdict;
     }
     if (models.degreesOfFreedom == 0)

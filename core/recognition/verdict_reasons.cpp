@@ -2,8 +2,7 @@
 #include "core/recognition/verdict_reasons.h"
 
 #include "core/recognition/quantity_text.h"
-
-#include <QCoreApplication>
+#include "core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +12,6 @@ namespace gripscope {
 using namespace Qt::StringLiterals;
 
 namespace {
-
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("Verdict", text);
-}
 
 /// log(m, b, k) less the type's mean.
 Eigen::Vector3d offsets(const TypeModel& type, const MassDampingStiffness& parameters)
@@ -51,10 +45,10 @@ QString comparedWith(double offset, const QString& type)
 {
     const double ratio = std::exp(offset);
     if (ratio >= 2)
-        return tr("%1 times that of %2").arg(shortNumber(ratio), type);
+        return Words::tr("%1 times that of %2").arg(shortNumber(ratio), type);
     if (ratio >= 1)
-        return tr("%1 above that of %2").arg(percent(ratio - 1), type);
-    return tr("%1 below that of %2").arg(percent(1 - ratio), type);
+        return Words::tr("%1 above that of %2").arg(percent(ratio - 1), type);
+    return Words::tr("%1 below that of %2").arg(percent(1 - ratio), type);
 }
 
 } // namespace
@@ -63,12 +57,12 @@ QStringList typeReasons(const TypeModels& models, const TypeModel& type, const s
                         const MassDampingStiffness& parameters, const VerdictOptions& options)
 {
     if (!next)
-        return {tr("Mass, damping and stiffness are where %1 sits; it is the only type enrolled.")
+        return {Words::tr("Mass, damping and stiffness are where %1 sits; it is the only type enrolled.")
                     .arg(type.name)};
     // The parameter that tells the two types apart best.
     Eigen::Index parameter = 0;
     offsetsInDeviations(models, *next->type, parameters).cwiseAbs().maxCoeff(&parameter);
-    return {tr("%1 is where %2 sits; the next type, %3, is %4 sd away.")
+    return {Words::tr("%1 is where %2 sits; the next type, %3, is %4 sd away.")
                 .arg(named(int(parameter), parameters, options.siUnits), type.name, next->type->name,
                      shortNumber(next->deviations))};
 }
@@ -84,13 +78,14 @@ QStringList unknownReasons(const TypeModels& models, const TypeModel& nearest,
     const double gate = std::sqrt(verdict.gate.value_or(0));
     QStringList reasons;
     reasons +=
-        tr("%1 is %2, the nearest type.")
+        Words::tr("%1 is %2, the nearest type.")
             .arg(named(int(parameter), parameters, options.siUnits), comparedWith(offset, nearest.name));
-    reasons += tr("That is %1 sd away; squeezes of %2 stay within %3 sd.")
+    reasons += Words::tr("That is %1 sd away; squeezes of %2 stay within %3 sd.")
                    .arg(shortNumber(distance), nearest.name, shortNumber(gate));
     if (most < gate / 2) // each is near its usual value, but they do not go together as they do in the type
-        reasons += tr("Each of mass, damping and stiffness alone could be %1, but not the three together.")
-                       .arg(nearest.name);
+        reasons +=
+            Words::tr("Each of mass, damping and stiffness alone could be %1, but not the three together.")
+                .arg(nearest.name);
     return reasons;
 }
 
@@ -102,35 +97,38 @@ QStringList betweenTypesReasons(const Verdict& verdict, bool covarianceKnown)
     QString first = verdict.nearest, second = verdict.rival;
     if (verdict.posterior.value(first) < verdict.posterior.value(second))
         first.swap(second);
-    QStringList reasons{tr("The squeeze could be %1 (%2) or %3 (%4).")
+    QStringList reasons{Words::tr("The squeeze could be %1 (%2) or %3 (%4).")
                             .arg(first, percent(verdict.posterior.value(first)), second,
                                  percent(verdict.posterior.value(second)))};
     if (verdict.timesLonger && *verdict.timesLonger > 1.05)
-        reasons += tr("Squeezed %1 times as long, nine of ten would tell them apart.")
+        reasons += Words::tr("Squeezed %1 times as long, nine of ten would tell them apart.")
                        .arg(shortNumber(*verdict.timesLonger));
     else if (covarianceKnown && !verdict.timesLonger)
-        reasons += tr("The two types lie so close that a longer squeeze would not tell them apart.");
-    reasons += tr("Squeeze it again; if this happens often, enrol more squeezes of both types.");
+        reasons += Words::tr("The two types lie so close that a longer squeeze would not tell them apart.");
+    reasons += Words::tr("Squeeze it again; if this happens often, enrol more squeezes of both types.");
     return reasons;
 }
 
 QStringList strangerReasons(const Verdict& verdict)
 {
-    return {tr("The squeeze could be %1, but lies so far out that a part of no enrolled type is as likely.")
+    return {Words::tr(
+                "The squeeze could be %1, but lies so far out that a part of no enrolled type is as likely.")
                 .arg(verdict.nearest),
-            tr("Squeeze it again; enrolling more squeezes narrows what %1 is.").arg(verdict.nearest)};
+            Words::tr("Squeeze it again; enrolling more squeezes narrows what %1 is.").arg(verdict.nearest)};
 }
 
 QStringList noGateReasons(const TypeModels& models)
 {
     if (models.types.empty())
-        return {tr("No type is enrolled yet.")};
+        return {Words::tr("No type is enrolled yet.")};
     const int missing = 3 - models.degreesOfFreedom;
     if (missing <= 0)
-        return {tr("The rate of false alarms asked for is too small for so few squeezes; enrol more.")};
+        return {
+            Words::tr("The rate of false alarms asked for is too small for so few squeezes; enrol more.")};
     if (missing == 1)
-        return {tr("Too few squeezes are enrolled to say what is usual: 1 more is needed.")};
-    return {tr("Too few squeezes are enrolled to say what is usual: %1 more are needed.").arg(missing)};
+        return {Words::tr("Too few squeezes are enrolled to say what is usual: 1 more is needed.")};
+    return {
+        Words::tr("Too few squeezes are enrolled to say what is usual: %1 more are needed.").arg(missing)};
 }
 
 QStringList invalidReasons(const Identification& identification)
@@ -143,9 +141,9 @@ QStringList invalidReasons(const Identification& identification)
         return reasons;
     for (const Estimate& estimate : identification.estimates)
         if (estimate.estimator == identification.recommended && !estimate.message.empty())
-            reasons += QString::fromStdString(estimate.message);
+            reasons += Words::tr(estimate.message.c_str());
     if (reasons.isEmpty())
-        reasons += tr("No mass, damping and stiffness could be found from this squeeze.");
+        reasons += Words::tr("No mass, damping and stiffness could be found from this squeeze.");
     return reasons;
 }
 

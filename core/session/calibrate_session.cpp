@@ -2,6 +2,7 @@
 #include "core/session/calibrate_session.h"
 
 #include "core/session/library_answer.h"
+#include "core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +19,10 @@ constexpr double leastStepShare = 0.2;     ///< of the load's step: a smaller on
 std::optional<Error> notReady(ConnectSession& connection)
 {
     if (connection.state() != ConnectSession::State::Connected)
-        return Error{ErrorCode::DeviceRefused, {u"calibrate"_s, u"no gripper is connected"_s}};
+        return Error{ErrorCode::DeviceRefused, {u"calibrate"_s, Words::tr("no gripper is connected")}};
     if (connection.armed())
         return Error{ErrorCode::DeviceRefused,
-                     {u"calibrate"_s, u"it is armed, and hands are near: disarm it first"_s}};
+                     {u"calibrate"_s, Words::tr("it is armed, and hands are near: disarm it first")}};
     return std::nullopt;
 }
 
@@ -96,12 +97,12 @@ QString CalibrateSession::Private::doubtOf(const PlannedPoint& point, const Stea
     const double step = point.load - before.planned.load;
     const double seen = reading.mean - before.reading.mean;
     if (std::abs(seen) < leastStepShare * std::abs(step))
-        return u"The reading hardly changed. Was the load put on?"_s;
+        return Words::tr("The reading hardly changed. Was the load put on?");
     for (std::size_t i = 1; i < points.size(); ++i) {
         const double rise = (points[i].reading.mean - points[i - 1].reading.mean) /
                             (points[i].planned.load - points[i - 1].planned.load);
         if (std::isfinite(rise) && rise * seen * step < 0)
-            return u"The reading went the other way than before. Is it the right load?"_s;
+            return Words::tr("The reading went the other way than before. Is it the right load?");
     }
     return {};
 }
@@ -115,17 +116,18 @@ void CalibrateSession::Private::finishReading()
     const SteadyReading reading = steadyReading(values, options);
     if (saturated) {
         error = Error{ErrorCode::DeviceRefused,
-                      {u"take this point"_s, u"the channel is at its end, so the load cannot be told"_s}};
+                      {Words::tr("take this point"),
+                       Words::tr("the channel is at its end, so the load cannot be told")}};
     } else if (reading.status == SteadyStatus::Moving) {
-        error = Error{
-            ErrorCode::DeviceRefused,
-            {u"take this point"_s, u"the reading still moves (by %1 %2 within %3 s). Wait until it rests"_s
-                                       .arg(reading.drift, 0, 'g', 3)
-                                       .arg(unit())
-                                       .arg(plan.averaging_s)}};
+        error = Error{ErrorCode::DeviceRefused,
+                      {Words::tr("take this point"),
+                       Words::tr("the reading still moves (by %1 %2 within %3 s). Wait until it rests")
+                           .arg(reading.drift, 0, 'g', 3)
+                           .arg(unit())
+                           .arg(plan.averaging_s)}};
     } else if (reading.status == SteadyStatus::TooFewSamples) {
         error = Error{ErrorCode::DeviceRefused,
-                      {u"take this point"_s, u"only %1 samples came"_s.arg(reading.samples)}};
+                      {Words::tr("take this point"), Words::tr("only %1 samples came").arg(reading.samples)}};
     } else {
         const PlannedPoint& point = planned[points.size()];
         points.push_back({point, reading, doubtOf(point, reading)});
@@ -165,7 +167,7 @@ void CalibrateSession::setOperator(const QString& name)
 Expected<void> CalibrateSession::start(const CalibrationPlan& plan)
 {
     if (d->state == State::Storing)
-        return failure(ErrorCode::Usage, {u"A calibration is being stored. Wait for its end."_s});
+        return failure(ErrorCode::Usage, {Words::tr("A calibration is being stored. Wait for its end.")});
     if (const std::optional<Error> problem = problemOf(plan))
         return tl::unexpected<Error>(*problem);
     if (const std::optional<Error> problem = notReady(d->connection))
@@ -182,14 +184,14 @@ Expected<void> CalibrateSession::start(const CalibrationPlan& plan)
 Expected<void> CalibrateSession::take()
 {
     if (d->state != State::Waiting || !next())
-        return failure(ErrorCode::Usage, {u"There is no point to be taken now."_s});
+        return failure(ErrorCode::Usage, {Words::tr("There is no point to be taken now.")});
     if (const std::optional<Error> problem = notReady(d->connection))
         return tl::unexpected<Error>(*problem);
     if (d->connection.identity().serial != d->gripper.serial)
-        return failure(
-            ErrorCode::DeviceRefused,
-            {u"take this point"_s,
-             u"it is another gripper than the one that was begun with (%1)"_s.arg(d->gripper.serial)});
+        return failure(ErrorCode::DeviceRefused,
+                       {Words::tr("take this point"),
+                        Words::tr("it is another gripper than the one that was begun with (%1)")
+                            .arg(d->gripper.serial)});
     d->error.reset();
     d->listen();
     return {};
@@ -243,11 +245,13 @@ Expected<void> CalibrateSession::accept(const QDate& due, const QString& note)
 {
     if (d->state != State::Waiting || next())
         return failure(ErrorCode::Usage,
-                       {u"The calibration is not complete: %1 of %2 points are taken."_s.arg(d->points.size())
+                       {Words::tr("The calibration is not complete: %1 of %2 points are taken.")
+                            .arg(d->points.size())
                             .arg(d->planned.size())});
     if (!d->evaluation || !*d->evaluation)
-        return failure(ErrorCode::Usage, {u"These points make no calibration: %1"_s.arg(
-                                             d->evaluation ? d->evaluation->error().describe() : QString())});
+        return failure(ErrorCode::Usage,
+                       {Words::tr("These points make no calibration: %1")
+                            .arg(d->evaluation ? d->evaluation->error().describe() : QString())});
     SensorCalibration calibration = this->calibration();
     calibration.due = due;
     calibration.note = note;

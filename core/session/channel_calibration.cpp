@@ -2,6 +2,7 @@
 #include "core/session/channel_calibration.h"
 
 #include "core/calibration/calibration_facts.h"
+#include "core/words.h"
 
 namespace gripscope {
 
@@ -19,8 +20,10 @@ void ChannelCalibration::put(const CalibrationsInForce& calibrations, const Grip
             return;
         if (record->unit != unit) {
             m_unusable =
-                u"The %1 was calibrated in %2, but the gripper now measures in %3: calibrate it again."_s.arg(
-                    toString(record->channel), record->unit, unit);
+                Words::tr(
+                    "The %1 was calibrated in %2, but the gripper now measures in %3: calibrate it again.")
+                    .arg(record->channel == SensorChannel::Force ? Words::tr("force") : Words::tr("position"),
+                         record->unit, unit);
             return;
         }
         const Expected<CalibrationEvaluation> evaluation = evaluateCalibration(*record);

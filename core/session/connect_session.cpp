@@ -2,6 +2,7 @@
 #include "core/session/connect_session.h"
 
 #include "core/session/gripper_return.h"
+#include "core/words.h"
 
 #include <map>
 #include <utility>
@@ -82,7 +83,7 @@ Error ConnectSession::Private::lossReason() const
 {
     if (const std::optional<Error> reason = port->lastError())
         return *reason;
-    return {ErrorCode::DeviceLost, {address, u"the link closed"_qs}};
+    return {ErrorCode::DeviceLost, {address, Words::tr("the link closed")}};
 }
 
 void ConnectSession::Private::follow(LinkState link)
@@ -137,10 +138,11 @@ void ConnectSession::Private::followReturn()
     case LinkState::Ready:
     case LinkState::Armed:
         if (const QString serial = returning->identity().serial; wasConnected && serial != identity.serial) {
-            error =
-                Error{ErrorCode::DeviceNotFound,
-                      {identity.address, u"Gripper %1 came in its place: choose it to work with it, or plug "
-                                         "gripper %2 in."_qs.arg(serial, identity.serial)}};
+            error = Error{ErrorCode::DeviceNotFound,
+                          {identity.address,
+                           Words::tr("Gripper %1 came in its place: choose it to work with it, or plug "
+                                     "gripper %2 in.")
+                               .arg(serial, identity.serial)}};
             returning.reset();
             return;
         }
@@ -298,7 +300,7 @@ SafetyGate* ConnectSession::gate()
 Expected<void> ConnectSession::arm(const QString& person)
 {
     if (d->state != State::Connected)
-        return failure(ErrorCode::DeviceRefused, {u"arm"_qs, u"no gripper is connected"_qs});
+        return failure(ErrorCode::DeviceRefused, {Words::tr("arm"), Words::tr("no gripper is connected")});
     return d->gate->arm(person);
 }
 

@@ -5,6 +5,7 @@
 #include "core/session/enrollment_storage.h"
 #include "core/session/hold_history.h"
 #include "core/session/library_answer.h"
+#include "core/words.h"
 
 #include <algorithm>
 
@@ -66,18 +67,18 @@ struct EnrollSession::Private {
 Expected<void> EnrollSession::Private::waitingIn(Step wanted) const
 {
     if (step != wanted)
-        return notNow(u"This is not the step for it."_qs);
+        return notNow(Words::tr("This is not the step for it."));
     switch (activity) {
     case Activity::Waiting:
         return {};
     case Activity::Deciding:
-        return notNow(u"Accept or reject the last squeeze first."_qs);
+        return notNow(Words::tr("Accept or reject the last squeeze first."));
     case Activity::Squeezing:
     case Activity::Identifying:
     case Activity::Storing:
         break;
     }
-    return notNow(u"The last squeeze is still being worked on."_qs);
+    return notNow(Words::tr("The last squeeze is still being worked on."));
 }
 
 EnrollSqueeze* EnrollSession::Private::pending()
@@ -150,7 +151,7 @@ Expected<void> EnrollSession::setName(const QString& name)
     if (const Expected<void> may = d->waitingIn(Step::Name); !may)
         return may;
     if (name.trimmed().isEmpty())
-        return notNow(u"The type needs a name."_qs);
+        return notNow(Words::tr("The type needs a name."));
     d->typeName = name.trimmed();
     d->step = Step::Recipe;
     return {};
@@ -209,9 +210,10 @@ Expected<void> EnrollSession::accept()
 {
     const EnrollSqueeze* squeeze = d->pending();
     if (!squeeze)
-        return notNow(u"There is no squeeze to decide on."_qs);
+        return notNow(Words::tr("There is no squeeze to decide on."));
     if (!squeeze->reason.isEmpty())
-        return notNow(u"This measurement is not valid and cannot be enrolled: "_qs + squeeze->reason);
+        return notNow(
+            Words::tr("This measurement is not valid and cannot be enrolled: %1").arg(squeeze->reason));
     if (d->type) {
         const Expected<double> factor =
             parameterFactor(squeeze->recording.forceUnit, squeeze->recording.positionUnit, d->type->forceUnit,
@@ -238,7 +240,7 @@ Expected<void> EnrollSession::reject(const QString& reason)
 {
     EnrollSqueeze* squeeze = d->pending();
     if (!squeeze)
-        return notNow(u"There is no squeeze to decide on."_qs);
+        return notNow(Words::tr("There is no squeeze to decide on."));
     squeeze->decision = Decision::Rejected;
     if (!reason.trimmed().isEmpty())
         squeeze->reason = reason.trimmed();
@@ -250,7 +252,7 @@ Expected<void> EnrollSession::drop(int index, const QString& reason)
 {
     const bool there = index >= 0 && static_cast<std::size_t>(index) < d->squeezes.size();
     if (!there || d->squeezes[static_cast<std::size_t>(index)].decision != Decision::Accepted)
-        return notNow(u"Only an accepted squeeze can be dropped."_qs);
+        return notNow(Words::tr("Only an accepted squeeze can be dropped."));
     if (const Expected<void> may = d->waitingIn(d->step == Step::Review ? Step::Review : Step::Squeeze); !may)
         return may;
     const auto position = static_cast<std::size_t>(index);
@@ -271,7 +273,8 @@ Expected<void> EnrollSession::review()
     if (const Expected<void> may = d->waitingIn(Step::Squeeze); !may)
         return may;
     if (acceptedCount() < leastSqueezes)
-        return notNow(u"A type needs at least %1 accepted squeezes; there are %2."_qs.arg(leastSqueezes)
+        return notNow(Words::tr("A type needs at least %1 accepted squeezes; there are %2.")
+                          .arg(leastSqueezes)
                           .arg(acceptedCount()));
     d->step = Step::Review;
     return {};
@@ -291,7 +294,8 @@ Expected<void> EnrollSession::approve()
     if (const Expected<void> may = d->waitingIn(Step::Review); !may)
         return may;
     if (acceptedCount() < leastSqueezes || !d->type)
-        return notNow(u"A type needs at least %1 accepted squeezes; there are %2."_qs.arg(leastSqueezes)
+        return notNow(Words::tr("A type needs at least %1 accepted squeezes; there are %2.")
+                          .arg(leastSqueezes)
                           .arg(acceptedCount()));
     d->ask<void>(
         [id = d->type->id, who = d->operatorName](Library& library) { return library.approveType(id, who); },

@@ -3,6 +3,7 @@
 
 #include "core/identification/identification_json.h"
 #include "core/session/comparable_units.h"
+#include "core/words.h"
 
 #include <cmath>
 
@@ -44,8 +45,9 @@ Expected<StoredType> findStoredType(Library& library, const QString& name)
     if (!found.type)
         return found;
     if (found.type->status == TypeStatus::Retired)
-        return failure(ErrorCode::Usage,
-                       {u"%1 is retired. Put it back into use first, or choose another name."_qs.arg(name)});
+        return failure(
+            ErrorCode::Usage,
+            {Words::tr("%1 is retired. Put it back into use first, or choose another name.").arg(name)});
     Expected<std::vector<GraspRecord>> grasps = library.grasps(found.type->id);
     if (!grasps)
         return tl::unexpected<Error>(grasps.error());
@@ -108,8 +110,8 @@ QString whyNotEnrolled(const Identification& identification)
                    : QString();
     const QString message = identification.estimates.empty()
                                 ? QString()
-                                : QString::fromStdString(identification.estimates.back().message);
-    return message.isEmpty() ? u"No m, b and k could be found in it."_qs : message;
+                                : Words::tr(identification.estimates.back().message.c_str());
+    return message.isEmpty() ? Words::tr("No m, b and k could be found in it.") : message;
 }
 
 std::optional<Error> recipeError(const Recipe& recipe)
@@ -118,13 +120,13 @@ std::optional<Error> recipeError(const Recipe& recipe)
     if (!positive(recipe.peak_N) || !positive(recipe.bit_s) || !positive(recipe.seconds) ||
         !positive(recipe.maxForce_N) || !positive(recipe.maxTravel_m))
         return Error{ErrorCode::Usage,
-                     {u"Peak force, bit, length and limits of a recipe must be above zero."_qs}};
+                     {Words::tr("Peak force, bit, length and limits of a recipe must be above zero.")}};
     if (!std::isfinite(recipe.bias_N) || recipe.bias_N < 0)
-        return Error{ErrorCode::Usage, {u"The preload of a recipe must be zero or above."_qs}};
+        return Error{ErrorCode::Usage, {Words::tr("The preload of a recipe must be zero or above.")}};
     if (recipe.bias_N + recipe.peak_N > recipe.maxForce_N)
         return Error{ErrorCode::LimitExceeded,
-                     {u"Preload plus peak force"_qs, u"%1 N"_qs.arg(recipe.bias_N + recipe.peak_N),
-                      u"%1 N"_qs.arg(recipe.maxForce_N), u"the recipe's"_qs}};
+                     {Words::tr("Preload plus peak force"), u"%1 N"_qs.arg(recipe.bias_N + recipe.peak_N),
+                      u"%1 N"_qs.arg(recipe.maxForce_N), Words::tr("the recipe's")}};
     return std::nullopt;
 }
 

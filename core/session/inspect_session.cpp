@@ -9,6 +9,7 @@
 #include "core/session/library_answer.h"
 #include "core/session/squeeze_forecast.h"
 #include "core/signal/units.h"
+#include "core/words.h"
 
 #include <algorithm>
 #include <list>
@@ -149,12 +150,12 @@ Expected<void> InspectSession::Private::ready() const
     case State::Ready:
         return {};
     case State::Loading:
-        return failure(ErrorCode::Usage, {u"The library is still being read."_qs});
+        return failure(ErrorCode::Usage, {Words::tr("The library is still being read.")});
     case State::Squeezing:
     case State::Judging:
         break;
     }
-    return failure(ErrorCode::Usage, {u"The last squeeze is still being worked on."_qs});
+    return failure(ErrorCode::Usage, {Words::tr("The last squeeze is still being worked on.")});
 }
 
 Recipe InspectSession::Private::wantedRecipe() const
@@ -401,7 +402,7 @@ void InspectSession::cancel()
         return;
     d->job.cancel();
     d->task.forget();
-    d->fail({ErrorCode::Cancelled, {u"The inspection"_qs}});
+    d->fail({ErrorCode::Cancelled, {Words::tr("The inspection")}});
 }
 
 bool InspectSession::poll()

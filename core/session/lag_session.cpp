@@ -3,6 +3,7 @@
 
 #include "core/session/library_answer.h"
 #include "core/signal/preparation.h"
+#include "core/words.h"
 
 namespace gripscope {
 
@@ -91,7 +92,8 @@ void LagSession::setOperator(const QString& name)
 Expected<void> LagSession::start(const Recipe& recipe, int squeezes)
 {
     if (d->state == State::Squeezing || d->state == State::Judging || d->state == State::Storing)
-        return failure(ErrorCode::Usage, {u"The lag is being measured. Wait for its end or stop it."_s});
+        return failure(ErrorCode::Usage,
+                       {Words::tr("The lag is being measured. Wait for its end or stop it.")});
     d->recipe = recipe;
     d->wanted = squeezes;
     d->squeezes.clear();
@@ -106,20 +108,21 @@ void LagSession::cancel()
     d->job.cancel();
     d->task.forget();
     if (d->state == State::Squeezing || d->state == State::Judging)
-        d->fail({ErrorCode::Cancelled, {u"The measurement of the lag"_s}});
+        d->fail({ErrorCode::Cancelled, {Words::tr("The measurement of the lag")}});
 }
 
 Expected<void> LagSession::accept()
 {
     if (d->state != State::Measured || d->result.status != LagStatus::Measured)
-        return failure(ErrorCode::Usage, {u"There is no lag that was measured well enough to be used."_s});
+        return failure(ErrorCode::Usage,
+                       {Words::tr("There is no lag that was measured well enough to be used.")});
     NewMeasuringChain measured;
     measured.gripperSerial = d->serial;
     measured.forceLag_s = d->result.lag_s;
     measured.chain = d->connection.measuringChain();
     measured.chain.forceLagUncertainty_s = d->result.standardError_s;
     measured.operatorName = d->operatorName;
-    measured.basis = u"lag from %1 squeezes"_s.arg(d->result.squeezes);
+    measured.basis = Words::tr("lag from %1 squeezes").arg(d->result.squeezes);
     d->state = State::Storing;
     d->storing.await<void>(
         d->library.run<void>([measured](Library& library) { return library.addMeasuringChain(measured); }),

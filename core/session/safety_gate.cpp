@@ -2,6 +2,7 @@
 #include "core/session/safety_gate.h"
 
 #include "core/session/gripper_port.h"
+#include "core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ namespace {
 
 QString newtons(double force_N)
 {
-    return u"%1 N"_qs.arg(force_N, 0, 'g', 4);
+    return u"%L1 N"_qs.arg(force_N, 0, 'g', 4);
 }
 
 /// Nothing when every value is a push; else what is wrong with the first that is not.
@@ -24,11 +25,12 @@ std::optional<Error> notAPush(const std::vector<double>& force_N)
         std::find_if(force_N.begin(), force_N.end(), [](double f) { return !std::isfinite(f) || f < 0; });
     if (bad == force_N.end())
         return std::nullopt;
-    const QString what = std::isfinite(*bad) ? u"a pull of "_qs + newtons(-*bad) : u"not a number"_qs;
-    return Error{
-        ErrorCode::Usage,
-        {u"The force signal has %1 at sample %2; a gripper can only push. Raise the bias or lower the peak."_qs
-             .arg(what, QString::number(bad - force_N.begin()))}};
+    const QString what =
+        std::isfinite(*bad) ? Words::tr("a pull of %1").arg(newtons(-*bad)) : Words::tr("not a number");
+    return Error{ErrorCode::Usage,
+                 {Words::tr("The force signal has %1 at sample %2; a gripper can only push. Raise the bias "
+                            "or lower the peak.")
+                      .arg(what, QString::number(bad - force_N.begin()))}};
 }
 
 } // namespace
@@ -44,13 +46,14 @@ Expected<AdmittedExcitation> SafetyGate::admit(const std::vector<double>& force_
 {
     const GripperIdentity identity = m_port->identity();
     if (!identity.commandable)
-        return failure(ErrorCode::DeviceRefused, {u"squeeze"_qs, u"it only listens"_qs});
+        return failure(ErrorCode::DeviceRefused, {Words::tr("squeeze"), Words::tr("it only listens")});
     if (force_N.empty())
-        return failure(ErrorCode::Usage, {u"The force signal is empty. Choose a longer squeeze."_qs});
+        return failure(ErrorCode::Usage, {Words::tr("The force signal is empty. Choose a longer squeeze.")});
     if (force_N.size() > identity.limits.maxSamples)
         return failure(
             ErrorCode::Usage,
-            {u"The force signal has %1 samples; the gripper holds at most %2. Choose a shorter squeeze."_qs
+            {Words::tr(
+                 "The force signal has %1 samples; the gripper holds at most %2. Choose a shorter squeeze.")
                  .arg(QString::number(force_N.size()), QString::number(identity.limits.maxSamples))});
     if (const std::optional<Error> error = notAPush(force_N))
         return tl::unexpected<Error>(*error);
@@ -60,8 +63,8 @@ Expected<AdmittedExcitation> SafetyGate::admit(const std::vector<double>& force_
     if (largest_N > limits.maxForce_N) {
         const bool device = identity.limits.maxForce_N <= m_jobLimits.maxForce_N;
         return failure(ErrorCode::LimitExceeded,
-                       {u"The force"_qs, newtons(largest_N), newtons(limits.maxForce_N),
-                        device ? u"the gripper's own"_qs : u"the recipe's"_qs});
+                       {Words::tr("The force"), newtons(largest_N), newtons(limits.maxForce_N),
+                        device ? Words::tr("the gripper's own") : Words::tr("the recipe's")});
     }
     return AdmittedExcitation(force_N, limits);
 }
@@ -69,11 +72,13 @@ Expected<AdmittedExcitation> SafetyGate::admit(const std::vector<double>& force_
 Expected<void> SafetyGate::arm(const QString& person)
 {
     if (person.trimmed().isEmpty())
-        return failure(ErrorCode::Usage, {u"Only a person may arm the gripper, and no name was given."_qs});
+        return failure(ErrorCode::Usage,
+                       {Words::tr("Only a person may arm the gripper, and no name was given.")});
     if (!m_port->identity().commandable)
-        return failure(ErrorCode::DeviceRefused, {u"arm"_qs, u"it only listens"_qs});
+        return failure(ErrorCode::DeviceRefused, {Words::tr("arm"), Words::tr("it only listens")});
     if (const LinkState state = m_port->state(); state != LinkState::Ready && state != LinkState::Armed)
-        return failure(ErrorCode::DeviceRefused, {u"arm"_qs, u"the link is %1"_qs.arg(toString(state))});
+        return failure(ErrorCode::DeviceRefused,
+                       {u"arm"_qs, Words::tr("the link is %1").arg(toString(state))});
     m_port->arm(ArmingOrder(person.trimmed()));
     return {};
 }
@@ -84,7 +89,7 @@ Expected<void> SafetyGate::start(const std::vector<double>& force_N)
     if (!admitted)
         return tl::unexpected<Error>(admitted.error());
     if (m_port->state() != LinkState::Armed)
-        return failure(ErrorCode::NotArmed, {u"move"_qs});
+        return failure(ErrorCode::NotArmed, {Words::tr("move")});
     m_port->startExcitation(*admitted);
     return {};
 }

@@ -4,6 +4,7 @@
 #include "core/session/squeeze_notes.h"
 #include "core/session/squeeze_recorder.h"
 #include "core/signal/stream_account.h"
+#include "core/words.h"
 
 #include <QDateTime>
 
@@ -31,13 +32,13 @@ QString number(double value)
 QString stopReason(std::uint16_t status)
 {
     if (status & StatusWatchdog)
-        return u"it no longer heard from this program"_qs;
+        return Words::tr("it no longer heard from this program");
     if (status & StatusForceLimit)
-        return u"the force limit was reached"_qs;
+        return Words::tr("the force limit was reached");
     if (status & StatusTravelLimit)
-        return u"the travel limit was reached"_qs;
+        return Words::tr("the travel limit was reached");
     if (status & StatusFault)
-        return u"it reports a fault"_qs;
+        return Words::tr("it reports a fault");
     return {};
 }
 
@@ -94,9 +95,10 @@ struct SqueezeJob::Private {
 Expected<void> SqueezeJob::Private::ready() const
 {
     if (running())
-        return failure(ErrorCode::Usage, {u"A squeeze is under way. Wait for its end or stop it."_qs});
+        return failure(ErrorCode::Usage, {Words::tr("A squeeze is under way. Wait for its end or stop it.")});
     if (connection.state() != ConnectSession::State::Connected)
-        return failure(ErrorCode::DeviceRefused, {u"squeeze"_qs, u"no gripper is connected"_qs});
+        return failure(ErrorCode::DeviceRefused,
+                       {Words::tr("squeeze"), Words::tr("no gripper is connected")});
     return {};
 }
 
@@ -108,7 +110,8 @@ void SqueezeJob::Private::begin(std::size_t samples, QMap<QString, QString> prov
     provenance[u"address"_qs] = identity.address.isEmpty() ? connection.address() : identity.address;
     provenance[u"firmware"_qs] = identity.firmware;
     if (!identity.lossVisible)
-        provenance[unseenLossesKey()] = u"cannot be seen: the gripper sends neither a number nor a clock"_qs;
+        provenance[unseenLossesKey()] =
+            Words::tr("cannot be seen: the gripper sends neither a number nor a clock");
     if (!operatorName.isEmpty())
         provenance[u"operator"_qs] = operatorName;
     provenance[u"recorded_utc"_qs] = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs);
@@ -163,7 +166,7 @@ void SqueezeJob::Private::followListening(double waited_s)
     if (recorder.complete())
         return end(State::Done);
     if (waited_s > seconds + graceSeconds && recorder.size() == 0)
-        return fail({ErrorCode::DeviceTimeout, {u"send anything"_qs, number(seconds + graceSeconds)}});
+        return fail({ErrorCode::DeviceTimeout, {Words::tr("send anything"), number(seconds + graceSeconds)}});
     if (recorder.size() > 0 && secondsSince(lastNews) > graceSeconds)
         end(State::Done);
 }
@@ -172,10 +175,10 @@ void SqueezeJob::Private::followStop(const GripperPort& port)
 {
     const QString reason = stopReason(recorder.statusSeen());
     if (!reason.isEmpty())
-        return fail({ErrorCode::DeviceRefused, {u"go on with the squeeze"_qs, reason}});
+        return fail({ErrorCode::DeviceRefused, {Words::tr("go on with the squeeze"), reason}});
     if (port.state() == LinkState::Lost)
         return; // the connection says so at its next poll, with the reason
-    fail({ErrorCode::Cancelled, {u"The squeeze"_qs}});
+    fail({ErrorCode::Cancelled, {Words::tr("The squeeze")}});
 }
 
 void SqueezeJob::Private::finishSqueeze()
@@ -188,9 +191,9 @@ void SqueezeJob::Private::finishSqueeze()
     if (whole || endedEarly)
         return end(State::Done);
     const QString reason = stopReason(recorder.statusSeen());
-    fail(
-        {ErrorCode::DeviceRefused,
-         {u"go on with the squeeze"_qs, reason.isEmpty() ? u"it ended early, without a reason"_qs : reason}});
+    fail({ErrorCode::DeviceRefused,
+          {Words::tr("go on with the squeeze"),
+           reason.isEmpty() ? Words::tr("it ended early, without a reason") : reason}});
 }
 
 void SqueezeJob::Private::followSqueeze(double waited_s)
@@ -199,7 +202,7 @@ void SqueezeJob::Private::followSqueeze(double waited_s)
     switch (port.squeezeState()) {
     case SqueezeState::Refused:
         return fail(port.lastError().value_or(
-            Error{ErrorCode::DeviceRefused, {u"squeeze"_qs, u"it gave no reason"_qs}}));
+            Error{ErrorCode::DeviceRefused, {Words::tr("squeeze"), Words::tr("it gave no reason")}}));
     case SqueezeState::Stopped:
         return followStop(port);
     case SqueezeState::Running:
@@ -217,7 +220,7 @@ void SqueezeJob::Private::followSqueeze(double waited_s)
         return finishSqueeze();
     if (waited_s > seconds + graceSeconds) {
         connection.stop();
-        fail({ErrorCode::DeviceTimeout, {u"finish the squeeze"_qs, number(seconds + graceSeconds)}});
+        fail({ErrorCode::DeviceTimeout, {Words::tr("finish the squeeze"), number(seconds + graceSeconds)}});
     }
 }
 
@@ -274,7 +277,7 @@ Expected<void> SqueezeJob::listen(double seconds)
         return ready;
     const double samples = std::round(seconds / d->connection.identity().sampleTime_s);
     if (!(samples >= 1) || !std::isfinite(samples))
-        return failure(ErrorCode::Usage, {u"Listening needs a time above zero."_qs});
+        return failure(ErrorCode::Usage, {Words::tr("Listening needs a time above zero.")});
     d->listening = true;
     d->begin(static_cast<std::size_t>(samples), {{u"excitation"_qs, u"none, listened only"_qs}});
     return {};
@@ -289,11 +292,11 @@ void SqueezeJob::poll()
         if (d->listening && d->connection.streamEnded() && d->recorder.size() > 0)
             return d->end(State::Done);
         return d->fail(d->connection.lastError().value_or(
-            Error{ErrorCode::DeviceLost, {d->connection.address(), u"it was disconnected"_qs}}));
+            Error{ErrorCode::DeviceLost, {d->connection.address(), Words::tr("it was disconnected")}}));
     }
     if (d->connection.reconnections() != d->link) // gone and back between two looks
         return d->fail(
-            {ErrorCode::DeviceLost, {d->connection.address(), u"it went away during the squeeze"_qs}});
+            {ErrorCode::DeviceLost, {d->connection.address(), Words::tr("it went away during the squeeze")}});
     const double waited_s = d->secondsSince(d->started);
     if (d->listening) {
         d->state = d->recorder.size() > 0 ? State::Squeezing : State::Starting;
@@ -320,7 +323,7 @@ void SqueezeJob::cancel()
         return;
     if (!d->listening)
         d->connection.stop();
-    d->fail({ErrorCode::Cancelled, {u"The squeeze"_qs}});
+    d->fail({ErrorCode::Cancelled, {Words::tr("The squeeze")}});
 }
 
 SqueezeJob::State SqueezeJob::state() const

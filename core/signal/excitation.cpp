@@ -2,6 +2,7 @@
 #include "core/signal/excitation.h"
 
 #include "core/signal/gaussian.h"
+#include "core/words.h"
 
 #include <algorithm>
 #include <array>
@@ -220,25 +221,27 @@ std::optional<Error> ExcitationOptions::validate() const
 {
     const auto usage = [](const QString& reason) { return Error{ErrorCode::Usage, {reason}}; };
     if (!std::isfinite(peak) || peak < 0)
-        return usage(u"peak must be a number from 0 up"_s);
+        return usage(Words::tr("peak must be a number from 0 up"));
     if (!std::isfinite(bias))
-        return usage(u"bias must be a number"_s);
+        return usage(Words::tr("bias must be a number"));
     if (!std::isfinite(sampleTime_s) || sampleTime_s <= 0)
-        return usage(u"the sample time must be above 0 s"_s);
+        return usage(Words::tr("the sample time must be above 0 s"));
     if (samples == 0 || samples > largestSampleCount)
-        return usage(u"samples must be from 1 to %1"_s.arg(largestSampleCount));
+        return usage(Words::tr("samples must be from 1 to %1").arg(largestSampleCount));
     if (!std::isfinite(bit_s) || bit_s <= 0)
-        return usage(u"the bit time must be above 0 s"_s);
+        return usage(Words::tr("the bit time must be above 0 s"));
     if (oneSided && bias + peak < 0)
-        return usage(u"bias plus peak must not be negative: a one-sided grip can only push"_s);
+        return usage(Words::tr("bias plus peak must not be negative: a one-sided grip can only push"));
     if (kind == ExcitationKind::InverseRepeat && !inverseRepeatRegister(*this))
-        return usage(u"%1 periods of the shortest inverse-repeat sequence, of 14 bits, do not fit: take more "
-                     "samples, shorter bits or fewer periods"_s.arg(periodsOf(*this)));
+        return usage(
+            Words::tr("%1 periods of the shortest inverse-repeat sequence, of 14 bits, do not fit: take more "
+                      "samples, shorter bits or fewer periods")
+                .arg(periodsOf(*this)));
     if (kind == ExcitationKind::Multisine && sinePeriod(*this) == 0)
-        return usage(u"there are more periods than samples"_s);
+        return usage(Words::tr("there are more periods than samples"));
     if (kind == ExcitationKind::Multisine &&
         static_cast<double>(samples) * highestHarmonic(*this) > largestMultisineWork)
-        return usage(u"this multisine has too many harmonics: take fewer samples or a longer bit"_s);
+        return usage(Words::tr("this multisine has too many harmonics: take fewer samples or a longer bit"));
     return std::nullopt;
 }
 
@@ -280,7 +283,7 @@ Expected<std::vector<double>> makeExcitation(const ExcitationOptions& options)
         if (options.oneSided)
             value = std::max(value, 0.0);
         if (!std::isfinite(value))
-            return refuse(u"bias and peak are too large"_s);
+            return refuse(Words::tr("bias and peak are too large"));
     }
     return force;
 }

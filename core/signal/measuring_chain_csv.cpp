@@ -2,6 +2,7 @@
 #include "core/signal/measuring_chain_csv.h"
 
 #include "core/signal/csv_line_reader.h"
+#include "core/words.h"
 
 #include <array>
 #include <charconv>
@@ -101,9 +102,9 @@ QString measuringChainExpectation(std::string_view key)
 {
     for (const TripleKey& known : tripleKeys) {
         if (key == known.key)
-            return u"expected three numbers from 0 up with commas between: m,b,k"_s;
+            return Words::tr("expected three numbers from 0 up with commas between: m,b,k");
     }
-    return u"expected a number from 0 up"_s;
+    return Words::tr("expected a number from 0 up");
 }
 
 QByteArray measuringChainLines(const MeasuringChain& chain)

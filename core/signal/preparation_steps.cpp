@@ -4,6 +4,7 @@
 #include "core/signal/clipping.h"
 #include "core/signal/robust_statistics.h"
 #include "core/signal/value_lattice.h"
+#include "core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,16 +31,18 @@ constexpr double finestWorthNaming = 1e-4;
 
 QString number(double value)
 {
-    return QString::number(value, 'g', 3);
+    return Words::number(value, 'g', 3);
 }
 
 } // namespace
 
 PreparationStep unusableStep()
 {
-    return {u"unusable"_s, 0, 0, false,
-            u"the channels differ in length, or hold numbers that are not finite, or the sample time is not "
-            "above zero"_s};
+    return {
+        u"unusable"_s, 0, 0, false,
+        Words::tr(
+            "the channels differ in length, or hold numbers that are not finite, or the sample time is not "
+            "above zero")};
 }
 
 PreparationStep contactStep(const ContactPhases& phases, Window asked)
@@ -48,7 +51,8 @@ PreparationStep contactStep(const ContactPhases& phases, Window asked)
     const std::size_t behind = asked.count - phases.squeeze.count - before;
     return {
         u"contact"_s, before + behind, static_cast<double>(phases.squeeze.count), true,
-        u"%1 samples of approach and touch and %2 of release were left out; %3 samples of squeeze remain"_s
+        Words::tr(
+            "%1 samples of approach and touch and %2 of release were left out; %3 samples of squeeze remain")
             .arg(before)
             .arg(behind)
             .arg(phases.squeeze.count)};
@@ -58,21 +62,22 @@ PreparationStep driftStep(const SampleClock& clock, double nominal_s)
 {
     const bool ok = std::abs(clock.drift) <= largestDrift;
     QString message =
-        u"the device's clock runs at %1 s a sample instead of %2 s (%3 %); its own time was used"_s
+        Words::tr("the device's clock runs at %1 s a sample instead of %2 s (%3 %); its own time was used")
             .arg(clock.sampleTime_s, 0, 'g', 9)
             .arg(nominal_s, 0, 'g', 9)
             .arg(number(100 * clock.drift));
     if (!ok)
-        message += u". That is much for a clock: check the sample time"_s;
+        message += Words::tr(". That is much for a clock: check the sample time");
     return {u"clock_drift"_s, 0, clock.drift, ok, message};
 }
 
 PreparationStep breakStep(const SampleClock& clock)
 {
-    return {
-        u"clock_break"_s, clock.breaks, static_cast<double>(clock.breaks), true,
-        u"time stamps and sample numbers contradict each other in %1 places: the device's clock was set, or "
-        "the device started again. The longest part between them was used."_s.arg(clock.breaks)};
+    return {u"clock_break"_s, clock.breaks, static_cast<double>(clock.breaks), true,
+            Words::tr("time stamps and sample numbers contradict each other in %1 places: the device's clock "
+                      "was set, or "
+                      "the device started again. The longest part between them was used.")
+                .arg(clock.breaks)};
 }
 
 PreparationStep jitterStep(const SampleClock& clock, bool moved)
@@ -80,48 +85,54 @@ PreparationStep jitterStep(const SampleClock& clock, bool moved)
     const bool ok = moved && clock.jitter <= largestJitter;
     const QString share = number(100 * clock.jitter);
     if (!moved)
-        return {u"clock_jitter"_s, 0, clock.jitter, ok,
-                u"the samples jitter by %1 % of the sample time and were taken as regular"_s.arg(share)};
+        return {
+            u"clock_jitter"_s, 0, clock.jitter, ok,
+            Words::tr("the samples jitter by %1 % of the sample time and were taken as regular").arg(share)};
     QString message =
-        u"the samples jitter by %1 % of the sample time; force and position were put on a regular grid"_s.arg(
-            share);
+        Words::tr(
+            "the samples jitter by %1 % of the sample time; force and position were put on a regular grid")
+            .arg(share);
     if (!ok)
-        message += u". That is too much for an exact correction: let the device sample more regularly"_s;
+        message +=
+            Words::tr(". That is too much for an exact correction: let the device sample more regularly");
     return {u"clock_jitter"_s, 0, clock.jitter, ok, message};
 }
 
 PreparationStep lostStep(const WindowChoice& choice)
 {
-    return {
-        u"samples_lost"_s, choice.gaps, static_cast<double>(choice.lostSamples), true,
-        u"%1 samples are missing in %2 places; the force there counts as unknown"_s.arg(choice.lostSamples)
-            .arg(choice.gaps)};
+    return {u"samples_lost"_s, choice.gaps, static_cast<double>(choice.lostSamples), true,
+            Words::tr("%1 samples are missing in %2 places; the force there counts as unknown")
+                .arg(choice.lostSamples)
+                .arg(choice.gaps)};
 }
 
 PreparationStep cutStep(Window used, Window squeeze)
 {
     const std::size_t left = squeeze.count - used.count;
-    return {
-        u"window_cut"_s, left, static_cast<double>(left) / static_cast<double>(squeeze.count), false,
-        u"too many samples are missing to bridge all gaps; %1 of the %2 samples there are were used. Check "
-        "the cable and the load of the computer, then squeeze again."_s.arg(used.count)
-            .arg(squeeze.count)};
+    return {u"window_cut"_s, left, static_cast<double>(left) / static_cast<double>(squeeze.count), false,
+            Words::tr("too many samples are missing to bridge all gaps; %1 of the %2 samples there are were "
+                      "used. Check "
+                      "the cable and the load of the computer, then squeeze again.")
+                .arg(used.count)
+                .arg(squeeze.count)};
 }
 
 PreparationStep contactLossStep(const std::vector<std::size_t>& away, std::size_t samples)
 {
     const double share = static_cast<double>(away.size()) / static_cast<double>(samples);
-    return {
-        u"contact_loss"_s, away.size(), share, true,
-        u"the gripper left the object for %1 samples (%2 %), since it can push but not pull; they were left "
-        "out. Squeeze with more bias."_s.arg(away.size())
-            .arg(number(100 * share))};
+    return {u"contact_loss"_s, away.size(), share, true,
+            Words::tr("the gripper left the object for %1 samples (%2 %), since it can push but not pull; "
+                      "they were left "
+                      "out. Squeeze with more bias.")
+                .arg(away.size())
+                .arg(number(100 * share))};
 }
 
 PreparationStep forceNoiseStep(std::size_t samples, double deviation)
 {
     return {u"force_noise"_s, samples, deviation, true,
-            u"the force channel's noise, %1 force units, was taken from the %2 samples before the squeeze"_s
+            Words::tr(
+                "the force channel's noise, %1 force units, was taken from the %2 samples before the squeeze")
                 .arg(number(deviation))
                 .arg(samples)};
 }
@@ -129,8 +140,8 @@ PreparationStep forceNoiseStep(std::size_t samples, double deviation)
 PreparationStep frameStep(double compliance)
 {
     return {u"frame_compliance"_s, 0, compliance, true,
-            u"the frame's share of the position, %1 position units per force unit, was taken away"_s.arg(
-                number(compliance))};
+            Words::tr("the frame's share of the position, %1 position units per force unit, was taken away")
+                .arg(number(compliance))};
 }
 
 std::optional<PreparationStep> saturationStep(const Recording& recording, Window used)
@@ -149,12 +160,13 @@ std::optional<PreparationStep> saturationStep(const Recording& recording, Window
     if (count == 0)
         return std::nullopt;
     const double share = static_cast<double>(count) / static_cast<double>(used.count);
-    return PreparationStep{
-        u"saturation"_s, count, share, false,
-        u"samples at the end of a sensor's range: %1 by the device's word, %2 of force and %3 of position by "
-        "their look. Squeeze with less force."_s.arg(marked)
-            .arg(force)
-            .arg(position)};
+    return PreparationStep{u"saturation"_s, count, share, false,
+                           Words::tr("samples at the end of a sensor's range: %1 by the device's word, %2 of "
+                                     "force and %3 of position by "
+                                     "their look. Squeeze with less force.")
+                               .arg(marked)
+                               .arg(force)
+                               .arg(position)};
 }
 
 std::optional<PreparationStep> quantizationStep(const Recording& recording, Window used)
@@ -167,12 +179,13 @@ std::optional<PreparationStep> quantizationStep(const Recording& recording, Wind
     const double share = *step / (*highest - *lowest);
     if (share < finestWorthNaming || *step < noticedStep * whiteNoiseDeviation(window))
         return std::nullopt;
-    return PreparationStep{
-        u"quantization"_s, window.size(), *step, share < coarseStep,
-        u"the position comes in steps of %1, %2 % of its range and more than twice its noise: m, b and k may "
-        "be off by up to %3 %"_s.arg(number(*step))
-            .arg(number(100 * share))
-            .arg(number(100 * largestShift * share))};
+    return PreparationStep{u"quantization"_s, window.size(), *step, share < coarseStep,
+                           Words::tr("the position comes in steps of %1, %2 % of its range and more than "
+                                     "twice its noise: m, b and k may "
+                                     "be off by up to %3 %")
+                               .arg(number(*step))
+                               .arg(number(100 * share))
+                               .arg(number(100 * largestShift * share))};
 }
 
 } // namespace gripscope

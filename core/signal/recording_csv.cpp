@@ -3,6 +3,7 @@
 
 #include "core/signal/csv_line_reader.h"
 #include "core/signal/measuring_chain_csv.h"
+#include "core/words.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -57,8 +58,8 @@ Expected<Recording> RecordingParser::parse()
 {
     while (const std::optional<std::string_view> line = m_lines.next()) {
         if (!isUtf8(*line))
-            return m_lines.bad(1, u"bytes that are not UTF-8: "_s + quoted(*line),
-                               u"expected a text file in UTF-8"_s);
+            return m_lines.bad(1, Words::tr("bytes that are not UTF-8: ") + quoted(*line),
+                               Words::tr("expected a text file in UTF-8"));
         Expected<void> done;
         if (trimmed(*line).front() == '#')
             done = readComment(trimmed(*line));
@@ -70,10 +71,11 @@ Expected<Recording> RecordingParser::parse()
             return tl::unexpected<Error>(done.error());
     }
     if (!m_hasHeader)
-        return m_lines.bad(1, u"found no header line"_s,
-                           u"expected column names such as \"time_s,force,position\""_s);
+        return m_lines.bad(1, Words::tr("found no header line"),
+                           Words::tr("expected column names such as \"time_s,force,position\""));
     if (m_recording.force.empty())
-        return m_lines.bad(1, u"found no rows behind the header"_s, u"expected one row a sample"_s);
+        return m_lines.bad(1, Words::tr("found no rows behind the header"),
+                           Words::tr("expected one row a sample"));
     if (Expected<void> done = settle(); !done)
         return tl::unexpected<Error>(done.error());
     return std::move(m_recording);
@@ -95,24 +97,27 @@ Expected<void> RecordingParser::readSetting(std::string_view key, std::string_vi
     };
     if (key == formatKey) {
         if (value != "1")
-            return m_lines.bad(1, u"found a recording of version "_s + quoted(value),
-                               u"expected version 1"_s);
+            return m_lines.bad(1, Words::tr("found a recording of version ") + quoted(value),
+                               Words::tr("expected version 1"));
     } else if (key == "sample_time_s") {
         const std::optional<double> sampleTime = parseNumber(value);
         if (!sampleTime || !(*sampleTime > 0))
-            return m_lines.bad(1, u"found the sample time "_s + quoted(value), u"expected seconds above 0"_s);
+            return m_lines.bad(1, Words::tr("found the sample time ") + quoted(value),
+                               Words::tr("expected seconds above 0"));
         m_recording.sampleTime_s = *sampleTime;
     } else if (key == "force_lag_s") {
         const std::optional<double> lag = parseNumber(value);
         if (!lag)
-            return m_lines.bad(1, u"found the force lag "_s + quoted(value), u"expected seconds"_s);
+            return m_lines.bad(1, Words::tr("found the force lag ") + quoted(value),
+                               Words::tr("expected seconds"));
         m_recording.forceLag_s = *lag;
         if (*lag == 0)
             m_recording.provenance.insert(forceLagSourceKey(), u"stated"_s);
     } else if (key == "force_hold") {
         m_recording.hold = forceHoldFromString(text(value));
         if (!m_recording.hold)
-            return m_lines.bad(1, u"found the force hold "_s + quoted(value), u"expected zoh or foh"_s);
+            return m_lines.bad(1, Words::tr("found the force hold ") + quoted(value),
+                               Words::tr("expected zoh or foh"));
     } else if (key == "force_unit") {
         m_recording.forceUnit = text(value);
     } else if (key == "position_unit") {
@@ -136,18 +141,20 @@ Expected<std::size_t> RecordingParser::findColumn(const QString& name) const
 {
     const qsizetype at = m_columns.indexOf(name);
     if (at < 0)
-        return m_lines.bad(1, u"found no column \"%1\""_s.arg(name),
-                           u"expected one of the columns there are: "_s + m_columns.join(u", "_s));
+        return m_lines.bad(1, Words::tr("found no column \"%1\"").arg(name),
+                           Words::tr("expected one of the columns there are: ") + m_columns.join(u", "_s));
     if (m_columns.count(name) > 1)
         return m_lines.bad(static_cast<std::size_t>(m_columns.lastIndexOf(name)) + 1,
-                           u"found the column \"%1\" twice"_s.arg(name), u"expected each column once"_s);
+                           Words::tr("found the column \"%1\" twice").arg(name),
+                           Words::tr("expected each column once"));
     return static_cast<std::size_t>(at);
 }
 
 Expected<void> RecordingParser::readHeader(std::string_view line)
 {
     if (!splitCsvLine(line, m_fields, m_unquoted))
-        return m_lines.bad(1, u"found a quote that is not closed"_s, u"expected column names"_s);
+        return m_lines.bad(1, Words::tr("found a quote that is not closed"),
+                           Words::tr("expected column names"));
     for (const std::string_view field : m_fields)
         m_columns << QString::fromUtf8(field.data(), static_cast<qsizetype>(field.size()));
     m_hasHeader = true;
@@ -186,18 +193,20 @@ Expected<double> RecordingParser::number(std::size_t column) const
 {
     const std::optional<double> value = parseNumber(m_fields[column]);
     if (!value)
-        return m_lines.bad(column + 1, u"found "_s + quoted(m_fields[column]), u"expected a finite number"_s);
+        return m_lines.bad(column + 1, u"found "_s + quoted(m_fields[column]),
+                           Words::tr("expected a finite number"));
     return *value;
 }
 
 Expected<void> RecordingParser::readRow(std::string_view line)
 {
     if (!splitCsvLine(line, m_fields, m_unquoted))
-        return m_lines.bad(1, u"found a quote that is not closed"_s, u"expected a row of numbers"_s);
+        return m_lines.bad(1, Words::tr("found a quote that is not closed"),
+                           Words::tr("expected a row of numbers"));
     if (m_fields.size() != static_cast<std::size_t>(m_columns.size()))
         return m_lines.bad(std::min(m_fields.size(), static_cast<std::size_t>(m_columns.size())),
-                           u"found a row of %1 fields"_s.arg(m_fields.size()),
-                           u"expected %1, as in the header"_s.arg(m_columns.size()));
+                           Words::tr("found a row of %1 fields").arg(m_fields.size()),
+                           Words::tr("expected %1, as in the header").arg(m_columns.size()));
     const Expected<double> force = number(m_force);
     if (!force)
         return tl::unexpected<Error>(force.error());
@@ -211,22 +220,22 @@ Expected<void> RecordingParser::readRow(std::string_view line)
         if (!time)
             return tl::unexpected<Error>(time.error());
         if (!m_recording.time_s.empty() && !(*time > m_recording.time_s.back()))
-            return m_lines.bad(*m_time + 1, u"found the time "_s + quoted(m_fields[*m_time]),
-                               u"expected a time later than the row before"_s);
+            return m_lines.bad(*m_time + 1, Words::tr("found the time ") + quoted(m_fields[*m_time]),
+                               Words::tr("expected a time later than the row before"));
         m_recording.time_s.push_back(*time);
     }
     if (m_sequence) {
         const auto value = parseCount(m_fields[*m_sequence], std::numeric_limits<std::uint64_t>::max());
         if (!value)
             return m_lines.bad(*m_sequence + 1, u"found "_s + quoted(m_fields[*m_sequence]),
-                               u"expected a whole number from 0 up"_s);
+                               Words::tr("expected a whole number from 0 up"));
         m_recording.sequence.push_back(*value);
     }
     if (m_status) {
         const auto value = parseCount(m_fields[*m_status], std::numeric_limits<std::uint16_t>::max());
         if (!value)
             return m_lines.bad(*m_status + 1, u"found "_s + quoted(m_fields[*m_status]),
-                               u"expected a whole number from 0 to 65535"_s);
+                               Words::tr("expected a whole number from 0 to 65535"));
         m_recording.status.push_back(static_cast<std::uint16_t>(*value));
     }
     return {};
@@ -249,14 +258,14 @@ Expected<void> RecordingParser::settleSampleTime()
 {
     if (m_options.sampleTime_s) {
         if (!std::isfinite(*m_options.sampleTime_s) || !(*m_options.sampleTime_s > 0))
-            return failure(ErrorCode::Usage, {u"the sample time must be above 0 s"_s});
+            return failure(ErrorCode::Usage, {Words::tr("the sample time must be above 0 s")});
         m_recording.sampleTime_s = *m_options.sampleTime_s;
     }
     std::vector<double>& time = m_recording.time_s;
     if (!m_time) {
         if (!(m_recording.sampleTime_s > 0))
-            return m_lines.bad(1, u"found neither a time_s column nor \"# sample_time_s:\""_s,
-                               u"expected one of them, or the sample time as an option"_s);
+            return m_lines.bad(1, Words::tr("found neither a time_s column nor \"# sample_time_s:\""),
+                               Words::tr("expected one of them, or the sample time as an option"));
         time.resize(m_recording.size());
         for (std::size_t i = 0; i < time.size(); ++i)
             time[i] = static_cast<double>(i) * m_recording.sampleTime_s;
@@ -264,8 +273,8 @@ Expected<void> RecordingParser::settleSampleTime()
     }
     if (time.size() < 2) {
         if (!(m_recording.sampleTime_s > 0))
-            return m_lines.bad(1, u"found one row only"_s,
-                               u"expected a second one, to tell the sample time"_s);
+            return m_lines.bad(1, Words::tr("found one row only"),
+                               Words::tr("expected a second one, to tell the sample time"));
         return {};
     }
     std::vector<double> steps(time.size() - 1);
@@ -275,11 +284,12 @@ Expected<void> RecordingParser::settleSampleTime()
     std::nth_element(steps.begin(), middle, steps.end());
     if (!(m_recording.sampleTime_s > 0)) {
         m_recording.sampleTime_s = *middle;
-        m_recording.provenance.insert(u"sample_time_source"_s, u"median step of time_s"_s);
+        m_recording.provenance.insert(u"sample_time_source"_s, Words::tr("median step of time_s"));
     } else if (*middle < 0.5 * m_recording.sampleTime_s) {
         // Lost samples make steps longer, never shorter.
-        return m_lines.bad(*m_time + 1, u"found steps of %1 s in time_s"_s.arg(*middle),
-                           u"expected steps of the sample time, %1 s"_s.arg(m_recording.sampleTime_s));
+        return m_lines.bad(
+            *m_time + 1, Words::tr("found steps of %1 s in time_s").arg(*middle),
+            Words::tr("expected steps of the sample time, %1 s").arg(m_recording.sampleTime_s));
     }
     return {};
 }
@@ -295,7 +305,7 @@ Expected<Recording> parseRecordingCsv(const QByteArray& text, const QString& nam
 Expected<Recording> readRecordingCsv(const QString& file, const CsvReadOptions& options)
 {
     if (QFileInfo(file).isDir())
-        return failure(ErrorCode::FileUnreadable, {file, u"it is a folder"_s});
+        return failure(ErrorCode::FileUnreadable, {file, Words::tr("it is a folder")});
     QFile input(file);
     if (!input.open(QIODevice::ReadOnly))
         return failure(ErrorCode::FileUnreadable, {file, input.errorString()});

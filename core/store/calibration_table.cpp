@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/calibration_table.h"
 
+#include "core/words.h"
+
 #include <QStringList>
 
 namespace gripscope::calibration_table {
@@ -9,7 +11,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-const auto reading = u"read the calibrations"_s;
+QString reading()
+{
+    return Words::tr("read the calibrations");
+}
 const auto columns = u"id, created_utc, gripper_serial, gripper_name, channel, unit, reference_name, "
                      "reference_certificate, reference_uncertainty, reference_relative_uncertainty, degree, "
                      "points, taken_utc, due_date, operator_name, note"_s;
@@ -33,7 +38,7 @@ Expected<std::vector<CalibrationPoint>> pointsOf(const QString& text)
                                      numbers.value(1).toDouble(&hasReading)};
         if (!hasLoad || !hasReading || numbers.size() != 2)
             return failure(ErrorCode::StorageCorrupt,
-                           {u"calibrations"_s, u"a point reads \"%1\""_s.arg(line)});
+                           {u"calibrations"_s, Words::tr("a point reads \"%1\"").arg(line)});
         points.push_back(point);
     }
     return points;
@@ -61,7 +66,8 @@ Expected<CalibrationRecord> take(Statement& row)
     if (!points)
         return tl::unexpected<Error>(points.error());
     if (!channel)
-        return failure(ErrorCode::StorageCorrupt, {u"calibrations"_s, u"a channel is neither of the two"_s});
+        return failure(ErrorCode::StorageCorrupt,
+                       {u"calibrations"_s, Words::tr("a channel is neither of the two")});
     record.points = std::move(*points);
     record.channel = *channel;
     return record;
@@ -89,7 +95,7 @@ Expected<std::vector<CalibrationRecord>> all(Statement& query)
 
 Expected<void> insert(Database& database, const RowStamp& stamp, const SensorCalibration& calibration)
 {
-    Statement row(database, u"store the calibration"_s,
+    Statement row(database, Words::tr("store the calibration"),
                   u"INSERT INTO calibrations (station, "_s + columns +
                       u") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.station).bind(stamp.id).bind(stamp.utc);
@@ -105,7 +111,7 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const SensorCal
 
 Expected<std::vector<CalibrationRecord>> read(Database& database, const QString& gripperSerial, int limit)
 {
-    Statement query(database, reading,
+    Statement query(database, reading(),
                     u"SELECT "_s + columns +
                         u" FROM calibrations WHERE ? IN ('', gripper_serial) "
                         "ORDER BY created_utc DESC, id DESC LIMIT ?"_s);
@@ -117,7 +123,7 @@ Expected<CalibrationsInForce> inForce(Database& database, const QString& gripper
 {
     CalibrationsInForce found;
     for (const SensorChannel channel : {SensorChannel::Force, SensorChannel::Position}) {
-        Statement query(database, reading,
+        Statement query(database, reading(),
                         u"SELECT "_s + columns +
                             u" FROM calibrations WHERE gripper_serial = ? AND channel = ? "
                             "ORDER BY created_utc DESC, id DESC LIMIT 1"_s);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/change_table.h"
 
+#include "core/words.h"
+
 #include <algorithm>
 
 namespace gripscope::change_table {
@@ -9,7 +11,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-const auto reading = u"read its versions"_s;
+QString reading()
+{
+    return Words::tr("read its versions");
+}
 
 } // namespace
 
@@ -19,7 +24,7 @@ Expected<qint64> insert(Database& database, const LibraryChange& change)
     if (!newest)
         return newest;
     const RowStamp stamp = RowStamp::now();
-    Statement row(database, u"record the change"_s,
+    Statement row(database, Words::tr("record the change"),
                   u"INSERT INTO library_changes (id, station, changed_utc, version, kind, type_name, "
                   "other_name, squeezes, operator_name, reason) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(*newest + 1).bind(toString(change.kind));
@@ -32,7 +37,7 @@ Expected<qint64> insert(Database& database, const LibraryChange& change)
 Expected<qint64> newestVersion(Database& database)
 {
     qint64 version = 0;
-    Statement query(database, reading, u"SELECT COALESCE(MAX(version), 0) FROM library_changes"_s);
+    Statement query(database, reading(), u"SELECT COALESCE(MAX(version), 0) FROM library_changes"_s);
     const auto done = query.forEach([&](Statement& row) { version = row.takeInteger(); });
     if (!done)
         return tl::unexpected(done.error());
@@ -42,7 +47,7 @@ Expected<qint64> newestVersion(Database& database)
 Expected<std::vector<LibraryChange>> page(Database& database, int limit, int offset)
 {
     std::vector<LibraryChange> changes;
-    Statement query(database, reading,
+    Statement query(database, reading(),
                     u"SELECT version, changed_utc, station, kind, type_name, other_name, squeezes, "
                     "operator_name, reason FROM library_changes ORDER BY version DESC LIMIT ? OFFSET ?"_s);
     query.bind(std::max(0, limit)).bind(std::max(0, offset));

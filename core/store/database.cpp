@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/database.h"
 
+#include "core/words.h"
+
 #include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
@@ -41,15 +43,15 @@ QString inWords(const QSqlError& error)
     switch (primaryCode(error)) {
     case Busy:
     case Locked:
-        return u"another program kept it locked for %1 s"_s.arg(busyTimeout_ms / 1000);
+        return Words::tr("another program kept it locked for %1 s").arg(busyTimeout_ms / 1000);
     case ReadOnly:
-        return u"the file or its folder is write-protected"_s;
+        return Words::tr("the file or its folder is write-protected");
     case IoError:
-        return u"the disk reports an error"_s;
+        return Words::tr("the disk reports an error");
     case Full:
-        return u"the disk is full"_s;
+        return Words::tr("the disk is full");
     case CantOpen:
-        return u"the file or its folder is missing or may not be opened or written"_s;
+        return Words::tr("the file or its folder is missing or may not be opened or written");
     default:
         return error.databaseText().isEmpty() ? error.driverText() : error.databaseText();
     }
@@ -59,18 +61,18 @@ QString inWords(const QSqlError& error)
 std::optional<QString> reasonNotToOpen(const QString& name)
 {
     if (name.isEmpty())
-        return u"no file is named"_s;
+        return Words::tr("no file is named");
     const QFileInfo info(name);
     if (!info.exists())
         return {};
     if (info.isDir())
-        return u"it is a folder"_s;
+        return Words::tr("it is a folder");
     QFile file(name);
     if (!file.open(QIODevice::ReadOnly))
         return file.errorString();
     const QByteArray head = file.read(16);
     if (!head.isEmpty() && head != QByteArray("SQLite format 3\0", 16))
-        return u"it is not a library but a file of another kind"_s;
+        return Words::tr("it is not a library but a file of another kind");
     return {};
 }
 
@@ -102,21 +104,21 @@ Expected<std::unique_ptr<Database>> Database::open(const QString& file)
     if (const auto reason = reasonNotToOpen(file))
         return failure(ErrorCode::StorageOpen, {file, *reason});
     if (!QSqlDatabase::isDriverAvailable(u"QSQLITE"_s))
-        return failure(ErrorCode::StorageOpen, {file, u"Qt's SQLite driver is not installed"_s});
+        return failure(ErrorCode::StorageOpen, {file, Words::tr("Qt's SQLite driver is not installed")});
     std::unique_ptr<Database> database(new Database(file, uniqueConnectionName()));
     if (!database->m_connection.open())
         return failure(ErrorCode::StorageOpen, {file, inWords(database->m_connection.lastError())});
     // With the usual 2 MB of pages a library of a hundred thousand squeezes is read from the disk again and
     // again.
     for (const QString& setting : {u"PRAGMA foreign_keys=ON"_s, u"PRAGMA cache_size=-65536"_s})
-        if (auto done = database->execute(setting, u"be opened"_s); !done)
+        if (auto done = database->execute(setting, Words::tr("be opened")); !done)
             return tl::unexpected(done.error());
     return database;
 }
 
 Expected<void> Database::prepareForWriting()
 {
-    const QString doing = u"be opened for writing"_s;
+    const QString doing = Words::tr("be opened for writing");
     QElapsedTimer timer;
     timer.start();
     while (true) {
@@ -125,7 +127,7 @@ Expected<void> Database::prepareForWriting()
             if (query.value(0).toString() == "wal"_L1)
                 break;
             return failure(ErrorCode::StorageOpen,
-                           {m_file, u"its file system cannot keep a write-ahead log"_s});
+                           {m_file, Words::tr("its file system cannot keep a write-ahead log")});
         }
         // While another process makes the same change SQLite answers "busy" at once, without the timeout.
         const int code = primaryCode(query.lastError());
@@ -149,7 +151,7 @@ Expected<QStringList> Database::tables()
     QSqlQuery query(m_connection);
     QStringList names;
     if (!query.exec(u"SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name"_s))
-        return error(query.lastError(), u"be read"_s);
+        return error(query.lastError(), Words::tr("be read"));
     while (query.next())
         names.append(query.value(0).toString());
     return names;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/document_table.h"
 
+#include "core/words.h"
+
 #include <QJsonDocument>
 
 namespace gripscope::document_table {
@@ -11,7 +13,7 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
                       const QJsonObject& document)
 {
     Statement row(
-        database, u"store the squeeze"_s,
+        database, Words::tr("store the squeeze"),
         u"INSERT INTO documents (id, station, created_utc, grasp_id, document) VALUES (?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(graspId);
     return row.bind(QString::fromUtf8(QJsonDocument(document).toJson(QJsonDocument::Compact))).run();
@@ -20,7 +22,8 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
 Expected<QJsonObject> read(Database& database, const QString& graspId)
 {
     QJsonObject document;
-    Statement query(database, u"read the squeeze"_s, u"SELECT document FROM documents WHERE grasp_id = ?"_s);
+    Statement query(database, Words::tr("read the squeeze"),
+                    u"SELECT document FROM documents WHERE grasp_id = ?"_s);
     auto done = query.bind(graspId).forEach(
         [&](Statement& row) { document = QJsonDocument::fromJson(row.takeText().toUtf8()).object(); });
     if (!done)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/estimate_table.h"
 
+#include "core/words.h"
+
 namespace gripscope::estimate_table {
 
 using namespace Qt::StringLiterals;
@@ -36,7 +38,7 @@ void bindParameters(Statement& row, const Estimate& estimate)
 Expected<void> insert(Database& database, const RowStamp& stamp, const QString& graspId, int rank,
                       const Estimate& estimate)
 {
-    Statement row(database, u"store the estimate"_s, insertSql);
+    Statement row(database, Words::tr("store the estimate"), insertSql);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(graspId).bind(rank);
     row.bind(toString(estimate.estimator)).bind(toString(estimate.status));
     row.bind(QString::fromStdString(estimate.message)).bind(QStringLiteral(GRIPSCOPE_VERSION));

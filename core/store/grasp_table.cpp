@@ -2,6 +2,7 @@
 #include "core/store/grasp_table.h"
 
 #include "core/store/type_squeeze.h"
+#include "core/words.h"
 
 namespace gripscope::grasp_table {
 
@@ -9,7 +10,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-const auto doing = u"read the squeezes"_s;
+QString doing()
+{
+    return Words::tr("read the squeezes");
+}
 
 /// Where a squeeze belongs now, what its type is called, and its recommended estimate.
 const auto from =
@@ -87,7 +91,7 @@ Expected<std::vector<GraspRecord>> read(Statement& query)
 Expected<void> insert(Database& database, const RowStamp& stamp, const NewGrasp& grasp, qint64 version)
 {
     Statement row(
-        database, u"store the squeeze"_s,
+        database, Words::tr("store the squeeze"),
         u"INSERT INTO grasps (id, station, recorded_utc, type_id, operator_name, source, force_unit, "
         "position_unit, part, library_version) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bindOrNull(grasp.typeId);
@@ -102,7 +106,7 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const NewGrasp&
 
 Expected<std::vector<GraspRecord>> ofType(Database& database, const QString& typeId)
 {
-    Statement query(database, doing,
+    Statement query(database, doing(),
                     select + u"WHERE (g.type_id = ? OR g.id IN (SELECT r.grasp_id FROM placements r WHERE "
                              "r.type_id = ?)) AND COALESCE(p.type_id, g.type_id) = ? "
                              "ORDER BY g.recorded_utc, g.id"_s);
@@ -111,7 +115,7 @@ Expected<std::vector<GraspRecord>> ofType(Database& database, const QString& typ
 
 Expected<std::optional<GraspRecord>> find(Database& database, const QString& id)
 {
-    Statement query(database, doing, select + u"WHERE g.id = ?"_s);
+    Statement query(database, doing(), select + u"WHERE g.id = ?"_s);
     auto grasps = read(query.bind(id));
     if (!grasps)
         return tl::unexpected(grasps.error());
@@ -122,7 +126,7 @@ Expected<std::vector<TypeSqueeze>> enrolled(Database& database)
 {
     // A hundred thousand of them are read before the first inspection: no column that is not needed.
     Statement query(
-        database, doing,
+        database, doing(),
         u"SELECT COALESCE(p.type_id, g.type_id), s.name, g.type_id, g.part, g.force_unit, g.position_unit, "
         u"e.m, e.b, e.k, e.var_m, e.cov_mb, e.cov_mk, e.var_b, e.cov_bk, e.var_k "_s +
             from +

@@ -6,6 +6,7 @@
 #include "core/store/grasp_table.h"
 #include "core/store/recording_table.h"
 #include "core/store/type_writer.h"
+#include "core/words.h"
 
 namespace gripscope {
 
@@ -18,11 +19,11 @@ Expected<void> checkGrasp(Database& database, const NewGrasp& grasp)
     for (const Estimate& estimate : grasp.estimates)
         if ((estimate.parameters && !estimate.parameters->vector().allFinite()) ||
             (estimate.covariance && !estimate.covariance->allFinite()))
-            return failure(ErrorCode::Usage, {u"An estimate holds a number that is not finite."_s});
+            return failure(ErrorCode::Usage, {Words::tr("An estimate holds a number that is not finite.")});
     if (grasp.typeId.isEmpty())
         return {};
     if (grasp.estimates.empty())
-        return failure(ErrorCode::Usage, {u"A squeeze of a type needs an estimate."_s});
+        return failure(ErrorCode::Usage, {Words::tr("A squeeze of a type needs an estimate.")});
     const auto type = requireTypeInUse(database, grasp.typeId);
     if (!type)
         return tl::unexpected(type.error());
@@ -54,7 +55,7 @@ Expected<GraspRecord> requireGrasp(Database& database, const QString& id)
     if (!grasp)
         return tl::unexpected(grasp.error());
     if (!*grasp)
-        return failure(ErrorCode::NotFound, {u"squeeze with the key %1"_s.arg(id)});
+        return failure(ErrorCode::NotFound, {Words::tr("squeeze with the key %1").arg(id)});
     return **grasp;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/inspection_table.h"
 
+#include "core/words.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -13,7 +15,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-const auto doing = u"read the inspections"_s;
+QString doing()
+{
+    return Words::tr("read the inspections");
+}
 
 const auto select = u"SELECT i.id, i.grasp_id, i.expected_type, i.number, i.inspected_utc, i.verdict, "
                     u"i.type_name, i.nearest, i.reasons, "
@@ -124,7 +129,7 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
 {
     const Verdict& verdict = inspection.verdict;
     Statement row(
-        database, u"store the inspection"_s,
+        database, Words::tr("store the inspection"),
         u"INSERT INTO inspections (id, station, inspected_utc, number, grasp_id, expected_type, verdict, "
         "type_name, nearest, posterior, distance, gate, samples_used, false_reject, wrong_type, seconds, "
         "operator_name, posteriors, reasons) VALUES (?, ?, ?, "
@@ -140,7 +145,7 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
 
 Expected<std::optional<InspectionRecord>> find(Database& database, const QString& id)
 {
-    Statement query(database, doing, select + u"WHERE i.id = ?"_s);
+    Statement query(database, doing(), select + u"WHERE i.id = ?"_s);
     auto inspections = read(query.bind(id));
     if (!inspections)
         return tl::unexpected(inspections.error());
@@ -151,7 +156,7 @@ Expected<std::vector<InspectionRecord>> page(Database& database, const HistoryFi
 {
     // The page is picked by number first and joined afterwards, so that a far page does not join all before
     // it.
-    Statement query(database, doing,
+    Statement query(database, doing(),
                     select + u"WHERE i.number IN (SELECT p.number "_s + matching(filter) +
                         u"ORDER BY p.number DESC LIMIT ? OFFSET ?) ORDER BY i.number DESC"_s);
     bindFilter(query, filter);
@@ -161,7 +166,7 @@ Expected<std::vector<InspectionRecord>> page(Database& database, const HistoryFi
 Expected<qint64> count(Database& database, const HistoryFilter& filter)
 {
     qint64 total = 0;
-    Statement query(database, doing, u"SELECT COUNT(*) "_s + matching(filter));
+    Statement query(database, doing(), u"SELECT COUNT(*) "_s + matching(filter));
     bindFilter(query, filter);
     auto done = query.forEach([&](Statement& row) { total = row.takeInteger(); });
     if (!done)
@@ -172,7 +177,7 @@ Expected<qint64> count(Database& database, const HistoryFilter& filter)
 Expected<InspectionCounts> counts(Database& database)
 {
     InspectionCounts counts;
-    Statement query(database, doing,
+    Statement query(database, doing(),
                     u"SELECT verdict, expected_type, type_name, COUNT(*) FROM inspections "
                     "GROUP BY verdict, expected_type, type_name"_s);
     auto done = query.forEach([&](Statement& row) {

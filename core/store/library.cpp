@@ -13,6 +13,7 @@
 #include "core/store/recording_table.h"
 #include "core/store/type_table.h"
 #include "core/store/type_writer.h"
+#include "core/words.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -72,7 +73,7 @@ int Library::schemaVersion() const
 
 Expected<GraspRecord> Library::addGrasp(const NewGrasp& grasp)
 {
-    return d->write<GraspRecord>(u"store the squeeze"_s, [&]() -> Expected<GraspRecord> {
+    return d->write<GraspRecord>(Words::tr("store the squeeze"), [&]() -> Expected<GraspRecord> {
         const auto version =
             grasp.typeId.isEmpty() ? Expected<qint64>(0) : recordSqueeze(*d->database, grasp);
         if (!version)
@@ -84,12 +85,12 @@ Expected<GraspRecord> Library::addGrasp(const NewGrasp& grasp)
 
 Expected<void> Library::dropGrasp(const QString& graspId, const QString& reason, const QString& operatorName)
 {
-    return d->write<void>(u"drop the squeeze"_s, [&]() -> Expected<void> {
+    return d->write<void>(Words::tr("drop the squeeze"), [&]() -> Expected<void> {
         const auto grasp = requireGrasp(*d->database, graspId);
         if (!grasp)
             return tl::unexpected(grasp.error());
         if (grasp->typeId.isEmpty())
-            return failure(ErrorCode::Usage, {u"The squeeze of an inspection belongs to no type."_s});
+            return failure(ErrorCode::Usage, {Words::tr("The squeeze of an inspection belongs to no type.")});
         if (!grasp->accepted)
             return {};
         const auto version = change_table::insert(
@@ -127,7 +128,7 @@ Expected<std::vector<TypeSqueeze>> Library::enrolledSqueezes() const
 
 Expected<InspectionRecord> Library::addInspection(const NewInspection& inspection)
 {
-    return d->write<InspectionRecord>(u"store the inspection"_s, [&]() -> Expected<InspectionRecord> {
+    return d->write<InspectionRecord>(Words::tr("store the inspection"), [&]() -> Expected<InspectionRecord> {
         const auto graspId = storeGrasp(*d->database, inspection.grasp);
         if (!graspId)
             return tl::unexpected(graspId.error());
@@ -160,7 +161,7 @@ Expected<void> Library::addMeasuringChain(const NewMeasuringChain& measured)
 {
     if (measured.gripperSerial.isEmpty())
         return failure(ErrorCode::Usage,
-                       {u"This gripper has no serial number to keep what was measured under."_s});
+                       {Words::tr("This gripper has no serial number to keep what was measured under.")});
     const MeasuringChain& chain = measured.chain;
     std::vector<double> numbers{measured.forceLag_s,
                                 chain.forceLagUncertainty_s,
@@ -175,8 +176,9 @@ Expected<void> Library::addMeasuringChain(const NewMeasuringChain& measured)
                        chain.baseline->standardErrors.end());
     }
     if (!std::all_of(numbers.begin(), numbers.end(), [](double value) { return std::isfinite(value); }))
-        return failure(ErrorCode::Usage, {u"A number that was measured of the gripper is not finite."_s});
-    return d->write<void>(u"store what was measured of the gripper"_s, [&] {
+        return failure(ErrorCode::Usage,
+                       {Words::tr("A number that was measured of the gripper is not finite.")});
+    return d->write<void>(Words::tr("store what was measured of the gripper"), [&] {
         return measuring_chain_table::insert(*d->database, RowStamp::now(), measured);
     });
 }

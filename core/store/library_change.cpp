@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/library_change.h"
 
-#include <QCoreApplication>
+#include "core/words.h"
 
 #include <array>
 
@@ -32,15 +32,10 @@ constexpr std::array<KindName, 12> kindNames{{{ChangeKind::NewType, u"new_type"}
 constexpr std::array allStatuses{TypeStatus::Enrolled, TypeStatus::Approved, TypeStatus::Retired,
                                  TypeStatus::Gone};
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("LibraryChange", text);
-}
-
 /// "1 squeeze", "10 squeezes".
 QString squeezes(int count)
 {
-    return count == 1 ? tr("1 squeeze") : tr("%1 squeezes").arg(count);
+    return count == 1 ? Words::tr("1 squeeze") : Words::tr("%1 squeezes").arg(count);
 }
 
 } // namespace
@@ -90,29 +85,29 @@ QString inWords(const LibraryChange& change)
     const QString& other = change.other;
     switch (change.kind) {
     case ChangeKind::NewType:
-        return tr("%1 was added as a new type.").arg(type);
+        return Words::tr("%1 was added as a new type.").arg(type);
     case ChangeKind::Squeeze:
-        return tr("%1 was enrolled with %2 more.").arg(type, squeezes(change.squeezes));
+        return Words::tr("%1 was enrolled with %2 more.").arg(type, squeezes(change.squeezes));
     case ChangeKind::Drop:
-        return tr("%2 of %1 was dropped.").arg(type, squeezes(change.squeezes));
+        return Words::tr("%2 of %1 was dropped.").arg(type, squeezes(change.squeezes));
     case ChangeKind::Recipe:
-        return tr("The recipe of %1 was changed.").arg(type);
+        return Words::tr("The recipe of %1 was changed.").arg(type);
     case ChangeKind::Approve:
-        return tr("%1 was approved.").arg(type);
+        return Words::tr("%1 was approved.").arg(type);
     case ChangeKind::Rename:
-        return tr("%1 was renamed %2.").arg(type, other);
+        return Words::tr("%1 was renamed %2.").arg(type, other);
     case ChangeKind::Merge:
-        return tr("%1 was merged into %2, with %3.").arg(type, other, squeezes(change.squeezes));
+        return Words::tr("%1 was merged into %2, with %3.").arg(type, other, squeezes(change.squeezes));
     case ChangeKind::Split:
-        return tr("%3 of %1 became the new type %2.").arg(type, other, squeezes(change.squeezes));
+        return Words::tr("%3 of %1 became the new type %2.").arg(type, other, squeezes(change.squeezes));
     case ChangeKind::Retire:
-        return tr("%1 was retired: it is no longer recognised.").arg(type);
+        return Words::tr("%1 was retired: it is no longer recognised.").arg(type);
     case ChangeKind::Reinstate:
-        return tr("%1 was put back into use.").arg(type);
+        return Words::tr("%1 was put back into use.").arg(type);
     case ChangeKind::Restore:
-        return tr("The library was put back to version %1.").arg(other);
+        return Words::tr("The library was put back to version %1.").arg(other);
     case ChangeKind::Examples:
-        return tr("The paper's example types were added.");
+        return Words::tr("The paper's example types were added.");
     }
     return {};
 }

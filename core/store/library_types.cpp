@@ -6,6 +6,7 @@
 #include "core/store/type_state_table.h"
 #include "core/store/type_table.h"
 #include "core/store/type_writer.h"
+#include "core/words.h"
 
 #include <algorithm>
 
@@ -32,7 +33,7 @@ TypeState unapproved(const TypeRecord& type)
 Expected<void> requireReason(const ChangeNote& note)
 {
     if (note.reason.trimmed().isEmpty())
-        return failure(ErrorCode::Usage, {u"Say why: the reason is kept with the change."_s});
+        return failure(ErrorCode::Usage, {Words::tr("Say why: the reason is kept with the change.")});
     return {};
 }
 
@@ -106,7 +107,7 @@ Expected<TypeRecord> merge(Database& database, const QString& typeId, const QStr
     if (!into)
         return into;
     if (typeId == intoId)
-        return failure(ErrorCode::Usage, {u"A type cannot be merged into itself."_s});
+        return failure(ErrorCode::Usage, {Words::tr("A type cannot be merged into itself.")});
     if (auto fine = requireReason(note); !fine)
         return tl::unexpected(fine.error());
     const auto moved = acceptedSqueezes(database, typeId);
@@ -141,10 +142,12 @@ Expected<QStringList> leavingSqueezes(Database& database, const TypeRecord& type
         std::all_of(graspIds.cbegin(), graspIds.cend(), [&](const QString& id) { return own->contains(id); });
     if (!allOwn)
         return failure(ErrorCode::Usage,
-                       {u"Only accepted squeezes of %1 can be taken out of it."_s.arg(type.name)});
+                       {Words::tr("Only accepted squeezes of %1 can be taken out of it.").arg(type.name)});
     if (graspIds.isEmpty() || graspIds.size() == own->size())
-        return failure(ErrorCode::Usage, {u"Some squeezes of %1 must go into the new type, and some must "
-                                          "stay; to change the name of all, rename it."_s.arg(type.name)});
+        return failure(ErrorCode::Usage,
+                       {Words::tr("Some squeezes of %1 must go into the new type, and some must "
+                                  "stay; to change the name of all, rename it.")
+                            .arg(type.name)});
     return graspIds;
 }
 
@@ -203,7 +206,7 @@ Expected<std::vector<TypeRecord>> typesThat(Database& database, bool areRetired)
 Expected<TypeRecord> Library::addType(const QString& name, const Recipe& recipe, const QString& forceUnit,
                                       const QString& positionUnit, const QString& operatorName)
 {
-    return d->write<TypeRecord>(u"add the type"_s, [&]() -> Expected<TypeRecord> {
+    return d->write<TypeRecord>(Words::tr("add the type"), [&]() -> Expected<TypeRecord> {
         LibraryChange change;
         change.kind = ChangeKind::NewType;
         change.type = name;
@@ -218,7 +221,7 @@ Expected<TypeRecord> Library::addType(const QString& name, const Recipe& recipe,
 
 Expected<TypeRecord> Library::reviseType(const QString& typeId, const Recipe& recipe)
 {
-    return d->write<TypeRecord>(u"store the recipe"_s, [&]() -> Expected<TypeRecord> {
+    return d->write<TypeRecord>(Words::tr("store the recipe"), [&]() -> Expected<TypeRecord> {
         const auto type = requireType(*d->database, typeId);
         if (!type || type->recipe == recipe)
             return type;
@@ -235,7 +238,7 @@ Expected<TypeRecord> Library::reviseType(const QString& typeId, const Recipe& re
 
 Expected<void> Library::approveType(const QString& typeId, const QString& operatorName)
 {
-    return d->write<void>(u"approve the type"_s, [&]() -> Expected<void> {
+    return d->write<void>(Words::tr("approve the type"), [&]() -> Expected<void> {
         const auto type = requireTypeInUse(*d->database, typeId);
         if (!type)
             return tl::unexpected(type.error());
@@ -261,26 +264,26 @@ Expected<std::optional<TypeRecord>> Library::findType(const QString& name) const
 
 Expected<TypeRecord> Library::renameType(const QString& typeId, const QString& name, const ChangeNote& note)
 {
-    return d->write<TypeRecord>(u"rename the type"_s,
+    return d->write<TypeRecord>(Words::tr("rename the type"),
                                 [&] { return rename(*d->database, typeId, name.trimmed(), note); });
 }
 
 Expected<TypeRecord> Library::mergeTypes(const QString& typeId, const QString& intoId, const ChangeNote& note)
 {
-    return d->write<TypeRecord>(u"merge the types"_s,
+    return d->write<TypeRecord>(Words::tr("merge the types"),
                                 [&] { return merge(*d->database, typeId, intoId, note); });
 }
 
 Expected<TypeRecord> Library::splitType(const QString& typeId, const QStringList& graspIds,
                                         const QString& name, const ChangeNote& note)
 {
-    return d->write<TypeRecord>(u"split the type"_s,
+    return d->write<TypeRecord>(Words::tr("split the type"),
                                 [&] { return split(*d->database, typeId, graspIds, name.trimmed(), note); });
 }
 
 Expected<void> Library::retireType(const QString& typeId, const ChangeNote& note)
 {
-    return d->write<void>(u"retire the type"_s, [&]() -> Expected<void> {
+    return d->write<void>(Words::tr("retire the type"), [&]() -> Expected<void> {
         const auto type = requireTypeInUse(*d->database, typeId);
         if (!type)
             return tl::unexpected(type.error());
@@ -292,14 +295,14 @@ Expected<void> Library::retireType(const QString& typeId, const ChangeNote& note
 
 Expected<void> Library::reinstateType(const QString& typeId, const ChangeNote& note)
 {
-    return d->write<void>(u"put the type back into use"_s, [&]() -> Expected<void> {
+    return d->write<void>(Words::tr("put the type back into use"), [&]() -> Expected<void> {
         const auto type = requireType(*d->database, typeId);
         if (!type)
             return tl::unexpected(type.error());
         if (auto fine = requireReason(note); !fine)
             return fine;
         if (type->status != TypeStatus::Retired)
-            return failure(ErrorCode::Usage, {u"%1 is in use already."_s.arg(type->name)});
+            return failure(ErrorCode::Usage, {Words::tr("%1 is in use already.").arg(type->name)});
         return changeStatus(*d->database, *type, ChangeKind::Reinstate, TypeStatus::Enrolled, note);
     });
 }

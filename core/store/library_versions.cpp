@@ -3,6 +3,7 @@
 #include "core/store/library_private.h"
 #include "core/store/placement_table.h"
 #include "core/store/type_state_table.h"
+#include "core/words.h"
 
 #include <algorithm>
 
@@ -16,8 +17,9 @@ Expected<qint64> requireVersion(Database& database, qint64 version)
 {
     const auto newest = change_table::newestVersion(database);
     if (newest && (version < 0 || version > *newest))
-        return failure(ErrorCode::Usage,
-                       {u"The library has no version %1; its newest is %2."_s.arg(version).arg(*newest)});
+        return failure(
+            ErrorCode::Usage,
+            {Words::tr("The library has no version %1; its newest is %2.").arg(version).arg(*newest)});
     return newest;
 }
 
@@ -72,13 +74,13 @@ Expected<qint64> restore(Database& database, qint64 version, const ChangeNote& n
     if (!newest)
         return newest;
     if (note.reason.trimmed().isEmpty())
-        return failure(ErrorCode::Usage, {u"Say why: the reason is kept with the change."_s});
+        return failure(ErrorCode::Usage, {Words::tr("Say why: the reason is kept with the change.")});
     const auto difference = differenceFrom(database, version, *newest);
     if (!difference)
         return tl::unexpected(difference.error());
     if (difference->types.empty() && difference->placements.empty())
         return failure(ErrorCode::Usage,
-                       {u"Types and squeezes are as they were at version %1."_s.arg(version)});
+                       {Words::tr("Types and squeezes are as they were at version %1.").arg(version)});
     LibraryChange change;
     change.kind = ChangeKind::Restore;
     change.other = QString::number(version);
@@ -140,7 +142,7 @@ Expected<LibraryState> Library::stateAt(qint64 version) const
 
 Expected<qint64> Library::restoreVersion(qint64 version, const ChangeNote& note)
 {
-    return d->write<qint64>(u"restore version %1"_s.arg(version),
+    return d->write<qint64>(Words::tr("restore version %1").arg(version),
                             [&] { return restore(*d->database, version, note); });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/measuring_chain_table.h"
 
+#include "core/words.h"
+
 namespace gripscope::measuring_chain_table {
 
 using namespace Qt::StringLiterals;
@@ -38,7 +40,7 @@ MeasuringChainRecord take(Statement& row, const QString& gripperSerial)
 Expected<void> insert(Database& database, const RowStamp& stamp, const NewMeasuringChain& measured)
 {
     Statement row(
-        database, u"store what was measured of the gripper"_s,
+        database, Words::tr("store what was measured of the gripper"),
         u"INSERT INTO measuring_chains (id, station, created_utc, gripper_serial, operator_name, basis, "
         u"force_lag_s, "
         "force_lag_uncertainty_s, force_noise_deviation, force_scale_uncertainty, "
@@ -66,7 +68,7 @@ Expected<std::optional<MeasuringChainRecord>> newest(Database& database, const Q
 {
     std::optional<MeasuringChainRecord> found;
     Statement query(
-        database, u"read what is known of the gripper"_s,
+        database, Words::tr("read what is known of the gripper"),
         u"SELECT created_utc, operator_name, basis, force_lag_s, force_lag_uncertainty_s, "
         u"force_noise_deviation, force_scale_uncertainty, "
         "position_scale_uncertainty, frame_compliance, frame_compliance_uncertainty, baseline_m, baseline_b, "

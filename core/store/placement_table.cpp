@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/placement_table.h"
 
+#include "core/words.h"
+
 namespace gripscope::placement_table {
 
 using namespace Qt::StringLiterals;
@@ -8,7 +10,7 @@ using namespace Qt::StringLiterals;
 Expected<void> insert(Database& database, qint64 version, const QString& graspId, const Placement& placement)
 {
     const RowStamp stamp = RowStamp::now();
-    Statement row(database, u"place the squeeze"_s,
+    Statement row(database, Words::tr("place the squeeze"),
                   u"INSERT INTO placements (id, station, created_utc, grasp_id, version, type_id, accepted) "
                   "VALUES (?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(graspId).bind(version);
@@ -18,7 +20,7 @@ Expected<void> insert(Database& database, qint64 version, const QString& graspId
 Expected<std::map<QString, Placement>> at(Database& database, qint64 version)
 {
     std::map<QString, Placement> placements;
-    Statement query(database, u"read the squeezes"_s,
+    Statement query(database, Words::tr("read the squeezes"),
                     u"SELECT g.id, COALESCE(p.type_id, g.type_id), "
                     "CASE WHEN g.library_version > ? THEN 0 ELSE COALESCE(p.accepted, 1) END "
                     "FROM grasps g LEFT JOIN placements p ON p.grasp_id = g.id AND p.version = "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/recording_codec.h"
 
+#include "core/words.h"
+
 #include <QtEndian>
 
 #include <cstring>
@@ -154,7 +156,7 @@ Expected<QByteArray> encodeRecording(const Recording& recording)
     const auto fits = [n](std::size_t size) { return size == 0 || size == n; };
     if (recording.time_s.size() != n || recording.position.size() != n || !fits(recording.sequence.size()) ||
         !fits(recording.status.size()))
-        return failure(ErrorCode::Usage, {u"The channels of the recording differ in length."_s});
+        return failure(ErrorCode::Usage, {Words::tr("The channels of the recording differ in length.")});
     Writer out;
     out.raw(magic, sizeof(magic));
     const bool hasChain = !(recording.chain == MeasuringChain());
@@ -187,19 +189,20 @@ Expected<QByteArray> encodeRecording(const Recording& recording)
 Expected<Recording> decodeRecording(const QByteArray& bytes)
 {
     if (!bytes.startsWith(QByteArrayView(magic, sizeof(magic))))
-        return damaged(u"it does not begin like one"_s);
+        return damaged(Words::tr("it does not begin like one"));
     const QByteArray body = bytes.mid(sizeof(magic));
     Reader in(body);
     const auto version = in.get<std::uint16_t>();
     if (version < plainVersion || version > forceNoiseVersion)
-        return damaged(
-            u"its layout has version %1; this program knows up to %2"_s.arg(version).arg(forceNoiseVersion));
+        return damaged(Words::tr("its layout has version %1; this program knows up to %2")
+                           .arg(version)
+                           .arg(forceNoiseVersion));
     Recording recording;
     recording.sampleTime_s = in.get<double>();
     recording.forceLag_s = in.get<double>();
     const auto hold = in.get<std::uint8_t>();
     if (hold > 2)
-        return damaged(u"its hold is not known"_s);
+        return damaged(Words::tr("its hold is not known"));
     if (hold > 0)
         recording.hold = hold == 1 ? ForceHold::Zero : ForceHold::First;
     recording.forceUnit = in.text();
@@ -220,7 +223,7 @@ Expected<Recording> decodeRecording(const QByteArray& bytes)
     if (version >= chainVersion)
         recording.chain = getChain(in, version);
     if (!in.ok() || !in.atEnd())
-        return damaged(u"it is shorter or longer than it says"_s);
+        return damaged(Words::tr("it is shorter or longer than it says"));
     return recording;
 }
 

@@ -2,6 +2,7 @@
 #include "core/store/recording_table.h"
 
 #include "core/store/recording_codec.h"
+#include "core/words.h"
 
 #include <QCryptographicHash>
 #include <QtEndian>
@@ -35,7 +36,7 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
     if (!bytes)
         return tl::unexpected(bytes.error());
     Statement row(
-        database, u"store the recording"_s,
+        database, Words::tr("store the recording"),
         u"INSERT INTO recordings (id, station, created_utc, grasp_id, samples, bytes, sha256, packed) "
         "VALUES (?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(graspId).bind(qint64(recording.size()));
@@ -48,7 +49,7 @@ Expected<Recording> read(Database& database, const QString& graspId)
     qint64 size = 0;
     QString digest;
     QByteArray packed;
-    Statement query(database, u"read the recording"_s,
+    Statement query(database, Words::tr("read the recording"),
                     u"SELECT bytes, sha256, packed FROM recordings WHERE grasp_id = ?"_s);
     auto done = query.bind(graspId).forEach([&](Statement& row) {
         found = true;
@@ -59,11 +60,11 @@ Expected<Recording> read(Database& database, const QString& graspId)
     if (!done)
         return tl::unexpected(done.error());
     if (!found)
-        return failure(ErrorCode::NotFound, {u"recording of the squeeze %1"_s.arg(graspId)});
+        return failure(ErrorCode::NotFound, {Words::tr("recording of the squeeze %1").arg(graspId)});
     const QByteArray bytes = unpack(packed, size);
     if (sha256(bytes) != digest)
-        return failure(ErrorCode::StorageCorrupt, {u"The recording of the squeeze %1"_s.arg(graspId),
-                                                   u"its bytes are not those that were stored"_s});
+        return failure(ErrorCode::StorageCorrupt, {Words::tr("The recording of the squeeze %1").arg(graspId),
+                                                   Words::tr("its bytes are not those that were stored")});
     return decodeRecording(bytes);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/type_state_table.h"
 
+#include "core/words.h"
+
 namespace gripscope::type_state_table {
 
 using namespace Qt::StringLiterals;
@@ -8,7 +10,7 @@ using namespace Qt::StringLiterals;
 Expected<void> insert(Database& database, qint64 version, const TypeState& state)
 {
     const RowStamp stamp = RowStamp::now();
-    Statement row(database, u"change the type"_s,
+    Statement row(database, Words::tr("change the type"),
                   u"INSERT INTO type_states (id, station, created_utc, type_id, version, name, status, "
                   "recipe_version) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(state.typeId).bind(version);
@@ -18,7 +20,7 @@ Expected<void> insert(Database& database, qint64 version, const TypeState& state
 Expected<std::vector<TypeState>> at(Database& database, qint64 version)
 {
     std::vector<TypeState> states;
-    Statement query(database, u"read the types"_s,
+    Statement query(database, Words::tr("read the types"),
                     u"SELECT s.type_id, s.name, s.status, s.recipe_version FROM type_states s WHERE "
                     "s.version = (SELECT MAX(w.version) FROM type_states w WHERE w.type_id = s.type_id AND "
                     "w.version <= ?) ORDER BY s.type_id"_s);

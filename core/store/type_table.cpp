@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/type_table.h"
 
+#include "core/words.h"
+
 namespace gripscope::type_table {
 
 using namespace Qt::StringLiterals;
@@ -63,7 +65,7 @@ Expected<std::optional<TypeRecord>> readOne(Statement& query)
 Expected<void> insert(Database& database, const RowStamp& stamp, const QString& name)
 {
     // The column is unique, and an earlier type may have had this name: its own is in type_states.
-    Statement row(database, u"add the type"_s,
+    Statement row(database, Words::tr("add the type"),
                   u"INSERT INTO types (id, station, created_utc, name) SELECT ?, ?, ?, "
                   "CASE WHEN EXISTS (SELECT 1 FROM types o WHERE o.name = ?) THEN ? ELSE ? END"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(name);
@@ -72,19 +74,21 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
 
 Expected<std::vector<TypeRecord>> all(Database& database)
 {
-    Statement query(database, u"read the types"_s, select + u"WHERE s.status <> 'gone' ORDER BY s.name"_s);
+    Statement query(database, Words::tr("read the types"),
+                    select + u"WHERE s.status <> 'gone' ORDER BY s.name"_s);
     return read(query);
 }
 
 Expected<std::optional<TypeRecord>> findByName(Database& database, const QString& name)
 {
-    Statement query(database, u"read the types"_s, select + u"WHERE s.name = ? AND s.status <> 'gone'"_s);
+    Statement query(database, Words::tr("read the types"),
+                    select + u"WHERE s.name = ? AND s.status <> 'gone'"_s);
     return readOne(query.bind(name));
 }
 
 Expected<std::optional<TypeRecord>> findById(Database& database, const QString& id)
 {
-    Statement query(database, u"read the types"_s, select + u"WHERE t.id = ?"_s);
+    Statement query(database, Words::tr("read the types"), select + u"WHERE t.id = ?"_s);
     return readOne(query.bind(id));
 }
 

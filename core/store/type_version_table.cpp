@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/type_version_table.h"
 
+#include "core/words.h"
+
 namespace gripscope::type_version_table {
 
 using namespace Qt::StringLiterals;
@@ -8,7 +10,7 @@ using namespace Qt::StringLiterals;
 Expected<void> insert(Database& database, const RowStamp& stamp, const QString& typeId, const Recipe& recipe,
                       const QString& forceUnit, const QString& positionUnit)
 {
-    Statement row(database, u"store the recipe"_s,
+    Statement row(database, Words::tr("store the recipe"),
                   u"INSERT INTO type_versions (id, station, created_utc, type_id, version, recipe_name, "
                   u"peak_n, bias_n, "
                   "bit_s, seconds, max_force_n, max_travel_m, force_unit, position_unit) VALUES (?, ?, ?, ?, "
@@ -23,7 +25,7 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
 Expected<int> newest(Database& database, const QString& typeId)
 {
     int version = 0;
-    Statement query(database, u"read the recipe"_s,
+    Statement query(database, Words::tr("read the recipe"),
                     u"SELECT COALESCE(MAX(version), 0) FROM type_versions WHERE type_id = ?"_s);
     const auto done = query.bind(typeId).forEach([&](Statement& row) { version = int(row.takeInteger()); });
     if (!done)

@@ -5,6 +5,7 @@
 #include "core/store/type_state_table.h"
 #include "core/store/type_table.h"
 #include "core/store/type_version_table.h"
+#include "core/words.h"
 
 #include <cmath>
 
@@ -19,7 +20,7 @@ Expected<void> checkRecipe(const Recipe& recipe)
     for (double value :
          {recipe.peak_N, recipe.bias_N, recipe.bit_s, recipe.seconds, recipe.maxForce_N, recipe.maxTravel_m})
         if (!std::isfinite(value))
-            return failure(ErrorCode::Usage, {u"The recipe holds a number that is not finite."_s});
+            return failure(ErrorCode::Usage, {Words::tr("The recipe holds a number that is not finite.")});
     return {};
 }
 
@@ -41,7 +42,7 @@ Expected<TypeRecord> requireType(Database& database, const QString& typeId)
     if (!type)
         return tl::unexpected(type.error());
     if (!*type || (*type)->status == TypeStatus::Gone)
-        return failure(ErrorCode::NotFound, {u"type with the key %1"_s.arg(typeId)});
+        return failure(ErrorCode::NotFound, {Words::tr("type with the key %1").arg(typeId)});
     return **type;
 }
 
@@ -49,24 +50,25 @@ Expected<TypeRecord> requireTypeInUse(Database& database, const QString& typeId)
 {
     auto type = requireType(database, typeId);
     if (type && type->status == TypeStatus::Retired)
-        return failure(
-            ErrorCode::Usage,
-            {u"%1 is retired. Put it back into use first, or choose another type."_s.arg(type->name)});
+        return failure(ErrorCode::Usage,
+                       {Words::tr("%1 is retired. Put it back into use first, or choose another type.")
+                            .arg(type->name)});
     return type;
 }
 
 Expected<void> requireFreeName(Database& database, const QString& name)
 {
     if (name.trimmed().isEmpty())
-        return failure(ErrorCode::Usage, {u"A type needs a name."_s});
+        return failure(ErrorCode::Usage, {Words::tr("A type needs a name.")});
     const auto other = type_table::findByName(database, name);
     if (!other)
         return tl::unexpected(other.error());
     if (!*other)
         return {};
-    return failure(ErrorCode::Usage, {(*other)->status == TypeStatus::Retired
-                                          ? u"There is already a type called %1; it is retired."_s.arg(name)
-                                          : u"There is already a type called %1."_s.arg(name)});
+    return failure(ErrorCode::Usage,
+                   {(*other)->status == TypeStatus::Retired
+                        ? Words::tr("There is already a type called %1; it is retired.").arg(name)
+                        : Words::tr("There is already a type called %1.").arg(name)});
 }
 
 Expected<TypeRecord> createType(Database& database, const NewType& type, TypeStatus status, qint64 version)

@@ -2,6 +2,7 @@
 #include "devices/acquisition/device_description.h"
 
 #include "core/signal/units.h"
+#include "core/words.h"
 #include "devices/protocol/codec.h"
 
 #include <algorithm>
@@ -54,9 +55,9 @@ Expected<Feature> ask(Transport& transport, ReportId id, Decoded<Feature> (*deco
     const Decoded<Feature> feature = decode(*report);
     if (!feature)
         return failure(ErrorCode::DeviceRefused,
-                       {u"say what it is"_qs,
-                        u"feature report 0x%1: %2"_qs.arg(static_cast<int>(id), 2, 16, QLatin1Char('0'))
-                            .arg(QString::fromUtf8(describe(feature.error())))});
+                       {Words::tr("say what it is"), Words::tr("feature report 0x%1: %2")
+                                                         .arg(static_cast<int>(id), 2, 16, QLatin1Char('0'))
+                                                         .arg(QString::fromUtf8(describe(feature.error())))});
     return *feature;
 }
 

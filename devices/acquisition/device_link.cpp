@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/acquisition/device_link.h"
 
+#include "core/words.h"
+
 #include <algorithm>
 
 namespace gripscope {
@@ -26,19 +28,19 @@ QString inWords(const CommandBody& body)
 {
     switch (reportId(body)) {
     case ReportId::Arm:
-        return u"arm"_qs;
+        return Words::tr("arm");
     case ReportId::Disarm:
-        return u"disarm"_qs;
+        return Words::tr("disarm");
     case ReportId::Stop:
-        return u"confirm the stop"_qs;
+        return Words::tr("confirm the stop");
     case ReportId::SetLimits:
-        return u"take the limits of the squeeze"_qs;
+        return Words::tr("take the limits of the squeeze");
     case ReportId::Upload:
-        return u"take the force signal"_qs;
+        return Words::tr("take the force signal");
     case ReportId::Start:
-        return u"start the squeeze"_qs;
+        return Words::tr("start the squeeze");
     case ReportId::Finish:
-        return u"end the squeeze early"_qs;
+        return Words::tr("end the squeeze early");
     default:
         return u"answer"_qs;
     }
@@ -239,8 +241,8 @@ void DeviceLink::endReplay()
 {
     if (!live())
         return;
-    m_error =
-        Error{ErrorCode::NotFound, {u"further sample at %1: it was replayed to its end"_qs.arg(m_address)}};
+    m_error = Error{ErrorCode::NotFound,
+                    {Words::tr("further sample at %1: it was replayed to its end").arg(m_address)}};
     setState(LinkState::Closed);
 }
 

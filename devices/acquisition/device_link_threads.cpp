@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/words.h"
 #include "devices/acquisition/device_link.h"
 
 #include <algorithm>
@@ -50,11 +51,11 @@ void DeviceLink::runReader()
             m_watch.nothingCame(Clock::now());
         const Lock lock(m_mutex);
         if (result.outcome == Transport::Outcome::Lost)
-            lose({ErrorCode::DeviceLost, {m_address, u"it was unplugged or switched off"_qs}});
+            lose({ErrorCode::DeviceLost, {m_address, Words::tr("it was unplugged or switched off")}});
         else if (result.outcome == Transport::Outcome::Ended)
             endReplay();
         else if (result.outcome == Transport::Outcome::Timeout && silentFor(silenceLimit, Clock::now()))
-            lose({ErrorCode::DeviceLost, {m_address, u"it sent nothing for a second"_qs}});
+            lose({ErrorCode::DeviceLost, {m_address, Words::tr("it sent nothing for a second")}});
         const bool closing = m_state == LinkState::Closing;
         if ((closing && result.outcome != Transport::Outcome::Report) || (!closing && !live()))
             return;
@@ -99,7 +100,7 @@ void DeviceLink::take(ReportView bytes)
     m_lastReport = now;
     m_unansweredSince.reset();
     if (std::holds_alternative<ReportDecoder::Restarted>(taken))
-        lose({ErrorCode::DeviceLost, {m_address, u"it restarted"_qs}});
+        lose({ErrorCode::DeviceLost, {m_address, Words::tr("it restarted")}});
     else if (const auto* stream = std::get_if<ReportDecoder::Stream>(&taken))
         takeState(stream->state);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/words.h"
 #include "devices/hid/hid_discovery.h"
 
 #include <QDir>
@@ -88,7 +89,7 @@ QStringList permissionCommands(const HidNode& node)
 
 QString permissionAdvice(const HidNode& node)
 {
-    return u"Type this in a terminal, then it is connected by itself:\n"_qs +
+    return Words::tr("Type this in a terminal, then it is connected by itself:\n") +
            permissionCommands(node).join(u'\n');
 }
 

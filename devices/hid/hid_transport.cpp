@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/hid/hid_transport.h"
 
+#include "core/words.h"
+
 #include <QStringList>
 #include <hidapi/hidapi.h>
 
@@ -73,9 +75,9 @@ Expected<HidNode> chooseHidNode(const HidAddress& address, const std::vector<Hid
 {
     const std::vector<HidNode> found = matchingNodes(address, nodes);
     if (found.empty())
-        return failure(
-            ErrorCode::DeviceNotFound,
-            {addressText(address), u"Plug it in and switch it on, or try virtual: without hardware."_qs});
+        return failure(ErrorCode::DeviceNotFound,
+                       {addressText(address),
+                        Words::tr("Plug it in and switch it on, or try virtual: without hardware.")});
     if (found.size() > 1) {
         QStringList addresses;
         for (const HidNode& node : found)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/inspection/self_test.h"
 
+#include "core/words.h"
 #include "devices/inspection/self_test_lines.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ QString toString(SelfTestLine::Outcome outcome)
     case SelfTestLine::Outcome::Failed:
         return u"failed"_qs;
     case SelfTestLine::Outcome::NotTested:
-        return u"not tested"_qs;
+        return Words::tr("not tested");
     }
     return {};
 }
@@ -103,14 +104,14 @@ SelfTest::~SelfTest()
 Expected<void> SelfTest::start()
 {
     if (d->state == State::Listening || d->state == State::Stopping)
-        return failure(ErrorCode::Usage, {u"The self-test is under way. Wait for its end."_qs});
+        return failure(ErrorCode::Usage, {Words::tr("The self-test is under way. Wait for its end.")});
     const ConnectSession::State link = d->connection.state();
     if (link != ConnectSession::State::Connected && link != ConnectSession::State::Connecting)
-        return failure(ErrorCode::Usage, {u"No gripper is connected. Connect one, then test it."_qs});
+        return failure(ErrorCode::Usage, {Words::tr("No gripper is connected. Connect one, then test it.")});
     const GripperPort* port = d->connection.port();
     const SqueezeState squeeze = port ? port->squeezeState() : SqueezeState::Idle;
     if (squeeze == SqueezeState::Uploading || squeeze == SqueezeState::Running)
-        return failure(ErrorCode::Usage, {u"A squeeze is under way. Wait for its end or stop it."_qs});
+        return failure(ErrorCode::Usage, {Words::tr("A squeeze is under way. Wait for its end or stop it.")});
     d->lines.clear();
     d->evidence = {};
     d->began.reset();
@@ -130,7 +131,7 @@ void SelfTest::poll()
     case ConnectSession::State::Disconnected:
     case ConnectSession::State::Lost:
         return d->finish(d->connection.lastError().value_or(
-            Error{ErrorCode::DeviceLost, {d->connection.address(), u"it was disconnected"_qs}}));
+            Error{ErrorCode::DeviceLost, {d->connection.address(), Words::tr("it was disconnected")}}));
     }
     d->evidence.identity = d->connection.identity();
     if (d->state == State::Listening) {

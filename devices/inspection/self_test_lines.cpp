@@ -2,6 +2,7 @@
 #include "devices/inspection/self_test_lines.h"
 
 #include "core/signal/units.h"
+#include "core/words.h"
 #include "devices/protocol/report_words.h"
 
 #include <QStringList>
@@ -41,7 +42,7 @@ void judge(SelfTestLine& out, bool fine, const QString& advice)
 
 QString figure(double value, int digits = 3)
 {
-    return QString::number(value, 'g', digits);
+    return Words::number(value, 'g', digits);
 }
 
 struct ChannelNoise {
@@ -75,25 +76,26 @@ SelfTestLine noiseLine(SelfTestLine out, const SelfTestEvidence& evidence, doubl
                        const QString& unit, std::optional<double> range)
 {
     if (evidence.samples.size() < 2) {
-        out.figure = u"no samples"_qs;
+        out.figure = Words::tr("no samples");
         return out;
     }
     const ChannelNoise noise = noiseOf(evidence.samples, channel);
     out.value = noise.deviation;
     if (noise.count == 0) {
-        out.figure = u"always the same number"_qs;
-        out.advice =
-            u"Either it is quieter than one count, or it is stuck: touch the gripper and see whether "
-            "the number moves."_qs;
+        out.figure = Words::tr("always the same number");
+        out.advice = Words::tr(
+            "Either it is quieter than one count, or it is stuck: touch the gripper and see whether "
+            "the number moves.");
         return out;
     }
     const double most = std::max(mostNoise_counts * noise.count, mostNoiseOfRange * range.value_or(0.0));
     out.figure =
         u"%1 %2, %3 counts"_qs.arg(figure(noise.deviation), unit, figure(noise.deviation / noise.count, 2));
-    out.limit = u"at most %1 %2"_qs.arg(figure(most), unit);
+    out.limit = Words::tr("at most %1 %2").arg(figure(most), unit);
     judge(out, noise.deviation <= most,
-          u"Take away what shakes the gripper and what it holds, then test again; if it stays, check the "
-          "sensor's wiring and shielding."_qs);
+          Words::tr(
+              "Take away what shakes the gripper and what it holds, then test again; if it stays, check the "
+              "sensor's wiring and shielding."));
     return out;
 }
 
@@ -101,36 +103,37 @@ SelfTestLine noiseLine(SelfTestLine out, const SelfTestEvidence& evidence, doubl
 
 SelfTestLine featuresLine(const GripperIdentity& identity, const std::optional<Error>& error)
 {
-    SelfTestLine out = line(u"features"_qs, u"What it says of itself"_qs);
+    SelfTestLine out = line(u"features"_qs, Words::tr("What it says of itself"));
     if (error) {
         out.figure = error->describe();
         judge(out, false,
-              u"Plug the gripper in again. If it stays, its firmware does not answer as "
-              "devices/PROTOCOL.md asks."_qs);
+              Words::tr("Plug the gripper in again. If it stays, its firmware does not answer as "
+                        "devices/PROTOCOL.md asks."));
         return out;
     }
-    out.limit = u"all read, checksums right"_qs;
+    out.limit = Words::tr("all read, checksums right");
     if (identity.protocolMajor > 0) {
-        out.figure = u"identity, measurement and limits read, checksums right"_qs;
+        out.figure = Words::tr("identity, measurement and limits read, checksums right");
         out.outcome = Outcome::Passed;
     } else {
-        out.figure = u"said by a profile or a file, not by the gripper"_qs;
+        out.figure = Words::tr("said by a profile or a file, not by the gripper");
     }
     return out;
 }
 
 SelfTestLine rateLine(const SelfTestEvidence& evidence)
 {
-    SelfTestLine out = line(u"rate"_qs, u"Rate"_qs);
+    SelfTestLine out = line(u"rate"_qs, Words::tr("Rate"));
     const double stated_Hz = 1 / evidence.identity.sampleTime_s;
-    out.limit = u"%1 samples a second within %2 %"_qs.arg(figure(stated_Hz, 6)).arg(largestRateError_percent);
+    out.limit =
+        Words::tr("%1 samples a second within %2 %").arg(figure(stated_Hz, 6)).arg(largestRateError_percent);
     const auto& begin = evidence.before.newestArrival;
     const auto& end = evidence.after.newestArrival;
     const QString advice =
-        u"Check the cable and the load of the computer. If it stays, the sample time that the "
-        "gripper states is wrong."_qs;
+        Words::tr("Check the cable and the load of the computer. If it stays, the sample time that the "
+                  "gripper states is wrong.");
     if (!begin || !end || *end <= *begin || evidence.samples.empty()) {
-        out.figure = u"nothing came"_qs;
+        out.figure = Words::tr("nothing came");
         judge(out, false, advice);
         return out;
     }
@@ -140,21 +143,21 @@ SelfTestLine rateLine(const SelfTestEvidence& evidence)
     const auto reports = static_cast<double>(evidence.after.reports - evidence.before.reports);
     out.value = taken_Hz;
     out.figure =
-        u"%1 samples in %2 reports a second"_qs.arg(figure(taken_Hz, 4), figure(reports / seconds, 4));
+        Words::tr("%1 samples in %2 reports a second").arg(figure(taken_Hz, 4), figure(reports / seconds, 4));
     judge(out, std::abs(taken_Hz / stated_Hz - 1) <= largestRateError_percent / 100, advice);
     return out;
 }
 
 SelfTestLine sequenceLine(const SelfTestEvidence& evidence)
 {
-    SelfTestLine out = line(u"sequence"_qs, u"Nothing lost"_qs);
+    SelfTestLine out = line(u"sequence"_qs, Words::tr("Nothing lost"));
     const LinkCounters &a = evidence.before, &b = evidence.after;
     const std::pair<QString, std::uint64_t> counts[] = {
-        {u"%1 samples lost"_qs, b.lostSamples - a.lostSamples},
-        {u"%1 reports twice"_qs, b.duplicateReports - a.duplicateReports},
+        {Words::tr("%1 samples lost"), b.lostSamples - a.lostSamples},
+        {Words::tr("%1 reports twice"), b.duplicateReports - a.duplicateReports},
         {u"%1 damaged"_qs, b.badReports - a.badReports},
         {u"%1 silences"_qs, b.stalls - a.stalls},
-        {u"%1 samples dropped here"_qs, b.droppedSamples - a.droppedSamples}};
+        {Words::tr("%1 samples dropped here"), b.droppedSamples - a.droppedSamples}};
     QStringList found;
     std::uint64_t all = 0;
     for (const auto& [words, count] : counts) {
@@ -164,17 +167,18 @@ SelfTestLine sequenceLine(const SelfTestEvidence& evidence)
     }
     out.value = static_cast<double>(all);
     out.limit = u"0"_qs;
-    out.figure = found.isEmpty() ? u"0 lost, twice, damaged or silent"_qs : found.join(u", "_qs);
-    judge(
-        out, all == 0,
-        u"Try a shorter cable and another port, without a hub; close programs that keep the computer busy."_qs);
+    out.figure =
+        found.isEmpty() ? Words::tr("0 lost, twice, damaged or silent") : found.join(u", "_qs);
+    judge(out, all == 0,
+          Words::tr("Try a shorter cable and another port, without a hub; close programs that keep the "
+                    "computer busy."));
     return out;
 }
 
 SelfTestLine clockLine(const SelfTestEvidence& evidence)
 {
-    SelfTestLine out = line(u"clock"_qs, u"Clock"_qs);
-    out.limit = u"no jump, within %1 ppm of the computer's"_qs.arg(largestDrift_ppm);
+    SelfTestLine out = line(u"clock"_qs, Words::tr("Clock"));
+    out.limit = Words::tr("no jump, within %1 ppm of the computer's").arg(largestDrift_ppm);
     const std::uint64_t steps = evidence.after.clockSteps - evidence.before.clockSteps;
     const std::optional<double>& drift = evidence.after.clockDrift_ppm;
     QStringList found;
@@ -182,26 +186,26 @@ SelfTestLine clockLine(const SelfTestEvidence& evidence)
         found << u"%1 jumps"_qs.arg(steps);
     if (drift)
         found << u"%1%2 ppm"_qs.arg(*drift >= 0 ? u"+"_qs : QString(), figure(*drift));
-    out.figure = found.isEmpty() ? u"not known"_qs : found.join(u", "_qs);
+    out.figure = found.isEmpty() ? Words::tr("not known") : found.join(u", "_qs);
     out.value = drift;
     if (!found.isEmpty())
         judge(out, steps == 0 && std::abs(drift.value_or(0)) <= largestDrift_ppm,
-              u"Check the gripper's power supply; if it stays, its firmware keeps time badly."_qs);
+              Words::tr("Check the gripper's power supply; if it stays, its firmware keeps time badly."));
     return out;
 }
 
 SelfTestLine statusLine(const SelfTestEvidence& evidence)
 {
-    SelfTestLine out = line(u"status"_qs, u"Status"_qs);
+    SelfTestLine out = line(u"status"_qs, Words::tr("Status"));
     constexpr std::uint16_t wrong = StatusFault | StatusForceSaturated | StatusPositionSaturated;
     std::uint16_t seen = 0;
     for (const Sample& sample : evidence.samples)
         seen = static_cast<std::uint16_t>(seen | (sample.status & wrong));
-    out.limit = u"no fault, nothing saturated"_qs;
+    out.limit = Words::tr("no fault, nothing saturated");
     out.figure = seen == 0 ? u"none"_qs : protocol::statusWords(seen);
     if (!evidence.samples.empty())
         judge(out, seen == 0,
-              u"Open the gripper and take out what it holds; if it stays, it needs service."_qs);
+              Words::tr("Open the gripper and take out what it holds; if it stays, it needs service."));
     return out;
 }
 
@@ -211,7 +215,7 @@ SelfTestLine forceNoiseLine(const SelfTestEvidence& evidence)
     std::optional<double> range;
     if (const std::optional<double> newtons = newtonsPer(identity.forceUnit))
         range = identity.limits.maxForce_N / *newtons;
-    return noiseLine(line(u"force_noise"_qs, u"Force at rest"_qs), evidence, &Sample::force,
+    return noiseLine(line(u"force_noise"_qs, Words::tr("Force at rest")), evidence, &Sample::force,
                      identity.forceUnit, range);
 }
 
@@ -221,24 +225,25 @@ SelfTestLine positionNoiseLine(const SelfTestEvidence& evidence)
     std::optional<double> range;
     if (const std::optional<double> metres = metresPer(identity.positionUnit))
         range = identity.limits.maxTravel_m / *metres;
-    return noiseLine(line(u"position_noise"_qs, u"Position at rest"_qs), evidence, &Sample::position,
+    return noiseLine(line(u"position_noise"_qs, Words::tr("Position at rest")), evidence, &Sample::position,
                      identity.positionUnit, range);
 }
 
 SelfTestLine stopLine(const SelfTestEvidence& evidence)
 {
-    SelfTestLine out = line(u"stop"_qs, u"Stop"_qs);
+    SelfTestLine out = line(u"stop"_qs, Words::tr("Stop"));
     if (!evidence.identity.commandable) {
-        out.figure = u"this gripper takes no commands"_qs;
+        out.figure = Words::tr("this gripper takes no commands");
         return out;
     }
-    out.limit = u"answered within %1 ms"_qs.arg(1000 * stopPatience_s);
+    out.limit = Words::tr("answered within %1 ms").arg(1000 * stopPatience_s);
     out.value = evidence.stopAnswered_s;
     out.figure = evidence.stopAnswered_s
-                     ? u"answered in %1 ms"_qs.arg(figure(1000 * *evidence.stopAnswered_s, 2))
-                     : u"no answer"_qs;
-    judge(out, evidence.stopAnswered_s && *evidence.stopAnswered_s <= stopPatience_s,
-          u"Do not squeeze with this gripper until it answers: check the cable, then its firmware."_qs);
+                     ? Words::tr("answered in %1 ms").arg(figure(1000 * *evidence.stopAnswered_s, 2))
+                     : Words::tr("no answer");
+    judge(
+        out, evidence.stopAnswered_s && *evidence.stopAnswered_s <= stopPatience_s,
+        Words::tr("Do not squeeze with this gripper until it answers: check the cable, then its firmware."));
     return out;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/words.h"
 #include "devices/transport.h"
 
 namespace gripscope {
@@ -16,8 +17,8 @@ public:
     Expected<protocol::Report> feature(protocol::ReportId) override
     {
         return failure(ErrorCode::DeviceRefused,
-                       {QStringLiteral("be asked"), QStringLiteral("it is known by a profile, and only "
-                                                                   "listened to")});
+                       {Words::tr("be asked"), Words::tr("it is known by a profile, and only "
+                                                         "listened to")});
     }
     ReadResult read(Buffer& buffer, std::chrono::milliseconds timeout) override
     {

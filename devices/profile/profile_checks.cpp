@@ -2,6 +2,7 @@
 #include "devices/profile/profile_checks.h"
 
 #include "core/signal/units.h"
+#include "core/words.h"
 
 #include <cmath>
 
@@ -22,9 +23,9 @@ public:
         for (const NamedField& field : m_fields)
             checkField(field);
         checkChannel(u"force"_s, m_profile.force, newtonsPer(m_profile.force.unit).has_value(),
-                     u"uN, mN, N or kN"_s);
+                     Words::tr("uN, mN, N or kN"));
         checkChannel(u"position"_s, m_profile.position, metresPer(m_profile.position.unit).has_value(),
-                     u"nm, um, mm, cm or m"_s);
+                     Words::tr("nm, um, mm, cm or m"));
         checkCounters();
         checkFlags();
         if (m_problems.empty()) // where fields are is known only then
@@ -65,16 +66,17 @@ private:
 void Checks::checkDevice()
 {
     if (m_profile.vendor == protocol::vendorId && m_profile.product == protocol::productId)
-        report(u"/device"_s, m_profile.usbNumbers(),
-               u"the numbers of another gripper: this one speaks Gripscope's own protocol and needs no "
-               "profile"_s);
+        report(
+            u"/device"_s, m_profile.usbNumbers(),
+            Words::tr("the numbers of another gripper: this one speaks Gripscope's own protocol and needs no "
+                      "profile"));
 }
 
 void Checks::checkReport()
 {
     if (m_profile.samples > 1 && m_profile.stride == 0)
-        report(u"/report"_s, u"%1 samples without a stride"_s.arg(m_profile.samples),
-               u"a stride, the bytes from one sample to the next"_s);
+        report(u"/report"_s, Words::tr("%1 samples without a stride").arg(m_profile.samples),
+               Words::tr("a stride, the bytes from one sample to the next"));
 }
 
 void Checks::checkField(const NamedField& named)
@@ -82,13 +84,16 @@ void Checks::checkField(const NamedField& named)
     const ProfileField& field = *named.field;
     const auto typeBits = static_cast<unsigned>(8 * field.size());
     if (field.type == FieldType::F32 && (field.firstBit > 0 || field.bits > 0))
-        report(at(named.name, u"bits"_s), u"bits of an f32"_s,
-               u"a whole number type, or neither first_bit nor bits"_s);
+        report(at(named.name, u"bits"_s), Words::tr("bits of an f32"),
+               Words::tr("a whole number type, or neither first_bit nor bits"));
     else if (field.firstBit >= typeBits || field.firstBit + field.bits > typeBits)
         report(
             at(named.name, u"first_bit"_s),
-            u"bits %1 to %2"_s.arg(field.firstBit).arg(field.firstBit + std::max(1U, field.bits) - 1),
-            u"bits within the %1 of %2, 0 to %3"_s.arg(typeBits).arg(toString(field.type)).arg(typeBits - 1));
+            Words::tr("bits %1 to %2").arg(field.firstBit).arg(field.firstBit + std::max(1U, field.bits) - 1),
+            Words::tr("bits within the %1 of %2, 0 to %3")
+                .arg(typeBits)
+                .arg(toString(field.type))
+                .arg(typeBits - 1));
     checkPlace(named);
 }
 
@@ -96,11 +101,12 @@ void Checks::checkPlace(const NamedField& named)
 {
     const std::size_t end = named.field->end() + lastShift(named);
     if (m_profile.reportId && named.field->byte == 0)
-        report(at(named.name, u"byte"_s), u"0"_s, u"1 or more: byte 0 is the report ID"_s);
+        report(at(named.name, u"byte"_s), u"0"_s,
+               Words::tr("1 or more: byte 0 is the report ID"));
     else if (end > m_profile.reportLength)
         report(at(named.name, u"byte"_s),
-               u"%1, so that the field ends behind byte %2"_s.arg(named.field->byte).arg(end - 1),
-               u"a field that ends at byte %1 at the latest, as the report is %2 bytes long"_s
+               Words::tr("%1, so that the field ends behind byte %2").arg(named.field->byte).arg(end - 1),
+               Words::tr("a field that ends at byte %1 at the latest, as the report is %2 bytes long")
                    .arg(static_cast<qint64>(m_profile.reportLength) - 1)
                    .arg(m_profile.reportLength));
 }
@@ -109,21 +115,23 @@ void Checks::checkChannel(const QString& name, const ProfileChannel& channel, bo
                           const QString& units)
 {
     if (!unitKnown)
-        report(at(name, u"unit"_s), u'"' + channel.unit + u'"', u"a unit of %1: %2"_s.arg(name, units));
+        report(at(name, u"unit"_s), u'"' + channel.unit + u'"',
+               Words::tr("a unit of %1: %2").arg(name, units));
     if (channel.scale == 0 || !std::isfinite(channel.scale))
         report(at(name, u"scale"_s), QString::number(channel.scale),
-               u"a number other than 0: all values would be the same"_s);
+               Words::tr("a number other than 0: all values would be the same"));
     if (channel.saturatesBelow && channel.saturatesAbove &&
         *channel.saturatesBelow >= *channel.saturatesAbove)
         report(at(name, u"saturates_below"_s), QString::number(*channel.saturatesBelow),
-               u"less than saturates_above, which is %1"_s.arg(*channel.saturatesAbove));
+               Words::tr("less than saturates_above, which is %1").arg(*channel.saturatesAbove));
 }
 
 void Checks::checkCounters()
 {
     const auto unsignedOnly = [&](const QString& name, const ProfileField& field) {
         if (field.isSigned())
-            report(at(name, u"type"_s), toString(field.type), u"u8, u16, u24 or u32: it counts upwards"_s);
+            report(at(name, u"type"_s), toString(field.type),
+                   Words::tr("u8, u16, u24 or u32: it counts upwards"));
     };
     // Fewer bits come round before a lost report can be told from one that came twice.
     constexpr unsigned fewest = 3;
@@ -131,7 +139,7 @@ void Checks::checkCounters()
         unsignedOnly(u"sequence"_s, m_profile.sequence->field);
         if (m_profile.sequence->field.width() < fewest)
             report(at(u"sequence"_s, u"bits"_s), QString::number(m_profile.sequence->field.width()),
-                   u"at least %1 bits"_s.arg(fewest));
+                   Words::tr("at least %1 bits").arg(fewest));
     }
     if (!m_profile.time)
         return;
@@ -139,8 +147,8 @@ void Checks::checkCounters()
     unsignedOnly(u"time"_s, time.field);
     const double round_s = time.secondsPerCount() * (time.field.most() + 1);
     if (round_s < 4 * m_profile.reportTime_s())
-        report(at(u"time"_s, u"type"_s), u"a clock that comes round every %1 s"_s.arg(round_s),
-               u"one that takes at least four reports, %1 s"_s.arg(4 * m_profile.reportTime_s()));
+        report(at(u"time"_s, u"type"_s), Words::tr("a clock that comes round every %1 s").arg(round_s),
+               Words::tr("one that takes at least four reports, %1 s").arg(4 * m_profile.reportTime_s()));
 }
 
 void Checks::checkFlags()
@@ -150,9 +158,10 @@ void Checks::checkFlags()
     const ProfileStatus& status = *m_profile.status;
     for (std::size_t i = 0; i < status.flags.size(); ++i)
         if (status.flags[i].bit >= status.field.width())
-            report(
-                u"/fields/status/flags/%1/bit"_s.arg(i), QString::number(status.flags[i].bit),
-                u"a bit of the %1, 0 to %2"_s.arg(toString(status.field.type)).arg(status.field.width() - 1));
+            report(u"/fields/status/flags/%1/bit"_s.arg(i), QString::number(status.flags[i].bit),
+                   Words::tr("a bit of the %1, 0 to %2")
+                       .arg(toString(status.field.type))
+                       .arg(status.field.width() - 1));
 }
 
 void Checks::checkOverlaps()
@@ -183,9 +192,10 @@ void Checks::mark(const NamedField& named, std::size_t shift, std::vector<int>& 
         if (!m_problems.empty() && m_problems.back().pointer == pointer)
             return; // once is enough
         report(pointer,
-               u"%1, where %2 has bits already"_s.arg(field.byte)
-                   .arg(before == self ? u"the sample before"_s : other.name),
-               u"bits of its own, or \"shares_bytes\": true where that is meant"_s);
+               Words::tr("%1, where %2 has bits already")
+                   .arg(field.byte)
+                   .arg(before == self ? Words::tr("the sample before") : other.name),
+               Words::tr("bits of its own, or \"shares_bytes\": true where that is meant"));
         return;
     }
 }

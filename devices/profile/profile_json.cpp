@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/profile_json.h"
 
+#include "core/words.h"
 #include "devices/profile/profile_checks.h"
 
 #include <QFile>
@@ -103,7 +104,7 @@ ProfileProblem syntaxProblem(const QByteArray& json, const QJsonParseError& erro
     const QByteArray before = json.left(error.offset - 1); // the offset is behind what was found
     const qsizetype line = before.count('\n') + 1;
     const qsizetype column = before.size() - before.lastIndexOf('\n');
-    return {u":%1:%2"_s.arg(line).arg(column), error.errorString(), u"a JSON document"_s};
+    return {u":%1:%2"_s.arg(line).arg(column), error.errorString(), Words::tr("a JSON document")};
 }
 
 // Writing: what has its default is left out.
@@ -192,7 +193,7 @@ ProfileReading readProfile(const QByteArray& json)
     if (error.error != QJsonParseError::NoError)
         return {std::nullopt, {syntaxProblem(json, error)}};
     if (!document.isObject())
-        return {std::nullopt, {{u""_s, u"a list"_s, u"an object in braces"_s}}};
+        return {std::nullopt, {{QString(), u"a list"_s, Words::tr("an object in braces")}}};
     if (std::vector<ProfileProblem> problems = checkAgainstSchema(document.object()); !problems.empty())
         return {std::nullopt, std::move(problems)};
     GripperProfile profile = readDocument(document.object());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/profile_library.h"
 
+#include "core/words.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QSaveFile>
@@ -66,10 +68,11 @@ Expected<GripperProfile> profileFor(std::uint16_t vendor, std::uint16_t product)
     GripperProfile numbers;
     numbers.vendor = vendor;
     numbers.product = product;
-    return failure(ErrorCode::NotFound,
-                   {u"profile for a gripper %1: write one (the manual's page on profiles says how) and put "
-                    "it into %2, or name it behind the address: ?profile=FILE"_s.arg(numbers.usbNumbers(),
-                                                                                     userProfileFolder())});
+    return failure(
+        ErrorCode::NotFound,
+        {Words::tr("profile for a gripper %1: write one (the manual's page on profiles says how) and put "
+                   "it into %2, or name it behind the address: ?profile=FILE")
+             .arg(numbers.usbNumbers(), userProfileFolder())});
 }
 
 Expected<GripperProfile> namedProfile(const QString& name)
@@ -89,7 +92,7 @@ Expected<QString> installProfile(const QByteArray& json)
     const QString folder = userProfileFolder();
     const QString file = folder + u'/' + reading.profile->usbNumbers().replace(u':', u'_') + u".json"_s;
     if (!QDir().mkpath(folder))
-        return failure(ErrorCode::FileUnwritable, {folder, u"the folder cannot be made"_s});
+        return failure(ErrorCode::FileUnwritable, {folder, Words::tr("the folder cannot be made")});
     return writeWholeFile(file, json).map([&] { return file; });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/profiled_device.h"
 
+#include "core/words.h"
 #include "devices/hid/hid_transport.h"
 #include "devices/profile/listening_transport.h"
 #include "devices/profile/virtual_robot_transport.h"
@@ -114,7 +115,7 @@ Expected<std::shared_ptr<Transport>> listenAt(const QString& address)
             return tl::unexpected<Error>(made.error());
         transport = *made;
     } else {
-        return failure(ErrorCode::Usage, {u"A replay has no bytes to watch; name a gripper."_s});
+        return failure(ErrorCode::Usage, {Words::tr("A replay has no bytes to watch; name a gripper.")});
     }
     return std::make_shared<ListeningTransport>(std::move(transport));
 }
@@ -129,7 +130,7 @@ Expected<GripperProfile> profileAt(const QString& address)
     if (const auto* gripper = std::get_if<VirtualAddress>(&*parsed); gripper && isProfiled(*gripper))
         return profileOf(*gripper);
     return failure(ErrorCode::NotFound,
-                   {u"profile for %1: it is no gripper of another maker"_s.arg(address)});
+                   {Words::tr("profile for %1: it is no gripper of another maker").arg(address)});
 }
 
 } // namespace gripscope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/report_watch.h"
 
+#include "core/words.h"
 #include "devices/profile/profile_decoder.h"
 
 #include <algorithm>
@@ -85,7 +86,8 @@ void ReportWatch::run(const std::shared_ptr<Shared>& shared)
                          std::chrono::duration<double>(Clock::now() - start).count());
         if (result.outcome == Transport::Outcome::Lost)
             return shared->end(
-                Error{ErrorCode::DeviceLost, {u"that address"_s, u"it was unplugged or switched off"_s}});
+                Error{ErrorCode::DeviceLost,
+                      {Words::tr("that address"), Words::tr("it was unplugged or switched off")}});
         if (result.outcome == Transport::Outcome::Ended)
             return shared->end(std::nullopt);
         const std::lock_guard lock(shared->mutex);

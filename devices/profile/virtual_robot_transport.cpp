@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/virtual_robot_transport.h"
 
+#include "core/words.h"
 #include "devices/virtual/virtual_plug.h"
 
 #include <algorithm>
@@ -37,8 +38,9 @@ Expected<void> VirtualRobotTransport::open()
         return tl::unexpected<Error>(faults.error());
     const std::optional<virtual_plug::Past> past = virtual_plug::plugIn(m_address);
     if (!past)
-        return failure(ErrorCode::DeviceNotFound,
-                       {u"virtual:"_s, u"It is unplugged; its faults plug it in again by themselves."_s});
+        return failure(
+            ErrorCode::DeviceNotFound,
+            {u"virtual:"_s, Words::tr("It is unplugged; its faults plug it in again by themselves.")});
     VirtualRobotOptions options;
     options.object = *object;
     options.seed = m_address.seed;
@@ -55,7 +57,8 @@ Expected<void> VirtualRobotTransport::open()
 
 Expected<protocol::Report> VirtualRobotTransport::feature(protocol::ReportId)
 {
-    return failure(ErrorCode::DeviceRefused, {u"be asked"_s, u"it does not speak Gripscope's protocol"_s});
+    return failure(ErrorCode::DeviceRefused,
+                   {Words::tr("be asked"), Words::tr("it does not speak Gripscope's protocol")});
 }
 
 double VirtualRobotTransport::deviceTime_s() const

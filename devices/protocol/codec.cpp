@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/protocol/codec.h"
 
+#include "core/words.h"
 #include "devices/protocol/byte_order.h"
 
 #include <algorithm>
@@ -312,27 +313,27 @@ const char* describe(CommandResult result)
 {
     switch (result) {
     case CommandResult::Done:
-        return "done";
+        return QT_TRANSLATE_NOOP("Words", "done");
     case CommandResult::Repeated:
-        return "it was done before";
+        return QT_TRANSLATE_NOOP("Words", "it was done before");
     case CommandResult::NotArmed:
-        return "it is not armed";
+        return QT_TRANSLATE_NOOP("Words", "it is not armed");
     case CommandResult::Busy:
-        return "a squeeze is running";
+        return QT_TRANSLATE_NOOP("Words", "a squeeze is running");
     case CommandResult::LimitExceeded:
-        return "a value is above a limit";
+        return QT_TRANSLATE_NOOP("Words", "a value is above a limit");
     case CommandResult::BadValue:
-        return "a value is outside its range";
+        return QT_TRANSLATE_NOOP("Words", "a value is outside its range");
     case CommandResult::Incomplete:
-        return "a part of the force signal is missing";
+        return QT_TRANSLATE_NOOP("Words", "a part of the force signal is missing");
     case CommandResult::ChecksumDiffers:
-        return "the force signal arrived damaged";
+        return QT_TRANSLATE_NOOP("Words", "the force signal arrived damaged");
     case CommandResult::Spent:
-        return "this squeeze was started before";
+        return QT_TRANSLATE_NOOP("Words", "this squeeze was started before");
     case CommandResult::UnknownCommand:
-        return "it does not know this command";
+        return QT_TRANSLATE_NOOP("Words", "it does not know this command");
     case CommandResult::Fault:
-        return "it reports a fault";
+        return QT_TRANSLATE_NOOP("Words", "it reports a fault");
     }
     return "unknown";
 }
@@ -341,15 +342,15 @@ const char* describe(DecodeError error)
 {
     switch (error) {
     case DecodeError::Length:
-        return "the report is not 64 bytes long";
+        return QT_TRANSLATE_NOOP("Words", "the report is not 64 bytes long");
     case DecodeError::Crc:
-        return "the checksum differs";
+        return QT_TRANSLATE_NOOP("Words", "the checksum differs");
     case DecodeError::Version:
-        return "the protocol version is not 1";
+        return QT_TRANSLATE_NOOP("Words", "the protocol version is not 1");
     case DecodeError::UnknownReport:
-        return "the report is of an unknown kind";
+        return QT_TRANSLATE_NOOP("Words", "the report is of an unknown kind");
     case DecodeError::BadField:
-        return "a field is outside its range";
+        return QT_TRANSLATE_NOOP("Words", "a field is outside its range");
     }
     return "unknown";
 }

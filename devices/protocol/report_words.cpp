@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/protocol/report_words.h"
 
+#include "core/words.h"
 #include "devices/protocol/codec.h"
 
 #include <QStringList>
@@ -22,7 +23,7 @@ QString number(std::int64_t value)
 
 QString real(double value)
 {
-    return QString::number(value, 'g', 12);
+    return Words::number(value, 'g', 12);
 }
 
 QString seconds(std::uint32_t time_us)
@@ -32,53 +33,57 @@ QString seconds(std::uint32_t time_us)
 
 QString words(ExcitationState state)
 {
-    static const std::array names{u"none"_qs, u"loading"_qs, u"running"_qs, u"finished"_qs, u"stopped"_qs};
+    const std::array names{Words::tr("none"), Words::tr("loading"), Words::tr("running"),
+                           Words::tr("finished"), Words::tr("stopped")};
     const auto index = static_cast<std::size_t>(state);
     return index < names.size() ? names[index] : number(static_cast<int>(state));
 }
 
 QString words(ForceUnit unit)
 {
-    static const std::array names{u"not known"_qs, u"N"_qs, u"mN"_qs, u"kN"_qs};
+    const std::array names{Words::tr("not known"), u"N"_qs, u"mN"_qs, u"kN"_qs};
     return names.at(static_cast<std::size_t>(unit));
 }
 
 QString words(PositionUnit unit)
 {
-    static const std::array names{u"not known"_qs, u"m"_qs, u"mm"_qs, u"um"_qs};
+    const std::array names{Words::tr("not known"), u"m"_qs, u"mm"_qs, u"um"_qs};
     return names.at(static_cast<std::size_t>(unit));
 }
 
 Fields fieldsOf(const StreamReport& m)
 {
-    Fields fields{{u"status"_qs, statusWords(m.status)},
-                  {u"report sequence"_qs, number(m.reportSequence)},
-                  {u"first sample"_qs, number(m.firstSample)},
-                  {u"device time"_qs, seconds(m.timestamp_us)},
-                  {u"excitation"_qs, u"%1, number %2"_qs.arg(words(m.excitation)).arg(m.excitationNumber)},
-                  {u"samples"_qs, number(m.count)}};
+    Fields fields{{Words::tr("status"), statusWords(m.status)},
+                  {Words::tr("report sequence"), number(m.reportSequence)},
+                  {Words::tr("first sample"), number(m.firstSample)},
+                  {Words::tr("device time"), seconds(m.timestamp_us)},
+                  {Words::tr("excitation"),
+                   Words::tr("%1, number %2").arg(words(m.excitation)).arg(m.excitationNumber)},
+                  {Words::tr("samples"), number(m.count)}};
     for (std::size_t i = 0; i < m.count; ++i)
         fields.push_back(
-            {u"sample %1"_qs.arg(i + 1),
-             u"force %1, position %2 counts"_qs.arg(m.samples[i].force).arg(m.samples[i].position)});
+            {Words::tr("sample %1").arg(i + 1),
+             Words::tr("force %1, position %2 counts").arg(m.samples[i].force).arg(m.samples[i].position)});
     return fields;
 }
 
 Fields fieldsOf(const Acknowledgement& m)
 {
-    return {{u"status"_qs, statusWords(m.status)},
-            {u"command"_qs,
-             u"%1, number %2"_qs.arg(reportName(static_cast<std::uint8_t>(m.command))).arg(m.commandNumber)},
-            {u"result"_qs, QString::fromUtf8(describe(m.result))},
-            {u"detail"_qs, number(m.detail)},
-            {u"device time"_qs, seconds(m.timestamp_us)},
-            {u"excitation"_qs, u"%1, number %2"_qs.arg(words(m.excitation)).arg(m.excitationNumber)}};
+    return {{Words::tr("status"), statusWords(m.status)},
+            {Words::tr("command"), Words::tr("%1, number %2")
+                                       .arg(reportName(static_cast<std::uint8_t>(m.command)))
+                                       .arg(m.commandNumber)},
+            {u"result"_qs, Words::tr(describe(m.result))},
+            {Words::tr("detail"), number(m.detail)},
+            {Words::tr("device time"), seconds(m.timestamp_us)},
+            {Words::tr("excitation"),
+             Words::tr("%1, number %2").arg(words(m.excitation)).arg(m.excitationNumber)}};
 }
 
 Fields fieldsOf(const SetLimitsCommand& m)
 {
-    return {{u"largest force"_qs, u"%1 counts"_qs.arg(m.maxForce)},
-            {u"longest travel"_qs, u"%1 counts"_qs.arg(m.maxTravel)}};
+    return {{Words::tr("largest force"), Words::tr("%1 counts").arg(m.maxForce)},
+            {Words::tr("longest travel"), Words::tr("%1 counts").arg(m.maxTravel)}};
 }
 
 Fields fieldsOf(const UploadCommand& m)
@@ -86,26 +91,26 @@ Fields fieldsOf(const UploadCommand& m)
     QStringList forces;
     for (std::size_t i = 0; i < m.count; ++i)
         forces << number(m.forces[i]);
-    return {{u"excitation"_qs, number(m.excitationNumber)},
-            {u"from index"_qs, number(m.offset)},
-            {u"forces"_qs, forces.join(u' ') + u" counts"_qs}};
+    return {{Words::tr("excitation"), number(m.excitationNumber)},
+            {Words::tr("from index"), number(m.offset)},
+            {Words::tr("forces"), Words::tr("%1 counts").arg(forces.join(u' '))}};
 }
 
 Fields fieldsOf(const StartCommand& m)
 {
-    return {{u"excitation"_qs, number(m.excitationNumber)},
-            {u"forces"_qs, number(m.samples)},
-            {u"their CRC"_qs, u"0x%1"_qs.arg(m.forcesCrc, 4, 16, QLatin1Char('0'))}};
+    return {{Words::tr("excitation"), number(m.excitationNumber)},
+            {Words::tr("forces"), number(m.samples)},
+            {Words::tr("their CRC"), u"0x%1"_qs.arg(m.forcesCrc, 4, 16, QLatin1Char('0'))}};
 }
 
 Fields fieldsOf(const FinishCommand& m)
 {
-    return {{u"excitation"_qs, number(m.excitationNumber)}};
+    return {{Words::tr("excitation"), number(m.excitationNumber)}};
 }
 
 Fields fieldsOf(const Command& m)
 {
-    Fields fields{{u"number"_qs, number(m.number)}};
+    Fields fields{{Words::tr("number"), number(m.number)}};
     const Fields more = std::visit(
         [](const auto& body) -> Fields {
             if constexpr (requires { fieldsOf(body); })
@@ -120,28 +125,30 @@ Fields fieldsOf(const Command& m)
 
 Fields fieldsOf(const IdentityFeature& m)
 {
-    return {{u"serial number"_qs, QString::fromStdString(m.serial)},
-            {u"firmware"_qs, QString::fromStdString(m.firmware)},
-            {u"name"_qs, QString::fromStdString(m.name)},
-            {u"protocol"_qs, u"%1.%2"_qs.arg(versionMajor).arg(m.protocolMinor)}};
+    return {{Words::tr("serial number"), QString::fromStdString(m.serial)},
+            {Words::tr("firmware"), QString::fromStdString(m.firmware)},
+            {Words::tr("name"), QString::fromStdString(m.name)},
+            {Words::tr("protocol"), u"%1.%2"_qs.arg(versionMajor).arg(m.protocolMinor)}};
 }
 
 Fields fieldsOf(const MeasurementFeature& m)
 {
-    return {{u"one count of force"_qs, u"%1 %2"_qs.arg(real(m.forcePerCount), words(m.forceUnit))},
-            {u"one count of position"_qs, u"%1 %2"_qs.arg(real(m.positionPerCount), words(m.positionUnit))},
-            {u"sample time"_qs, u"%1 s"_qs.arg(real(m.sampleTime_s))},
-            {u"position later by"_qs, u"%1 s"_qs.arg(real(m.forceLag_s))},
-            {u"force between samples"_qs, m.hold == ForceHold::Zero ? u"held"_qs : u"a straight line"_qs},
-            {u"takes commands"_qs, m.commandable ? u"yes"_qs : u"no"_qs},
-            {u"watchdog"_qs, m.watchdog_ms == 0 ? u"none"_qs : u"%1 ms"_qs.arg(m.watchdog_ms)}};
+    return {{Words::tr("one count of force"), u"%1 %2"_qs.arg(real(m.forcePerCount), words(m.forceUnit))},
+            {Words::tr("one count of position"),
+             u"%1 %2"_qs.arg(real(m.positionPerCount), words(m.positionUnit))},
+            {Words::tr("sample time"), u"%1 s"_qs.arg(real(m.sampleTime_s))},
+            {Words::tr("position later by"), u"%1 s"_qs.arg(real(m.forceLag_s))},
+            {Words::tr("force between samples"),
+             m.hold == ForceHold::Zero ? Words::tr("held") : Words::tr("a straight line")},
+            {Words::tr("takes commands"), m.commandable ? Words::tr("yes") : Words::tr("no")},
+            {Words::tr("watchdog"), m.watchdog_ms == 0 ? Words::tr("none") : u"%1 ms"_qs.arg(m.watchdog_ms)}};
 }
 
 Fields fieldsOf(const LimitsFeature& m)
 {
-    return {{u"largest force"_qs, u"%1 counts"_qs.arg(m.maxForce)},
-            {u"longest travel"_qs, u"%1 counts"_qs.arg(m.maxTravel)},
-            {u"longest excitation"_qs, u"%1 samples"_qs.arg(m.maxSamples)}};
+    return {{Words::tr("largest force"), Words::tr("%1 counts").arg(m.maxForce)},
+            {Words::tr("longest travel"), Words::tr("%1 counts").arg(m.maxTravel)},
+            {Words::tr("longest excitation"), Words::tr("%1 samples").arg(m.maxSamples)}};
 }
 
 template <typename Message>
@@ -157,47 +164,48 @@ void fill(ReportWords& out, const Decoded<Message>& message)
 
 QString statusWords(std::uint16_t status)
 {
-    static const std::array names{u"armed"_qs,        u"moving"_qs,          u"force limit"_qs,
-                                  u"travel limit"_qs, u"force saturated"_qs, u"position saturated"_qs,
-                                  u"fault"_qs,        u"watchdog"_qs};
+    const std::array names{Words::tr("armed"),           Words::tr("moving"),
+                           Words::tr("force limit"),     Words::tr("travel limit"),
+                           Words::tr("force saturated"), Words::tr("position saturated"),
+                           Words::tr("fault"),           Words::tr("watchdog")};
     QStringList set;
     for (std::size_t bit = 0; bit < 16; ++bit)
         if (status >> bit & 1)
-            set << (bit < names.size() ? names[bit] : u"bit %1"_qs.arg(bit));
-    return set.isEmpty() ? u"none"_qs : set.join(u", "_qs);
+            set << (bit < names.size() ? names[bit] : Words::tr("bit %1").arg(bit));
+    return set.isEmpty() ? Words::tr("none") : set.join(u", "_qs);
 }
 
 QString reportName(std::uint8_t id)
 {
     switch (static_cast<ReportId>(id)) {
     case ReportId::Stream:
-        return u"Stream"_qs;
+        return Words::tr("Stream");
     case ReportId::Acknowledgement:
-        return u"Acknowledgement"_qs;
+        return Words::tr("Acknowledgement");
     case ReportId::Identity:
-        return u"Identity"_qs;
+        return Words::tr("Identity");
     case ReportId::Measurement:
-        return u"Measurement"_qs;
+        return Words::tr("Measurement");
     case ReportId::Limits:
-        return u"Limits"_qs;
+        return Words::tr("Limits");
     case ReportId::Arm:
-        return u"Arm"_qs;
+        return Words::tr("Arm");
     case ReportId::Disarm:
-        return u"Disarm"_qs;
+        return Words::tr("Disarm");
     case ReportId::Stop:
-        return u"Stop"_qs;
+        return Words::tr("Stop");
     case ReportId::Heartbeat:
-        return u"Heartbeat"_qs;
+        return Words::tr("Heartbeat");
     case ReportId::SetLimits:
-        return u"Set limits"_qs;
+        return Words::tr("Set limits");
     case ReportId::Upload:
-        return u"Upload"_qs;
+        return Words::tr("Upload");
     case ReportId::Start:
-        return u"Start"_qs;
+        return Words::tr("Start");
     case ReportId::Finish:
-        return u"Finish"_qs;
+        return Words::tr("Finish");
     }
-    return u"unknown report 0x%1"_qs.arg(id, 2, 16, QLatin1Char('0'));
+    return Words::tr("unknown report 0x%1").arg(id, 2, 16, QLatin1Char('0'));
 }
 
 QString hexDump(ReportView bytes)
@@ -215,7 +223,7 @@ ReportWords inWords(ReportView bytes)
 {
     ReportWords out;
     if (bytes.empty()) {
-        out.kind = u"empty report"_qs;
+        out.kind = Words::tr("empty report");
         out.problem = QString::fromUtf8(describe(DecodeError::Length));
         return out;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/capture_folder.h"
 
+#include "core/words.h"
 #include "devices/replay/capture_reader.h"
 
 #include <QCryptographicHash>
@@ -24,7 +25,7 @@ constexpr int lockPatience_ms = 5000;
 
 tl::unexpected<Error> cannotList(const QString& reason)
 {
-    return failure(ErrorCode::StorageFailed, {u"list the kept captures"_s, reason});
+    return failure(ErrorCode::StorageFailed, {Words::tr("list the kept captures"), reason});
 }
 
 struct Listed {
@@ -81,10 +82,10 @@ CaptureFolder::Checked checkRecords(CaptureFolder::Checked checked, const QStrin
         if (*record)
             continue;
         checked.condition = Condition::NotClosed;
-        checked.words =
-            u"not closed: it is being written, or its program ended; %1 whole records, %2 bytes behind them"_s
-                .arg(records)
-                .arg(reader->bytesLeft());
+        checked.words = Words::tr("not closed: it is being written, or its program ended; %1 whole records, "
+                                  "%2 bytes behind them")
+                            .arg(records)
+                            .arg(reader->bytesLeft());
         return checked;
     }
 }
@@ -131,7 +132,7 @@ CaptureFolder::Checked CaptureFolder::check(const Part& part) const
         checked.words = Error{ErrorCode::FileUnreadable, {in.fileName(), in.errorString()}}.describe();
     } else if (QString::fromLatin1(hash.result().toHex()) != part.hash) {
         checked.condition = Condition::Changed;
-        checked.words = u"changed since it was closed: its SHA-256 is not the one listed"_s;
+        checked.words = Words::tr("changed since it was closed: its SHA-256 is not the one listed");
     }
     return checked;
 }
@@ -140,7 +141,7 @@ Expected<void> CaptureFolder::list(const Part& closed) const
 {
     QLockFile lock(filePath(u"captures.lock"_s));
     if (!lock.tryLock(lockPatience_ms))
-        return cannotList(u"another program holds %1"_s.arg(filePath(u"captures.lock"_s)));
+        return cannotList(Words::tr("another program holds %1").arg(filePath(u"captures.lock"_s)));
     QFile out(filePath(listName));
     const QByteArray lines = listLines(closed);
     if (!out.open(QIODevice::WriteOnly | QIODevice::Append) || out.write(lines) != lines.size() ||
@@ -153,7 +154,7 @@ Expected<std::vector<CaptureFolder::Part>> CaptureFolder::prune(qint64 most, con
 {
     QLockFile lock(filePath(u"captures.lock"_s));
     if (!lock.tryLock(lockPatience_ms))
-        return cannotList(u"another program holds %1"_s.arg(filePath(u"captures.lock"_s)));
+        return cannotList(Words::tr("another program holds %1").arg(filePath(u"captures.lock"_s)));
     std::vector<Part> known = parts();
     qint64 total = 0;
     for (const Part& part : known)
@@ -166,8 +167,9 @@ Expected<std::vector<CaptureFolder::Part>> CaptureFolder::prune(qint64 most, con
         if (part.name == keep)
             continue;
         if (!QFile::remove(filePath(part.name)))
-            return failure(ErrorCode::FileUnwritable,
-                           {filePath(part.name), u"it cannot be removed to make room for newer captures"_s});
+            return failure(
+                ErrorCode::FileUnwritable,
+                {filePath(part.name), Words::tr("it cannot be removed to make room for newer captures")});
         total -= part.bytes;
         removed.push_back(part);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/capture_reader.h"
 
+#include "core/words.h"
+
 #include <QBuffer>
 #include <QDir>
 #include <QFileInfo>
@@ -78,10 +80,11 @@ Expected<void> CaptureReader::begin(std::unique_ptr<QIODevice> part, const QStri
     m_name = name;
     m_version = versionOf(m_part->read(headerSize));
     if (m_version == 0)
-        return bad(name, 0, u"this is no Gripscope capture"_s, u"expected GSCAP, version 1 or 2"_s);
+        return bad(name, 0, Words::tr("this is no Gripscope capture"),
+                   Words::tr("expected GSCAP, version 1 or 2"));
     if (m_version > newestVersion)
-        return bad(name, 0, u"a capture of version %1"_s.arg(m_version),
-                   u"expected version 1 or 2; a newer program reads it"_s);
+        return bad(name, 0, Words::tr("a capture of version %1").arg(m_version),
+                   Words::tr("expected version 1 or 2; a newer program reads it"));
     m_at = headerSize;
     m_left = 0;
     return {};
@@ -110,14 +113,14 @@ Expected<std::optional<CaptureRecord>> CaptureReader::next()
         record.kind = static_cast<CaptureKind>(kind);
         const auto most = static_cast<quint16>(m_version > 1 ? CaptureKind::Note : CaptureKind::Output);
         if (kind > most)
-            return bad(m_name, m_at + 8, u"a record of kind %1"_s.arg(kind),
-                       u"expected a kind from 0 to %1"_s.arg(most));
+            return bad(m_name, m_at + 8, Words::tr("a record of kind %1").arg(kind),
+                       Words::tr("expected a kind from 0 to %1").arg(most));
         if (record.kind != CaptureKind::Note && length > longestCapturedReport)
-            return bad(m_name, m_at + 10, u"a report of %1 bytes"_s.arg(length),
-                       u"expected at most %1"_s.arg(longestCapturedReport));
+            return bad(m_name, m_at + 10, Words::tr("a report of %1 bytes").arg(length),
+                       Words::tr("expected at most %1").arg(longestCapturedReport));
         if (record.time_us < m_lastTime)
-            return bad(m_name, m_at, u"a time before that of the record in front"_s,
-                       u"expected times in order"_s);
+            return bad(m_name, m_at, Words::tr("a time before that of the record in front"),
+                       Words::tr("expected times in order"));
     }
     const QByteArray bytes = m_part->read(length);
     if (head.size() < captureRecordHead || bytes.size() < length) {

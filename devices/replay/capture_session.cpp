@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/capture_session.h"
 
+#include "core/words.h"
 #include "devices/replay/capture_folder.h"
 
 #include <QCoreApplication>
@@ -99,7 +100,7 @@ Expected<void> CaptureSession::write(const Chunk& chunk, const CaptureBuffer& bu
             return begun;
     }
     if (!m_part)
-        return failure(ErrorCode::FileUnwritable, {m_destination.file, u"it is closed"_s});
+        return failure(ErrorCode::FileUnwritable, {m_destination.file, Words::tr("it is closed")});
     QByteArray before;
     if (m_part->size() == 0)
         before += captureHeader() + sessionNote(time_us);
@@ -126,7 +127,7 @@ Expected<void> CaptureSession::beginPart(const QByteArray& features, std::uint64
 {
     const CaptureFolder folder(m_destination.folder);
     if (!QDir().mkpath(folder.path()))
-        return failure(ErrorCode::FileUnwritable, {folder.path(), u"the folder cannot be made"_s});
+        return failure(ErrorCode::FileUnwritable, {folder.path(), Words::tr("the folder cannot be made")});
     const qint64 room = m_destination.limits.totalBytes - m_destination.limits.partBytes;
     if (const auto pruned = folder.prune(room); !pruned)
         return tl::unexpected<Error>(pruned.error());
@@ -161,7 +162,8 @@ Expected<void> CaptureSession::closePart()
     if (!hash || !inFolder())
         return hash.map([](const QString&) {});
     if (!QFile::exists(part->file()))
-        return failure(ErrorCode::FileUnwritable, {part->file(), u"it was removed while it was written"_s});
+        return failure(ErrorCode::FileUnwritable,
+                       {part->file(), Words::tr("it was removed while it was written")});
     return CaptureFolder(m_destination.folder)
         .list({QFileInfo(part->file()).fileName(), bytes, *hash, m_partSqueezes});
 }

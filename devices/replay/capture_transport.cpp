@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/capture_transport.h"
 
+#include "core/words.h"
+
 #include <algorithm>
 
 namespace gripscope {
@@ -86,7 +88,7 @@ Expected<void> CaptureReplayTransport::open()
         return found;
     if (!m_nextInput)
         return failure(ErrorCode::BadInput,
-                       {m_file, u"no report of a gripper"_s, u"expected at least one"_s});
+                       {m_file, Words::tr("no report of a gripper"), Words::tr("expected at least one")});
     m_firstInput_us = m_nextInput->time_us;
     return {};
 }
@@ -119,8 +121,9 @@ Expected<protocol::Report> CaptureReplayTransport::feature(protocol::ReportId id
         return report;
     }
     return failure(ErrorCode::BadInput,
-                   {m_file, u"no feature report 0x%1"_s.arg(static_cast<int>(id), 2, 16, QLatin1Char('0')),
-                    u"expected one, since it says what the numbers mean"_s});
+                   {m_file,
+                    Words::tr("no feature report 0x%1").arg(static_cast<int>(id), 2, 16, QLatin1Char('0')),
+                    Words::tr("expected one, since it says what the numbers mean")});
 }
 
 CaptureReplayTransport::Clock::time_point CaptureReplayTransport::due() const

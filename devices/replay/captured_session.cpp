@@ -4,6 +4,7 @@
 #include "core/calibration/calibration_facts.h"
 #include "core/session/squeeze_notes.h"
 #include "core/signal/stream_account.h"
+#include "core/words.h"
 #include "devices/acquisition/sample_queue.h"
 #include "devices/replay/capture_decoder.h"
 #include "devices/replay/capture_transport.h"
@@ -42,7 +43,7 @@ public:
         if (m_open && m_recorder.complete())
             closeByItself();
         else if (m_open)
-            fail(u"the capture ends within the squeeze"_s);
+            fail(Words::tr("the capture ends within the squeeze"));
         const ReportDecoder::Counts counts = m_decoder.counts();
         m_session.counters.lostSamples = counts.lostSamples;
         m_session.counters.duplicateReports = counts.duplicateReports;
@@ -121,7 +122,7 @@ void SessionCutter::open(const SqueezeBegins& begins)
     if (m_open && m_recorder.complete())
         closeByItself();
     else if (m_open)
-        fail(u"another squeeze began within it"_s);
+        fail(Words::tr("another squeeze began within it"));
     m_open = true;
     m_begins_s = m_now_s;
     m_recorder.begin(begins.mode, begins.samples, m_session.identity.sampleTime_s);

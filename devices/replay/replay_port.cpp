@@ -2,6 +2,7 @@
 #include "devices/replay/replay_port.h"
 
 #include "core/signal/recording_csv.h"
+#include "core/words.h"
 
 #include <QFileInfo>
 
@@ -17,7 +18,7 @@ GripperIdentity identityOf(const Recording& recording, const QString& address, c
     identity.address = address;
     identity.corrected = true;
     identity.serial = recording.provenance.value(u"serial"_qs);
-    identity.name = u"Replay of %1"_qs.arg(QFileInfo(file).fileName());
+    identity.name = Words::tr("Replay of %1").arg(QFileInfo(file).fileName());
     identity.firmware = recording.provenance.value(u"firmware"_qs);
     identity.forceUnit = recording.forceUnit;
     identity.positionUnit = recording.positionUnit;
@@ -68,9 +69,9 @@ void ReplayPort::takeOver() const
         return;
     Expected<Recording>& recording = *m_reading->result;
     if (!recording || recording->size() == 0) {
-        m_error = recording
-                      ? Error{ErrorCode::BadInput, {m_file, u"no samples"_qs, u"expected at least one"_qs}}
-                      : recording.error();
+        m_error = recording ? Error{ErrorCode::BadInput,
+                                    {m_file, Words::tr("no samples"), Words::tr("expected at least one")}}
+                            : recording.error();
         m_state = LinkState::Lost;
         return;
     }
@@ -129,7 +130,7 @@ std::size_t ReplayPort::drain(std::vector<Sample>& samples, std::size_t most)
     if (m_next == m_recording.size()) {
         m_state = LinkState::Closed;
         m_error = Error{ErrorCode::NotFound,
-                        {u"further sample at %1: it was replayed to its end"_qs.arg(m_address)}};
+                        {Words::tr("further sample at %1: it was replayed to its end").arg(m_address)}};
     }
     return count;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/paper_appendix.h"
+#include "core/words.h"
 #include "devices/virtual/virtual_object.h"
 
 #include <Eigen/Eigenvalues>
@@ -88,8 +89,8 @@ Expected<VirtualObject> VirtualObject::fromText(const QString& text)
     if (!parameters)
         return failure(
             ErrorCode::Usage,
-            {QStringLiteral("object=%1 is not an object: A, B, C or D, or m,b,k as m in kg (1e-6 to 1e3), b "
-                            "in N s/m (0 to 1e6) and k in N/m (1 to 1e9), such as 0.04,43,9990")
+            {Words::tr("object=%1 is not an object: A, B, C or D, or m,b,k as m in kg (1e-6 to 1e3), b "
+                       "in N s/m (0 to 1e6) and k in N/m (1 to 1e9), such as 0.04,43,9990")
                  .arg(text)});
     object.m_centre = *parameters;
     object.m_scatter = squareRoot(pooledCovariance());

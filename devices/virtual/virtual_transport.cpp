@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/virtual/virtual_transport.h"
 
+#include "core/words.h"
 #include "devices/virtual/virtual_plug.h"
 
 #include <algorithm>
@@ -43,8 +44,9 @@ Expected<void> VirtualTransport::open()
         return tl::unexpected<Error>(faults.error());
     const std::optional<virtual_plug::Past> past = virtual_plug::plugIn(m_address);
     if (!past)
-        return failure(ErrorCode::DeviceNotFound,
-                       {u"virtual:"_qs, u"It is unplugged; its faults plug it in again by themselves."_qs});
+        return failure(
+            ErrorCode::DeviceNotFound,
+            {u"virtual:"_qs, Words::tr("It is unplugged; its faults plug it in again by themselves.")});
     const std::lock_guard lock(m_mutex);
     m_timeline = FaultTimeline(std::move(*faults));
     m_faultsBefore_s = past->faults_s;
@@ -110,10 +112,10 @@ Expected<protocol::Report> VirtualTransport::feature(protocol::ReportId id)
     if (usable() && realTime())
         advance();
     if (const double hangs_s = m_timeline.state().featureHangs_s; hang(lock, hangs_s))
-        return failure(ErrorCode::DeviceTimeout, {u"say what it is"_qs, QString::number(hangs_s)});
+        return failure(ErrorCode::DeviceTimeout, {Words::tr("say what it is"), QString::number(hangs_s)});
     const std::optional<protocol::Report> report = m_firmware.feature(static_cast<std::uint8_t>(id));
     if (!usable() || !report)
-        return failure(ErrorCode::DeviceLost, {u"virtual:"_qs, u"it is not open"_qs});
+        return failure(ErrorCode::DeviceLost, {u"virtual:"_qs, Words::tr("it is not open")});
     return *report;
 }
 

@@ -201,7 +201,7 @@ void RegionPlot::paintOthers(QPainter& painter, const Frame& frame) const
     // The coefficient stands in a corner that the ellipse leaves free.
     const double r = m_region->correlation(frame.horizontal, frame.vertical);
     const double rounded = std::abs(r) < 0.005 ? 0 : r; // no negative nought
-    const QString text = u"r = %1"_s.arg(rounded, 0, 'f', 2).replace(u'-', QChar(0x2212));
+    const QString text = u"r = %L1"_s.arg(rounded, 0, 'f', 2).replace(u'-', QChar(0x2212));
     const double width = QFontMetricsF(Theme::font(metrics::fontSmall)).horizontalAdvance(text);
     const double x = r < 0 ? frame.area.right() - width - 5 : frame.area.left() + 5;
     const QRectF coefficient(x, frame.area.top() + 2, width, 15);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inspector/device_inspector.h"
 
+#include "core/words.h"
 #include "devices/acquisition/device_port.h"
 #include "devices/protocol/descriptor_words.h"
 #include "ui/inspector/fact_table.h"
@@ -35,7 +36,7 @@ struct Counter {
 
 QString number(double value)
 {
-    return QString::number(value, 'g', 6);
+    return Words::number(value, 'g', 6);
 }
 
 } // namespace

@@ -73,7 +73,7 @@ QString ReportTableModel::cell(const LoggedReport& report, int column) const
     switch (column) {
     case Time: {
         const std::chrono::duration<double, std::milli> before = m_all.back().time - report.time;
-        return (before.count() > 0 ? u"−%1 ms"_s : u"%1 ms"_s).arg(before.count(), 0, 'f', 1);
+        return (before.count() > 0 ? u"−%L1 ms"_s : u"%L1 ms"_s).arg(before.count(), 0, 'f', 1);
     }
     case Direction:
         return report.direction == ReportDirection::In    ? tr("in")

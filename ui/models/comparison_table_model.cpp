@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/comparison_table_model.h"
 
+#include "core/words.h"
 #include "ui/widgets/number_format.h"
 
 #include <QCoreApplication>
@@ -40,11 +41,11 @@ QString ComparisonTableModel::text(const Row& row, Column column) const
     case Column::Model:
         return modelName(row.id);
     case Column::Delta:
-        return row.delta > 0 ? u"+%1"_s.arg(row.delta, 0, 'f', row.delta < 10 ? 1 : 0) : tr("best");
+        return row.delta > 0 ? u"+%L1"_s.arg(row.delta, 0, 'f', row.delta < 10 ? 1 : 0) : tr("best");
     case Column::Weight:
         return formatPercent(100 * row.weight, 0);
     case Column::Change:
-        return row.change > 999 ? u"> 999"_s : QString::number(row.change, 'f', row.change < 10 ? 1 : 0);
+        return row.change > 999 ? u"> 999"_s : Words::number(row.change, 'f', row.change < 10 ? 1 : 0);
     case Column::SimulationFit:
         return row.simulationPercent ? formatNumber(*row.simulationPercent, std::nullopt, {}, 3).value
                                      : QString(QChar(0x2013));

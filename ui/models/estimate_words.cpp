@@ -43,7 +43,7 @@ QString deviationText(double share)
 {
     const QString sign = share < 0 ? QString(QChar(0x2212)) : u"+"_s;
     const double percent = std::abs(share) * 100;
-    return percent > 999 ? sign + u">999 %"_s : sign + u"%1 %"_s.arg(percent, 0, 'f', percent < 1 ? 1 : 0);
+    return percent > 999 ? sign + u">999 %"_s : sign + u"%L1 %"_s.arg(percent, 0, 'f', percent < 1 ? 1 : 0);
 }
 
 QString estimateVerdict(const Identification& identification, const Estimate& estimate)

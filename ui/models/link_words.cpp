@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/link_words.h"
 
+#include "core/words.h"
 #include "ui/widgets/number_format.h"
 
 #include <QCoreApplication>
@@ -14,10 +15,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString tr(const char* text, int n = -1)
-{
-    return QCoreApplication::translate("gripscope::LinkWords", text, nullptr, n);
-}
+struct LinkWords {
+    Q_DECLARE_TR_FUNCTIONS(gripscope::LinkWords)
+};
 
 QString count(std::uint64_t n)
 {
@@ -27,10 +27,10 @@ QString count(std::uint64_t n)
 QString ago(double seconds)
 {
     if (seconds < 60)
-        return tr("%1 s ago").arg(std::floor(seconds));
+        return LinkWords::tr("%1 s ago").arg(std::floor(seconds));
     if (seconds < 3600)
-        return tr("%1 min ago").arg(std::floor(seconds / 60));
-    return tr("%1 h ago").arg(std::floor(seconds / 3600));
+        return LinkWords::tr("%1 min ago").arg(std::floor(seconds / 60));
+    return LinkWords::tr("%1 h ago").arg(std::floor(seconds / 3600));
 }
 
 } // namespace
@@ -39,28 +39,29 @@ QString linkWords(ConnectSession::State state, const LinkCounters& counters)
 {
     switch (state) {
     case ConnectSession::State::Connected:
-        return counters.stalled ? tr("silent") : tr("connected");
+        return counters.stalled ? LinkWords::tr("silent") : LinkWords::tr("connected");
     case ConnectSession::State::Connecting:
-        return tr("connecting");
+        return LinkWords::tr("connecting");
     case ConnectSession::State::Lost:
-        return tr("lost");
+        return LinkWords::tr("lost");
     case ConnectSession::State::Disconnected:
         break;
     }
-    return tr("none");
+    return LinkWords::tr("none");
 }
 
 QString lossWords(const LinkCounters& counters, LinkCounters::TimePoint now)
 {
     const std::uint64_t lost = counters.lostSamples + counters.droppedSamples;
     if (lost == 0)
-        return tr("none");
+        return LinkWords::tr("none");
     const double all = static_cast<double>(lost) + static_cast<double>(counters.samples);
     const double percent = 100 * static_cast<double>(lost) / all;
-    QString text =
-        tr("%1 (%2 %)").arg(count(lost), percent < 0.01 ? u"<0.01"_s : QString::number(percent, 'g', 2));
+    QString text = LinkWords::tr("%1 (%2 %)")
+                       .arg(count(lost), percent < 0.01 ? u"<0.01"_s : Words::number(percent, 'g', 2));
     if (counters.lastLoss)
-        text = tr("%1, %2").arg(text, ago(std::chrono::duration<double>(now - *counters.lastLoss).count()));
+        text = LinkWords::tr("%1, %2").arg(
+            text, ago(std::chrono::duration<double>(now - *counters.lastLoss).count()));
     return text;
 }
 
@@ -68,49 +69,51 @@ QString streamWords(const LinkCounters& counters)
 {
     QStringList parts;
     if (counters.duplicateReports > 0)
-        parts << tr("%1 twice").arg(count(counters.duplicateReports));
+        parts << LinkWords::tr("%1 twice").arg(count(counters.duplicateReports));
     if (counters.badReports > 0)
-        parts << tr("%1 damaged").arg(count(counters.badReports));
+        parts << LinkWords::tr("%1 damaged").arg(count(counters.badReports));
     if (counters.stalls > 0)
-        parts << tr("%1 silent (%2 s)").arg(count(counters.stalls)).arg(counters.longestStall_s, 0, 'g', 2);
+        parts << LinkWords::tr("%1 silent (%2 s)")
+                     .arg(count(counters.stalls))
+                     .arg(counters.longestStall_s, 0, 'g', 2);
     if (counters.clockSteps > 0)
-        parts << (counters.clockSteps == 1 ? tr("1 clock jump")
-                                           : tr("%1 clock jumps").arg(count(counters.clockSteps)));
-    return parts.isEmpty() ? tr("sound") : parts.join(u", "_s);
+        parts << (counters.clockSteps == 1 ? LinkWords::tr("1 clock jump")
+                                           : LinkWords::tr("%1 clock jumps").arg(count(counters.clockSteps)));
+    return parts.isEmpty() ? LinkWords::tr("sound") : parts.join(u", "_s);
 }
 
 QString latencyWords(double median_ms, double most_ms)
 {
     if (!(most_ms > 0))
         return QStringLiteral("–");
-    return tr("%1 ms, most %2 ms").arg(median_ms, 0, 'f', 0).arg(most_ms, 0, 'f', 0);
+    return LinkWords::tr("%1 ms, most %2 ms").arg(median_ms, 0, 'f', 0).arg(most_ms, 0, 'f', 0);
 }
 
 QString squeezeWords(SqueezeState state)
 {
     switch (state) {
     case SqueezeState::Idle:
-        return tr("none");
+        return LinkWords::tr("none");
     case SqueezeState::Uploading:
-        return tr("loading");
+        return LinkWords::tr("loading");
     case SqueezeState::Running:
-        return tr("under way");
+        return LinkWords::tr("under way");
     case SqueezeState::Finished:
-        return tr("finished");
+        return LinkWords::tr("finished");
     case SqueezeState::Stopped:
-        return tr("stopped");
+        return LinkWords::tr("stopped");
     case SqueezeState::Refused:
-        return tr("refused");
+        return LinkWords::tr("refused");
     }
     return {};
 }
 
 QString limitWords(double inForce, double ofDevice, const QString& unit)
 {
-    const auto number = [](double value) { return QString::number(value, 'g', 4); };
+    const auto number = [](double value) { return Words::number(value, 'g', 4); };
     if (!(ofDevice > 0))
         return QStringLiteral("–");
-    return inForce < ofDevice ? tr("%1 of %2 %3").arg(number(inForce), number(ofDevice), unit)
+    return inForce < ofDevice ? LinkWords::tr("%1 of %2 %3").arg(number(inForce), number(ofDevice), unit)
                               : u"%1 %2"_s.arg(number(ofDevice), unit);
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/residual_words.h"
 
+#include "core/words.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <cmath>
 
@@ -46,7 +47,7 @@ QString pValueText(double p)
         return {};
     if (p < 0.001)
         return u"p < 0.001"_s;
-    return u"p = %1"_s.arg(QLocale::c().toString(p, 'f', p < 0.0995 ? 3 : 2));
+    return u"p = %1"_s.arg(Words::number(p, 'f', p < 0.0995 ? 3 : 2));
 }
 
 ResidualFindings residualFindings(const Identification& identification, const Estimate* estimate)

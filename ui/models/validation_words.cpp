@@ -16,10 +16,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("gripscope::ValidationWords", text);
-}
+struct ValidationWords {
+    Q_DECLARE_TR_FUNCTIONS(gripscope::ValidationWords)
+};
 
 QString percentText(const std::optional<double>& percent)
 {
@@ -30,8 +29,8 @@ QString samplesText(const Validation& validation)
 {
     const QString count = formatCount(qint64(validation.validatedOn.count));
     if (validation.source == ValidationSource::OtherRecording)
-        return tr("%1, %2 samples").arg(validation.name, count);
-    return tr("the last %1 samples, found from the first %2")
+        return ValidationWords::tr("%1, %2 samples").arg(validation.name, count);
+    return ValidationWords::tr("the last %1 samples, found from the first %2")
         .arg(count, formatCount(qint64(validation.estimatedOn.count)));
 }
 
@@ -67,23 +66,31 @@ std::vector<Fact> validationFacts(const Validation& validation)
 {
     if (!validation.available())
         return {};
-    std::vector<Fact> facts{{tr("Held against"), samplesText(validation), false}};
+    std::vector<Fact> facts{{ValidationWords::tr("Held against"), samplesText(validation), false}};
     QString simulation = percentText(validation.fit.simulationPercent);
     if (validation.expectedPercent)
-        simulation = tr("%1, expected %2").arg(simulation, percentText(validation.expectedPercent));
-    facts.push_back({tr("Simulation fit"), simulation});
-    facts.push_back({tr("Prediction fit"), percentText(validation.fit.predictionPercent)});
+        simulation =
+            ValidationWords::tr("%1, expected %2").arg(simulation, percentText(validation.expectedPercent));
+    facts.push_back({ValidationWords::tr("Simulation fit"), simulation});
+    facts.push_back({ValidationWords::tr("Prediction fit"), percentText(validation.fit.predictionPercent)});
     if (validation.whitenessP)
-        facts.push_back({tr("Residuals"), testText(validation.whitenessP, tr("white"), tr("not white"))});
-    if (validation.inputIndependenceP)
-        facts.push_back({tr("Against force"),
-                         testText(validation.inputIndependenceP, tr("independent"), tr("dependent"))});
-    if (validation.misfitP)
-        facts.push_back({tr("m, b and k"), testText(validation.misfitP, tr("hold"), tr("do not hold"))});
-    static constexpr std::array names{"Change of m", "Change of b", "Change of k"};
-    for (Eigen::Index i = 0; validation.change && i < 3; ++i)
         facts.push_back(
-            {tr(names[std::size_t(i)]), changeText((*validation.change)(i), (*validation.changeErrors)(i))});
+            {ValidationWords::tr("Residuals"), testText(validation.whitenessP, ValidationWords::tr("white"),
+                                                        ValidationWords::tr("not white"))});
+    if (validation.inputIndependenceP)
+        facts.push_back({ValidationWords::tr("Against force"),
+                         testText(validation.inputIndependenceP, ValidationWords::tr("independent"),
+                                  ValidationWords::tr("dependent"))});
+    if (validation.misfitP)
+        facts.push_back(
+            {ValidationWords::tr("m, b and k"),
+             testText(validation.misfitP, ValidationWords::tr("hold"), ValidationWords::tr("do not hold"))});
+    static constexpr std::array names{QT_TRANSLATE_NOOP("gripscope::ValidationWords", "Change of m"),
+                                      QT_TRANSLATE_NOOP("gripscope::ValidationWords", "Change of b"),
+                                      QT_TRANSLATE_NOOP("gripscope::ValidationWords", "Change of k")};
+    for (Eigen::Index i = 0; validation.change && i < 3; ++i)
+        facts.push_back({ValidationWords::tr(names[std::size_t(i)]),
+                         changeText((*validation.change)(i), (*validation.changeErrors)(i))});
     return facts;
 }
 
@@ -91,17 +98,20 @@ QString periodSentence(const PeriodicDiagnostics& periods)
 {
     QStringList parts;
     parts << (periods.noiseCorrelation > noticeableCorrelation
-                  ? tr("the force answers to disturbances of the position, which periodic allows for and "
-                       "output error does not")
-                  : tr("the force does not answer to the position"));
+                  ? ValidationWords::tr(
+                        "the force answers to disturbances of the position, which periodic allows for and "
+                        "output error does not")
+                  : ValidationWords::tr("the force does not answer to the position"));
     if (periods.distortionP)
         parts
             << (*periods.distortionP < rarely
-                    ? tr("harmonics that the force does not have show a spring or damper that is not linear")
-                    : tr("no harmonic shows more than a linear object"));
+                    ? ValidationWords::tr(
+                          "harmonics that the force does not have show a spring or damper that is not linear")
+                    : ValidationWords::tr("no harmonic shows more than a linear object"));
     if (periods.costP < rarely)
-        parts << tr("the misfit is larger than what changes from period to period explains, and the errors "
-                    "were enlarged to match");
+        parts << ValidationWords::tr(
+            "the misfit is larger than what changes from period to period explains, and the errors "
+            "were enlarged to match");
     return asSentence(parts.join(u"; "_s));
 }
 
@@ -109,21 +119,25 @@ std::vector<Fact> periodFacts(const PeriodicDiagnostics& periods, const QString&
                               const QString& positionUnit)
 {
     std::vector<Fact> facts{
-        {tr("Periods"),
-         tr("%1 of %2 samples")
+        {ValidationWords::tr("Periods"),
+         ValidationWords::tr("%1 of %2 samples")
              .arg(formatCount(qint64(periods.periods)), formatCount(qint64(periods.periodSamples)))},
-        {tr("Force noise"), inUnit(periods.forceNoise, forceUnit)},
-        {tr("Position noise"), inUnit(periods.positionNoise, positionUnit)},
-        {tr("Their correlation"), formatNumber(periods.noiseCorrelation, std::nullopt, {}, 2).value},
-        {tr("Drift of force"), inUnit(periods.forceDrift, forceUnit)},
-        {tr("Drift of position"), inUnit(periods.positionDrift, positionUnit)},
-        {tr("Misfit over noise"), tr("%1, %2").arg(formatNumber(periods.costRatio, std::nullopt, {}, 3).value,
-                                                   pValueText(periods.costP))}};
+        {ValidationWords::tr("Force noise"), inUnit(periods.forceNoise, forceUnit)},
+        {ValidationWords::tr("Position noise"), inUnit(periods.positionNoise, positionUnit)},
+        {ValidationWords::tr("Their correlation"),
+         formatNumber(periods.noiseCorrelation, std::nullopt, {}, 2).value},
+        {ValidationWords::tr("Drift of force"), inUnit(periods.forceDrift, forceUnit)},
+        {ValidationWords::tr("Drift of position"), inUnit(periods.positionDrift, positionUnit)},
+        {ValidationWords::tr("Misfit over noise"),
+         ValidationWords::tr("%1, %2").arg(formatNumber(periods.costRatio, std::nullopt, {}, 3).value,
+                                           pValueText(periods.costP))}};
     if (periods.distortionPercent && periods.distortionP)
-        facts.push_back({tr("Distortion"), tr("%1, %2").arg(formatPercent(*periods.distortionPercent, 2),
-                                                            pValueText(*periods.distortionP))});
+        facts.push_back({ValidationWords::tr("Distortion"),
+                         ValidationWords::tr("%1, %2").arg(formatPercent(*periods.distortionPercent, 2),
+                                                           pValueText(*periods.distortionP))});
     else
-        facts.push_back({tr("Distortion"), tr("not told: the force leaves no harmonic empty"), false});
+        facts.push_back({ValidationWords::tr("Distortion"),
+                         ValidationWords::tr("not told: the force leaves no harmonic empty"), false});
     return facts;
 }
 

@@ -116,10 +116,13 @@ void CalibrateSetup::proposeLoads()
 
 std::optional<std::vector<double>> CalibrateSetup::typedLoads() const
 {
+    // "2,5" is one number where the decimal sign is a comma; "2, 5" are two everywhere.
+    const bool commaInNumbers = QLocale().decimalPoint() == u',';
+    const QRegularExpression between(commaInNumbers ? u",?[;\\s]+"_s : u"[;,\\s]+"_s);
     std::vector<double> loads;
-    for (const QString& text : m_loads->text().split(QRegularExpression(u"[;,\\s]+"_s), Qt::SkipEmptyParts)) {
+    for (const QString& text : m_loads->text().split(between, Qt::SkipEmptyParts)) {
         bool isNumber = false;
-        loads.push_back(QLocale::c().toDouble(text, &isNumber));
+        loads.push_back(QLocale().toDouble(text, &isNumber));
         if (!isNumber)
             return std::nullopt;
     }

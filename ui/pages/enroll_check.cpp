@@ -102,17 +102,18 @@ void EnrollCheck::show(const HeldOutConfusion& confusion, const QString& type)
 
 QStringList reviewSentences(const EnrollmentReview& review)
 {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("EnrollCheck", text); };
     QStringList sentences;
     for (const auto& [row, outlier] : review.advice.outliers)
-        sentences += tr("Squeeze %1 does not go with the others. %2").arg(row + 1).arg(outlier.reason);
+        sentences +=
+            EnrollCheck::tr("Squeeze %1 does not go with the others. %2").arg(row + 1).arg(outlier.reason);
     if (review.overlap)
         sentences += inWords(*review.overlap);
     else if (review.advice.progress.gate)
-        sentences += tr("No other type overlaps it.");
+        sentences += EnrollCheck::tr("No other type overlaps it.");
     if (review.partDeviation && review.regripDeviation)
         sentences +=
-            tr("Stiffness differs by %1 from part to part and by %2 from grip to grip (1 sd, all types).")
+            EnrollCheck::tr(
+                "Stiffness differs by %1 from part to part and by %2 from grip to grip (1 sd, all types).")
                 .arg(formatPercent(100 * *review.partDeviation),
                      formatPercent(100 * *review.regripDeviation));
     return sentences;

@@ -49,7 +49,6 @@ QDoubleSpinBox* EnrollRecipeForm::makeField(const QString& name, const QString& 
                                             int decimals)
 {
     auto* field = new QDoubleSpinBox(this);
-    field->setLocale(QLocale::c());
     field->setDecimals(decimals);
     field->setRange(low, high);
     field->setSuffix(QChar(0x00A0) + unit);

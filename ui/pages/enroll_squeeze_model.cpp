@@ -13,14 +13,14 @@ namespace gripscope {
 QString validityWord(const EnrollSqueeze& squeeze)
 {
     if (squeeze.identification.validity.checks.empty())
-        return QCoreApplication::translate("EnrollSqueezeModel", "stored");
+        return EnrollSqueezeModel::tr("stored");
     switch (squeeze.identification.validity.verdict) {
     case ValidityVerdict::Valid:
-        return QCoreApplication::translate("EnrollSqueezeModel", "valid");
+        return EnrollSqueezeModel::tr("valid");
     case ValidityVerdict::Suspect:
-        return QCoreApplication::translate("EnrollSqueezeModel", "suspect");
+        return EnrollSqueezeModel::tr("suspect");
     case ValidityVerdict::Invalid:
-        return QCoreApplication::translate("EnrollSqueezeModel", "not valid");
+        return EnrollSqueezeModel::tr("not valid");
     }
     return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/inspect_page.h"
 
+#include "core/words.h"
 #include "ui/connection_words.h"
 #include "ui/pages/inspect_measurement.h"
 #include "ui/pages/inspect_summary.h"
@@ -319,14 +320,14 @@ void InspectPage::showFacts()
             facts << tr("posterior of %1: %2").arg(of, formatProbability(verdict.posterior.value(of)));
         if (verdict.distance && verdict.gate)
             facts << tr("%1 sd from %2 (gate %3 sd)")
-                         .arg(QString::number(std::sqrt(*verdict.distance), 'f', 1), of,
-                              QString::number(std::sqrt(*verdict.gate), 'f', 1));
+                         .arg(Words::number(std::sqrt(*verdict.distance), 'f', 1), of,
+                              Words::number(std::sqrt(*verdict.gate), 'f', 1));
     }
     if (result->earlyEnd)
         facts << tr("decided after %1 s")
-                     .arg(QString::number(static_cast<double>(result->earlyEnd->samples) *
-                                              result->recording.sampleTime_s,
-                                          'g', 2));
+                     .arg(Words::number(static_cast<double>(result->earlyEnd->samples) *
+                                            result->recording.sampleTime_s,
+                                        'g', 2));
     d->facts->setFullText(facts.isEmpty() ? u" "_s : facts.join(u"  ·  "_s));
     d->reason->setText(verdictWords(*result).reason);
     d->reason->setToolTip(verdict.reasons.join(u' '));
@@ -346,13 +347,13 @@ void InspectPage::editRates()
 QString InspectPage::timeText() const
 {
     const InspectSession& session = workbench().inspection();
-    const QString longest = QString::number(session.longestSeconds(), 'g', 3);
+    const QString longest = Words::number(session.longestSeconds(), 'g', 3);
     const auto& forecast = session.forecast();
     if (!session.earlyEnd())
         return tr("%1 s").arg(longest);
     if (!forecast)
         return tr("at most %1 s").arg(longest);
-    return tr("about %1 s, at most %2 s").arg(QString::number(forecast->mean_s, 'g', 2), longest);
+    return tr("about %1 s, at most %2 s").arg(Words::number(forecast->mean_s, 'g', 2), longest);
 }
 
 void InspectPage::refreshRates()

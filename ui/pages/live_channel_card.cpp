@@ -2,11 +2,11 @@
 #include "ui/pages/live_channel_card.h"
 
 #include "core/signal/units.h"
+#include "core/words.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -127,7 +127,7 @@ void LiveChannelCard::refreshValue(const LiveHistory& history, double until_s)
 QString LiveChannelCard::number(double shown) const
 {
     const double least = std::pow(10.0, -m_decimals) / 2;
-    QString text = QLocale::c().toString(std::abs(shown) < least ? 0.0 : shown, 'f', m_decimals);
+    QString text = Words::number(std::abs(shown) < least ? 0.0 : shown, 'f', m_decimals);
     return text.replace(QLatin1Char('-'), QChar(0x2212));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/axis_ticks.h"
 
-#include <QLocale>
+#include "core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +26,7 @@ QString AxisTicks::label(double value) const
 {
     const int decimals = decimalsOf(step);
     const double clean = std::abs(value) < step / 1e6 ? 0 : value;
-    QLocale locale = QLocale::c();
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(clean, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
+    return Words::number(clean, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
 AxisTicks roundTicks(double low, double high, int most)

@@ -86,8 +86,8 @@ public:
         const QString number = u"#%1"_s.arg(index.data(InspectionListModel::NumberRole).toLongLong());
         const double numberWide = std::max(36.0, small.horizontalAdvance(number));
         painter->drawText(box.adjusted(16, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, number);
-        const QString seconds =
-            tr("%1 s").arg(index.data(InspectionListModel::SecondsRole).toDouble(), 0, 'f', 2);
+        const QString seconds = InspectionList::tr("%1 s").arg(
+            index.data(InspectionListModel::SecondsRole).toDouble(), 0, 'f', 2);
         painter->drawText(box.adjusted(0, 0, -16, 0), Qt::AlignVCenter | Qt::AlignRight, seconds);
         const double left = box.left() + 16 + numberWide + 4;
         paintOutcomeSign(*painter, QRectF(left, box.center().y() - 9, 18, 18), outcome, color);

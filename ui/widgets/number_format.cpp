@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/number_format.h"
 
-#include <QLocale>
+#include "core/words.h"
 
 #include <array>
 #include <cmath>
@@ -60,8 +60,7 @@ QString atPlace(double value, int place)
 {
     const double step = std::pow(10.0, place);
     const double rounded = std::round(value / step) * step;
-    QString text = QLocale::c().toString(rounded, 'f', std::max(0, -place));
-    text.remove(QLatin1Char(','));
+    QString text = Words::number(rounded, 'f', std::max(0, -place));
     return text.replace(QLatin1Char('-'), QChar(0x2212));
 }
 
@@ -122,16 +121,16 @@ QString formatPercent(double percent, int decimals)
 {
     if (!std::isfinite(percent))
         return u"–"_s;
-    QString text = QLocale::c().toString(percent, 'f', decimals);
     // "100.0 %" is said of the whole only.
-    if (percent < 100 && text.toDouble() >= 100)
-        text = QLocale::c().toString(100 - std::pow(10.0, -decimals), 'f', decimals);
+    if (percent < 100 && QString::number(percent, 'f', decimals).toDouble() >= 100)
+        percent = 100 - std::pow(10.0, -decimals);
+    QString text = Words::number(percent, 'f', decimals);
     return text.replace(QLatin1Char('-'), QChar(0x2212)) + QChar(0x00A0) + QLatin1Char('%');
 }
 
 QString formatRate(double rate)
 {
-    return QString::number(100 * rate, 'g', 4) + QChar(0x00A0) + QLatin1Char('%');
+    return Words::number(100 * rate, 'g', 4) + QChar(0x00A0) + QLatin1Char('%');
 }
 
 QString formatProbability(double probability)
@@ -139,10 +138,10 @@ QString formatProbability(double probability)
     if (!std::isfinite(probability))
         return u"–"_s;
     if (probability > 0.9999)
-        return u"> 0.9999"_s;
+        return u"> "_s + Words::number(0.9999, 'f', 4);
     if (probability < 0.0001)
-        return u"< 0.0001"_s;
-    return QLocale::c().toString(probability, 'f', 4);
+        return u"< "_s + Words::number(0.0001, 'f', 4);
+    return Words::number(probability, 'f', 4);
 }
 
 QString formatCount(qint64 count)

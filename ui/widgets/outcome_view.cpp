@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/outcome_view.h"
 
+#include "core/words.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/number_format.h"
 
@@ -70,7 +71,7 @@ QString betweenTypes(const InspectSession::Result& result)
     if (!lengthTells || *verdict.timesLonger < 1.05)
         return tr(QT_TRANSLATE_NOOP("Outcome", "%1: squeeze it again.")).arg(either);
     return tr(QT_TRANSLATE_NOOP("Outcome", "%1: squeezed for %2 s, nine of ten would be told apart."))
-        .arg(either, QString::number(result.seconds * *verdict.timesLonger, 'g', 2));
+        .arg(either, Words::number(result.seconds * *verdict.timesLonger, 'g', 2));
 }
 
 QString reasonOf(const InspectSession::Result& result)
