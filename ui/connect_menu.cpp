@@ -5,10 +5,10 @@
 #include "ui/inspector/device_inspector.h"
 #include "ui/lag_dialog.h"
 #include "ui/profile_dialog.h"
+#include "ui/settings/settings.h"
 #include "ui/workbench.h"
 
 #include <QInputDialog>
-#include <QSettings>
 
 using namespace Qt::StringLiterals;
 
@@ -118,7 +118,7 @@ void ConnectMenu::showFound(const std::vector<FoundDevice>& devices)
     for (QAction* action : m_found)
         delete action;
     m_found.clear();
-    const QString lastUsed = QSettings().value(u"gripper"_s).toString();
+    const QString lastUsed = m_workbench->settings().get(setting::lastGripper);
     const ConnectSession& connection = m_workbench->connection();
     for (const FoundDevice& device : devices) {
         if (!device.address.startsWith("hid:"_L1))

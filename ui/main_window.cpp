@@ -13,6 +13,7 @@
 #include "ui/pages/inspect_page.h"
 #include "ui/pages/live_page.h"
 #include "ui/pages/types_page.h"
+#include "ui/settings/settings_dialog.h"
 #include "ui/status_line.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/message_bar.h"
@@ -117,6 +118,11 @@ QWidget* MainWindow::makeRail()
     }
     connect(m_rail, &QButtonGroup::idClicked, this, qOverload<int>(&MainWindow::showPage));
     column->addStretch(1);
+    auto* settings = new RailButton(tr("Settings"), u"configure"_s, rail);
+    settings->setObjectName("rail-settings");
+    settings->setToolTip(tr("Language, theme, rates and more (Ctrl+,)"));
+    connect(settings, &RailButton::clicked, this, &MainWindow::showSettings);
+    column->addWidget(settings);
     auto* help = new RailButton(tr("Help"), u"help-about"_s, rail);
     help->setObjectName("rail-help");
     help->setToolTip(tr("The manual, at the page about this screen (F1)"));
@@ -128,11 +134,13 @@ QWidget* MainWindow::makeRail()
 void MainWindow::makeShortcuts()
 {
     for (std::size_t i = 0; i < m_pages.size(); ++i) {
-        auto* shortcut = new QShortcut(QKeySequence(tr("Ctrl+%1").arg(i + 1)), this);
+        auto* shortcut = new QShortcut(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)), this);
         connect(shortcut, &QShortcut::activated, this, [this, i] { showPage(static_cast<int>(i)); });
     }
     connect(new QShortcut(QKeySequence(Qt::Key_F1), this), &QShortcut::activated, this,
             &MainWindow::showHelp);
+    connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Comma), this), &QShortcut::activated, this,
+            &MainWindow::showSettings);
     connect(new QShortcut(QKeySequence(Qt::Key_F9), this), &QShortcut::activated, this,
             [this] { DeviceInspector::open(*m_workbench, this); });
 }
@@ -193,6 +201,20 @@ void MainWindow::showAbout()
     for (const Page* page : m_pages)
         titles << page->title();
     (new AboutDialog(titles, m_manual ? static_cast<QWidget*>(m_manual) : this))->open();
+}
+
+void MainWindow::showSettings()
+{
+    if (!findChild<SettingsDialog*>())
+        (new SettingsDialog(*m_workbench, this))->open();
+}
+
+void MainWindow::takeMessages(const MainWindow& other)
+{
+    const QStringList& messages = other.m_messages->messages();
+    for (auto message = messages.rbegin(); message != messages.rend(); ++message)
+        showMessage(*message);
+    m_lossMessages = other.m_lossMessages;
 }
 
 QString MainWindow::message() const

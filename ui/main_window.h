@@ -18,7 +18,7 @@ class Page;
 class Workbench;
 
 /// The one window: navigation rail, header with Stop, message bar, the page, status line. Esc is Stop
-/// wherever the focus is, in dialogs and menus too; Ctrl+1... choose a page.
+/// wherever the focus is, in dialogs and menus too; Ctrl+1... choose a page, Ctrl+, opens the settings.
 class MainWindow : public QWidget {
     Q_OBJECT
 public:
@@ -29,8 +29,11 @@ public:
     [[nodiscard]] Page* currentPage() const;
     void showPage(int index);
     void showPage(const QString& id);
-    void showHelp();                       ///< the manual, at the page about the screen
+    void showHelp(); ///< the manual, at the page about the screen
+    void showSettings();
     [[nodiscard]] QString message() const; ///< the one in the message bar
+    /// Those that another window still shows, which this one replaces.
+    void takeMessages(const MainWindow& other);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

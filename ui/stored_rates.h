@@ -3,9 +3,9 @@
 
 #include "core/recognition/verdict.h"
 
-class QSettings;
-
 namespace gripscope {
+
+class Settings;
 
 /// What a technician set for verdicts, kept from one start of the program to the next.
 struct StoredRates {
@@ -14,7 +14,7 @@ struct StoredRates {
 };
 
 /// What was never stored, or is no rate any more, is as if nobody had set it.
-[[nodiscard]] StoredRates readRates(const QSettings& settings);
-void writeRates(QSettings& settings, const StoredRates& stored);
+[[nodiscard]] StoredRates readRates(const Settings& settings);
+void writeRates(Settings& settings, const StoredRates& stored);
 
 } // namespace gripscope

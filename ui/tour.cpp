@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tour.h"
 
+#include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/pages/page.h"
 #include "ui/workbench.h"
@@ -100,6 +101,10 @@ int runTour(const TourOptions& options)
         return 1;
     }
     Theme::instance().apply(options.theme);
+    if (!applyLanguage(options.language)) {
+        complain(u"there are no words in the language %1"_s.arg(options.language));
+        return 1;
+    }
     bool good = true;
     {
         Workbench bench(temporary.filePath(u"tour.gripscope"_s));

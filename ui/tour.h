@@ -12,6 +12,7 @@ struct TourOptions {
     QString folder;
     ThemeKind theme = ThemeKind::Light;
     QSize size{1440, 900};
+    QString language = QStringLiteral("en");
 };
 
 /// Opens the program on the virtual gripper and a temporary library with the example types, brings every page

@@ -4,6 +4,7 @@
 #include "core/session/stored_chain.h"
 #include "devices/replay/capture_folder.h"
 #include "ui/connection_words.h"
+#include "ui/settings/settings.h"
 
 #include <QPointer>
 #include <QThreadPool>
@@ -61,13 +62,14 @@ private:
 } // namespace
 
 struct Workbench::Private {
-    explicit Private(const QString& libraryFile)
-        : library(libraryFile), connection(factory), enrollment(connection, library),
+    Private(const QString& libraryFile, const QString& settingsFile)
+        : settings(settingsFile), library(libraryFile), connection(factory), enrollment(connection, library),
           inspection(connection, library)
     {
     }
 
     // In the order in which they need one another: the sessions go first, then connection and library.
+    Settings settings;
     DeviceFactory factory;
     LibraryService library;
     ConnectSession connection;
@@ -92,8 +94,8 @@ struct Workbench::Private {
     qint64 lastInspection = 0;
 };
 
-Workbench::Workbench(const QString& libraryFile, QObject* parent)
-    : QObject(parent), d(std::make_unique<Private>(libraryFile))
+Workbench::Workbench(const QString& libraryFile, const QString& settingsFile, QObject* parent)
+    : QObject(parent), d(std::make_unique<Private>(libraryFile, settingsFile))
 {
     d->connection.addListener([this](const std::vector<Sample>& samples) {
         d->history.append(d->plotTime.place(samples, d->history.newestTime_s()));
@@ -133,6 +135,11 @@ InspectSession& Workbench::inspection()
 LibraryService& Workbench::library()
 {
     return d->library;
+}
+
+Settings& Workbench::settings()
+{
+    return d->settings;
 }
 
 const LiveHistory& Workbench::liveHistory() const

@@ -21,6 +21,8 @@ class QTimer;
 
 namespace gripscope {
 
+class Settings;
+
 /// A squeeze with what was found in it: what the Fit page shows.
 struct FitSubject {
     QString title; ///< "Inspection 12", "A, squeeze 3"
@@ -33,13 +35,16 @@ struct FitSubject {
 class Workbench : public QObject {
     Q_OBJECT
 public:
-    explicit Workbench(const QString& libraryFile, QObject* parent = nullptr);
+    /// Without a file of settings, what persons set holds for this run only.
+    explicit Workbench(const QString& libraryFile, const QString& settingsFile = {},
+                       QObject* parent = nullptr);
     ~Workbench() override;
 
     [[nodiscard]] ConnectSession& connection();
     [[nodiscard]] EnrollSession& enrollment();
     [[nodiscard]] InspectSession& inspection();
     [[nodiscard]] LibraryService& library();
+    [[nodiscard]] Settings& settings();
     [[nodiscard]] const LiveHistory& liveHistory() const;
     [[nodiscard]] const LiveEstimate& liveEstimate() const;
     [[nodiscard]] QString operatorName() const;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desktop/options.h"
 
+#include "ui/settings/settings.h"
+
 #include <QCommandLineParser>
 #include <QRegularExpression>
 
 #include <cstring>
+#include <tuple>
 
 using namespace Qt::StringLiterals;
 
@@ -30,10 +33,10 @@ void addOptions(QCommandLineParser& parser)
 {
     parser.addOptions({
         {u"tour"_s, u"Save one picture of every page in DIR, then end."_s, u"DIR"_s},
-        {u"theme"_s, u"light (default), dark or contrast."_s, u"THEME"_s, u"light"_s},
+        {u"theme"_s, u"light, dark or contrast, for this run; otherwise as set."_s, u"THEME"_s},
         {u"size"_s, u"Size of the window in logical pixels."_s, u"WIDTHxHEIGHT"_s},
-        {u"scale"_s, u"Enlarges everything, 1 to 4."_s, u"FACTOR"_s},
-        {u"language"_s, u"Language of the program; en."_s, u"CODE"_s, u"en"_s},
+        {u"scale"_s, u"Enlarges everything, 1 to 4, for this run; otherwise as set."_s, u"FACTOR"_s},
+        {u"language"_s, u"Language of the window, en or de, for this run; otherwise as set."_s, u"CODE"_s},
         {u"device"_s, u"Gripper to connect to; without it, the one used last, or virtual:."_s, u"ADDRESS"_s},
         {u"library"_s, u"Library file; your own without it."_s, u"FILE"_s},
         {u"examples"_s, u"Adds the four example types to the library."_s},
@@ -59,10 +62,15 @@ Expected<DesktopOptions> parseDesktopOptions(const QStringList& arguments)
         options.answer = parser.helpText().trimmed();
     else if (parser.isSet(u"version"_s))
         options.answer = u"gripscope " GRIPSCOPE_VERSION ""_s;
-    const std::optional<ThemeKind> theme = themeKindFromString(parser.value(u"theme"_s));
-    if (!theme)
-        return usage(u"--theme is %1; it may be light, dark or contrast."_s.arg(parser.value(u"theme"_s)));
-    options.theme = *theme;
+    for (const auto& [name, key, into] : {std::tuple(u"theme"_s, setting::theme, &options.theme),
+                                          std::tuple(u"language"_s, setting::language, &options.language)}) {
+        if (!parser.isSet(name))
+            continue;
+        const Setting* one = findSetting(QString::fromLatin1(key.key));
+        *into = parser.value(name);
+        if (!one->accepted(*into))
+            return usage(u"--%1 is %2; expected %3."_s.arg(name, *into, one->expected()));
+    }
     if (parser.isSet(u"size"_s)) {
         const Expected<QSize> size = parseSize(parser.value(u"size"_s));
         if (!size)
@@ -75,9 +83,6 @@ Expected<DesktopOptions> parseDesktopOptions(const QStringList& arguments)
         if (!number || scale < 1 || scale > 4)
             return usage(u"--scale is %1; it must be a number from 1 to 4."_s.arg(parser.value(u"scale"_s)));
     }
-    options.language = parser.value(u"language"_s);
-    if (options.language != "en"_L1)
-        return usage(u"--language is %1; this version speaks en."_s.arg(options.language));
     options.tourFolder = parser.value(u"tour"_s);
     options.device = parser.value(u"device"_s);
     options.library = parser.value(u"library"_s);
@@ -85,6 +90,14 @@ Expected<DesktopOptions> parseDesktopOptions(const QStringList& arguments)
     if (parser.isSet(u"tour"_s) && options.tourFolder.isEmpty())
         return usage(u"--tour needs a folder."_s);
     return options;
+}
+
+QByteArray scaleFactor(int argc, char** argv, const QString& settingsFile)
+{
+    if (const QByteArray asked = earlyOption(argc, argv, "--scale"); !asked.isEmpty())
+        return asked;
+    const int percent = Settings(settingsFile).get(setting::scale).toInt();
+    return percent == 100 ? QByteArray() : QByteArray::number(percent / 100.0);
 }
 
 QByteArray earlyOption(int argc, char** argv, const char* name)

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/error.h"
-#include "ui/theme/theme.h"
 
 #include <QByteArray>
 #include <QSize>
@@ -13,10 +12,10 @@ namespace gripscope {
 
 /// What the desktop program was asked for on its command line.
 struct DesktopOptions {
-    QString tourFolder;                 ///< --tour DIR: pictures of every page instead of a window
-    ThemeKind theme = ThemeKind::Light; ///< --theme light|dark|contrast
-    QSize size;                         ///< --size 1440x900
-    QString language = QStringLiteral("en");
+    QString tourFolder;    ///< --tour DIR: pictures of every page instead of a window
+    QString theme;         ///< --theme light|dark|contrast; empty: as set
+    QSize size;            ///< --size 1440x900
+    QString language;      ///< --language en|de; empty: as set
     QString device;        ///< --device ADDRESS; empty: the gripper used last
     QString library;       ///< --library FILE; empty: the user's own
     bool examples = false; ///< --examples: adds the example types to the library
@@ -25,6 +24,10 @@ struct DesktopOptions {
 
 /// Usage errors name the option and what it may be.
 [[nodiscard]] Expected<DesktopOptions> parseDesktopOptions(const QStringList& arguments);
+
+/// --scale, or what is set, as a factor; of the command line it may be anything that parseDesktopOptions()
+/// refuses.
+[[nodiscard]] QByteArray scaleFactor(int argc, char** argv, const QString& settingsFile);
 
 /// The value of an option that is needed before the application exists: `--name value` or `--name=value`.
 [[nodiscard]] QByteArray earlyOption(int argc, char** argv, const char* name);

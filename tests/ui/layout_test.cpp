@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
-#include "tests/ui/layout_audit.h"
+#include "tests/ui/layout_walk.h"
 #include "tests/ui/workbench_fixture.h"
 #include "ui/help/about_dialog.h"
 #include "ui/help/manual_window.h"
@@ -8,6 +8,7 @@
 #include "ui/lag_dialog.h"
 #include "ui/pages/enrolled_types_dialog.h"
 #include "ui/profile_dialog.h"
+#include "ui/settings/settings_dialog.h"
 
 using namespace gripscope;
 using namespace gripscope::test;
@@ -18,27 +19,6 @@ using namespace gripscope::test;
 class LayoutTest : public QObject {
     Q_OBJECT
 
-    static void audit(QWidget& top, const QString& state, const std::vector<QSize>& sizes)
-    {
-        const std::pair<ThemeKind, const char*> themes[] = {
-            {ThemeKind::Light, "light"}, {ThemeKind::Dark, "dark"}, {ThemeKind::HighContrast, "contrast"}};
-        QMap<QString, QStringList> where; // by finding, so that each is told once
-        for (const auto& [theme, name] : themes) {
-            Theme::instance().apply(theme);
-            for (const QSize size : sizes) {
-                top.resize(size);
-                QCoreApplication::processEvents();
-                QCoreApplication::processEvents();
-                for (const QString& finding : LayoutAudit::of(top))
-                    where[finding] << QStringLiteral("%1 %2").arg(QLatin1String(name)).arg(size.width());
-            }
-        }
-        Theme::instance().apply(ThemeKind::Light);
-        for (auto finding = where.begin(); finding != where.end(); ++finding)
-            qWarning("%s %s (%s)", qPrintable(state), qPrintable(finding.key()),
-                     qPrintable(finding->join(QStringLiteral(", "))));
-        QVERIFY(where.isEmpty());
-    }
     static std::vector<QSize> windowSizes() { return {{1024, 640}, {1440, 900}, {2048, 1280}}; }
     static void pages()
     {
@@ -57,7 +37,7 @@ private slots:
         f.page(id)->prepareTour();
         QTRY_VERIFY_WITH_TIMEOUT(f.page(id)->tourReady(), 60000);
         f.window->showPage(id);
-        audit(*f.window, QStringLiteral("at work"), windowSizes());
+        QVERIFY(soundInAll(*f.window, QStringLiteral("at work"), windowSizes()));
     }
 
     void anEmptyPage_data() { pages(); }
@@ -66,13 +46,13 @@ private slots:
         QFETCH(QString, id);
         WindowFixture f(false, QString());
         f.window->showPage(id);
-        audit(*f.window, QStringLiteral("empty"), windowSizes());
+        QVERIFY(soundInAll(*f.window, QStringLiteral("empty"), windowSizes()));
     }
 
     void aDialog_data()
     {
         QTest::addColumn<QString>("name");
-        for (const char* name : {"about", "lag", "manual", "profile", "inspector", "types"})
+        for (const char* name : {"about", "lag", "manual", "profile", "inspector", "types", "settings"})
             QTest::newRow(name) << QString::fromLatin1(name);
     }
     void aDialog()
@@ -90,11 +70,13 @@ private slots:
             dialog = new ProfileDialog(*f.bench, f.window.get());
         else if (name == QLatin1String("inspector"))
             dialog = new DeviceInspector(*f.bench, f.window.get());
+        else if (name == QLatin1String("settings"))
+            dialog = new SettingsDialog(*f.bench, f.window.get());
         else
             dialog = new EnrolledTypesDialog(*f.bench, f.window.get());
         dialog->show();
         QTest::qWait(300); // what the dialog asks the library or the gripper for
-        audit(*dialog, name, {dialog->size()});
+        QVERIFY(soundInAll(*dialog, name, {dialog->size()}));
         QVERIFY(dialog->width() <= 1024 && dialog->height() <= 640);
     }
 };

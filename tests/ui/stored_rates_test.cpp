@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
+#include "ui/settings/settings.h"
 #include "ui/stored_rates.h"
 
 #include <QSettings>
@@ -23,10 +24,10 @@ private slots:
         stored.rates.robust = true;
         stored.earlyEnd = false;
         {
-            QSettings settings(folder.filePath(u"rates.ini"_s), QSettings::IniFormat);
+            Settings settings(folder.filePath(u"rates.ini"_s));
             writeRates(settings, stored);
         }
-        const QSettings settings(folder.filePath(u"rates.ini"_s), QSettings::IniFormat);
+        const Settings settings(folder.filePath(u"rates.ini"_s));
         const StoredRates read = readRates(settings);
         QVERIFY(read.rates == stored.rates);
         QCOMPARE(read.earlyEnd, false);
@@ -35,7 +36,7 @@ private slots:
     void nothingStoredIsTheDefault()
     {
         const QTemporaryDir folder;
-        const QSettings settings(folder.filePath(u"none.ini"_s), QSettings::IniFormat);
+        const Settings settings(folder.filePath(u"none.ini"_s));
         QVERIFY(readRates(settings).rates == VerdictOptions{});
         QVERIFY(readRates(settings).earlyEnd);
     }
@@ -43,8 +44,9 @@ private slots:
     void aRateThatIsNoneIsNotTaken()
     {
         const QTemporaryDir folder;
-        QSettings settings(folder.filePath(u"bad.ini"_s), QSettings::IniFormat);
-        settings.setValue(u"rates/falseReject"_s, u"plenty"_s);
+        const QString file = folder.filePath(u"bad.ini"_s);
+        QSettings(file, QSettings::IniFormat).setValue(u"rates/falseReject"_s, u"plenty"_s);
+        const Settings settings(file);
         QVERIFY(readRates(settings).rates == VerdictOptions{});
     }
 };

@@ -39,6 +39,7 @@ AboutDialog::AboutDialog(const QStringList& pageTitles, QWidget* parent) : QDial
     addKey(tr("Space"), tr("Squeeze (pages Inspect and Enroll)"));
     for (qsizetype i = 0; i < pageTitles.size(); ++i)
         addKey(tr("Ctrl+%1").arg(i + 1), tr("Page %1").arg(pageTitles[i]));
+    addKey(tr("Ctrl+,"), tr("Settings"));
     addKey(tr("F1"), tr("The manual, at the page about this screen"));
     addKey(tr("F9"), tr("Inspect the gripper: reports, counters, self-test"));
     keys->setColumnStretch(1, 1);

@@ -82,6 +82,8 @@ EnrollPage::EnrollPage(Workbench& bench, QWidget* parent)
     connect(&bench, &Workbench::inspectionChanged, this, &EnrollPage::refreshNameHint);
     connect(d->squeezes, &EnrollSqueezePanel::changed, this, &EnrollPage::refresh);
     connect(d->review, &EnrollReviewPanel::changed, this, &EnrollPage::refresh);
+    if (bench.enrollment().step() == EnrollSession::Step::Recipe) // begun in a window before this one
+        showRecipe();
     refresh();
 }
 
@@ -227,6 +229,12 @@ void EnrollPage::submitName()
         workbench().report(done.error().describe());
         return;
     }
+    showRecipe();
+    refresh();
+}
+
+void EnrollPage::showRecipe()
+{
     Recipe recipe;
     bool known = false;
     for (const TypeRecord& type : workbench().inspection().types())
@@ -241,7 +249,6 @@ void EnrollPage::submitName()
               : tr("A preload, and on it a push and a release that follow one another at random. The limits "
                    "hold "
                    "for every squeeze of this type."));
-    refresh();
 }
 
 void EnrollPage::submitRecipe()

@@ -32,6 +32,7 @@ private:
     void refresh();
     void refreshNameHint();
     void submitName();
+    void showRecipe(); ///< what the type of the name begins with
     void submitRecipe();
     void focusStep();
     struct Private;

@@ -3,6 +3,7 @@
 
 #include "core/session/squeeze_job.h"
 #include "ui/connection_words.h"
+#include "ui/page_state.h"
 #include "ui/pages/live_channel_card.h"
 #include "ui/pages/live_estimate_card.h"
 #include "ui/pages/live_link_panel.h"
@@ -100,6 +101,8 @@ void LivePage::buildToolbar(QBoxLayout* column)
         button->setCheckable(true);
         button->setChecked(seconds == 10);
         button->setAccessibleName(tr("Show the last %1").arg(text));
+        button->setObjectName(u"span-%1"_s.arg(seconds));
+        rememberChoice(button);
         d->spans->addButton(button, seconds);
         row->addWidget(button);
     }

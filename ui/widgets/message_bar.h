@@ -20,6 +20,7 @@ public:
     void dismiss();                        ///< the one shown; the next takes its place
     void withdraw(const QString& message); ///< it holds no longer; read or not
     [[nodiscard]] QString message() const;
+    [[nodiscard]] const QStringList& messages() const { return m_messages; } ///< newest first
 
 private:
     void refresh();

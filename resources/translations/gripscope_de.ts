@@ -1,0 +1,8395 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en">
+<context>
+    <name>CalibrationWords</name>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Not calibrated here: its own scale is taken.</source>
+        <translation>Hier nicht kalibriert: Es gilt die eigene Skala.</translation>
+    </message>
+    <message>
+        <source>Overdue since %1: measurements are marked as suspect.</source>
+        <translation>Überfällig seit %1: Messungen werden als fraglich markiert.</translation>
+    </message>
+    <message>
+        <source>Holds until %1: calibrate soon.</source>
+        <translation>Gilt bis %1: bald kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Holds until %1.</source>
+        <translation>Gilt bis %1.</translation>
+    </message>
+    <message>
+        <source>p = %1</source>
+        <translation>p = %1</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty (95 %)</source>
+        <translation>Erweiterte Messunsicherheit (95 %)</translation>
+    </message>
+    <message>
+        <source>Linearity</source>
+        <translation>Linearität</translation>
+    </message>
+    <message>
+        <source>Repeatability</source>
+        <translation>Wiederholbarkeit</translation>
+    </message>
+    <message>
+        <source>Reversibility</source>
+        <translation>Umkehrspanne</translation>
+    </message>
+    <message>
+        <source>Zero return</source>
+        <translation>Nullpunktrückkehr</translation>
+    </message>
+    <message>
+        <source>Fit of the curve</source>
+        <translation>Anpassung der Kurve</translation>
+    </message>
+    <message>
+        <source>reading = %1</source>
+        <translation>Anzeige = %1</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>The curve does not follow the points as closely as they repeat: try a higher degree, or look for a point that is wrong.</source>
+        <translation>Die Kurve folgt den Punkten nicht so eng, wie sich diese wiederholen: höheren Grad versuchen oder einen falschen Punkt suchen.</translation>
+    </message>
+</context>
+<context>
+    <name>Error</name>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>%1: the file cannot be read (%2). Check the name and its permissions.</source>
+        <translation>%1: Die Datei lässt sich nicht lesen (%2). Namen und Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+        <source>%1: the file cannot be written (%2). Check the folder, its permissions and the free space.</source>
+        <translation>%1: Die Datei lässt sich nicht schreiben (%2). Ordner, Zugriffsrechte und freien Platz prüfen.</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3</source>
+        <translation>%1: %2; %3</translation>
+    </message>
+    <message>
+        <source>%1 is not supported yet.</source>
+        <translation>%1 wird noch nicht unterstützt.</translation>
+    </message>
+    <message>
+        <source>No gripper answers at %1. %2</source>
+        <translation>Unter %1 antwortet kein Greifer. %2</translation>
+    </message>
+    <message>
+        <source>More than one gripper is connected: %1. Name one of them.</source>
+        <translation>Mehr als ein Greifer ist angeschlossen: %1. Einen davon nennen.</translation>
+    </message>
+    <message>
+        <source>The gripper at %1 may not be opened by this user. %2</source>
+        <translation>Dieser Benutzer darf den Greifer unter %1 nicht öffnen. %2</translation>
+    </message>
+    <message>
+        <source>The gripper at %1 went away (%2). Check the cable, then connect again.</source>
+        <translation>Der Greifer unter %1 ist weg (%2). Kabel prüfen, dann neu verbinden.</translation>
+    </message>
+    <message>
+        <source>The gripper refused to %1: %2.</source>
+        <translation>Der Greifer lehnt ab (%1): %2.</translation>
+    </message>
+    <message>
+        <source>The gripper did not %1 within %2 s. Check the cable, then try again.</source>
+        <translation>Der Greifer hat nicht innerhalb von %2 s reagiert (%1). Kabel prüfen, dann noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 is above the limit of %3 (%4). Nothing was moved; choose less.</source>
+        <translation>%1 von %2 liegt über der Grenze von %3 (%4). Nichts wurde bewegt; kleiner wählen.</translation>
+    </message>
+    <message>
+        <source>The gripper is not armed, so it did not %1. Arm it first.</source>
+        <translation>Der Greifer ist nicht scharf und tut daher nichts (%1). Erst scharf schalten.</translation>
+    </message>
+    <message>
+        <source>The library %1 cannot be opened (%2).</source>
+        <translation>Die Bibliothek %1 lässt sich nicht öffnen (%2).</translation>
+    </message>
+    <message>
+        <source>The library could not %1 (%2). Nothing of it was stored.</source>
+        <translation>Die Bibliothek konnte dies nicht: %1 (%2). Nichts davon wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>The library %1 has version %2; this program knows up to %3. Use a newer program; the library was not changed.</source>
+        <translation>Die Bibliothek %1 hat Version %2; dieses Programm kennt bis zu %3. Ein neueres Programm verwenden; die Bibliothek wurde nicht verändert.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged in the library (%2). Restore it from a copy.</source>
+        <translation>In der Bibliothek ist etwas beschädigt: %1 (%2). Aus einer Kopie wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>There is no %1.</source>
+        <translation>Nicht vorhanden: %1.</translation>
+    </message>
+    <message>
+        <source>The units are %1, but %2 are needed. Name the units of the channels, or use another library.</source>
+        <translation>Die Einheiten sind %1, nötig sind aber %2. Die Einheiten der Kanäle angeben oder eine andere Bibliothek verwenden.</translation>
+    </message>
+    <message>
+        <source>%1 was cancelled.</source>
+        <translation>Abgebrochen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>Words</name>
+    <message>
+        <source>calibration points</source>
+        <translation>Kalibrierpunkte</translation>
+    </message>
+    <message>
+        <source>expected a degree from 1 to %1</source>
+        <translation>erwartet: ein Grad von 1 bis %1</translation>
+    </message>
+    <message>
+        <source>found a number that is not finite</source>
+        <translation>gefunden: eine Zahl, die nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>expected finite loads and readings</source>
+        <translation>erwartet: endliche Lasten und Anzeigen</translation>
+    </message>
+    <message>
+        <source>found %1 points at %2 different loads</source>
+        <translation>gefunden: %1 Punkte bei %2 verschiedenen Lasten</translation>
+    </message>
+    <message>
+        <source>degree %1 needs at least %2 points at %3 loads</source>
+        <translation>Grad %1 braucht mindestens %2 Punkte bei %3 Lasten</translation>
+    </message>
+    <message>
+        <source>found loads from %1 to %2</source>
+        <translation>gefunden: Lasten von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>expected a range that is a number</source>
+        <translation>erwartet: ein Bereich, der eine Zahl ist</translation>
+    </message>
+    <message>
+        <source>the numbers are too large or too small</source>
+        <translation>die Zahlen sind zu groß oder zu klein</translation>
+    </message>
+    <message>
+        <source>choose other units</source>
+        <translation>andere Einheiten wählen</translation>
+    </message>
+    <message>
+        <source>the curve does not only rise or only fall between the least and the largest load</source>
+        <translation>die Kurve steigt oder fällt zwischen kleinster und größter Last nicht durchgehend</translation>
+    </message>
+    <message>
+        <source>a reading would belong to two loads: choose a lower degree or look at the points</source>
+        <translation>eine Anzeige gehörte zu zwei Lasten: kleineren Grad wählen oder die Punkte ansehen</translation>
+    </message>
+    <message>
+        <source>taken %1 against %2, holds until %3</source>
+        <translation>aufgenommen am %1 gegen %2, gilt bis %3</translation>
+    </message>
+    <message>
+        <source>The degree of the curve is %1; it may be 1 to %2.</source>
+        <translation>Der Grad der Kurve ist %1; erlaubt sind 1 bis %2.</translation>
+    </message>
+    <message>
+        <source>The loads must be different numbers, the least first.</source>
+        <translation>Die Lasten müssen verschiedene Zahlen sein, die kleinste zuerst.</translation>
+    </message>
+    <message>
+        <source>A curve of degree %1 needs at least %2 loads; there are %3.</source>
+        <translation>Eine Kurve vom Grad %1 braucht mindestens %2 Lasten; es sind %3.</translation>
+    </message>
+    <message>
+        <source>There are %1 runs; there may be 1 to %2.</source>
+        <translation>Es sind %1 Durchgänge; erlaubt sind 1 bis %2.</translation>
+    </message>
+    <message>
+        <source>A curve of degree %1 needs at least %2 points: go down again, or add a run.</source>
+        <translation>Eine Kurve vom Grad %1 braucht mindestens %2 Punkte: auch abwärts messen oder einen Durchgang hinzufügen.</translation>
+    </message>
+    <message>
+        <source>A reading is averaged over %1 s; more than 0 and at most %2 s make sense.</source>
+        <translation>Eine Anzeige wird über %1 s gemittelt; sinnvoll sind mehr als 0 und höchstens %2 s.</translation>
+    </message>
+    <message>
+        <source>the reference</source>
+        <translation>die Referenz</translation>
+    </message>
+    <message>
+        <source>found an uncertainty of %1</source>
+        <translation>gefunden: eine Unsicherheit von %1</translation>
+    </message>
+    <message>
+        <source>expected zero or more, as its certificate states it</source>
+        <translation>erwartet: null oder mehr, wie im Zertifikat angegeben</translation>
+    </message>
+    <message>
+        <source>the curve is nearly level at a load of %1</source>
+        <translation>die Kurve ist bei einer Last von %1 fast eben</translation>
+    </message>
+    <message>
+        <source>loads cannot be told there: choose a lower degree or look at the points</source>
+        <translation>Lasten sind dort nicht zu unterscheiden: kleineren Grad wählen oder die Punkte ansehen</translation>
+    </message>
+    <message>
+        <source>noise on the position biases m, b and k of an ARX model heavily while its fit still looks good: compare oe</source>
+        <translation>Rauschen des Wegs verfälscht m, b und k eines ARX-Modells stark, während sein Fit noch gut aussieht: mit oe vergleichen</translation>
+    </message>
+    <message>
+        <source>the coefficients belong to no object with m, b, k &gt; 0; noise on the position does that</source>
+        <translation>die Koeffizienten gehören zu keinem Objekt mit m, b, k &gt; 0; das kommt vom Rauschen des Wegs</translation>
+    </message>
+    <message>
+        <source>there are fewer samples than the model has coefficients; record for longer</source>
+        <translation>weniger Abtastwerte, als das Modell Koeffizienten hat; länger aufnehmen</translation>
+    </message>
+    <message>
+        <source>force and position do not determine the coefficients; squeeze with a force that varies</source>
+        <translation>Kraft und Weg bestimmen die Koeffizienten nicht; mit veränderlicher Kraft drücken</translation>
+    </message>
+    <message>
+        <source>the coefficients are outside the range of numbers</source>
+        <translation>die Koeffizienten liegen außerhalb des Zahlenbereichs</translation>
+    </message>
+    <message>
+        <source>the lag between the channels is known to %1 us</source>
+        <translation>der Zeitversatz der Kanäle ist auf %1 µs bekannt</translation>
+    </message>
+    <message>
+        <source>the compliance of frame and fingers is known to %1 % of the object&apos;s</source>
+        <translation>die Nachgiebigkeit von Gestell und Fingern ist auf %1 % derjenigen des Objekts bekannt</translation>
+    </message>
+    <message>
+        <source>the residuals ask for %1: m would be %2 % away</source>
+        <translation>die Residuen sprechen für %1: m läge %2 % daneben</translation>
+    </message>
+    <message>
+        <source>it is not certain how the force is held between samples: the other way m would be %1 % away</source>
+        <translation>es ist nicht sicher, wie die Kraft zwischen den Abtastwerten verläuft: andersherum läge m %1 % daneben</translation>
+    </message>
+    <message>
+        <source>the scales of force and position are known to %1 % and %2 %</source>
+        <translation>die Skalen von Kraft und Weg sind auf %1 % und %2 % bekannt</translation>
+    </message>
+    <message>
+        <source>the empty gripper&apos;s own m, b and k, which were taken off</source>
+        <translation>m, b und k des leeren Greifers, die abgezogen wurden</translation>
+    </message>
+    <message>
+        <source>the residuals ask for %1</source>
+        <translation>die Residuen sprechen für %1</translation>
+    </message>
+    <message>
+        <source>the force explains a part of the residuals that the model does not have</source>
+        <translation>die Kraft erklärt einen Teil der Residuen, den das Modell nicht hat</translation>
+    </message>
+    <message>
+        <source>this record does not determine the %1: its standard uncertainty is %2 % of its value</source>
+        <translation>diese Aufnahme bestimmt die Größe nicht (%1): Ihre Standardunsicherheit ist %2 % ihres Werts</translation>
+    </message>
+    <message>
+        <source>at least %1 Hz: this record does not tell the mass from zero</source>
+        <translation>mindestens %1 Hz: Diese Aufnahme unterscheidet die Masse nicht von null</translation>
+    </message>
+    <message>
+        <source>natural frequency</source>
+        <translation>Eigenfrequenz</translation>
+    </message>
+    <message>
+        <source>damping ratio</source>
+        <translation>Dämpfungsgrad</translation>
+    </message>
+    <message>
+        <source>time constant</source>
+        <translation>Zeitkonstante</translation>
+    </message>
+    <message>
+        <source>the damping is critical within its uncertainty, so that two time constants cannot be told apart</source>
+        <translation>die Dämpfung ist innerhalb ihrer Unsicherheit kritisch, sodass zwei Zeitkonstanten nicht zu trennen sind</translation>
+    </message>
+    <message>
+        <source>damped frequency</source>
+        <translation>gedämpfte Frequenz</translation>
+    </message>
+    <message>
+        <source>decay time</source>
+        <translation>Abklingzeit</translation>
+    </message>
+    <message>
+        <source>slow time constant</source>
+        <translation>langsame Zeitkonstante</translation>
+    </message>
+    <message>
+        <source>fast time constant</source>
+        <translation>schnelle Zeitkonstante</translation>
+    </message>
+    <message>
+        <source>squeeze with faster changes of force, or sample faster</source>
+        <translation>mit schnelleren Kraftänderungen drücken oder schneller abtasten</translation>
+    </message>
+    <message>
+        <source>squeeze for longer, or with more force</source>
+        <translation>länger oder mit mehr Kraft drücken</translation>
+    </message>
+    <message>
+        <source>squeeze for longer, or with slower changes of force</source>
+        <translation>länger oder mit langsameren Kraftänderungen drücken</translation>
+    </message>
+    <message>
+        <source>%1 is at most %2 %3: this record does not tell it from zero; %4</source>
+        <translation>%1 beträgt höchstens %2 %3: Diese Aufnahme unterscheidet sie nicht von null; %4</translation>
+    </message>
+    <message>
+        <source>the mass cannot be told from zero beside a cubic spring; excite faster, or sample faster</source>
+        <translation>die Masse ist neben einer kubischen Feder nicht von null zu unterscheiden; schneller anregen oder schneller abtasten</translation>
+    </message>
+    <message>
+        <source>the damping cannot be told from zero beside a cubic spring; squeeze longer or with more force</source>
+        <translation>die Dämpfung ist neben einer kubischen Feder nicht von null zu unterscheiden; länger oder mit mehr Kraft drücken</translation>
+    </message>
+    <message>
+        <source>the linear stiffness cannot be told from zero beside a cubic spring; squeeze longer, and gently as well as hard</source>
+        <translation>die lineare Steifigkeit ist neben einer kubischen Feder nicht von null zu unterscheiden; länger drücken, sacht ebenso wie kräftig</translation>
+    </message>
+    <message>
+        <source>no finite mass explains the position; check the grip and the sensor</source>
+        <translation>keine endliche Masse erklärt den Weg; Griff und Sensor prüfen</translation>
+    </message>
+    <message>
+        <source>no finite damping explains the position; check the grip and the sensor</source>
+        <translation>keine endliche Dämpfung erklärt den Weg; Griff und Sensor prüfen</translation>
+    </message>
+    <message>
+        <source>no finite stiffness explains the position; check the grip and the sensor</source>
+        <translation>keine endliche Steifigkeit erklärt den Weg; Griff und Sensor prüfen</translation>
+    </message>
+    <message>
+        <source>the lag between the channels leaves too few samples</source>
+        <translation>der Zeitversatz der Kanäle lässt zu wenige Abtastwerte übrig</translation>
+    </message>
+    <message>
+        <source>a constant force does not determine m, b, k and k3 together with a free start; squeeze with a force that varies, for instance a pseudo-random binary sequence</source>
+        <translation>eine konstante Kraft bestimmt m, b, k und k3 nicht zusammen mit einem freien Anfang; mit veränderlicher Kraft drücken, etwa mit einer pseudozufälligen Binärfolge</translation>
+    </message>
+    <message>
+        <source>m, b, k, k3 or their errors are outside the range of numbers</source>
+        <translation>m, b, k, k3 oder ihre Fehler liegen außerhalb des Zahlenbereichs</translation>
+    </message>
+    <message>
+        <source>converged</source>
+        <translation>konvergiert</translation>
+    </message>
+    <message>
+        <source>the search did not settle</source>
+        <translation>die Suche kam nicht zur Ruhe</translation>
+    </message>
+    <message>
+        <source>the cubic spring needs an unbroken record; choose a window without lost samples</source>
+        <translation>die kubische Feder braucht eine lückenlose Aufnahme; ein Fenster ohne verlorene Abtastwerte wählen</translation>
+    </message>
+    <message>
+        <source>force and position have different lengths</source>
+        <translation>Kraft und Weg sind verschieden lang</translation>
+    </message>
+    <message>
+        <source>there are fewer samples than the cubic spring has unknowns; record for longer</source>
+        <translation>weniger Abtastwerte, als die kubische Feder Unbekannte hat; länger aufnehmen</translation>
+    </message>
+    <message>
+        <source>this force does not determine m, b, k and k3; squeeze with a richer one</source>
+        <translation>diese Kraft bestimmt m, b, k und k3 nicht; mit einer reicheren drücken</translation>
+    </message>
+    <message>
+        <source>the mass cannot be told from zero; excite faster, or sample faster</source>
+        <translation>die Masse ist nicht von null zu unterscheiden; schneller anregen oder schneller abtasten</translation>
+    </message>
+    <message>
+        <source>the damping cannot be told from zero; squeeze longer or with more force</source>
+        <translation>die Dämpfung ist nicht von null zu unterscheiden; länger oder mit mehr Kraft drücken</translation>
+    </message>
+    <message>
+        <source>the stiffness cannot be told from zero; squeeze longer</source>
+        <translation>die Steifigkeit ist nicht von null zu unterscheiden; länger drücken</translation>
+    </message>
+    <message>
+        <source>a constant force does not determine m, b and k together with a free start and offset; squeeze with a force that varies, for instance a pseudo-random binary sequence</source>
+        <translation>eine konstante Kraft bestimmt m, b und k nicht zusammen mit freiem Anfang und Nullpunkt; mit veränderlicher Kraft drücken, etwa mit einer pseudozufälligen Binärfolge</translation>
+    </message>
+    <message>
+        <source>the position does not change; check that the fingers hold the object and that the sensor works</source>
+        <translation>der Weg ändert sich nicht; prüfen, ob die Finger das Objekt halten und der Sensor arbeitet</translation>
+    </message>
+    <message>
+        <source>the position does not answer the force; check the grip and which column is which</source>
+        <translation>der Weg antwortet nicht auf die Kraft; den Griff prüfen und welche Spalte welche ist</translation>
+    </message>
+    <message>
+        <source>the sample time or the lag is not a usable number</source>
+        <translation>Abtastzeit oder Zeitversatz ist keine brauchbare Zahl</translation>
+    </message>
+    <message>
+        <source>the recording holds values that are not finite</source>
+        <translation>die Aufnahme enthält Werte, die nicht endlich sind</translation>
+    </message>
+    <message>
+        <source>the squeeze is not told from the empty gripper: with its m, b and k taken off, not all that is left is above zero. Check that the part was between the fingers, and measure the empty gripper again</source>
+        <translation>der Druckversuch ist vom leeren Greifer nicht zu unterscheiden: Ohne dessen m, b und k ist nicht alles Übrige größer als null. Prüfen, ob das Teil zwischen den Fingern war, und den leeren Greifer neu messen</translation>
+    </message>
+    <message>
+        <source>m, b or k is outside the range of numbers</source>
+        <translation>m, b oder k liegt außerhalb des Zahlenbereichs</translation>
+    </message>
+    <message>
+        <source>the iteration did not settle</source>
+        <translation>die Iteration kam nicht zur Ruhe</translation>
+    </message>
+    <message>
+        <source>instrumental variables need an unbroken record; choose a window without lost samples</source>
+        <translation>Hilfsvariablen brauchen eine lückenlose Aufnahme; ein Fenster ohne verlorene Abtastwerte wählen</translation>
+    </message>
+    <message>
+        <source>there are fewer samples than there are unknowns; record for longer</source>
+        <translation>weniger Abtastwerte als Unbekannte; länger aufnehmen</translation>
+    </message>
+    <message>
+        <source>this force does not determine m, b and k; squeeze with a richer one</source>
+        <translation>diese Kraft bestimmt m, b und k nicht; mit einer reicheren drücken</translation>
+    </message>
+    <message>
+        <source>%1 us, known to %2 us</source>
+        <translation>%1 µs, bekannt auf %2 µs</translation>
+    </message>
+    <message>
+        <source>a lag of %1; but the other force hold with another lag does as well. Name the hold.</source>
+        <translation>ein Zeitversatz von %1; der andere Kraftverlauf mit anderem Zeitversatz passt aber ebenso gut. Den Kraftverlauf angeben.</translation>
+    </message>
+    <message>
+        <source>a lag of %1: too little to tell it from none. Measure it on more squeezes, or on a stiffer object with less noise.</source>
+        <translation>ein Zeitversatz von %1: zu wenig, um ihn von keinem zu unterscheiden. An mehr Druckversuchen messen oder an einem steiferen Objekt mit weniger Rauschen.</translation>
+    </message>
+    <message>
+        <source>the position channel samples later than the force channel by %1</source>
+        <translation>der Wegkanal tastet später ab als der Kraftkanal, um %1</translation>
+    </message>
+    <message>
+        <source>the data or the options hold numbers that can&apos;t be used</source>
+        <translation>die Daten oder Optionen enthalten unbrauchbare Zahlen</translation>
+    </message>
+    <message>
+        <source>no m, b and k could be found, so there is nothing to measure the lag against</source>
+        <translation>m, b und k waren nicht zu finden, also gibt es nichts, woran der Zeitversatz zu messen wäre</translation>
+    </message>
+    <message>
+        <source>the best lag, %1 us, lies at the end of what was searched: the object is no mass, spring and damper at this force, or the lag is much larger than expected</source>
+        <translation>der beste Zeitversatz, %1 µs, liegt am Rand des Gesuchten: Das Objekt ist bei dieser Kraft nicht Masse, Feder und Dämpfer, oder der Zeitversatz ist viel größer als erwartet</translation>
+    </message>
+    <message>
+        <source>none of the squeezes tells the lag</source>
+        <translation>keiner der Druckversuche verrät den Zeitversatz</translation>
+    </message>
+    <message>
+        <source>a further delay between force and position</source>
+        <translation>eine weitere Verzögerung zwischen Kraft und Weg</translation>
+    </message>
+    <message>
+        <source>mass, spring and damper</source>
+        <translation>Masse, Feder und Dämpfer</translation>
+    </message>
+    <message>
+        <source>a stiffening spring</source>
+        <translation>eine versteifende Feder</translation>
+    </message>
+    <message>
+        <source>a softening spring</source>
+        <translation>eine erweichende Feder</translation>
+    </message>
+    <message>
+        <source>no offset of the position</source>
+        <translation>kein Nullpunktversatz des Wegs</translation>
+    </message>
+    <message>
+        <source>an offset of the position</source>
+        <translation>ein Nullpunktversatz des Wegs</translation>
+    </message>
+    <message>
+        <source>a force that is held from sample to sample</source>
+        <translation>eine von Abtastwert zu Abtastwert gehaltene Kraft</translation>
+    </message>
+    <message>
+        <source>a force that runs straight from sample to sample</source>
+        <translation>eine von Abtastwert zu Abtastwert gerade verlaufende Kraft</translation>
+    </message>
+    <message>
+        <source>a force that is smooth between its samples</source>
+        <translation>eine zwischen den Abtastwerten glatte Kraft</translation>
+    </message>
+    <message>
+        <source>The linear model is enough.</source>
+        <translation>Das lineare Modell genügt.</translation>
+    </message>
+    <message>
+        <source>%1 explains this squeeze better, but m, b and k stay within their errors: the linear model is enough.</source>
+        <translation>%1 erklärt diesen Druckversuch besser, aber m, b und k bleiben innerhalb ihrer Fehler: Das lineare Modell genügt.</translation>
+    </message>
+    <message>
+        <source>%1 explains this squeeze better.</source>
+        <translation>%1 erklärt diesen Druckversuch besser.</translation>
+    </message>
+    <message>
+        <source>too few parts determine m, b and k well enough to be compared</source>
+        <translation>zu wenige Abschnitte bestimmen m, b und k gut genug für einen Vergleich</translation>
+    </message>
+    <message>
+        <source>%1 parts agree on m, b and k within their noise</source>
+        <translation>%1 Abschnitte stimmen in m, b und k innerhalb ihres Rauschens überein</translation>
+    </message>
+    <message>
+        <source>%1 parts disagree beyond their noise by %2 % in m, %3 % in b and %4 % in k</source>
+        <translation>%1 Abschnitte weichen über ihr Rauschen hinaus ab, um %2 % in m, %3 % in b und %4 % in k</translation>
+    </message>
+    <message>
+        <source>there is no estimate whose parts could be compared</source>
+        <translation>keine Schätzung, deren Abschnitte sich vergleichen ließen</translation>
+    </message>
+    <message>
+        <source>the record is too short to compare parts of it; squeeze longer</source>
+        <translation>die Aufnahme ist zu kurz, um Abschnitte zu vergleichen; länger drücken</translation>
+    </message>
+    <message>
+        <source>a spring that stiffens or softens with travel</source>
+        <translation>eine Feder, die mit dem Weg versteift oder erweicht</translation>
+    </message>
+    <message>
+        <source>a spring that differs between both directions</source>
+        <translation>eine Feder, die in beiden Richtungen verschieden ist</translation>
+    </message>
+    <message>
+        <source>damping that grows with speed</source>
+        <translation>Dämpfung, die mit der Geschwindigkeit wächst</translation>
+    </message>
+    <message>
+        <source>dry friction</source>
+        <translation>trockene Reibung</translation>
+    </message>
+    <message>
+        <source>a force that is smooth between the samples, not a straight line</source>
+        <translation>eine zwischen den Abtastwerten glatte Kraft, keine Gerade</translation>
+    </message>
+    <message>
+        <source>noise of position and force, correlated over time (an autoregressive model of order %1)</source>
+        <translation>Rauschen von Weg und Kraft, zeitlich korreliert (autoregressives Modell der Ordnung %1)</translation>
+    </message>
+    <message>
+        <source>white noise of the position</source>
+        <translation>weißes Rauschen des Wegs</translation>
+    </message>
+    <message>
+        <source>white noise of the force, as stated or measured before the squeeze</source>
+        <translation>weißes Rauschen der Kraft, wie angegeben oder vor dem Druckversuch gemessen</translation>
+    </message>
+    <message>
+        <source>there are fewer samples than output error has unknowns; record for longer</source>
+        <translation>weniger Abtastwerte, als das Ausgangsfehlermodell Unbekannte hat; länger aufnehmen</translation>
+    </message>
+    <message>
+        <source>more than half of the samples are lost; check the connection and record again</source>
+        <translation>mehr als die Hälfte der Abtastwerte ging verloren; die Verbindung prüfen und neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>converged on %1 periods of %2 samples</source>
+        <translation>konvergiert mit %1 Perioden von %2 Abtastwerten</translation>
+    </message>
+    <message>
+        <source>; the misfit is larger than the noise between periods explains, and the errors were enlarged to match</source>
+        <translation>; der Modellfehler ist größer, als das Rauschen zwischen den Perioden erklärt, die Fehler wurden entsprechend vergrößert</translation>
+    </message>
+    <message>
+        <source>; harmonics that the force does not have show a nonlinear answer of %1 %</source>
+        <translation>; Oberschwingungen, die die Kraft nicht hat, zeigen eine nichtlineare Antwort von %1 %</translation>
+    </message>
+    <message>
+        <source>the force does not repeat four times or more without lost samples; record a periodic excitation, such as inverse-repeat, over at least four periods</source>
+        <translation>die Kraft wiederholt sich nicht mindestens viermal ohne verlorene Abtastwerte; eine periodische Anregung wie inverse-repeat über mindestens vier Perioden aufnehmen</translation>
+    </message>
+    <message>
+        <source>there are %1 periods without lost samples, and four are needed; record more periods</source>
+        <translation>es gibt %1 Perioden ohne verlorene Abtastwerte, nötig sind vier; mehr Perioden aufnehmen</translation>
+    </message>
+    <message>
+        <source>the force does not repeat after %1 samples over four periods; record a periodic excitation, such as inverse-repeat</source>
+        <translation>die Kraft wiederholt sich nicht nach %1 Abtastwerten über vier Perioden; eine periodische Anregung wie inverse-repeat aufnehmen</translation>
+    </message>
+    <message>
+        <source>the search did not settle; record more periods or a stronger excitation</source>
+        <translation>die Suche kam nicht zur Ruhe; mehr Perioden oder eine stärkere Anregung aufnehmen</translation>
+    </message>
+    <message>
+        <source>the lag between the channels leaves too few periods</source>
+        <translation>der Zeitversatz der Kanäle lässt zu wenige Perioden übrig</translation>
+    </message>
+    <message>
+        <source>the repeating force has too few frequencies to determine m, b and k; squeeze with a richer one</source>
+        <translation>die wiederholte Kraft hat zu wenige Frequenzen, um m, b und k zu bestimmen; mit einer reicheren drücken</translation>
+    </message>
+    <message>
+        <source>there is no estimate with a covariance to start from</source>
+        <translation>keine Schätzung mit Kovarianz, von der auszugehen wäre</translation>
+    </message>
+    <message>
+        <source>what the lag and the frame&apos;s compliance do could not be computed</source>
+        <translation>die Wirkung von Zeitversatz und Nachgiebigkeit des Gestells ließ sich nicht berechnen</translation>
+    </message>
+    <message>
+        <source>: to explain it best, %1 would have to change</source>
+        <translation>: Für die beste Erklärung müsste sich ändern: %1</translation>
+    </message>
+    <message>
+        <source>the misfit is no larger than noise and the errors of m, b and k explain</source>
+        <translation>der Modellfehler ist nicht größer, als Rauschen und die Fehler von m, b und k erklären</translation>
+    </message>
+    <message>
+        <source>, though it is not white: slow noise, or a term that is missing here and there alike</source>
+        <translation>, er ist allerdings nicht weiß: langsames Rauschen oder ein Anteil, der hier wie dort fehlt</translation>
+    </message>
+    <message>
+        <source>the model misses by more than noise and the errors of m, b and k explain</source>
+        <translation>das Modell liegt weiter daneben, als Rauschen und die Fehler von m, b und k erklären</translation>
+    </message>
+    <message>
+        <source>m, b and k hold here too, but the residuals still follow the force: the object does something that the model does not</source>
+        <translation>m, b und k gelten auch hier, aber die Residuen folgen noch der Kraft: Das Objekt tut etwas, was das Modell nicht tut</translation>
+    </message>
+    <message>
+        <source>this record does not tell m, b and k, so that the misfit could not be judged</source>
+        <translation>diese Aufnahme verrät m, b und k nicht, sodass der Modellfehler nicht zu beurteilen war</translation>
+    </message>
+    <message>
+        <source>the noise of this record could not be told from the misfit</source>
+        <translation>das Rauschen dieser Aufnahme war nicht vom Modellfehler zu trennen</translation>
+    </message>
+    <message>
+        <source>there is no estimate to hold against this record</source>
+        <translation>keine Schätzung, die an dieser Aufnahme zu prüfen wäre</translation>
+    </message>
+    <message>
+        <source>too few samples without a loss to hold a model against</source>
+        <translation>zu wenige Abtastwerte ohne Verlust, um ein Modell daran zu prüfen</translation>
+    </message>
+    <message>
+        <source>with these parameters the motion leaves all bounds here</source>
+        <translation>mit diesen Parametern verlässt die Bewegung hier alle Grenzen</translation>
+    </message>
+    <message>
+        <source>the model explains this record to the last digit</source>
+        <translation>das Modell erklärt diese Aufnahme bis zur letzten Stelle</translation>
+    </message>
+    <message>
+        <source>not judged: the estimate is for a force that answers to the position, which a simulation from the measured force cannot judge</source>
+        <translation>nicht beurteilt: Die Schätzung gilt für eine Kraft, die auf den Weg antwortet; eine Simulation aus der gemessenen Kraft kann das nicht beurteilen</translation>
+    </message>
+    <message>
+        <source>not judged: the estimate has no errors to compare the misfit with</source>
+        <translation>nicht beurteilt: Die Schätzung hat keine Fehler, mit denen der Modellfehler zu vergleichen wäre</translation>
+    </message>
+    <message>
+        <source>fewer than %1 samples are too few to estimate on one part and check on the other; validate with another squeeze</source>
+        <translation>weniger als %1 Abtastwerte sind zu wenige, um an einem Teil zu schätzen und am anderen zu prüfen; mit einem anderen Druckversuch validieren</translation>
+    </message>
+    <message>
+        <source>the first 60 % of the record alone do not give m, b and k; validate with another squeeze</source>
+        <translation>die ersten 60 % der Aufnahme allein ergeben m, b und k nicht; mit einem anderen Druckversuch validieren</translation>
+    </message>
+    <message>
+        <source>the other recording is in %1 and %2, which cannot be compared with %3 and %4</source>
+        <translation>die andere Aufnahme hat die Einheiten %1 und %2, die mit %3 und %4 nicht zu vergleichen sind</translation>
+    </message>
+    <message>
+        <source>the other recording cannot be used: its channels differ in length or hold values that are no numbers</source>
+        <translation>die andere Aufnahme ist nicht brauchbar: Ihre Kanäle sind verschieden lang oder enthalten Werte, die keine Zahlen sind</translation>
+    </message>
+    <message>
+        <source>%1 samples are missing in %2 places</source>
+        <translation>%1 Abtastwerte fehlen an %2 Stellen</translation>
+    </message>
+    <message>
+        <source>, too much of the squeeze. Check the cable and the load of the computer, then squeeze again.</source>
+        <translation>, zu viel vom Druckversuch. Kabel und Auslastung des Rechners prüfen, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>. The estimate (%1) is of the longest stretch without any, %2 of %3 samples; oe uses all. Check the cable and the load of the computer.</source>
+        <translation>. Die Schätzung (%1) stammt vom längsten Stück ohne Lücke, %2 von %3 Abtastwerten; oe nutzt alle. Kabel und Auslastung des Rechners prüfen.</translation>
+    </message>
+    <message>
+        <source>. Their forces count as unknown, which the errors include. Check the cable and the load of the computer.</source>
+        <translation>. Ihre Kräfte gelten als unbekannt, was die Fehler berücksichtigen. Kabel und Auslastung des Rechners prüfen.</translation>
+    </message>
+    <message>
+        <source>the gripper&apos;s clock jumped %1 times during the squeeze, so how long things took is in doubt. Squeeze again; where it happens again, check the gripper&apos;s power supply and firmware.</source>
+        <translation>die Uhr des Greifers sprang während des Druckversuchs %1-mal, sodass Zeiten zweifelhaft sind. Erneut drücken; bei Wiederholung Stromversorgung und Firmware des Greifers prüfen.</translation>
+    </message>
+    <message>
+        <source>the gripper fell silent %1 times during the squeeze, for up to %2 s. Check its cable and hub, then squeeze again.</source>
+        <translation>der Greifer verstummte während des Druckversuchs %1-mal, bis zu %L2 s lang. Kabel und Hub prüfen, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>no sample is missing, though</source>
+        <translation>kein Abtastwert fehlt, aber</translation>
+    </message>
+    <message>
+        <source>no sample is missing</source>
+        <translation>kein Abtastwert fehlt</translation>
+    </message>
+    <message>
+        <source>no sample is marked as saturated</source>
+        <translation>kein Abtastwert ist als übersteuert markiert</translation>
+    </message>
+    <message>
+        <source>%1 samples are at the end of a sensor&apos;s range. Squeeze with less force.</source>
+        <translation>%1 Abtastwerte liegen am Ende des Messbereichs. Mit weniger Kraft drücken.</translation>
+    </message>
+    <message>
+        <source>nothing in the recording was beyond mending</source>
+        <translation>nichts in der Aufnahme war unheilbar</translation>
+    </message>
+    <message>
+        <source>not judged without an estimate</source>
+        <translation>ohne Schätzung nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>the force moves the object enough to tell m and k</source>
+        <translation>die Kraft bewegt das Objekt genug, um m und k zu bestimmen</translation>
+    </message>
+    <message>
+        <source>the %1 is known to %2 % only. Squeeze longer or with a force that varies %3.</source>
+        <translation>die %1 ist nur auf %L2 % bekannt. Länger drücken oder mit einer Kraft, die sich %3 ändert.</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>faster</source>
+        <translation>schneller</translation>
+    </message>
+    <message>
+        <source>more slowly</source>
+        <translation>langsamer</translation>
+    </message>
+    <message>
+        <source>not judged: there is nothing to test</source>
+        <translation>nicht beurteilt: Es gibt nichts zu prüfen</translation>
+    </message>
+    <message>
+        <source>; too little to matter</source>
+        <translation>; zu wenig, um ins Gewicht zu fallen</translation>
+    </message>
+    <message>
+        <source>; counted in the errors, which are up to %1 times as large</source>
+        <translation>; in den Fehlern berücksichtigt, die bis zu %L1-mal so groß sind</translation>
+    </message>
+    <message>
+        <source>the force is measured with noise of %1 (standard deviation)</source>
+        <translation>die Kraft wird mit einem Rauschen von %L1 gemessen (Standardabweichung)</translation>
+    </message>
+    <message>
+        <source>the residuals are not white: a noise model of order %1 describes them</source>
+        <translation>die Residuen sind nicht weiß: Ein Rauschmodell der Ordnung %1 beschreibt sie</translation>
+    </message>
+    <message>
+        <source>the residuals look like white noise</source>
+        <translation>die Residuen sehen aus wie weißes Rauschen</translation>
+    </message>
+    <message>
+        <source>the residuals are not white%1: something besides sensor noise is in the position, and the errors shown are too small. Check for a loose grip, vibration and drift</source>
+        <translation>die Residuen sind nicht weiß%1: Im Weg steckt mehr als Sensorrauschen, und die gezeigten Fehler sind zu klein. Auf lockeren Griff, Erschütterungen und Drift prüfen</translation>
+    </message>
+    <message>
+        <source>, and no noise model describes them</source>
+        <translation>, und kein Rauschmodell beschreibt sie</translation>
+    </message>
+    <message>
+        <source>the residuals do not depend on the force</source>
+        <translation>die Residuen hängen nicht von der Kraft ab</translation>
+    </message>
+    <message>
+        <source>the residuals depend on the force: the object is not just a mass, a spring and a damper at this force, or the hold or the lag is wrong. Check these, and compare with duffing</source>
+        <translation>die Residuen hängen von der Kraft ab: Das Objekt ist bei dieser Kraft nicht nur Masse, Feder und Dämpfer, oder Kraftverlauf oder Zeitversatz ist falsch. Diese prüfen und mit duffing vergleichen</translation>
+    </message>
+    <message>
+        <source>the spring is straight at this force</source>
+        <translation>die Feder ist bei dieser Kraft gerade</translation>
+    </message>
+    <message>
+        <source>the spring is not straight: with a curved one m, b or k moves by up to %1 %, %2 standard errors. Use duffing, or squeeze with a smaller peak</source>
+        <translation>die Feder ist nicht gerade: Mit einer gekrümmten verschiebt sich m, b oder k um bis zu %L1 %, %L2 Standardfehler. Duffing verwenden oder mit kleinerer Spitze drücken</translation>
+    </message>
+    <message>
+        <source>the force does not answer to the position</source>
+        <translation>die Kraft antwortet nicht auf den Weg</translation>
+    </message>
+    <message>
+        <source>the force answers to disturbances of the position, as under feedback: m, b and k are biased. Squeeze with a repeated excitation and use periodic, or control the force less stiffly</source>
+        <translation>die Kraft antwortet auf Störungen des Wegs, wie bei einer Rückkopplung: m, b und k sind verfälscht. Mit wiederholter Anregung drücken und periodic verwenden oder die Kraft weniger steif regeln</translation>
+    </message>
+    <message>
+        <source> with gripper %1</source>
+        <translation> mit Greifer %1</translation>
+    </message>
+    <message>
+        <source>the position fits the force hold %1 clearly better than %2, which was used: m and b are off. Name the right hold, or check the lag between the channels.</source>
+        <translation>der Weg passt deutlich besser zum Kraftverlauf %1 als zu %2, der verwendet wurde: m und b liegen daneben. Den richtigen Kraftverlauf angeben oder den Zeitversatz der Kanäle prüfen.</translation>
+    </message>
+    <message>
+        <source>over %1 squeezes%2 the position fits the force hold %3 clearly better than %4, which was used: m and b of this squeeze are off, and those of the earlier ones too. Name the right hold, or measure the lag between the channels, and identify them again.</source>
+        <translation>über %1 Druckversuche%2 passt der Weg deutlich besser zum Kraftverlauf %3 als zu %4, der verwendet wurde: m und b dieses Druckversuchs liegen daneben, die der früheren auch. Den richtigen Kraftverlauf angeben oder den Zeitversatz der Kanäle messen und neu identifizieren.</translation>
+    </message>
+    <message>
+        <source> This squeeze alone agrees with %1: see whether the gripper was changed in between.</source>
+        <translation> Dieser Druckversuch allein passt zu %1: nachsehen, ob der Greifer zwischendurch verändert wurde.</translation>
+    </message>
+    <message>
+        <source>over %1 squeezes%2 the position agrees with the force hold %3 and not with %4</source>
+        <translation>über %1 Druckversuche%2 passt der Weg zum Kraftverlauf %3 und nicht zu %4</translation>
+    </message>
+    <message>
+        <source>the position agrees with the force hold %1 and not with %2</source>
+        <translation>der Weg passt zum Kraftverlauf %1 und nicht zu %2</translation>
+    </message>
+    <message>
+        <source>the force hold %1 was asked for</source>
+        <translation>der Kraftverlauf %1 war verlangt</translation>
+    </message>
+    <message>
+        <source>the force hold %1 is the recording&apos;s own</source>
+        <translation>der Kraftverlauf %1 ist der der Aufnahme</translation>
+    </message>
+    <message>
+        <source>the recording names no force hold; %1 was assumed</source>
+        <translation>die Aufnahme nennt keinen Kraftverlauf; %1 wurde angenommen</translation>
+    </message>
+    <message>
+        <source>; %1 squeezes together cannot tell it from %2</source>
+        <translation>; %1 Druckversuche zusammen unterscheiden ihn nicht von %2</translation>
+    </message>
+    <message>
+        <source>; this record cannot tell it from %1</source>
+        <translation>; diese Aufnahme unterscheidet ihn nicht von %1</translation>
+    </message>
+    <message>
+        <source>the estimator reached its answer</source>
+        <translation>der Schätzer fand sein Ergebnis</translation>
+    </message>
+    <message>
+        <source>no m, b and k above zero were found. Squeeze again.</source>
+        <translation>m, b und k größer als null waren nicht zu finden. Erneut drücken.</translation>
+    </message>
+    <message>
+        <source>m, b and k are above zero and the natural frequency is below half the sample rate</source>
+        <translation>m, b und k sind größer als null, und die Eigenfrequenz liegt unter der halben Abtastrate</translation>
+    </message>
+    <message>
+        <source>the natural frequency found, %1 Hz, is above half the sample rate. Sample faster.</source>
+        <translation>die gefundene Eigenfrequenz, %L1 Hz, liegt über der halben Abtastrate. Schneller abtasten.</translation>
+    </message>
+    <message>
+        <source>the model follows the position</source>
+        <translation>das Modell folgt dem Weg</translation>
+    </message>
+    <message>
+        <source>the model does not follow the position. Look at the residuals: noise, a loose grip and an object that is no mass, spring and damper all do this.</source>
+        <translation>das Modell folgt dem Weg nicht. Die Residuen ansehen: Rauschen, ein lockerer Griff oder ein Objekt, das nicht Masse, Feder und Dämpfer ist, bewirken das.</translation>
+    </message>
+    <message>
+        <source>not judged: the channels carry the device&apos;s own calibration</source>
+        <translation>nicht beurteilt: Die Kanäle tragen die eigene Kalibrierung des Geräts</translation>
+    </message>
+    <message>
+        <source>the calibrations held on that day</source>
+        <translation>die Kalibrierungen galten an diesem Tag</translation>
+    </message>
+    <message>
+        <source>the calibration of the %1 was overdue by %2 days. Calibrate it, then squeeze again.</source>
+        <translation>die Kalibrierung war %2 Tage überfällig (%1). Kalibrieren, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>%1 wrong of %2: at most %3 with %4 confidence</source>
+        <translation>%1 von %2 falsch: höchstens %3 bei einem Vertrauen von %4</translation>
+    </message>
+    <message>
+        <source>; %1 without one are needed to show %2</source>
+        <translation>; %1 ohne Fehler sind nötig, um %2 zu zeigen</translation>
+    </message>
+    <message>
+        <source>silhouette</source>
+        <translation>Silhouette</translation>
+    </message>
+    <message>
+        <source>Calinski-Harabasz</source>
+        <translation>Calinski-Harabasz</translation>
+    </message>
+    <message>
+        <source>Davies-Bouldin</source>
+        <translation>Davies-Bouldin</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>Gap</translation>
+    </message>
+    <message>
+        <source>BIC</source>
+        <translation>BIC</translation>
+    </message>
+    <message>
+        <source>One group: nothing speaks for more.</source>
+        <translation>Eine Gruppe: Nichts spricht für mehr.</translation>
+    </message>
+    <message>
+        <source>One group: %1 can say so and do; the other criteria compare two groups and more only.</source>
+        <translation>Eine Gruppe: %1 kann das sagen und tut es; die anderen Kriterien vergleichen erst ab zwei Gruppen.</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source>%1 for %2</source>
+        <translation>%1 für %2</translation>
+    </message>
+    <message>
+        <source>%1 groups: %2 for it</source>
+        <translation>%1 Gruppen: %2 dafür</translation>
+    </message>
+    <message>
+        <source>; %1</source>
+        <translation>; %1</translation>
+    </message>
+    <message>
+        <source>; of equals the silhouette&apos;s</source>
+        <translation>; bei Gleichstand nach der Silhouette</translation>
+    </message>
+    <message>
+        <source>; of equals the fewest groups</source>
+        <translation>; bei Gleichstand die wenigsten Gruppen</translation>
+    </message>
+    <message>
+        <source>The table to be clustered</source>
+        <translation>Die zu gruppierende Tabelle</translation>
+    </message>
+    <message>
+        <source>found no rows</source>
+        <translation>gefunden: keine Zeilen</translation>
+    </message>
+    <message>
+        <source>expected at least one</source>
+        <translation>erwartet: mindestens eine</translation>
+    </message>
+    <message>
+        <source>found numbers that are not finite or too large</source>
+        <translation>gefunden: Zahlen, die nicht endlich oder zu groß sind</translation>
+    </message>
+    <message>
+        <source>expected finite ones whose squares can be added</source>
+        <translation>erwartet: endliche, deren Quadrate sich addieren lassen</translation>
+    </message>
+    <message>
+        <source>The grouping</source>
+        <translation>Das Gruppieren</translation>
+    </message>
+    <message>
+        <source>%1 must be at least 1, not %2.</source>
+        <translation>%1 muss mindestens 1 sein, nicht %2.</translation>
+    </message>
+    <message>
+        <source>The table</source>
+        <translation>Die Tabelle</translation>
+    </message>
+    <message>
+        <source>it has %1 rows</source>
+        <translation>sie hat %1 Zeilen</translation>
+    </message>
+    <message>
+        <source>at least %1 rows, one a cluster, were expected</source>
+        <translation>erwartet: mindestens %1 Zeilen, eine je Cluster</translation>
+    </message>
+    <message>
+        <source>Too few squeezes since the enrolment to say whether anything has moved.</source>
+        <translation>Zu wenige Druckversuche seit dem Einlernen, um zu sagen, ob sich etwas verschoben hat.</translation>
+    </message>
+    <message>
+        <source>No type has moved since its enrolment.</source>
+        <translation>Kein Typ hat sich seit dem Einlernen verschoben.</translation>
+    </message>
+    <message>
+        <source>All types have moved by the same factors: the force or the position channel, not the products. Check the sensors&apos; calibration.</source>
+        <translation>Alle Typen haben sich um dieselben Faktoren verschoben: der Kraft- oder Wegkanal, nicht die Produkte. Die Kalibrierung der Sensoren prüfen.</translation>
+    </message>
+    <message>
+        <source>The same mass, damping and stiffness has come on top of all types: the fingers or their baseline. Measure the empty gripper again.</source>
+        <translation>Bei allen Typen ist die gleiche Masse, Dämpfung und Steifigkeit hinzugekommen: die Finger oder ihr Leerwert. Den leeren Greifer neu messen.</translation>
+    </message>
+    <message>
+        <source>All types have moved together: the gripper, its sensors or its fingers, not the products.</source>
+        <translation>Alle Typen haben sich gemeinsam verschoben: der Greifer, seine Sensoren oder Finger, nicht die Produkte.</translation>
+    </message>
+    <message>
+        <source>Of all types only %1 moved: the product itself, not the gripper.</source>
+        <translation>Von allen Typen hat sich nur %1 verschoben: das Produkt selbst, nicht der Greifer.</translation>
+    </message>
+    <message>
+        <source>%1 moved, but the squeezes are too few to tell the product from the gripper. Squeeze parts of other types too.</source>
+        <translation>%1 hat sich verschoben, aber die Druckversuche sind zu wenige, um Produkt und Greifer zu trennen. Auch Teile anderer Typen drücken.</translation>
+    </message>
+    <message>
+        <source>%1 has moved. Squeeze parts of another type too: only that tells the product from the gripper.</source>
+        <translation>%1 hat sich verschoben. Auch Teile eines anderen Typs drücken: Nur das trennt Produkt und Greifer.</translation>
+    </message>
+    <message>
+        <source>%1 have moved, each in its own way: no single cause in the gripper explains it.</source>
+        <translation>%1 haben sich verschoben, jeder auf seine Weise: Keine einzelne Ursache im Greifer erklärt das.</translation>
+    </message>
+    <message>
+        <source>All types: %1.</source>
+        <translation>Alle Typen: %1.</translation>
+    </message>
+    <message>
+        <source>%1, last %2 squeezes: %3.</source>
+        <translation>%1, letzte %2 Druckversuche: %3.</translation>
+    </message>
+    <message>
+        <source>%1: its charts gave the alarm at squeeze %2 of %3.</source>
+        <translation>%1: Die Regelkarten gaben bei Druckversuch %2 von %3 Alarm.</translation>
+    </message>
+    <message>
+        <source>The weight of the newest squeeze must be between 0.05 and 1.</source>
+        <translation>Das Gewicht des neuesten Druckversuchs muss zwischen 0,05 und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>The run length must be between 20 and 100,000 squeezes.</source>
+        <translation>Die Lauflänge muss zwischen 20 und 100 000 Druckversuchen liegen.</translation>
+    </message>
+    <message>
+        <source>At least %1 recent squeezes.</source>
+        <translation>Mindestens %1 neuere Druckversuche.</translation>
+    </message>
+    <message>
+        <source>The share of false alarms must be between 1e-6 and 0.5.</source>
+        <translation>Der Anteil der Fehlalarme muss zwischen 1e-6 und 0,5 liegen.</translation>
+    </message>
+    <message>
+        <source>There are no limits for this weight and run length.</source>
+        <translation>Für dieses Gewicht und diese Lauflänge gibt es keine Grenzen.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>The squeeze had ended early, after %1 s.</source>
+        <translation>Der Druckversuch war früh zu Ende, nach %1 s.</translation>
+    </message>
+    <message>
+        <source>Decided after %1 s.</source>
+        <translation>Entschieden nach %1 s.</translation>
+    </message>
+    <message>
+        <source>The squeeze ended after %1 s as %2, but all that was recorded by then does not show it.</source>
+        <translation>Der Druckversuch endete nach %1 s als %2, aber alles bis dahin Aufgenommene zeigt das nicht.</translation>
+    </message>
+    <message>
+        <source>The squeeze ended after %1 s as %2, but all that was recorded by then says %3.</source>
+        <translation>Der Druckversuch endete nach %1 s als %2, aber alles bis dahin Aufgenommene sagt %3.</translation>
+    </message>
+    <message>
+        <source>Squeeze it again.</source>
+        <translation>Erneut drücken.</translation>
+    </message>
+    <message>
+        <source>%1 after %2 s, posterior %3</source>
+        <translation>%1 nach %2 s, A-posteriori-Wahrscheinlichkeit %3</translation>
+    </message>
+    <message>
+        <source>fewer than 1 in 100</source>
+        <translation>weniger als 1 von 100</translation>
+    </message>
+    <message>
+        <source>%1 in 100</source>
+        <translation>%1 von 100</translation>
+    </message>
+    <message>
+        <source>1 more squeeze</source>
+        <translation>1 weiterer Druckversuch</translation>
+    </message>
+    <message>
+        <source>%1 more squeezes</source>
+        <translation>%1 weitere Druckversuche</translation>
+    </message>
+    <message>
+        <source>One squeeze says where %1 is, but nothing of how squeezes of it differ.</source>
+        <translation>Ein Druckversuch sagt, wo %1 liegt, aber nichts darüber, wie sich seine Druckversuche unterscheiden.</translation>
+    </message>
+    <message>
+        <source>One squeeze tells the stiffness of %1 only to %2 % (95 %), if its squeezes differ as those of the other types do.</source>
+        <translation>Ein Druckversuch verrät die Steifigkeit von %1 nur auf %2 % (95 %), wenn sich seine Druckversuche wie die der anderen Typen unterscheiden.</translation>
+    </message>
+    <message>
+        <source>No verdict can be given yet: %1 and there is a gate.</source>
+        <translation>Noch ist kein Urteil möglich: %1, dann gibt es eine Grenze.</translation>
+    </message>
+    <message>
+        <source>A squeeze further than %1 sd from %2 is called unknown; with all known it would be %3 sd.</source>
+        <translation>Ein Druckversuch, der weiter als %L1 sd von %2 liegt, heißt unbekannt; wäre alles bekannt, ab %L3 sd.</translation>
+    </message>
+    <message>
+        <source>A foreign part 6 sd away passes for it %1 times (at best %2).</source>
+        <translation>Ein Fremdteil in 6 sd Abstand geht %1-mal dafür durch (bestenfalls %2).</translation>
+    </message>
+    <message>
+        <source>It takes more than 100 more squeezes to come near that.</source>
+        <translation>Es braucht mehr als 100 weitere Druckversuche, um dem nahezukommen.</translation>
+    </message>
+    <message>
+        <source>%1 bring it near that.</source>
+        <translation>%1 kommen dem nahe.</translation>
+    </message>
+    <message>
+        <source>More squeezes would gain little.</source>
+        <translation>Weitere Druckversuche brächten wenig.</translation>
+    </message>
+    <message>
+        <source>Row %1, feature %2</source>
+        <translation>Zeile %1, Merkmal %2</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a number above 0, since its logarithm is asked for</source>
+        <translation>eine Zahl über 0, da ihr Logarithmus verlangt ist</translation>
+    </message>
+    <message>
+        <source>Feature %1</source>
+        <translation>Merkmal %1</translation>
+    </message>
+    <message>
+        <source>found numbers too large or too small</source>
+        <translation>gefunden: zu große oder zu kleine Zahlen</translation>
+    </message>
+    <message>
+        <source>expected numbers whose squares can be computed</source>
+        <translation>erwartet: Zahlen, deren Quadrate sich berechnen lassen</translation>
+    </message>
+    <message>
+        <source>No feature is named.</source>
+        <translation>Kein Merkmal ist genannt.</translation>
+    </message>
+    <message>
+        <source>%1, as in the header</source>
+        <translation>%1, wie in der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>The centres to start from do not fit the table.</source>
+        <translation>Die Startzentren passen nicht zur Tabelle.</translation>
+    </message>
+    <message>
+        <source>The centres to start from</source>
+        <translation>Die Startzentren</translation>
+    </message>
+    <message>
+        <source>found one too far away</source>
+        <translation>gefunden: eines zu weit weg</translation>
+    </message>
+    <message>
+        <source>expected centres near the items</source>
+        <translation>erwartet: Zentren nahe den Einträgen</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>A map of %1 x %2 units is not between 1 and %3 units.</source>
+        <translation>Eine Karte mit %1 x %2 Einheiten liegt nicht zwischen 1 und %3 Einheiten.</translation>
+    </message>
+    <message>
+        <source>A map has too few units for %1 groups.</source>
+        <translation>Eine Karte hat zu wenige Einheiten für %1 Gruppen.</translation>
+    </message>
+    <message>
+        <source>%1 times that of the others</source>
+        <translation>das %1-Fache der anderen</translation>
+    </message>
+    <message>
+        <source>%1 % above the others</source>
+        <translation>%1 % über den anderen</translation>
+    </message>
+    <message>
+        <source>%1 % below the others</source>
+        <translation>%1 % unter den anderen</translation>
+    </message>
+    <message>
+        <source>%1 is %2, %3 of their standard deviations.</source>
+        <translation>%1 ist %2, %3 ihrer Standardabweichungen.</translation>
+    </message>
+    <message>
+        <source>Mass, damping and stiffness are each near those of the others, but do not go together as theirs do: %1 standard deviations away.</source>
+        <translation>Masse, Dämpfung und Steifigkeit liegen einzeln nahe denen der anderen, passen aber nicht so zusammen wie bei diesen: %1 Standardabweichungen entfernt.</translation>
+    </message>
+    <message>
+        <source>Mass, damping and stiffness need a column each: three names.</source>
+        <translation>Masse, Dämpfung und Steifigkeit brauchen je eine Spalte: drei Namen.</translation>
+    </message>
+    <message>
+        <source>The errors of m, b and k need a column each: three names.</source>
+        <translation>Die Fehler von m, b und k brauchen je eine Spalte: drei Namen.</translation>
+    </message>
+    <message>
+        <source>Neither a type nor a column with types is named.</source>
+        <translation>Weder ein Typ noch eine Spalte mit Typen ist genannt.</translation>
+    </message>
+    <message>
+        <source>the name of a type</source>
+        <translation>der Name eines Typs</translation>
+    </message>
+    <message>
+        <source>a standard error, zero or above</source>
+        <translation>ein Standardfehler, null oder größer</translation>
+    </message>
+    <message>
+        <source>a number above zero</source>
+        <translation>eine Zahl größer als null</translation>
+    </message>
+    <message>
+        <source>a quote that is not closed</source>
+        <translation>ein nicht geschlossenes Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>a closing quote on the same line</source>
+        <translation>ein schließendes Anführungszeichen in derselben Zeile</translation>
+    </message>
+    <message>
+        <source>an empty file</source>
+        <translation>eine leere Datei</translation>
+    </message>
+    <message>
+        <source>a header and rows</source>
+        <translation>eine Kopfzeile und Zeilen</translation>
+    </message>
+    <message>
+        <source>the columns %1</source>
+        <translation>die Spalten %1</translation>
+    </message>
+    <message>
+        <source>a column called %1</source>
+        <translation>eine Spalte namens %1</translation>
+    </message>
+    <message>
+        <source>a second column called %1</source>
+        <translation>eine zweite Spalte namens %1</translation>
+    </message>
+    <message>
+        <source>each name once</source>
+        <translation>jeder Name einmal</translation>
+    </message>
+    <message>
+        <source>no rows</source>
+        <translation>keine Zeilen</translation>
+    </message>
+    <message>
+        <source>at least one row below the header</source>
+        <translation>mindestens eine Zeile unter der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>No squeeze of an enrolled type: nothing can be said of the transfer. Squeeze parts of two or more enrolled types on this gripper.</source>
+        <translation>Kein Druckversuch eines eingelernten Typs: Über die Übertragung lässt sich nichts sagen. Teile von zwei oder mehr eingelernten Typen mit diesem Greifer drücken.</translation>
+    </message>
+    <message>
+        <source>What this gripper finds differs from that of the enrolment: %1.</source>
+        <translation>Was dieser Greifer findet, weicht von dem des Einlernens ab: %1.</translation>
+    </message>
+    <message>
+        <source>The types differ in it by more than chance: one adjustment does not serve them all.</source>
+        <translation>Die Typen unterscheiden sich darin mehr als zufällig: Eine Anpassung taugt nicht für alle.</translation>
+    </message>
+    <message>
+        <source>Of %1 squeezes left out, %2 are named right as measured and %3 adjusted.</source>
+        <translation>Von %1 ausgelassenen Druckversuchen werden %2 wie gemessen richtig benannt und %3 nach Anpassung.</translation>
+    </message>
+    <message>
+        <source>The adjustment helps: use it.</source>
+        <translation>Die Anpassung hilft: verwenden.</translation>
+    </message>
+    <message>
+        <source>The adjustment does not help: the types serve as they are, or must be enrolled here.</source>
+        <translation>Die Anpassung hilft nicht: Die Typen taugen, wie sie sind, oder müssen hier eingelernt werden.</translation>
+    </message>
+    <message>
+        <source>Only one type was squeezed here; how others fare is not known.</source>
+        <translation>Nur ein Typ wurde hier gedrückt; wie es anderen ergeht, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>%1 in 1,000</source>
+        <translation>%1 von 1000</translation>
+    </message>
+    <message>
+        <source>%1 and %2 overlap: of the squeezes of %1, about %3 cannot be told from %2</source>
+        <translation>%1 und %2 überlappen: Von den Druckversuchen von %1 sind etwa %3 nicht von %2 zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>, and %1 are called %2</source>
+        <translation>, und %1 heißen %2</translation>
+    </message>
+    <message>
+        <source>; of those of %2, about %3 cannot be told from %1</source>
+        <translation>; von denen von %2 sind etwa %3 nicht von %1 zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>mass %1, damping %2, stiffness %3</source>
+        <translation>Masse %1, Dämpfung %2, Steifigkeit %3</translation>
+    </message>
+    <message>
+        <source>The rate %1 must be between %2 and %3, not %4.</source>
+        <translation>Die Rate %1 muss zwischen %L2 und %L3 liegen, nicht bei %L4.</translation>
+    </message>
+    <message>
+        <source>The confidence must be between %1 and %2, not %3.</source>
+        <translation>Das Vertrauen muss zwischen %L1 und %L2 liegen, nicht bei %L3.</translation>
+    </message>
+    <message>
+        <source>The instrument&apos;s range must have lowest values above zero and below the highest.</source>
+        <translation>Der Messbereich muss kleinste Werte über null haben, die unter den größten liegen.</translation>
+    </message>
+    <message>
+        <source>Mass, damping and stiffness are not all above zero.</source>
+        <translation>Masse, Dämpfung und Steifigkeit sind nicht alle größer als null.</translation>
+    </message>
+    <message>
+        <source>%1 times that of %2</source>
+        <translation>das %1-Fache von %2</translation>
+    </message>
+    <message>
+        <source>%1 above that of %2</source>
+        <translation>%1 über %2</translation>
+    </message>
+    <message>
+        <source>%1 below that of %2</source>
+        <translation>%1 unter %2</translation>
+    </message>
+    <message>
+        <source>Mass, damping and stiffness are where %1 sits; it is the only type enrolled.</source>
+        <translation>Masse, Dämpfung und Steifigkeit liegen, wo %1 liegt; es ist der einzige eingelernte Typ.</translation>
+    </message>
+    <message>
+        <source>%1 is where %2 sits; the next type, %3, is %4 sd away.</source>
+        <translation>%1 liegt, wo %2 liegt; der nächste Typ, %3, ist %4 sd entfernt.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, the nearest type.</source>
+        <translation>%1 liegt %2, dem nächsten Typ.</translation>
+    </message>
+    <message>
+        <source>That is %1 sd away; squeezes of %2 stay within %3 sd.</source>
+        <translation>Das sind %1 sd Abstand; Druckversuche von %2 bleiben innerhalb von %3 sd.</translation>
+    </message>
+    <message>
+        <source>Each of mass, damping and stiffness alone could be %1, but not the three together.</source>
+        <translation>Masse, Dämpfung und Steifigkeit könnten einzeln %1 sein, aber nicht alle drei zusammen.</translation>
+    </message>
+    <message>
+        <source>The squeeze could be %1 (%2) or %3 (%4).</source>
+        <translation>Der Druckversuch könnte %1 (%2) oder %3 (%4) sein.</translation>
+    </message>
+    <message>
+        <source>Squeezed %1 times as long, nine of ten would tell them apart.</source>
+        <translation>Bei %1-mal so langem Drücken wären neun von zehn zu unterscheiden.</translation>
+    </message>
+    <message>
+        <source>The two types lie so close that a longer squeeze would not tell them apart.</source>
+        <translation>Die beiden Typen liegen so nahe beieinander, dass auch längeres Drücken sie nicht unterscheidet.</translation>
+    </message>
+    <message>
+        <source>Squeeze it again; if this happens often, enrol more squeezes of both types.</source>
+        <translation>Erneut drücken; kommt das oft vor, von beiden Typen weitere Druckversuche einlernen.</translation>
+    </message>
+    <message>
+        <source>The squeeze could be %1, but lies so far out that a part of no enrolled type is as likely.</source>
+        <translation>Der Druckversuch könnte %1 sein, liegt aber so weit außen, dass ein Teil keines eingelernten Typs ebenso wahrscheinlich ist.</translation>
+    </message>
+    <message>
+        <source>Squeeze it again; enrolling more squeezes narrows what %1 is.</source>
+        <translation>Erneut drücken; weitere eingelernte Druckversuche grenzen %1 enger ein.</translation>
+    </message>
+    <message>
+        <source>No type is enrolled yet.</source>
+        <translation>Noch ist kein Typ eingelernt.</translation>
+    </message>
+    <message>
+        <source>The rate of false alarms asked for is too small for so few squeezes; enrol more.</source>
+        <translation>Die verlangte Fehlalarmrate ist zu klein für so wenige Druckversuche; weitere einlernen.</translation>
+    </message>
+    <message>
+        <source>Too few squeezes are enrolled to say what is usual: 1 more is needed.</source>
+        <translation>Zu wenige Druckversuche sind eingelernt, um zu sagen, was üblich ist: 1 weiterer ist nötig.</translation>
+    </message>
+    <message>
+        <source>Too few squeezes are enrolled to say what is usual: %1 more are needed.</source>
+        <translation>Zu wenige Druckversuche sind eingelernt, um zu sagen, was üblich ist: %1 weitere sind nötig.</translation>
+    </message>
+    <message>
+        <source>No mass, damping and stiffness could be found from this squeeze.</source>
+        <translation>Aus diesem Druckversuch waren Masse, Dämpfung und Steifigkeit nicht zu bestimmen.</translation>
+    </message>
+    <message>
+        <source>no gripper is connected</source>
+        <translation>kein Greifer ist verbunden</translation>
+    </message>
+    <message>
+        <source>it is armed, and hands are near: disarm it first</source>
+        <translation>er ist scharf, und Hände sind nahe: erst entschärfen</translation>
+    </message>
+    <message>
+        <source>The reading hardly changed. Was the load put on?</source>
+        <translation>Die Anzeige hat sich kaum geändert. Wurde die Last aufgelegt?</translation>
+    </message>
+    <message>
+        <source>The reading went the other way than before. Is it the right load?</source>
+        <translation>Die Anzeige ging in die andere Richtung als zuvor. Ist es die richtige Last?</translation>
+    </message>
+    <message>
+        <source>take this point</source>
+        <translation>diesen Punkt aufnehmen</translation>
+    </message>
+    <message>
+        <source>the channel is at its end, so the load cannot be told</source>
+        <translation>der Kanal ist am Ende, sodass die Last nicht zu bestimmen ist</translation>
+    </message>
+    <message>
+        <source>the reading still moves (by %1 %2 within %3 s). Wait until it rests</source>
+        <translation>die Anzeige bewegt sich noch (um %L1 %2 in %3 s). Warten, bis sie ruht</translation>
+    </message>
+    <message>
+        <source>only %1 samples came</source>
+        <translation>nur %1 Abtastwerte kamen an</translation>
+    </message>
+    <message>
+        <source>A calibration is being stored. Wait for its end.</source>
+        <translation>Eine Kalibrierung wird gespeichert. Das Ende abwarten.</translation>
+    </message>
+    <message>
+        <source>There is no point to be taken now.</source>
+        <translation>Jetzt ist kein Punkt aufzunehmen.</translation>
+    </message>
+    <message>
+        <source>it is another gripper than the one that was begun with (%1)</source>
+        <translation>es ist ein anderer Greifer als der, mit dem begonnen wurde (%1)</translation>
+    </message>
+    <message>
+        <source>The calibration is not complete: %1 of %2 points are taken.</source>
+        <translation>Die Kalibrierung ist nicht vollständig: %1 von %2 Punkten sind aufgenommen.</translation>
+    </message>
+    <message>
+        <source>These points make no calibration: %1</source>
+        <translation>Diese Punkte ergeben keine Kalibrierung: %1</translation>
+    </message>
+    <message>
+        <source>The %1 was calibrated in %2, but the gripper now measures in %3: calibrate it again.</source>
+        <translation>Kalibriert wurde in %2 (%1), der Greifer misst jetzt aber in %3: neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>the link closed</source>
+        <translation>die Verbindung wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>Gripper %1 came in its place: choose it to work with it, or plug gripper %2 in.</source>
+        <translation>An seiner Stelle kam Greifer %1: diesen wählen, um mit ihm zu arbeiten, oder Greifer %2 anstecken.</translation>
+    </message>
+    <message>
+        <source>arm</source>
+        <translation>scharf schalten</translation>
+    </message>
+    <message>
+        <source>This is not the step for it.</source>
+        <translation>Das gehört nicht zu diesem Schritt.</translation>
+    </message>
+    <message>
+        <source>Accept or reject the last squeeze first.</source>
+        <translation>Erst den letzten Druckversuch annehmen oder verwerfen.</translation>
+    </message>
+    <message>
+        <source>The last squeeze is still being worked on.</source>
+        <translation>Der letzte Druckversuch wird noch ausgewertet.</translation>
+    </message>
+    <message>
+        <source>The type needs a name.</source>
+        <translation>Der Typ braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is no squeeze to decide on.</source>
+        <translation>Über keinen Druckversuch ist zu entscheiden.</translation>
+    </message>
+    <message>
+        <source>This measurement is not valid and cannot be enrolled: %1</source>
+        <translation>Diese Messung ist ungültig und kann nicht eingelernt werden: %1</translation>
+    </message>
+    <message>
+        <source>Only an accepted squeeze can be dropped.</source>
+        <translation>Nur ein angenommener Druckversuch kann verworfen werden.</translation>
+    </message>
+    <message>
+        <source>A type needs at least %1 accepted squeezes; there are %2.</source>
+        <translation>Ein Typ braucht mindestens %1 angenommene Druckversuche; es sind %2.</translation>
+    </message>
+    <message>
+        <source>%1 is retired. Put it back into use first, or choose another name.</source>
+        <translation>%1 ist außer Gebrauch. Erst wieder in Gebrauch nehmen oder einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>No m, b and k could be found in it.</source>
+        <translation>Darin waren m, b und k nicht zu finden.</translation>
+    </message>
+    <message>
+        <source>Peak force, bit, length and limits of a recipe must be above zero.</source>
+        <translation>Spitzenkraft, Bit, Dauer und Grenzen eines Rezepts müssen größer als null sein.</translation>
+    </message>
+    <message>
+        <source>The preload of a recipe must be zero or above.</source>
+        <translation>Die Vorlast eines Rezepts muss null oder größer sein.</translation>
+    </message>
+    <message>
+        <source>Preload plus peak force</source>
+        <translation>Vorlast plus Spitzenkraft</translation>
+    </message>
+    <message>
+        <source>the recipe&apos;s</source>
+        <translation>die des Rezepts</translation>
+    </message>
+    <message>
+        <source>The library is still being read.</source>
+        <translation>Die Bibliothek wird noch gelesen.</translation>
+    </message>
+    <message>
+        <source>The inspection</source>
+        <translation>Die Prüfung</translation>
+    </message>
+    <message>
+        <source>The lag is being measured. Wait for its end or stop it.</source>
+        <translation>Der Zeitversatz wird gemessen. Das Ende abwarten oder anhalten.</translation>
+    </message>
+    <message>
+        <source>The measurement of the lag</source>
+        <translation>Die Messung des Zeitversatzes</translation>
+    </message>
+    <message>
+        <source>There is no lag that was measured well enough to be used.</source>
+        <translation>Kein Zeitversatz wurde gut genug gemessen, um ihn zu verwenden.</translation>
+    </message>
+    <message>
+        <source>lag from %1 squeezes</source>
+        <translation>Zeitversatz aus %1 Druckversuchen</translation>
+    </message>
+    <message>
+        <source>a pull of %1</source>
+        <translation>einen Zug von %1</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>keine Zahl</translation>
+    </message>
+    <message>
+        <source>The force signal has %1 at sample %2; a gripper can only push. Raise the bias or lower the peak.</source>
+        <translation>Das Kraftsignal hat %1 bei Abtastwert %2; ein Greifer kann nur drücken. Die Grundkraft erhöhen oder die Spitze senken.</translation>
+    </message>
+    <message>
+        <source>squeeze</source>
+        <translation>drücken</translation>
+    </message>
+    <message>
+        <source>it only listens</source>
+        <translation>er wird nur abgehört</translation>
+    </message>
+    <message>
+        <source>The force signal is empty. Choose a longer squeeze.</source>
+        <translation>Das Kraftsignal ist leer. Einen längeren Druckversuch wählen.</translation>
+    </message>
+    <message>
+        <source>The force signal has %1 samples; the gripper holds at most %2. Choose a shorter squeeze.</source>
+        <translation>Das Kraftsignal hat %1 Abtastwerte; der Greifer fasst höchstens %2. Einen kürzeren Druckversuch wählen.</translation>
+    </message>
+    <message>
+        <source>The force</source>
+        <translation>Die Kraft</translation>
+    </message>
+    <message>
+        <source>the gripper&apos;s own</source>
+        <translation>die eigene des Greifers</translation>
+    </message>
+    <message>
+        <source>Only a person may arm the gripper, and no name was given.</source>
+        <translation>Nur eine Person darf den Greifer scharf schalten, und kein Name ist genannt.</translation>
+    </message>
+    <message>
+        <source>the link is %1</source>
+        <translation>die Verbindung ist: %1</translation>
+    </message>
+    <message>
+        <source>move</source>
+        <translation>bewegen</translation>
+    </message>
+    <message>
+        <source>it no longer heard from this program</source>
+        <translation>er hörte nichts mehr von diesem Programm</translation>
+    </message>
+    <message>
+        <source>the force limit was reached</source>
+        <translation>die Kraftgrenze war erreicht</translation>
+    </message>
+    <message>
+        <source>the travel limit was reached</source>
+        <translation>die Weggrenze war erreicht</translation>
+    </message>
+    <message>
+        <source>it reports a fault</source>
+        <translation>er meldet einen Fehler</translation>
+    </message>
+    <message>
+        <source>A squeeze is under way. Wait for its end or stop it.</source>
+        <translation>Ein Druckversuch läuft. Das Ende abwarten oder anhalten.</translation>
+    </message>
+    <message>
+        <source>cannot be seen: the gripper sends neither a number nor a clock</source>
+        <translation>nicht zu erkennen: Der Greifer sendet weder Nummer noch Uhrzeit</translation>
+    </message>
+    <message>
+        <source>send anything</source>
+        <translation>etwas senden</translation>
+    </message>
+    <message>
+        <source>go on with the squeeze</source>
+        <translation>den Druckversuch fortsetzen</translation>
+    </message>
+    <message>
+        <source>The squeeze</source>
+        <translation>Der Druckversuch</translation>
+    </message>
+    <message>
+        <source>it ended early, without a reason</source>
+        <translation>er endete früh, ohne Grund</translation>
+    </message>
+    <message>
+        <source>it gave no reason</source>
+        <translation>er nannte keinen Grund</translation>
+    </message>
+    <message>
+        <source>finish the squeeze</source>
+        <translation>den Druckversuch beenden</translation>
+    </message>
+    <message>
+        <source>Listening needs a time above zero.</source>
+        <translation>Abhören braucht eine Zeit über null.</translation>
+    </message>
+    <message>
+        <source>it was disconnected</source>
+        <translation>er wurde getrennt</translation>
+    </message>
+    <message>
+        <source>it went away during the squeeze</source>
+        <translation>er verschwand während des Druckversuchs</translation>
+    </message>
+    <message>
+        <source>peak must be a number from 0 up</source>
+        <translation>die Spitze muss eine Zahl ab 0 sein</translation>
+    </message>
+    <message>
+        <source>bias must be a number</source>
+        <translation>die Grundkraft muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>the sample time must be above 0 s</source>
+        <translation>die Abtastzeit muss über 0 s liegen</translation>
+    </message>
+    <message>
+        <source>samples must be from 1 to %1</source>
+        <translation>die Zahl der Abtastwerte muss 1 bis %1 sein</translation>
+    </message>
+    <message>
+        <source>the bit time must be above 0 s</source>
+        <translation>die Bitdauer muss über 0 s liegen</translation>
+    </message>
+    <message>
+        <source>bias plus peak must not be negative: a one-sided grip can only push</source>
+        <translation>Grundkraft plus Spitze darf nicht negativ sein: Ein einseitiger Griff kann nur drücken</translation>
+    </message>
+    <message>
+        <source>%1 periods of the shortest inverse-repeat sequence, of 14 bits, do not fit: take more samples, shorter bits or fewer periods</source>
+        <translation>%1 Perioden der kürzesten inverse-repeat-Folge mit 14 Bit passen nicht hinein: mehr Abtastwerte, kürzere Bits oder weniger Perioden nehmen</translation>
+    </message>
+    <message>
+        <source>there are more periods than samples</source>
+        <translation>es sind mehr Perioden als Abtastwerte</translation>
+    </message>
+    <message>
+        <source>this multisine has too many harmonics: take fewer samples or a longer bit</source>
+        <translation>dieser Multisinus hat zu viele Oberschwingungen: weniger Abtastwerte oder ein längeres Bit nehmen</translation>
+    </message>
+    <message>
+        <source>bias and peak are too large</source>
+        <translation>Grundkraft und Spitze sind zu groß</translation>
+    </message>
+    <message>
+        <source>expected three numbers from 0 up with commas between: m,b,k</source>
+        <translation>erwartet: drei Zahlen ab 0, durch Kommas getrennt: m,b,k</translation>
+    </message>
+    <message>
+        <source>expected a number from 0 up</source>
+        <translation>erwartet: eine Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>the channels differ in length, or hold numbers that are not finite, or the sample time is not above zero</source>
+        <translation>die Kanäle sind verschieden lang oder enthalten Zahlen, die nicht endlich sind, oder die Abtastzeit ist nicht größer als null</translation>
+    </message>
+    <message>
+        <source>%1 samples of approach and touch and %2 of release were left out; %3 samples of squeeze remain</source>
+        <translation>%1 Abtastwerte von Annähern und Berühren und %2 vom Loslassen wurden ausgelassen; %3 Abtastwerte vom Drücken bleiben</translation>
+    </message>
+    <message>
+        <source>the device&apos;s clock runs at %1 s a sample instead of %2 s (%3 %); its own time was used</source>
+        <translation>die Uhr des Geräts läuft mit %L1 s je Abtastwert statt %L2 s (%3 %); seine eigene Zeit wurde verwendet</translation>
+    </message>
+    <message>
+        <source>. That is much for a clock: check the sample time</source>
+        <translation>. Das ist viel für eine Uhr: die Abtastzeit prüfen</translation>
+    </message>
+    <message>
+        <source>time stamps and sample numbers contradict each other in %1 places: the device&apos;s clock was set, or the device started again. The longest part between them was used.</source>
+        <translation>Zeitstempel und Abtastnummern widersprechen sich an %1 Stellen: Die Uhr des Geräts wurde gestellt, oder das Gerät startete neu. Der längste Abschnitt dazwischen wurde verwendet.</translation>
+    </message>
+    <message>
+        <source>the samples jitter by %1 % of the sample time and were taken as regular</source>
+        <translation>die Abtastwerte schwanken um %1 % der Abtastzeit und wurden als regelmäßig genommen</translation>
+    </message>
+    <message>
+        <source>the samples jitter by %1 % of the sample time; force and position were put on a regular grid</source>
+        <translation>die Abtastwerte schwanken um %1 % der Abtastzeit; Kraft und Weg wurden auf ein regelmäßiges Raster gebracht</translation>
+    </message>
+    <message>
+        <source>. That is too much for an exact correction: let the device sample more regularly</source>
+        <translation>. Das ist zu viel für eine genaue Korrektur: das Gerät regelmäßiger abtasten lassen</translation>
+    </message>
+    <message>
+        <source>%1 samples are missing in %2 places; the force there counts as unknown</source>
+        <translation>%1 Abtastwerte fehlen an %2 Stellen; die Kraft gilt dort als unbekannt</translation>
+    </message>
+    <message>
+        <source>too many samples are missing to bridge all gaps; %1 of the %2 samples there are were used. Check the cable and the load of the computer, then squeeze again.</source>
+        <translation>zu viele Abtastwerte fehlen, um alle Lücken zu überbrücken; %1 der %2 vorhandenen wurden verwendet. Kabel und Auslastung des Rechners prüfen, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>the gripper left the object for %1 samples (%2 %), since it can push but not pull; they were left out. Squeeze with more bias.</source>
+        <translation>der Greifer verließ das Objekt für %1 Abtastwerte (%2 %), da er drücken, aber nicht ziehen kann; sie wurden ausgelassen. Mit mehr Grundkraft drücken.</translation>
+    </message>
+    <message>
+        <source>the force channel&apos;s noise, %1 force units, was taken from the %2 samples before the squeeze</source>
+        <translation>das Rauschen des Kraftkanals, %1 Krafteinheiten, stammt aus den %2 Abtastwerten vor dem Druckversuch</translation>
+    </message>
+    <message>
+        <source>the frame&apos;s share of the position, %1 position units per force unit, was taken away</source>
+        <translation>der Anteil des Gestells am Weg, %1 Wegeinheiten je Krafteinheit, wurde abgezogen</translation>
+    </message>
+    <message>
+        <source>samples at the end of a sensor&apos;s range: %1 by the device&apos;s word, %2 of force and %3 of position by their look. Squeeze with less force.</source>
+        <translation>Abtastwerte am Ende des Messbereichs: %1 laut Gerät, %2 der Kraft und %3 des Wegs dem Aussehen nach. Mit weniger Kraft drücken.</translation>
+    </message>
+    <message>
+        <source>the position comes in steps of %1, %2 % of its range and more than twice its noise: m, b and k may be off by up to %3 %</source>
+        <translation>der Weg kommt in Stufen von %1, das sind %2 % seines Bereichs und mehr als das Doppelte seines Rauschens: m, b und k können um bis zu %3 % danebenliegen</translation>
+    </message>
+    <message>
+        <source>bytes that are not UTF-8: </source>
+        <translation>Bytes, die nicht UTF-8 sind: </translation>
+    </message>
+    <message>
+        <source>expected a text file in UTF-8</source>
+        <translation>erwartet: eine Textdatei in UTF-8</translation>
+    </message>
+    <message>
+        <source>found no header line</source>
+        <translation>gefunden: keine Kopfzeile</translation>
+    </message>
+    <message>
+        <source>expected column names such as &quot;time_s,force,position&quot;</source>
+        <translation>erwartet: Spaltennamen wie &quot;time_s,force,position&quot;</translation>
+    </message>
+    <message>
+        <source>found no rows behind the header</source>
+        <translation>gefunden: keine Zeilen nach der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>expected one row a sample</source>
+        <translation>erwartet: eine Zeile je Abtastwert</translation>
+    </message>
+    <message>
+        <source>found a recording of version </source>
+        <translation>gefunden: eine Aufnahme der Version </translation>
+    </message>
+    <message>
+        <source>expected version 1</source>
+        <translation>erwartet: Version 1</translation>
+    </message>
+    <message>
+        <source>found the sample time </source>
+        <translation>gefunden: Abtastzeit </translation>
+    </message>
+    <message>
+        <source>expected seconds above 0</source>
+        <translation>erwartet: Sekunden über 0</translation>
+    </message>
+    <message>
+        <source>found the force lag </source>
+        <translation>gefunden: Zeitversatz der Kraft </translation>
+    </message>
+    <message>
+        <source>expected seconds</source>
+        <translation>erwartet: Sekunden</translation>
+    </message>
+    <message>
+        <source>found the force hold </source>
+        <translation>gefunden: Kraftverlauf </translation>
+    </message>
+    <message>
+        <source>expected zoh or foh</source>
+        <translation>erwartet: zoh oder foh</translation>
+    </message>
+    <message>
+        <source>found no column &quot;%1&quot;</source>
+        <translation>gefunden: keine Spalte &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>expected one of the columns there are: </source>
+        <translation>erwartet: eine der vorhandenen Spalten: </translation>
+    </message>
+    <message>
+        <source>found the column &quot;%1&quot; twice</source>
+        <translation>gefunden: zweimal die Spalte &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>expected each column once</source>
+        <translation>erwartet: jede Spalte einmal</translation>
+    </message>
+    <message>
+        <source>found a quote that is not closed</source>
+        <translation>gefunden: ein nicht geschlossenes Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>expected column names</source>
+        <translation>erwartet: Spaltennamen</translation>
+    </message>
+    <message>
+        <source>expected a finite number</source>
+        <translation>erwartet: eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>expected a row of numbers</source>
+        <translation>erwartet: eine Zeile mit Zahlen</translation>
+    </message>
+    <message>
+        <source>found a row of %1 fields</source>
+        <translation>gefunden: eine Zeile mit %1 Feldern</translation>
+    </message>
+    <message>
+        <source>expected %1, as in the header</source>
+        <translation>erwartet: %1, wie in der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>found the time </source>
+        <translation>gefunden: die Zeit </translation>
+    </message>
+    <message>
+        <source>expected a time later than the row before</source>
+        <translation>erwartet: eine spätere Zeit als in der Zeile davor</translation>
+    </message>
+    <message>
+        <source>expected a whole number from 0 up</source>
+        <translation>erwartet: eine ganze Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>expected a whole number from 0 to 65535</source>
+        <translation>erwartet: eine ganze Zahl von 0 bis 65535</translation>
+    </message>
+    <message>
+        <source>found neither a time_s column nor &quot;# sample_time_s:&quot;</source>
+        <translation>gefunden: weder eine Spalte time_s noch &quot;# sample_time_s:&quot;</translation>
+    </message>
+    <message>
+        <source>expected one of them, or the sample time as an option</source>
+        <translation>erwartet: eines davon oder die Abtastzeit als Option</translation>
+    </message>
+    <message>
+        <source>found one row only</source>
+        <translation>gefunden: nur eine Zeile</translation>
+    </message>
+    <message>
+        <source>expected a second one, to tell the sample time</source>
+        <translation>erwartet: eine zweite, um die Abtastzeit zu bestimmen</translation>
+    </message>
+    <message>
+        <source>median step of time_s</source>
+        <translation>mittlerer Schritt von time_s</translation>
+    </message>
+    <message>
+        <source>found steps of %1 s in time_s</source>
+        <translation>gefunden: Schritte von %1 s in time_s</translation>
+    </message>
+    <message>
+        <source>expected steps of the sample time, %1 s</source>
+        <translation>erwartet: Schritte der Abtastzeit, %1 s</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>read the calibrations</source>
+        <translation>Kalibrierungen lesen</translation>
+    </message>
+    <message>
+        <source>a point reads &quot;%1&quot;</source>
+        <translation>ein Punkt lautet &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>a channel is neither of the two</source>
+        <translation>ein Kanal ist keiner von beiden</translation>
+    </message>
+    <message>
+        <source>store the calibration</source>
+        <translation>Kalibrierung speichern</translation>
+    </message>
+    <message>
+        <source>read its versions</source>
+        <translation>Versionen lesen</translation>
+    </message>
+    <message>
+        <source>record the change</source>
+        <translation>Änderung festhalten</translation>
+    </message>
+    <message>
+        <source>another program kept it locked for %1 s</source>
+        <translation>ein anderes Programm hielt sie %1 s lang gesperrt</translation>
+    </message>
+    <message>
+        <source>the file or its folder is write-protected</source>
+        <translation>die Datei oder ihr Ordner ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>the disk reports an error</source>
+        <translation>der Datenträger meldet einen Fehler</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>the file or its folder is missing or may not be opened or written</source>
+        <translation>die Datei oder ihr Ordner fehlt oder darf nicht geöffnet oder beschrieben werden</translation>
+    </message>
+    <message>
+        <source>no file is named</source>
+        <translation>keine Datei ist genannt</translation>
+    </message>
+    <message>
+        <source>it is not a library but a file of another kind</source>
+        <translation>es ist keine Bibliothek, sondern eine Datei anderer Art</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s SQLite driver is not installed</source>
+        <translation>der SQLite-Treiber von Qt ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>be opened</source>
+        <translation>öffnen</translation>
+    </message>
+    <message>
+        <source>be opened for writing</source>
+        <translation>zum Schreiben öffnen</translation>
+    </message>
+    <message>
+        <source>its file system cannot keep a write-ahead log</source>
+        <translation>ihr Dateisystem kann kein Write-Ahead-Log führen</translation>
+    </message>
+    <message>
+        <source>be read</source>
+        <translation>lesen</translation>
+    </message>
+    <message>
+        <source>store the squeeze</source>
+        <translation>Druckversuch speichern</translation>
+    </message>
+    <message>
+        <source>read the squeeze</source>
+        <translation>Druckversuch lesen</translation>
+    </message>
+    <message>
+        <source>store the estimate</source>
+        <translation>Schätzung speichern</translation>
+    </message>
+    <message>
+        <source>read the squeezes</source>
+        <translation>Druckversuche lesen</translation>
+    </message>
+    <message>
+        <source>An estimate holds a number that is not finite.</source>
+        <translation>Eine Schätzung enthält eine Zahl, die nicht endlich ist.</translation>
+    </message>
+    <message>
+        <source>A squeeze of a type needs an estimate.</source>
+        <translation>Ein Druckversuch eines Typs braucht eine Schätzung.</translation>
+    </message>
+    <message>
+        <source>squeeze with the key %1</source>
+        <translation>Druckversuch mit dem Schlüssel %1</translation>
+    </message>
+    <message>
+        <source>read the inspections</source>
+        <translation>Prüfungen lesen</translation>
+    </message>
+    <message>
+        <source>store the inspection</source>
+        <translation>Prüfung speichern</translation>
+    </message>
+    <message>
+        <source>drop the squeeze</source>
+        <translation>Druckversuch verwerfen</translation>
+    </message>
+    <message>
+        <source>The squeeze of an inspection belongs to no type.</source>
+        <translation>Der Druckversuch einer Prüfung gehört zu keinem Typ.</translation>
+    </message>
+    <message>
+        <source>This gripper has no serial number to keep what was measured under.</source>
+        <translation>Dieser Greifer hat keine Seriennummer, unter der das Gemessene abzulegen wäre.</translation>
+    </message>
+    <message>
+        <source>A number that was measured of the gripper is not finite.</source>
+        <translation>Eine am Greifer gemessene Zahl ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>store what was measured of the gripper</source>
+        <translation>am Greifer Gemessenes speichern</translation>
+    </message>
+    <message>
+        <source>This gripper has no serial number to keep its calibration under.</source>
+        <translation>Dieser Greifer hat keine Seriennummer, unter der seine Kalibrierung abzulegen wäre.</translation>
+    </message>
+    <message>
+        <source>A calibration needs the unit of its channel and the time it was taken.</source>
+        <translation>Eine Kalibrierung braucht die Einheit ihres Kanals und den Zeitpunkt der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>A calibration needs a date until which it holds.</source>
+        <translation>Eine Kalibrierung braucht ein Datum, bis zu dem sie gilt.</translation>
+    </message>
+    <message>
+        <source>1 squeeze</source>
+        <translation>1 Druckversuch</translation>
+    </message>
+    <message>
+        <source>%1 squeezes</source>
+        <translation>%1 Druckversuche</translation>
+    </message>
+    <message>
+        <source>%1 was added as a new type.</source>
+        <translation>%1 kam als neuer Typ hinzu.</translation>
+    </message>
+    <message>
+        <source>%1 was enrolled with %2 more.</source>
+        <translation>%1 wurde eingelernt: weitere %2.</translation>
+    </message>
+    <message>
+        <source>%2 of %1 was dropped.</source>
+        <translation>Von %1 verworfen: %2.</translation>
+    </message>
+    <message>
+        <source>The recipe of %1 was changed.</source>
+        <translation>Das Rezept von %1 wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 was approved.</source>
+        <translation>%1 wurde freigegeben.</translation>
+    </message>
+    <message>
+        <source>%1 was renamed %2.</source>
+        <translation>%1 heißt jetzt %2.</translation>
+    </message>
+    <message>
+        <source>%1 was merged into %2, with %3.</source>
+        <translation>%1 wurde mit %2 vereinigt: %3.</translation>
+    </message>
+    <message>
+        <source>%3 of %1 became the new type %2.</source>
+        <translation>Von %1 wurde abgetrennt: %3, als neuer Typ %2.</translation>
+    </message>
+    <message>
+        <source>%1 was retired: it is no longer recognised.</source>
+        <translation>%1 ist außer Gebrauch: wird nicht mehr erkannt.</translation>
+    </message>
+    <message>
+        <source>%1 was put back into use.</source>
+        <translation>%1 ist wieder in Gebrauch.</translation>
+    </message>
+    <message>
+        <source>The library was put back to version %1.</source>
+        <translation>Die Bibliothek ist wieder auf dem Stand von Version %1.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s example types were added.</source>
+        <translation>Die Beispieltypen der Veröffentlichung kamen hinzu.</translation>
+    </message>
+    <message>
+        <source>Say why: the reason is kept with the change.</source>
+        <translation>Den Grund nennen: Er wird mit der Änderung aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>A type cannot be merged into itself.</source>
+        <translation>Ein Typ kann nicht mit sich selbst vereinigt werden.</translation>
+    </message>
+    <message>
+        <source>Only accepted squeezes of %1 can be taken out of it.</source>
+        <translation>Nur angenommene Druckversuche von %1 können herausgenommen werden.</translation>
+    </message>
+    <message>
+        <source>Some squeezes of %1 must go into the new type, and some must stay; to change the name of all, rename it.</source>
+        <translation>Einige Druckversuche von %1 müssen zum neuen Typ gehen und einige bleiben; sollen alle anders heißen, den Typ umbenennen.</translation>
+    </message>
+    <message>
+        <source>add the type</source>
+        <translation>Typ hinzufügen</translation>
+    </message>
+    <message>
+        <source>store the recipe</source>
+        <translation>Rezept speichern</translation>
+    </message>
+    <message>
+        <source>approve the type</source>
+        <translation>Typ freigeben</translation>
+    </message>
+    <message>
+        <source>rename the type</source>
+        <translation>Typ umbenennen</translation>
+    </message>
+    <message>
+        <source>merge the types</source>
+        <translation>Typen vereinigen</translation>
+    </message>
+    <message>
+        <source>split the type</source>
+        <translation>Typ aufteilen</translation>
+    </message>
+    <message>
+        <source>retire the type</source>
+        <translation>Typ außer Gebrauch nehmen</translation>
+    </message>
+    <message>
+        <source>put the type back into use</source>
+        <translation>Typ wieder in Gebrauch nehmen</translation>
+    </message>
+    <message>
+        <source>%1 is in use already.</source>
+        <translation>%1 ist bereits in Gebrauch.</translation>
+    </message>
+    <message>
+        <source>The library has no version %1; its newest is %2.</source>
+        <translation>Die Bibliothek hat keine Version %1; die neueste ist %2.</translation>
+    </message>
+    <message>
+        <source>Types and squeezes are as they were at version %1.</source>
+        <translation>Typen und Druckversuche sind wie in Version %1.</translation>
+    </message>
+    <message>
+        <source>restore version %1</source>
+        <translation>Version %1 wiederherstellen</translation>
+    </message>
+    <message>
+        <source>read what is known of the gripper</source>
+        <translation>lesen, was über den Greifer bekannt ist</translation>
+    </message>
+    <message>
+        <source>place the squeeze</source>
+        <translation>Druckversuch zuordnen</translation>
+    </message>
+    <message>
+        <source>The channels of the recording differ in length.</source>
+        <translation>Die Kanäle der Aufnahme sind verschieden lang.</translation>
+    </message>
+    <message>
+        <source>it does not begin like one</source>
+        <translation>sie beginnt nicht wie eine</translation>
+    </message>
+    <message>
+        <source>its layout has version %1; this program knows up to %2</source>
+        <translation>ihr Aufbau hat Version %1; dieses Programm kennt bis zu %2</translation>
+    </message>
+    <message>
+        <source>its hold is not known</source>
+        <translation>ihr Kraftverlauf ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>it is shorter or longer than it says</source>
+        <translation>sie ist kürzer oder länger, als sie sagt</translation>
+    </message>
+    <message>
+        <source>store the recording</source>
+        <translation>Aufnahme speichern</translation>
+    </message>
+    <message>
+        <source>read the recording</source>
+        <translation>Aufnahme lesen</translation>
+    </message>
+    <message>
+        <source>recording of the squeeze %1</source>
+        <translation>Aufnahme des Druckversuchs %1</translation>
+    </message>
+    <message>
+        <source>The recording of the squeeze %1</source>
+        <translation>Die Aufnahme des Druckversuchs %1</translation>
+    </message>
+    <message>
+        <source>its bytes are not those that were stored</source>
+        <translation>ihre Bytes sind nicht die gespeicherten</translation>
+    </message>
+    <message>
+        <source>change the type</source>
+        <translation>Typ ändern</translation>
+    </message>
+    <message>
+        <source>read the types</source>
+        <translation>Typen lesen</translation>
+    </message>
+    <message>
+        <source>read the recipe</source>
+        <translation>Rezept lesen</translation>
+    </message>
+    <message>
+        <source>The recipe holds a number that is not finite.</source>
+        <translation>Das Rezept enthält eine Zahl, die nicht endlich ist.</translation>
+    </message>
+    <message>
+        <source>type with the key %1</source>
+        <translation>Typ mit dem Schlüssel %1</translation>
+    </message>
+    <message>
+        <source>%1 is retired. Put it back into use first, or choose another type.</source>
+        <translation>%1 ist außer Gebrauch. Erst wieder in Gebrauch nehmen oder einen anderen Typ wählen.</translation>
+    </message>
+    <message>
+        <source>A type needs a name.</source>
+        <translation>Ein Typ braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is already a type called %1; it is retired.</source>
+        <translation>Einen Typ namens %1 gibt es schon; er ist außer Gebrauch.</translation>
+    </message>
+    <message>
+        <source>There is already a type called %1.</source>
+        <translation>Einen Typ namens %1 gibt es schon.</translation>
+    </message>
+    <message>
+        <source>say what it is</source>
+        <translation>sagen, was er ist</translation>
+    </message>
+    <message>
+        <source>feature report 0x%1: %2</source>
+        <translation>Feature-Report 0x%1: %2</translation>
+    </message>
+    <message>
+        <source>disarm</source>
+        <translation>entschärfen</translation>
+    </message>
+    <message>
+        <source>confirm the stop</source>
+        <translation>den Stopp bestätigen</translation>
+    </message>
+    <message>
+        <source>take the limits of the squeeze</source>
+        <translation>die Grenzen des Druckversuchs übernehmen</translation>
+    </message>
+    <message>
+        <source>take the force signal</source>
+        <translation>das Kraftsignal übernehmen</translation>
+    </message>
+    <message>
+        <source>start the squeeze</source>
+        <translation>den Druckversuch beginnen</translation>
+    </message>
+    <message>
+        <source>end the squeeze early</source>
+        <translation>den Druckversuch früh beenden</translation>
+    </message>
+    <message>
+        <source>further sample at %1: it was replayed to its end</source>
+        <translation>weiterer Abtastwert von %1: bis zum Ende wiedergegeben</translation>
+    </message>
+    <message>
+        <source>it was unplugged or switched off</source>
+        <translation>er wurde abgezogen oder ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>it sent nothing for a second</source>
+        <translation>er sendete eine Sekunde lang nichts</translation>
+    </message>
+    <message>
+        <source>it restarted</source>
+        <translation>er startete neu</translation>
+    </message>
+    <message>
+        <source>Device address: %1 is not understood; %2.</source>
+        <translation>Geräteadresse: %1 ist nicht verständlich; %2.</translation>
+    </message>
+    <message>
+        <source>%1 is a number from %2 to %3</source>
+        <translation>%1 ist eine Zahl von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>a fault is loss:P, duplicate:P, crc:P, saturate:N, stall:S, unplug:S, replug:S, deaf:S, hang-feature:S, hang-write:S, broken:S, stuck or units</source>
+        <translation>ein Fehler ist loss:P, duplicate:P, crc:P, saturate:N, stall:S, unplug:S, replug:S, deaf:S, hang-feature:S, hang-write:S, broken:S, stuck oder units</translation>
+    </message>
+    <message>
+        <source>replug:S needs unplug:S beside it</source>
+        <translation>replug:S braucht unplug:S daneben</translation>
+    </message>
+    <message>
+        <source>seed is a whole number from 0 on</source>
+        <translation>seed ist eine ganze Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>a second fault=</source>
+        <translation>ein zweites fault=</translation>
+    </message>
+    <message>
+        <source>faults stand behind one fault=, with commas between</source>
+        <translation>Fehler stehen hinter einem einzigen fault=, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>virtual: knows object, seed, noise, speed, fault, script, capture, profile and like</source>
+        <translation>virtual: kennt object, seed, noise, speed, fault, script, capture, profile und like</translation>
+    </message>
+    <message>
+        <source>behind virtual: comes nothing, or ? and options such as object=A&amp;seed=7</source>
+        <translation>hinter virtual: kommt nichts oder ? und Optionen wie object=A&amp;seed=7</translation>
+    </message>
+    <message>
+        <source>an option is name=value</source>
+        <translation>eine Option ist name=wert</translation>
+    </message>
+    <message>
+        <source>a vendor or product number has up to four hexadecimal digits, such as 1209</source>
+        <translation>eine Hersteller- oder Produktnummer hat bis zu vier Hexadezimalziffern, etwa 1209</translation>
+    </message>
+    <message>
+        <source>behind hid: the options are port=PORT, profile=FILE and capture=FILE</source>
+        <translation>hinter hid: sind die Optionen port=PORT, profile=FILE und capture=FILE</translation>
+    </message>
+    <message>
+        <source>hid: stands alone, or as hid:1209:0001 or hid:1209:0001:SERIAL</source>
+        <translation>hid: steht allein oder als hid:1209:0001 oder hid:1209:0001:SERIAL</translation>
+    </message>
+    <message>
+        <source>an address is virtual: or virtual:?object=A&amp;seed=7, hid: or hid:1209:0001:SERIAL, or replay:FILE</source>
+        <translation>eine Adresse ist virtual: oder virtual:?object=A&amp;seed=7, hid: oder hid:1209:0001:SERIAL oder replay:FILE</translation>
+    </message>
+    <message>
+        <source>Type this in a terminal, then it is connected by itself:
+</source>
+        <translation>Dies in ein Terminal eingeben, dann wird er von selbst verbunden:
+</translation>
+    </message>
+    <message>
+        <source>Plug it in and switch it on, or try virtual: without hardware.</source>
+        <translation>Anstecken und einschalten oder ohne Hardware virtual: versuchen.</translation>
+    </message>
+    <message>
+        <source>not tested</source>
+        <translation>nicht geprüft</translation>
+    </message>
+    <message>
+        <source>The self-test is under way. Wait for its end.</source>
+        <translation>Der Selbsttest läuft. Das Ende abwarten.</translation>
+    </message>
+    <message>
+        <source>No gripper is connected. Connect one, then test it.</source>
+        <translation>Kein Greifer ist verbunden. Erst verbinden, dann prüfen.</translation>
+    </message>
+    <message>
+        <source>no samples</source>
+        <translation>keine Abtastwerte</translation>
+    </message>
+    <message>
+        <source>always the same number</source>
+        <translation>immer dieselbe Zahl</translation>
+    </message>
+    <message>
+        <source>Either it is quieter than one count, or it is stuck: touch the gripper and see whether the number moves.</source>
+        <translation>Entweder ist er ruhiger als eine Stufe, oder er hängt: den Greifer berühren und sehen, ob sich die Zahl bewegt.</translation>
+    </message>
+    <message>
+        <source>at most %1 %2</source>
+        <translation>höchstens %1 %2</translation>
+    </message>
+    <message>
+        <source>Take away what shakes the gripper and what it holds, then test again; if it stays, check the sensor&apos;s wiring and shielding.</source>
+        <translation>Entfernen, was den Greifer erschüttert und was er hält, dann erneut prüfen; bleibt es so, Verdrahtung und Schirmung des Sensors prüfen.</translation>
+    </message>
+    <message>
+        <source>What it says of itself</source>
+        <translation>Was er über sich sagt</translation>
+    </message>
+    <message>
+        <source>Plug the gripper in again. If it stays, its firmware does not answer as devices/PROTOCOL.md asks.</source>
+        <translation>Den Greifer neu anstecken. Bleibt es so, antwortet seine Firmware nicht, wie devices/PROTOCOL.md verlangt.</translation>
+    </message>
+    <message>
+        <source>all read, checksums right</source>
+        <translation>alles gelesen, Prüfsummen richtig</translation>
+    </message>
+    <message>
+        <source>identity, measurement and limits read, checksums right</source>
+        <translation>Identität, Messgrößen und Grenzen gelesen, Prüfsummen richtig</translation>
+    </message>
+    <message>
+        <source>said by a profile or a file, not by the gripper</source>
+        <translation>von Profil oder Datei gesagt, nicht vom Greifer</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>%1 samples a second within %2 %</source>
+        <translation>%1 Abtastwerte je Sekunde auf %2 %</translation>
+    </message>
+    <message>
+        <source>Check the cable and the load of the computer. If it stays, the sample time that the gripper states is wrong.</source>
+        <translation>Kabel und Auslastung des Rechners prüfen. Bleibt es so, ist die vom Greifer genannte Abtastzeit falsch.</translation>
+    </message>
+    <message>
+        <source>nothing came</source>
+        <translation>nichts kam an</translation>
+    </message>
+    <message>
+        <source>%1 samples in %2 reports a second</source>
+        <translation>%1 Abtastwerte in %2 Reports je Sekunde</translation>
+    </message>
+    <message>
+        <source>Nothing lost</source>
+        <translation>Nichts verloren</translation>
+    </message>
+    <message>
+        <source>%1 samples lost</source>
+        <translation>%1 Abtastwerte verloren</translation>
+    </message>
+    <message>
+        <source>%1 reports twice</source>
+        <translation>%1 Reports doppelt</translation>
+    </message>
+    <message>
+        <source>%1 samples dropped here</source>
+        <translation>%1 Abtastwerte hier verworfen</translation>
+    </message>
+    <message>
+        <source>0 lost, twice, damaged or silent</source>
+        <translation>0 verloren, doppelt, beschädigt oder stumm</translation>
+    </message>
+    <message>
+        <source>Try a shorter cable and another port, without a hub; close programs that keep the computer busy.</source>
+        <translation>Ein kürzeres Kabel und einen anderen Anschluss versuchen, ohne Hub; Programme schließen, die den Rechner beschäftigen.</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>no jump, within %1 ppm of the computer&apos;s</source>
+        <translation>kein Sprung, auf %1 ppm wie die des Rechners</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Check the gripper&apos;s power supply; if it stays, its firmware keeps time badly.</source>
+        <translation>Die Stromversorgung des Greifers prüfen; bleibt es so, hält seine Firmware die Zeit schlecht ein.</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>no fault, nothing saturated</source>
+        <translation>kein Fehler, nichts übersteuert</translation>
+    </message>
+    <message>
+        <source>Open the gripper and take out what it holds; if it stays, it needs service.</source>
+        <translation>Den Greifer öffnen und herausnehmen, was er hält; bleibt es so, braucht er Wartung.</translation>
+    </message>
+    <message>
+        <source>Force at rest</source>
+        <translation>Kraft in Ruhe</translation>
+    </message>
+    <message>
+        <source>Position at rest</source>
+        <translation>Weg in Ruhe</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>this gripper takes no commands</source>
+        <translation>dieser Greifer nimmt keine Befehle an</translation>
+    </message>
+    <message>
+        <source>answered within %1 ms</source>
+        <translation>Antwort innerhalb von %1 ms</translation>
+    </message>
+    <message>
+        <source>answered in %1 ms</source>
+        <translation>Antwort nach %1 ms</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>Do not squeeze with this gripper until it answers: check the cable, then its firmware.</source>
+        <translation>Mit diesem Greifer nicht drücken, bis er antwortet: Kabel prüfen, dann seine Firmware.</translation>
+    </message>
+    <message>
+        <source>be asked</source>
+        <translation>gefragt werden</translation>
+    </message>
+    <message>
+        <source>it is known by a profile, and only listened to</source>
+        <translation>er ist durch ein Profil bekannt und wird nur abgehört</translation>
+    </message>
+    <message>
+        <source>uN, mN, N or kN</source>
+        <translation>uN, mN, N oder kN</translation>
+    </message>
+    <message>
+        <source>nm, um, mm, cm or m</source>
+        <translation>nm, um, mm, cm oder m</translation>
+    </message>
+    <message>
+        <source>the numbers of another gripper: this one speaks Gripscope&apos;s own protocol and needs no profile</source>
+        <translation>die Nummern eines anderen Greifers: Dieser spricht das eigene Protokoll von Gripscope und braucht kein Profil</translation>
+    </message>
+    <message>
+        <source>%1 samples without a stride</source>
+        <translation>%1 Abtastwerte ohne Schrittweite</translation>
+    </message>
+    <message>
+        <source>a stride, the bytes from one sample to the next</source>
+        <translation>eine Schrittweite, die Bytes von einem Abtastwert zum nächsten</translation>
+    </message>
+    <message>
+        <source>bits of an f32</source>
+        <translation>Bits eines f32</translation>
+    </message>
+    <message>
+        <source>a whole number type, or neither first_bit nor bits</source>
+        <translation>ein ganzzahliger Typ oder weder first_bit noch bits</translation>
+    </message>
+    <message>
+        <source>bits %1 to %2</source>
+        <translation>Bits %1 bis %2</translation>
+    </message>
+    <message>
+        <source>bits within the %1 of %2, 0 to %3</source>
+        <translation>Bits innerhalb der %1 von %2, 0 bis %3</translation>
+    </message>
+    <message>
+        <source>1 or more: byte 0 is the report ID</source>
+        <translation>1 oder mehr: Byte 0 ist die Report-ID</translation>
+    </message>
+    <message>
+        <source>%1, so that the field ends behind byte %2</source>
+        <translation>%1, sodass das Feld nach Byte %2 endet</translation>
+    </message>
+    <message>
+        <source>a field that ends at byte %1 at the latest, as the report is %2 bytes long</source>
+        <translation>ein Feld, das spätestens mit Byte %1 endet, da der Report %2 Bytes lang ist</translation>
+    </message>
+    <message>
+        <source>a unit of %1: %2</source>
+        <translation>eine Einheit von %1: %2</translation>
+    </message>
+    <message>
+        <source>a number other than 0: all values would be the same</source>
+        <translation>eine andere Zahl als 0: Sonst wären alle Werte gleich</translation>
+    </message>
+    <message>
+        <source>less than saturates_above, which is %1</source>
+        <translation>weniger als saturates_above, das %1 ist</translation>
+    </message>
+    <message>
+        <source>u8, u16, u24 or u32: it counts upwards</source>
+        <translation>u8, u16, u24 oder u32: Es zählt aufwärts</translation>
+    </message>
+    <message>
+        <source>at least %1 bits</source>
+        <translation>mindestens %1 Bits</translation>
+    </message>
+    <message>
+        <source>a clock that comes round every %1 s</source>
+        <translation>eine Uhr, die alle %1 s umläuft</translation>
+    </message>
+    <message>
+        <source>one that takes at least four reports, %1 s</source>
+        <translation>eine, die mindestens vier Reports braucht, %1 s</translation>
+    </message>
+    <message>
+        <source>a bit of the %1, 0 to %2</source>
+        <translation>ein Bit von %1, 0 bis %2</translation>
+    </message>
+    <message>
+        <source>%1, where %2 has bits already</source>
+        <translation>%1, wo %2 schon Bits hat</translation>
+    </message>
+    <message>
+        <source>the sample before</source>
+        <translation>der Abtastwert davor</translation>
+    </message>
+    <message>
+        <source>bits of its own, or &quot;shares_bytes&quot;: true where that is meant</source>
+        <translation>eigene Bits oder &quot;shares_bytes&quot;: true, wo das gewollt ist</translation>
+    </message>
+    <message>
+        <source>a JSON document</source>
+        <translation>ein JSON-Dokument</translation>
+    </message>
+    <message>
+        <source>an object in braces</source>
+        <translation>ein Objekt in geschweiften Klammern</translation>
+    </message>
+    <message>
+        <source>profile for a gripper %1: write one (the manual&apos;s page on profiles says how) and put it into %2, or name it behind the address: ?profile=FILE</source>
+        <translation>Profil für einen Greifer %1: eines schreiben (die Profilseite des Handbuchs sagt, wie) und in %2 ablegen oder hinter der Adresse nennen: ?profile=FILE</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>der Ordner lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>A replay has no bytes to watch; name a gripper.</source>
+        <translation>Eine Wiedergabe hat keine Bytes zum Beobachten; einen Greifer nennen.</translation>
+    </message>
+    <message>
+        <source>profile for %1: it is no gripper of another maker</source>
+        <translation>Profil für %1: Das ist kein Greifer eines anderen Herstellers</translation>
+    </message>
+    <message>
+        <source>that address</source>
+        <translation>diese Adresse</translation>
+    </message>
+    <message>
+        <source>It is unplugged; its faults plug it in again by themselves.</source>
+        <translation>Er ist abgezogen; seine Fehler stecken ihn von selbst wieder an.</translation>
+    </message>
+    <message>
+        <source>it does not speak Gripscope&apos;s protocol</source>
+        <translation>er spricht das Protokoll von Gripscope nicht</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>it was done before</source>
+        <translation>es war schon erledigt</translation>
+    </message>
+    <message>
+        <source>it is not armed</source>
+        <translation>er ist nicht scharf</translation>
+    </message>
+    <message>
+        <source>a squeeze is running</source>
+        <translation>ein Druckversuch läuft</translation>
+    </message>
+    <message>
+        <source>a value is above a limit</source>
+        <translation>ein Wert liegt über einer Grenze</translation>
+    </message>
+    <message>
+        <source>a value is outside its range</source>
+        <translation>ein Wert liegt außerhalb seines Bereichs</translation>
+    </message>
+    <message>
+        <source>a part of the force signal is missing</source>
+        <translation>ein Teil des Kraftsignals fehlt</translation>
+    </message>
+    <message>
+        <source>the force signal arrived damaged</source>
+        <translation>das Kraftsignal kam beschädigt an</translation>
+    </message>
+    <message>
+        <source>this squeeze was started before</source>
+        <translation>dieser Druckversuch wurde schon begonnen</translation>
+    </message>
+    <message>
+        <source>it does not know this command</source>
+        <translation>er kennt diesen Befehl nicht</translation>
+    </message>
+    <message>
+        <source>the report is not 64 bytes long</source>
+        <translation>der Report ist nicht 64 Bytes lang</translation>
+    </message>
+    <message>
+        <source>the checksum differs</source>
+        <translation>die Prüfsumme weicht ab</translation>
+    </message>
+    <message>
+        <source>the protocol version is not 1</source>
+        <translation>die Protokollversion ist nicht 1</translation>
+    </message>
+    <message>
+        <source>the report is of an unknown kind</source>
+        <translation>der Report ist von unbekannter Art</translation>
+    </message>
+    <message>
+        <source>a field is outside its range</source>
+        <translation>ein Feld liegt außerhalb seines Bereichs</translation>
+    </message>
+    <message>
+        <source>report sequence</source>
+        <translation>Report-Nummer</translation>
+    </message>
+    <message>
+        <source>first sample</source>
+        <translation>erster Abtastwert</translation>
+    </message>
+    <message>
+        <source>device time</source>
+        <translation>Gerätezeit</translation>
+    </message>
+    <message>
+        <source>force %1, position %2 counts</source>
+        <translation>Kraft %1, Weg %2 Stufen</translation>
+    </message>
+    <message>
+        <source>largest force</source>
+        <translation>größte Kraft</translation>
+    </message>
+    <message>
+        <source>longest travel</source>
+        <translation>längster Weg</translation>
+    </message>
+    <message>
+        <source>from index</source>
+        <translation>ab Index</translation>
+    </message>
+    <message>
+        <source>their CRC</source>
+        <translation>ihr CRC</translation>
+    </message>
+    <message>
+        <source>serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>one count of force</source>
+        <translation>eine Stufe der Kraft</translation>
+    </message>
+    <message>
+        <source>one count of position</source>
+        <translation>eine Stufe des Wegs</translation>
+    </message>
+    <message>
+        <source>sample time</source>
+        <translation>Abtastzeit</translation>
+    </message>
+    <message>
+        <source>position later by</source>
+        <translation>Weg später um</translation>
+    </message>
+    <message>
+        <source>force between samples</source>
+        <translation>Kraft zwischen Abtastwerten</translation>
+    </message>
+    <message>
+        <source>a straight line</source>
+        <translation>eine Gerade</translation>
+    </message>
+    <message>
+        <source>takes commands</source>
+        <translation>nimmt Befehle an</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>longest excitation</source>
+        <translation>längste Anregung</translation>
+    </message>
+    <message>
+        <source>force limit</source>
+        <translation>Kraftgrenze</translation>
+    </message>
+    <message>
+        <source>travel limit</source>
+        <translation>Weggrenze</translation>
+    </message>
+    <message>
+        <source>force saturated</source>
+        <translation>Kraft übersteuert</translation>
+    </message>
+    <message>
+        <source>position saturated</source>
+        <translation>Weg übersteuert</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>Datenstrom</translation>
+    </message>
+    <message>
+        <source>Acknowledgement</source>
+        <translation>Bestätigung</translation>
+    </message>
+    <message>
+        <source>Identity</source>
+        <translation>Identität</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messgrößen</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Scharf schalten</translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation>Entschärfen</translation>
+    </message>
+    <message>
+        <source>Heartbeat</source>
+        <translation>Lebenszeichen</translation>
+    </message>
+    <message>
+        <source>Set limits</source>
+        <translation>Grenzen setzen</translation>
+    </message>
+    <message>
+        <source>Upload</source>
+        <translation>Hochladen</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>unknown report 0x%1</source>
+        <translation>unbekannter Report 0x%1</translation>
+    </message>
+    <message>
+        <source>empty report</source>
+        <translation>leerer Report</translation>
+    </message>
+    <message>
+        <source>list the kept captures</source>
+        <translation>die aufbewahrten Aufzeichnungen auflisten</translation>
+    </message>
+    <message>
+        <source>not closed: it is being written, or its program ended; %1 whole records, %2 bytes behind them</source>
+        <translation>nicht abgeschlossen: Sie wird geschrieben, oder ihr Programm endete; %1 ganze Einträge, %2 Bytes dahinter</translation>
+    </message>
+    <message>
+        <source>changed since it was closed: its SHA-256 is not the one listed</source>
+        <translation>seit dem Abschließen verändert: Ihr SHA-256 ist nicht der aufgelistete</translation>
+    </message>
+    <message>
+        <source>another program holds %1</source>
+        <translation>ein anderes Programm hält %1</translation>
+    </message>
+    <message>
+        <source>it cannot be removed to make room for newer captures</source>
+        <translation>sie lässt sich nicht entfernen, um Platz für neuere Aufzeichnungen zu schaffen</translation>
+    </message>
+    <message>
+        <source>this is no Gripscope capture</source>
+        <translation>das ist keine Aufzeichnung von Gripscope</translation>
+    </message>
+    <message>
+        <source>expected GSCAP, version 1 or 2</source>
+        <translation>erwartet: GSCAP, Version 1 oder 2</translation>
+    </message>
+    <message>
+        <source>a capture of version %1</source>
+        <translation>eine Aufzeichnung der Version %1</translation>
+    </message>
+    <message>
+        <source>expected version 1 or 2; a newer program reads it</source>
+        <translation>erwartet: Version 1 oder 2; ein neueres Programm liest sie</translation>
+    </message>
+    <message>
+        <source>a record of kind %1</source>
+        <translation>ein Eintrag der Art %1</translation>
+    </message>
+    <message>
+        <source>expected a kind from 0 to %1</source>
+        <translation>erwartet: eine Art von 0 bis %1</translation>
+    </message>
+    <message>
+        <source>a report of %1 bytes</source>
+        <translation>ein Report von %1 Bytes</translation>
+    </message>
+    <message>
+        <source>expected at most %1</source>
+        <translation>erwartet: höchstens %1</translation>
+    </message>
+    <message>
+        <source>a time before that of the record in front</source>
+        <translation>eine Zeit vor der des Eintrags davor</translation>
+    </message>
+    <message>
+        <source>expected times in order</source>
+        <translation>erwartet: Zeiten der Reihe nach</translation>
+    </message>
+    <message>
+        <source>it is closed</source>
+        <translation>sie ist geschlossen</translation>
+    </message>
+    <message>
+        <source>it was removed while it was written</source>
+        <translation>sie wurde beim Schreiben entfernt</translation>
+    </message>
+    <message>
+        <source>no report of a gripper</source>
+        <translation>kein Report eines Greifers</translation>
+    </message>
+    <message>
+        <source>no feature report 0x%1</source>
+        <translation>kein Feature-Report 0x%1</translation>
+    </message>
+    <message>
+        <source>expected one, since it says what the numbers mean</source>
+        <translation>erwartet: einer, da er sagt, was die Zahlen bedeuten</translation>
+    </message>
+    <message>
+        <source>the capture ends within the squeeze</source>
+        <translation>die Aufzeichnung endet innerhalb des Druckversuchs</translation>
+    </message>
+    <message>
+        <source>another squeeze began within it</source>
+        <translation>ein anderer Druckversuch begann darin</translation>
+    </message>
+    <message>
+        <source>Replay of %1</source>
+        <translation>Wiedergabe von %1</translation>
+    </message>
+    <message>
+        <source>object=%1 is not an object: A, B, C or D, or m,b,k as m in kg (1e-6 to 1e3), b in N s/m (0 to 1e6) and k in N/m (1 to 1e9), such as 0.04,43,9990</source>
+        <translation>object=%1 ist kein Objekt: A, B, C oder D, oder m,b,k mit m in kg (1e-6 bis 1e3), b in N s/m (0 bis 1e6) und k in N/m (1 bis 1e9), etwa 0.04,43,9990</translation>
+    </message>
+    <message>
+        <source>it is not open</source>
+        <translation>sie ist nicht offen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>loading</source>
+        <translation>lädt</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>excitation</source>
+        <translation>Anregung</translation>
+    </message>
+    <message>
+        <source>%1, number %2</source>
+        <translation>%1, Nummer %2</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>Abtastwerte</translation>
+    </message>
+    <message>
+        <source>sample %1</source>
+        <translation>Abtastwert %1</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>detail</source>
+        <translation>Einzelheit</translation>
+    </message>
+    <message>
+        <source>%1 counts</source>
+        <translation>%1 Stufen</translation>
+    </message>
+    <message>
+        <source>forces</source>
+        <translation>Kräfte</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation>gehalten</translation>
+    </message>
+    <message>
+        <source>watchdog</source>
+        <translation>Watchdog</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 Abtastwerte</translation>
+    </message>
+    <message>
+        <source>armed</source>
+        <translation>scharf</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>bewegt sich</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>bit %1</source>
+        <translation>Bit %1</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::AboutDialog</name>
+    <message>
+        <source>About Gripscope</source>
+        <translation>Über Gripscope</translation>
+    </message>
+    <message>
+        <source>Gripscope %1</source>
+        <translation>Gripscope %1</translation>
+    </message>
+    <message>
+        <source>Squeezes a part for about a second and says which mass, damping and stiffness it showed, with honest error bars, and which enrolled type it is, or that it is none of them, or that the measurement was not good enough. Free software under the GNU General Public License, version 3 or later.</source>
+        <translation>Drückt ein Teil etwa eine Sekunde lang und sagt, welche Masse, Dämpfung und Steifigkeit es gezeigt hat, mit ehrlichen Fehlerbalken, und welcher eingelernte Typ es ist, oder dass es keiner davon ist, oder dass die Messung nicht gut genug war. Freie Software unter der GNU General Public License, Version 3 oder später.</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Stop the gripper and disarm it, on every page</source>
+        <translation>Greifer anhalten und entschärfen, auf jeder Seite</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Squeeze (pages Inspect and Enroll)</source>
+        <translation>Drücken (Seiten Prüfen und Einlernen)</translation>
+    </message>
+    <message>
+        <source>Ctrl+%1</source>
+        <translation>Strg+%1</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Strg+,</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Optionen</translation>
+    </message>
+    <message>
+        <source>F1</source>
+        <translation>F1</translation>
+    </message>
+    <message>
+        <source>This window</source>
+        <translation>Dieses Fenster</translation>
+    </message>
+    <message>
+        <source>F9</source>
+        <translation>F9</translation>
+    </message>
+    <message>
+        <source>Inspect the gripper: reports, counters, self-test</source>
+        <translation>Den Greifer untersuchen: Reports, Zähler, Selbsttest</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::AccessDialog</name>
+    <message>
+        <source>Allow access to the gripper</source>
+        <translation>Zugriff auf den Greifer erlauben</translation>
+    </message>
+    <message>
+        <source>This user may not open %1</source>
+        <translation>Dieser Benutzer darf %1 nicht öffnen</translation>
+    </message>
+    <message>
+        <source>Type this in a terminal, once on this computer. It asks for the password of an administrator. Gripscope then connects the gripper by itself.</source>
+        <translation>Dies in ein Terminal eingeben, einmal auf diesem Rechner. Es fragt nach dem Passwort eines Administrators. Danach verbindet Gripscope den Greifer von selbst.</translation>
+    </message>
+    <message>
+        <source>Commands to type</source>
+        <translation>Einzugebende Befehle</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::AdvicePanel</name>
+    <message>
+        <source>How many clusters are there?</source>
+        <translation>Wie viele Cluster gibt es?</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Compares 1 to 8 clusters by five criteria</source>
+        <translation>Vergleicht 1 bis 8 Cluster nach fünf Kriterien</translation>
+    </message>
+    <message>
+        <source>Advice on the number of clusters</source>
+        <translation>Rat zur Anzahl der Cluster</translation>
+    </message>
+    <message>
+        <source>Criteria for the number of clusters</source>
+        <translation>Kriterien für die Anzahl der Cluster</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>%1 nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::AdviceTableModel</name>
+    <message>
+        <source>The best by this criterion</source>
+        <translation>Das Beste nach diesem Kriterium</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>Number of clusters</source>
+        <translation>Anzahl der Cluster</translation>
+    </message>
+    <message>
+        <source>Silh.</source>
+        <translation>Silh.</translation>
+    </message>
+    <message>
+        <source>Silhouette: how much nearer a squeeze is to its own cluster than to the next. High is good.</source>
+        <translation>Silhouette: wie viel näher ein Druckversuch seinem eigenen Cluster ist als dem nächsten. Hoch ist gut.</translation>
+    </message>
+    <message>
+        <source>C-H</source>
+        <translation>C-H</translation>
+    </message>
+    <message>
+        <source>Calinski-Harabasz: variance between the clusters over that within. High is good.</source>
+        <translation>Calinski-Harabasz: Varianz zwischen den Clustern zu der innerhalb. Hoch ist gut.</translation>
+    </message>
+    <message>
+        <source>D-B</source>
+        <translation>D-B</translation>
+    </message>
+    <message>
+        <source>Davies-Bouldin: the worst overlap of each cluster with another, on average. Low is good.</source>
+        <translation>Davies-Bouldin: die schlimmste Überlappung jedes Clusters mit einem anderen, im Mittel. Niedrig ist gut.</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Gap</translation>
+    </message>
+    <message>
+        <source>Gap: how much tighter the clusters are than those of squeezes spread evenly. Its best is the smallest within an error of the first maximum.</source>
+        <translation>Gap: wie viel enger die Cluster sind als die gleichmäßig verteilter Druckversuche. Am besten ist das kleinste K innerhalb eines Fehlers vom ersten Maximum.</translation>
+    </message>
+    <message>
+        <source>BIC</source>
+        <translation>BIC</translation>
+    </message>
+    <message>
+        <source>Bayesian information criterion of Gaussian mixtures, the better of tied and full. Low is good.</source>
+        <translation>Bayes&apos;sches Informationskriterium von Gauß-Mischungen, das bessere von gemeinsam und frei. Niedrig ist gut.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::AxisScale</name>
+    <message>
+        <source>%1 (as printed)</source>
+        <translation>%1 (wie gedruckt)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::BudgetPanel</name>
+    <message>
+        <source>Uncertainty budget</source>
+        <translation>Unsicherheitsbudget</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::BudgetTableModel</name>
+    <message>
+        <source>Combined</source>
+        <translation>Kombiniert</translation>
+    </message>
+    <message>
+        <source>standard uncertainty</source>
+        <translation>Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>Expanded</source>
+        <translation>Erweitert</translation>
+    </message>
+    <message>
+        <source>half of the %1 % interval</source>
+        <translation>halbes %1-%-Intervall</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty; the bar is the effect&apos;s share of the variance</source>
+        <translation>Standardunsicherheit; der Balken ist der Anteil des Einflusses an der Varianz</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>Einfluss</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>Position noise</source>
+        <translation>Rauschen Weg</translation>
+    </message>
+    <message>
+        <source>Force noise</source>
+        <translation>Rauschen Kraft</translation>
+    </message>
+    <message>
+        <source>Lag of the channels</source>
+        <translation>Zeitversatz</translation>
+    </message>
+    <message>
+        <source>Force between samples</source>
+        <translation>Kraftverlauf</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Give of the frame</source>
+        <translation>Nachgiebigkeit</translation>
+    </message>
+    <message>
+        <source>Empty gripper</source>
+        <translation>Leerer Greifer</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ByteTableModel</name>
+    <message>
+        <source>Byte %1, %2</source>
+        <translation>Byte %1, %2</translation>
+    </message>
+    <message>
+        <source>moves</source>
+        <translation>bewegt sich</translation>
+    </message>
+    <message>
+        <source>rests</source>
+        <translation>ruht</translation>
+    </message>
+    <message>
+        <source>Byte</source>
+        <translation>Byte</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Letzter</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Kleinster</translation>
+    </message>
+    <message>
+        <source>Most</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>per s</source>
+        <translation>je s</translation>
+    </message>
+    <message>
+        <source>Belongs to</source>
+        <translation>Gehört zu</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CalibratePage</name>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Calibrations</source>
+        <translation>Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>None yet. Choose a channel and its loads on the left, put on one after the other, and look at what is left beside the curve before you accept it.</source>
+        <translation>Noch keine. Links Kanal und Lasten wählen, eine nach der anderen auflegen und vor dem Annehmen ansehen, was neben der Kurve übrig bleibt.</translation>
+    </message>
+    <message>
+        <source>Certificate…</source>
+        <translation>Zertifikat…</translation>
+    </message>
+    <message>
+        <source>Save the certificate</source>
+        <translation>Zertifikat speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CalibrateSetup</name>
+    <message>
+        <source>and down</source>
+        <translation>und abwärts</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Force, with reference weights or a load cell</source>
+        <translation>Kraft, mit Gewichten oder einer Kraftmessdose</translation>
+    </message>
+    <message>
+        <source>Position, with gauge blocks</source>
+        <translation>Weg, mit Endmaßen</translation>
+    </message>
+    <message>
+        <source>for instance Weights M1, set 4711</source>
+        <translation>zum Beispiel Gewichte M1, Satz 4711</translation>
+    </message>
+    <message>
+        <source>number, if it has one</source>
+        <translation>Nummer, falls vorhanden</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <translation>Lasten</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Degree of the curve</source>
+        <translation>Grad der Kurve</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Its certificate</source>
+        <translation>Ihr Zertifikat</translation>
+    </message>
+    <message>
+        <source>Its standard uncertainty</source>
+        <translation>Ihre Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>In newtons, the least first</source>
+        <translation>In Newton, die kleinste zuerst</translation>
+    </message>
+    <message>
+        <source>In millimetres, the least first</source>
+        <translation>In Millimetern, die kleinste zuerst</translation>
+    </message>
+    <message>
+        <source>No gripper is connected. Choose one at the top.</source>
+        <translation>Kein Greifer ist verbunden. Oben einen wählen.</translation>
+    </message>
+    <message>
+        <source>This gripper has no serial number to keep its calibration under.</source>
+        <translation>Dieser Greifer hat keine Seriennummer, unter der seine Kalibrierung abzulegen wäre.</translation>
+    </message>
+    <message>
+        <source>The gripper is armed, and hands will be near: disarm it first.</source>
+        <translation>Der Greifer ist scharf, und Hände werden nahe sein: erst entschärfen.</translation>
+    </message>
+    <message>
+        <source>Loads are numbers with commas between, such as 0, 10, 20.</source>
+        <translation>Lasten sind Zahlen mit Komma und Leerzeichen dazwischen, etwa 0, 10, 20.</translation>
+    </message>
+    <message>
+        <source>Say what the loads are realised with: it stands on the certificate.</source>
+        <translation>Angeben, womit die Lasten dargestellt werden: Es steht auf dem Zertifikat.</translation>
+    </message>
+    <message>
+        <source>%1 points, about a second each. The gripper does not move.</source>
+        <translation>%1 Punkte, je etwa eine Sekunde. Der Greifer bewegt sich nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CalibrateTaking</name>
+    <message>
+        <source>Undo the last point</source>
+        <translation>Letzten Punkt zurück</translation>
+    </message>
+    <message>
+        <source>Leave it</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Reading the channel</source>
+        <translation>Der Kanal wird gelesen</translation>
+    </message>
+    <message>
+        <source>Take it (Space)</source>
+        <translation>Aufnehmen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>The channel says</source>
+        <translation>Der Kanal sagt</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>Degree of the curve</source>
+        <translation>Grad der Kurve</translation>
+    </message>
+    <message>
+        <source>Holds until</source>
+        <translation>Gilt bis</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Annehmen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2</source>
+        <translation>Punkt %1 von %2</translation>
+    </message>
+    <message>
+        <source>Put it on from below, and let it rest.</source>
+        <translation>Von unten auflegen und ruhen lassen.</translation>
+    </message>
+    <message>
+        <source>Come down to it from above, and let it rest.</source>
+        <translation>Von oben herunterkommen und ruhen lassen.</translation>
+    </message>
+    <message>
+        <source>No curve</source>
+        <translation>Keine Kurve</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CalibrationCertificate</name>
+    <message>
+        <source>of the load</source>
+        <translation>der Last</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Its certificate</source>
+        <translation>Ihr Zertifikat</translation>
+    </message>
+    <message>
+        <source>Its standard uncertainty</source>
+        <translation>Ihre Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation>Aufgenommen</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Holds until</source>
+        <translation>Gilt bis</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Load (%1)</source>
+        <translation>Last (%1)</translation>
+    </message>
+    <message>
+        <source>Reading (%1)</source>
+        <translation>Anzeige (%1)</translation>
+    </message>
+    <message>
+        <source>Reading less the curve (%1)</source>
+        <translation>Anzeige minus Kurve (%1)</translation>
+    </message>
+    <message>
+        <source>Calibration certificate</source>
+        <translation>Kalibrierzertifikat</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty holds a load found from one reading in 95 of 100 cases. It counts the scatter about the curve, the curve itself, the reference and the return of the zero (JCGM 100:2008). Percentages are of the span of the readings.</source>
+        <translation>Die erweiterte Messunsicherheit schließt eine aus einer Anzeige bestimmte Last in 95 von 100 Fällen ein. Sie zählt die Streuung um die Kurve, die Kurve selbst, die Referenz und die Nullpunktrückkehr (JCGM 100:2008). Prozente beziehen sich auf die Spanne der Anzeigen.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Gripscope %1, record %2</source>
+        <translation>Gripscope %1, Eintrag %2</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CalibrationListModel</name>
+    <message>
+        <source>Taken</source>
+        <translation>Aufgenommen</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Unsicherheit</translation>
+    </message>
+    <message>
+        <source>Holds until</source>
+        <translation>Gilt bis</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Von</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CalibrationPlot</name>
+    <message>
+        <source>Residuals of the calibration</source>
+        <translation>Residuen der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>What is left of each reading beside the curve appears here as soon as there are enough points.</source>
+        <translation>Was von jeder Anzeige neben der Kurve bleibt, erscheint hier, sobald es genug Punkte gibt.</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Residuum</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Load (%1)</source>
+        <translation>Last (%1)</translation>
+    </message>
+    <message>
+        <source>Reading (%1)</source>
+        <translation>Anzeige (%1)</translation>
+    </message>
+    <message>
+        <source>Residual (%1)</source>
+        <translation>Residuum (%1)</translation>
+    </message>
+    <message>
+        <source>▲ up</source>
+        <translation>▲ auf</translation>
+    </message>
+    <message>
+        <source>■ down</source>
+        <translation>■ ab</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CalibrationPointsModel</name>
+    <message>
+        <source>up</source>
+        <translation>auf</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>ab</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <translation>nächster</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Gang</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Anzeige</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Residuum</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ChannelScale</name>
+    <message>
+        <source>%1 (as recorded)</source>
+        <translation>%1 (wie aufgenommen)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CheckList</name>
+    <message>
+        <source>Before the estimate</source>
+        <translation>Vor der Schätzung</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CheckSignLabel</name>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>suspect</source>
+        <translation>fraglich</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>durchgefallen</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ClusterCountsModel</name>
+    <message>
+        <source>Cluster %1</source>
+        <translation>Cluster %1</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ClustersPanel</name>
+    <message>
+        <source>Grouping the squeezes…</source>
+        <translation>Die Druckversuche werden gruppiert…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Clusters, without labels</source>
+        <translation>Cluster, ohne Namen</translation>
+    </message>
+    <message>
+        <source>K-means</source>
+        <translation>K-Means</translation>
+    </message>
+    <message>
+        <source>Gaussian mixture, tied</source>
+        <translation>Gauß-Mischung, gemeinsam</translation>
+    </message>
+    <message>
+        <source>Gaussian mixture, full</source>
+        <translation>Gauß-Mischung, frei</translation>
+    </message>
+    <message>
+        <source>Self-organizing map</source>
+        <translation>Selbstorganisierende Karte</translation>
+    </message>
+    <message>
+        <source>Round clusters of like size: each squeeze goes to the nearest centre</source>
+        <translation>Runde Cluster ähnlicher Größe: Jeder Druckversuch geht zum nächsten Zentrum</translation>
+    </message>
+    <message>
+        <source>Clusters of one shape, which all share: wiser with few squeezes</source>
+        <translation>Cluster einer Form, die alle teilen: klüger bei wenigen Druckversuchen</translation>
+    </message>
+    <message>
+        <source>Every cluster has a shape, a size and a share of its own</source>
+        <translation>Jeder Cluster hat eigene Form, Größe und eigenen Anteil</translation>
+    </message>
+    <message>
+        <source>Kohonen&apos;s map: a net of units that spreads over the squeezes; units that are alike are then merged</source>
+        <translation>Kohonens Karte: ein Netz von Einheiten, das sich über die Druckversuche legt; ähnliche Einheiten werden dann vereinigt</translation>
+    </message>
+    <message>
+        <source>Method of clustering</source>
+        <translation>Verfahren der Gruppierung</translation>
+    </message>
+    <message>
+        <source>raw values</source>
+        <translation>Rohwerte</translation>
+    </message>
+    <message>
+        <source>z-scores</source>
+        <translation>z-Werte</translation>
+    </message>
+    <message>
+        <source>logarithms</source>
+        <translation>Logarithmen</translation>
+    </message>
+    <message>
+        <source>z-scores of logs</source>
+        <translation>z-Werte der Logarithmen</translation>
+    </message>
+    <message>
+        <source>Scaling of m, b and k before clustering</source>
+        <translation>Skalierung von m, b und k vor dem Gruppieren</translation>
+    </message>
+    <message>
+        <source>How m, b and k are scaled before squeezes are compared</source>
+        <translation>Wie m, b und k skaliert werden, bevor Druckversuche verglichen werden</translation>
+    </message>
+    <message>
+        <source>best of 10 starts</source>
+        <translation>bester von 10 Starts</translation>
+    </message>
+    <message>
+        <source>random start %1</source>
+        <translation>Zufallsstart %1</translation>
+    </message>
+    <message>
+        <source>Where the method starts</source>
+        <translation>Wo das Verfahren beginnt</translation>
+    </message>
+    <message>
+        <source>Number of clusters</source>
+        <translation>Anzahl der Cluster</translation>
+    </message>
+    <message>
+        <source>Number of clusters K</source>
+        <translation>Anzahl der Cluster K</translation>
+    </message>
+    <message>
+        <source>Types against clusters</source>
+        <translation>Typen gegen Cluster</translation>
+    </message>
+    <message>
+        <source>A map starts from the plane of the two widest directions, and from 9 random draws; the best is kept</source>
+        <translation>Eine Karte beginnt mit der Ebene der zwei weitesten Richtungen und mit 9 Zufallsziehungen; die beste bleibt</translation>
+    </message>
+    <message>
+        <source>A single random start takes more steps and may end in the wrong clusters</source>
+        <translation>Ein einzelner Zufallsstart braucht mehr Schritte und kann in falschen Clustern enden</translation>
+    </message>
+    <message>
+        <source>Adjusted Rand index</source>
+        <translation>Adjustierter Rand-Index</translation>
+    </message>
+    <message>
+        <source>1: the clusters are the types; about 0: no better than chance</source>
+        <translation>1: Die Cluster sind die Typen; etwa 0: nicht besser als Zufall</translation>
+    </message>
+    <message>
+        <source>With a single type there is nothing to agree with</source>
+        <translation>Bei einem einzigen Typ gibt es nichts zu vergleichen</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>%1 × %2 units</source>
+        <translation>%1 × %2 Einheiten</translation>
+    </message>
+    <message>
+        <source>About 5 times the square root of the squeezes</source>
+        <translation>Etwa das 5-Fache der Wurzel aus der Zahl der Druckversuche</translation>
+    </message>
+    <message>
+        <source>Quantisation error</source>
+        <translation>Quantisierungsfehler</translation>
+    </message>
+    <message>
+        <source>Mean distance of a squeeze from its unit, in the scaled space</source>
+        <translation>Mittlerer Abstand eines Druckversuchs von seiner Einheit, im skalierten Raum</translation>
+    </message>
+    <message>
+        <source>Topographic error</source>
+        <translation>Topografischer Fehler</translation>
+    </message>
+    <message>
+        <source>Share of the squeezes whose two nearest units are no neighbours; over a tenth or so the net is folded</source>
+        <translation>Anteil der Druckversuche, deren zwei nächste Einheiten keine Nachbarn sind; ab etwa einem Zehntel ist das Netz gefaltet</translation>
+    </message>
+    <message>
+        <source>Log-likelihood</source>
+        <translation>Log-Likelihood</translation>
+    </message>
+    <message>
+        <source>Of all squeezes under the mixture, in the scaled space</source>
+        <translation>Aller Druckversuche unter der Mischung, im skalierten Raum</translation>
+    </message>
+    <message>
+        <source>BIC</source>
+        <translation>BIC</translation>
+    </message>
+    <message>
+        <source>Likelihood less a price for each parameter: the lower, the better</source>
+        <translation>Likelihood abzüglich eines Preises je Parameter: je niedriger, desto besser</translation>
+    </message>
+    <message>
+        <source>Inertia</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>Sum of squared distances to the own centre, in the scaled space</source>
+        <translation>Summe der quadrierten Abstände zum eigenen Zentrum, im skalierten Raum</translation>
+    </message>
+    <message>
+        <source>Table 1: types against clusters</source>
+        <translation>Tabelle 1: Typen gegen Cluster</translation>
+    </message>
+    <message>
+        <source>A column a type, a row a squeeze, in each cell its cluster</source>
+        <translation>Eine Spalte je Typ, eine Zeile je Druckversuch, in jeder Zelle sein Cluster</translation>
+    </message>
+    <message>
+        <source>A row a type, a column a cluster, in each cell how many squeezes</source>
+        <translation>Eine Zeile je Typ, eine Spalte je Cluster, in jeder Zelle die Zahl der Druckversuche</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ComparisonTableModel</name>
+    <message>
+        <source>best</source>
+        <translation>bestes</translation>
+    </message>
+    <message>
+        <source>How much worse the information criterion is than the best model&apos;s; below 10 decides nothing</source>
+        <translation>Wie viel schlechter das Informationskriterium ist als das des besten Modells; unter 10 entscheidet nichts</translation>
+    </message>
+    <message>
+        <source>Largest change of m, b or k from the linear model&apos;s, in its standard errors</source>
+        <translation>Größte Änderung von m, b oder k gegenüber dem linearen Modell, in dessen Standardfehlern</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>criterion</source>
+        <translation>Kriterium</translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>change
+sd</source>
+        <translation>Änd.
+sd</translation>
+    </message>
+    <message>
+        <source>sim.
+%</source>
+        <translation>Sim.
+%</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linear</translation>
+    </message>
+    <message>
+        <source>Cubic spring</source>
+        <translation>Kubische Feder</translation>
+    </message>
+    <message>
+        <source>Without offset</source>
+        <translation>Ohne Nullpunkt</translation>
+    </message>
+    <message>
+        <source>With offset</source>
+        <translation>Mit Nullpunkt</translation>
+    </message>
+    <message>
+        <source>With a delay</source>
+        <translation>Mit Verzögerung</translation>
+    </message>
+    <message>
+        <source>Other force hold</source>
+        <translation>Anderer Kraftverlauf</translation>
+    </message>
+    <message>
+        <source>Smooth force</source>
+        <translation>Glatte Kraft</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ConnectMenu</name>
+    <message>
+        <source>Connect to a gripper</source>
+        <translation>Mit einem Greifer verbinden</translation>
+    </message>
+    <message>
+        <source>no serial number</source>
+        <translation>keine Seriennummer</translation>
+    </message>
+    <message>
+        <source>serial %1</source>
+        <translation>Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>an %1</translation>
+    </message>
+    <message>
+        <source>no permission: see what to type</source>
+        <translation>nicht erlaubt: siehe, was einzugeben ist</translation>
+    </message>
+    <message>
+        <source>used last</source>
+        <translation>zuletzt benutzt</translation>
+    </message>
+    <message>
+        <source>Looking for grippers on USB…</source>
+        <translation>Suche nach Greifern am USB…</translation>
+    </message>
+    <message>
+        <source>Virtual gripper, can %1</source>
+        <translation>Virtueller Greifer, Dose %1</translation>
+    </message>
+    <message>
+        <source>Other address…</source>
+        <translation>Andere Adresse…</translation>
+    </message>
+    <message>
+        <source>Inspect the gripper…</source>
+        <translation>Greifer untersuchen…</translation>
+    </message>
+    <message>
+        <source>Measure the lag between its channels…</source>
+        <translation>Zeitversatz seiner Kanäle messen…</translation>
+    </message>
+    <message>
+        <source>Profile of another maker&apos;s gripper…</source>
+        <translation>Profil für Greifer anderer Hersteller…</translation>
+    </message>
+    <message>
+        <source>Do not wait for the gripper</source>
+        <translation>Nicht auf den Greifer warten</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Keep the raw reports of every session</source>
+        <translation>Rohdaten jeder Sitzung aufbewahren</translation>
+    </message>
+    <message>
+        <source>From the next connection on, the raw reports of grippers are kept in %1.</source>
+        <translation>Ab der nächsten Verbindung werden die Rohdaten der Greifer in %1 aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>From the next connection on, raw reports are not kept. Squeezes cannot be replayed then.</source>
+        <translation>Ab der nächsten Verbindung werden Rohdaten nicht aufbewahrt. Druckversuche lassen sich dann nicht wiedergeben.</translation>
+    </message>
+    <message>
+        <source>No gripper found on USB</source>
+        <translation>Kein Greifer am USB gefunden</translation>
+    </message>
+    <message>
+        <source>Address, such as virtual:?object=B&amp;seed=7, hid: or replay:FILE</source>
+        <translation>Adresse, etwa virtual:?object=B&amp;seed=7, hid: oder replay:FILE</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::Connection</name>
+    <message>
+        <source>%1 kHz</source>
+        <translation>%L1 kHz</translation>
+    </message>
+    <message>
+        <source>%1 · %2 lost</source>
+        <translation>%1 · %2 verloren</translation>
+    </message>
+    <message>
+        <source>Gripper %1</source>
+        <translation>Greifer %1</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Verbinde…</translation>
+    </message>
+    <message>
+        <source>No permission</source>
+        <translation>Nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>see what to type</source>
+        <translation>siehe Eingabe</translation>
+    </message>
+    <message>
+        <source>Gripper lost</source>
+        <translation>Greifer verloren</translation>
+    </message>
+    <message>
+        <source>choose one</source>
+        <translation>einen wählen</translation>
+    </message>
+    <message>
+        <source>%1 is away</source>
+        <translation>%1 ist weg</translation>
+    </message>
+    <message>
+        <source>No gripper yet</source>
+        <translation>Noch kein Greifer</translation>
+    </message>
+    <message>
+        <source>waiting for it</source>
+        <translation>wird erwartet</translation>
+    </message>
+    <message>
+        <source>No gripper</source>
+        <translation>Kein Greifer</translation>
+    </message>
+    <message>
+        <source>Choose the gripper at the top to see what to type</source>
+        <translation>Oben den Greifer wählen, um zu sehen, was einzugeben ist</translation>
+    </message>
+    <message>
+        <source>Choose one at the top of the window</source>
+        <translation>Oben im Fenster einen wählen</translation>
+    </message>
+    <message>
+        <source>Plug it in: Gripscope connects it by itself</source>
+        <translation>Anstecken: Gripscope verbindet ihn von selbst</translation>
+    </message>
+    <message>
+        <source>Plug it in again: Gripscope goes on by itself</source>
+        <translation>Wieder anstecken: Gripscope macht von selbst weiter</translation>
+    </message>
+    <message>
+        <source>The gripper at %1 may not be opened by this user. Choose it at the top to see what to type; Gripscope connects it by itself then.</source>
+        <translation>Dieser Benutzer darf den Greifer unter %1 nicht öffnen. Oben wählen, um zu sehen, was einzugeben ist; danach verbindet Gripscope ihn von selbst.</translation>
+    </message>
+    <message>
+        <source>%1 went away: %2. Plug it in again: Gripscope goes on by itself.</source>
+        <translation>%1 ist weg: %2. Wieder anstecken: Gripscope macht von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>%1 Gripscope connects it as soon as it is there.</source>
+        <translation>%1 Gripscope verbindet ihn, sobald er da ist.</translation>
+    </message>
+    <message>
+        <source>%1 went away during the squeeze, so nothing was measured. Plug it in again, arm it, then repeat the squeeze.</source>
+        <translation>%1 verschwand während des Druckversuchs, also wurde nichts gemessen. Wieder anstecken, scharf schalten, dann erneut drücken.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CorrelationPlot</name>
+    <message>
+        <source>95 % band</source>
+        <translation>95-%-Band</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lag(s) outside of the 95 % band</source>
+        <translation>
+            <numerusform>%n Versatz außerhalb des 95-%-Bands</numerusform>
+            <numerusform>%n Versätze außerhalb des 95-%-Bands</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lag (samples)</source>
+        <translation>Versatz (Abtastwerte)</translation>
+    </message>
+    <message>
+        <source>Lag (ms)</source>
+        <translation>Versatz (ms)</translation>
+    </message>
+    <message>
+        <source>Correlation</source>
+        <translation>Korrelation</translation>
+    </message>
+    <message>
+        <source>95 % band (half width)</source>
+        <translation>95-%-Band (halbe Breite)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::DeviceChip</name>
+    <message>
+        <source>Gripper: %1</source>
+        <translation>Greifer: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::DeviceInspector</name>
+    <message>
+        <source>Gripper inspector</source>
+        <translation>Greifer untersuchen</translation>
+    </message>
+    <message>
+        <source>Identity</source>
+        <translation>Identität</translation>
+    </message>
+    <message>
+        <source>Reports</source>
+        <translation>Reports</translation>
+    </message>
+    <message>
+        <source>Counters</source>
+        <translation>Zähler</translation>
+    </message>
+    <message>
+        <source>Self-test</source>
+        <translation>Selbsttest</translation>
+    </message>
+    <message>
+        <source>Descriptor</source>
+        <translation>Deskriptor</translation>
+    </message>
+    <message>
+        <source>Property</source>
+        <translation>Eigenschaft</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>In words</source>
+        <translation>In Worten</translation>
+    </message>
+    <message>
+        <source>Report descriptor</source>
+        <translation>Report-Deskriptor</translation>
+    </message>
+    <message>
+        <source>Copy the bytes</source>
+        <translation>Bytes kopieren</translation>
+    </message>
+    <message>
+        <source>Counter</source>
+        <translation>Zähler</translation>
+    </message>
+    <message>
+        <source>Since it was opened</source>
+        <translation>Seit dem Öffnen</translation>
+    </message>
+    <message>
+        <source>Since I looked</source>
+        <translation>Seit ich zusehe</translation>
+    </message>
+    <message>
+        <source>Count from here on</source>
+        <translation>Ab hier zählen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>USB vendor and product</source>
+        <translation>USB-Hersteller und -Produkt</translation>
+    </message>
+    <message>
+        <source>Device node</source>
+        <translation>Geräteknoten</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>force in %1, position in %2</source>
+        <translation>Kraft in %1, Weg in %2</translation>
+    </message>
+    <message>
+        <source>Sample time</source>
+        <translation>Abtastzeit</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Position later than force by</source>
+        <translation>Weg später als Kraft um</translation>
+    </message>
+    <message>
+        <source>%1 µs, as it says</source>
+        <translation>%1 µs, wie er sagt</translation>
+    </message>
+    <message>
+        <source>Takes commands</source>
+        <translation>Nimmt Befehle an</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no, it only streams</source>
+        <translation>nein, er sendet nur</translation>
+    </message>
+    <message>
+        <source>Its own limits</source>
+        <translation>Seine eigenen Grenzen</translation>
+    </message>
+    <message>
+        <source>%1 N, %2 mm, %3 samples</source>
+        <translation>%1 N, %2 mm, %3 Abtastwerte</translation>
+    </message>
+    <message>
+        <source>There is no report descriptor: this is no USB device.</source>
+        <translation>Es gibt keinen Report-Deskriptor: Dies ist kein USB-Gerät.</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Abtastwerte</translation>
+    </message>
+    <message>
+        <source>Samples lost on the way</source>
+        <translation>Unterwegs verlorene Abtastwerte</translation>
+    </message>
+    <message>
+        <source>Places where samples are missing</source>
+        <translation>Stellen, an denen Abtastwerte fehlen</translation>
+    </message>
+    <message>
+        <source>Samples dropped here</source>
+        <translation>Hier verworfene Abtastwerte</translation>
+    </message>
+    <message>
+        <source>Reports that came twice</source>
+        <translation>Doppelt angekommene Reports</translation>
+    </message>
+    <message>
+        <source>Damaged reports</source>
+        <translation>Beschädigte Reports</translation>
+    </message>
+    <message>
+        <source>Silences of 50 ms and more</source>
+        <translation>Stille von 50 ms und mehr</translation>
+    </message>
+    <message>
+        <source>Jumps of the gripper&apos;s clock</source>
+        <translation>Sprünge der Uhr des Greifers</translation>
+    </message>
+    <message>
+        <source>Commands sent</source>
+        <translation>Gesendete Befehle</translation>
+    </message>
+    <message>
+        <source>Commands repeated</source>
+        <translation>Wiederholte Befehle</translation>
+    </message>
+    <message>
+        <source>Commands answered</source>
+        <translation>Beantwortete Befehle</translation>
+    </message>
+    <message>
+        <source>Commands refused</source>
+        <translation>Abgelehnte Befehle</translation>
+    </message>
+    <message>
+        <source>Commands without an answer</source>
+        <translation>Befehle ohne Antwort</translation>
+    </message>
+    <message>
+        <source>Heartbeats</source>
+        <translation>Lebenszeichen</translation>
+    </message>
+    <message>
+        <source>Longest silence</source>
+        <translation>Längste Stille</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%L1 s</translation>
+    </message>
+    <message>
+        <source>Clock beside the computer&apos;s</source>
+        <translation>Uhr gegenüber der des Rechners</translation>
+    </message>
+    <message>
+        <source>%1 ppm</source>
+        <translation>%1 ppm</translation>
+    </message>
+    <message>
+        <source>Until the program took a sample over</source>
+        <translation>Bis das Programm einen Abtastwert übernahm</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::EnrollCheck</name>
+    <message>
+        <source>What held-out squeezes are called</source>
+        <translation>Wie ausgelassene Druckversuche benannt werden</translation>
+    </message>
+    <message>
+        <source>Squeezes
+of</source>
+        <translation>Versuche
+von</translation>
+    </message>
+    <message>
+        <source>as
+itself</source>
+        <translation>als sie
+selbst</translation>
+    </message>
+    <message>
+        <source>another
+type</source>
+        <translation>anderer
+Typ</translation>
+    </message>
+    <message>
+        <source>un-
+known</source>
+        <translation>unbe-
+kannt</translation>
+    </message>
+    <message>
+        <source>incon-
+clusive</source>
+        <translation>unent-
+schieden</translation>
+    </message>
+    <message>
+        <source>wrong at
+most (95 %)</source>
+        <translation>falsch
+max. (95 %)</translation>
+    </message>
+    <message>
+        <source>Each squeeze is being judged by all the others…</source>
+        <translation>Jeder Druckversuch wird anhand aller anderen beurteilt…</translation>
+    </message>
+    <message>
+        <source>A type needs two squeezes, of two parts, to be checked.</source>
+        <translation>Zum Prüfen braucht ein Typ zwei Druckversuche an zwei Teilen.</translation>
+    </message>
+    <message>
+        <source>Each squeeze judged by all the others. Another type: %1 Unknown: %2</source>
+        <translation>Jeder Druckversuch anhand aller anderen beurteilt. Anderer Typ: %1 Unbekannt: %2</translation>
+    </message>
+    <message>
+        <source>Squeeze %1 does not go with the others. %2</source>
+        <translation>Druckversuch %1 passt nicht zu den anderen. %2</translation>
+    </message>
+    <message>
+        <source>No other type overlaps it.</source>
+        <translation>Kein anderer Typ überlappt ihn.</translation>
+    </message>
+    <message>
+        <source>Stiffness differs by %1 from part to part and by %2 from grip to grip (1 sd, all types).</source>
+        <translation>Die Steifigkeit unterscheidet sich um %1 von Teil zu Teil und um %2 von Griff zu Griff (1 sd, alle Typen).</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::EnrollPage</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>Squeeze</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Durchsehen</translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>Enroll</source>
+        <translation>Einlernen</translation>
+    </message>
+    <message>
+        <source>What is the type called?</source>
+        <translation>Wie heißt der Typ?</translation>
+    </message>
+    <message>
+        <source>As a technician would say it, for instance “Cola 330 ml”. The name appears in large letters when a part of this type is inspected.</source>
+        <translation>So, wie man ihn am Platz nennt, zum Beispiel „Cola 330 ml“. Der Name erscheint groß, wenn ein Teil dieses Typs geprüft wird.</translation>
+    </message>
+    <message>
+        <source>Name of the type</source>
+        <translation>Name des Typs</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Enrolled types…</source>
+        <translation>Eingelernte Typen…</translation>
+    </message>
+    <message>
+        <source>Rename, merge, split or retire types; undo changes</source>
+        <translation>Typen umbenennen, vereinigen, aufteilen oder außer Gebrauch nehmen; Änderungen rückgängig machen</translation>
+    </message>
+    <message>
+        <source>How is it squeezed?</source>
+        <translation>Wie wird gedrückt?</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Parts of this type are recognised from now on. More squeezes can be added later under the same name.</source>
+        <translation>Teile dieses Typs werden ab jetzt erkannt. Weitere Druckversuche können später unter demselben Namen hinzukommen.</translation>
+    </message>
+    <message>
+        <source>Enroll another type</source>
+        <translation>Anderen Typ einlernen</translation>
+    </message>
+    <message>
+        <source>Inspect parts</source>
+        <translation>Teile prüfen</translation>
+    </message>
+    <message>
+        <source>This type is known (squeezes so far: %1). The enrolment goes on with its own recipe.</source>
+        <translation>Dieser Typ ist bekannt (bisherige Druckversuche: %1). Das Einlernen geht mit seinem eigenen Rezept weiter.</translation>
+    </message>
+    <message>
+        <source>%1 is known: its recipe stays as it is, so that all its squeezes can be compared.</source>
+        <translation>%1 ist bekannt: Sein Rezept bleibt, damit alle seine Druckversuche vergleichbar sind.</translation>
+    </message>
+    <message>
+        <source>A preload, and on it a push and a release that follow one another at random. The limits hold for every squeeze of this type.</source>
+        <translation>Eine Vorlast und darauf ein Drücken und Nachlassen in zufälliger Folge. Die Grenzen gelten für jeden Druckversuch dieses Typs.</translation>
+    </message>
+    <message>
+        <source>%1 is enrolled with %2 squeezes.</source>
+        <translation>%1 ist mit %2 Druckversuchen eingelernt.</translation>
+    </message>
+    <message>
+        <source>Cola 330 ml</source>
+        <translation>Cola 330 ml</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::EnrollRecipeForm</name>
+    <message>
+        <source>Preload</source>
+        <translation>Vorlast</translation>
+    </message>
+    <message>
+        <source>Push and release</source>
+        <translation>Drücken und Nachlassen</translation>
+    </message>
+    <message>
+        <source>Shortest push</source>
+        <translation>Kürzestes Drücken</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Crush limit</source>
+        <translation>Bruchgrenze</translation>
+    </message>
+    <message>
+        <source>Travel limit</source>
+        <translation>Weggrenze</translation>
+    </message>
+    <message>
+        <source>The push and release is larger than the preload: the gripper would have to pull. Raise the preload to at least %1 N.</source>
+        <translation>Drücken und Nachlassen ist größer als die Vorlast: Der Greifer müsste ziehen. Die Vorlast auf mindestens %1 N erhöhen.</translation>
+    </message>
+    <message>
+        <source>The largest force is %1 N, and this gripper allows %2 N. Choose less.</source>
+        <translation>Die größte Kraft ist %1 N, dieser Greifer erlaubt %2 N. Weniger wählen.</translation>
+    </message>
+    <message>
+        <source>This gripper holds at most %1 s of force. Choose a shorter squeeze.</source>
+        <translation>Dieser Greifer fasst höchstens %1 s Kraftverlauf. Einen kürzeren Druckversuch wählen.</translation>
+    </message>
+    <message>
+        <source>The force goes from %1 to %2 N for %3 s. The gripper stops by itself at %4 N or %5 mm.</source>
+        <translation>Die Kraft geht %3 s lang von %1 bis %2 N. Der Greifer hält bei %4 N oder %5 mm von selbst an.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::EnrollReviewPanel</name>
+    <message>
+        <source>Mean (95 %)</source>
+        <translation>Mittel (95 %)</translation>
+    </message>
+    <message>
+        <source>Spread (1 sd)</source>
+        <translation>Streuung (1 sd)</translation>
+    </message>
+    <message>
+        <source>moving mass m</source>
+        <translation>bewegte Masse m</translation>
+    </message>
+    <message>
+        <source>damping b</source>
+        <translation>Dämpfung b</translation>
+    </message>
+    <message>
+        <source>stiffness k</source>
+        <translation>Steifigkeit k</translation>
+    </message>
+    <message>
+        <source>Held-out check</source>
+        <translation>Kreuzprüfung</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Back to the squeezes</source>
+        <translation>Zu den Druckversuchen</translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>Review of %1</source>
+        <translation>Durchsicht von %1</translation>
+    </message>
+    <message>
+        <source>Review of %1: %2 squeezes</source>
+        <translation>Durchsicht von %1: %2 Druckversuche</translation>
+    </message>
+    <message>
+        <source>It is the only type that it can be compared with; enroll others to see how far they are.</source>
+        <translation>Es ist der einzige Typ, mit dem zu vergleichen wäre; weitere einlernen, um die Abstände zu sehen.</translation>
+    </message>
+    <message>
+        <source>The nearest other type, %1, is only %2 sd away: within the gate. Squeezes of the two will be mixed up. Choose a recipe that tells them apart, or treat them as one type.</source>
+        <translation>Der nächste andere Typ, %1, ist nur %L2 sd entfernt: innerhalb der Grenze. Druckversuche der beiden werden verwechselt. Ein Rezept wählen, das sie trennt, oder beide als einen Typ behandeln.</translation>
+    </message>
+    <message>
+        <source>The nearest other type is %1, %2 sd away.</source>
+        <translation>Der nächste andere Typ ist %1, %L2 sd entfernt.</translation>
+    </message>
+    <message>
+        <source>A squeeze further than %1 sd from the type is called unknown (1 % of its own squeezes are).</source>
+        <translation>Ein Druckversuch, der weiter als %L1 sd vom Typ liegt, heißt unbekannt (das trifft 1 % seiner eigenen).</translation>
+    </message>
+    <message>
+        <source>Too few squeezes for a gate yet: every verdict on this type stays inconclusive. Add some.</source>
+        <translation>Noch zu wenige Druckversuche für eine Grenze: Jedes Urteil zu diesem Typ bleibt unentschieden. Weitere hinzufügen.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::EnrollSqueezeModel</name>
+    <message>
+        <source>stored</source>
+        <translation>gespeichert</translation>
+    </message>
+    <message>
+        <source>valid</source>
+        <translation>gültig</translation>
+    </message>
+    <message>
+        <source>suspect</source>
+        <translation>fraglich</translation>
+    </message>
+    <message>
+        <source>not valid</source>
+        <translation>ungültig</translation>
+    </message>
+    <message>
+        <source>%1, accepted</source>
+        <translation>%1, angenommen</translation>
+    </message>
+    <message>
+        <source>outlier: %1</source>
+        <translation>Ausreißer: %1</translation>
+    </message>
+    <message>
+        <source>to decide, an outlier: %1</source>
+        <translation>offen, Ausreißer: %1</translation>
+    </message>
+    <message>
+        <source>%1, to decide</source>
+        <translation>%1, offen</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>verworfen</translation>
+    </message>
+    <message>
+        <source>rejected: %1</source>
+        <translation>verworfen: %1</translation>
+    </message>
+    <message>
+        <source>%1
+± 95 %</source>
+        <translation>%1
+± 95 %</translation>
+    </message>
+    <message>
+        <source>%1 (%2)
+± 95 %</source>
+        <translation>%1 (%2)
+± 95 %</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Simulation
+fit</source>
+        <translation>Simul.-
+Fit</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::EnrollSqueezePanel</name>
+    <message>
+        <source>Arm the gripper</source>
+        <translation>Greifer scharf schalten</translation>
+    </message>
+    <message>
+        <source>Squeeze (Space)</source>
+        <translation>Drücken (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>another one each time</source>
+        <translation>jedes Mal ein anderes</translation>
+    </message>
+    <message>
+        <source>Which part is squeezed</source>
+        <translation>Welches Teil gedrückt wird</translation>
+    </message>
+    <message>
+        <source>Give parts a number or a mark when you squeeze one more than once: the type then knows how much its parts differ, and how much only the grip.</source>
+        <translation>Teilen eine Nummer oder ein Zeichen geben, wenn eines mehrmals gedrückt wird: So lernt der Typ, wie sehr sich seine Teile unterscheiden und wie sehr nur der Griff.</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Annehmen</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Squeezes of this type</source>
+        <translation>Druckversuche dieses Typs</translation>
+    </message>
+    <message>
+        <source>Drop selected…</source>
+        <translation>Auswahl verwerfen…</translation>
+    </message>
+    <message>
+        <source>Takes an accepted squeeze out of the type, with a reason; the library keeps both</source>
+        <translation>Nimmt einen angenommenen Druckversuch aus dem Typ, mit einem Grund; die Bibliothek behält beides</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Durchsehen</translation>
+    </message>
+    <message>
+        <source>Squeezes of %1</source>
+        <translation>Druckversuche von %1</translation>
+    </message>
+    <message>
+        <source>Squeezing…</source>
+        <translation>Drückt…</translation>
+    </message>
+    <message>
+        <source>Place a part of this type, hands clear, then arm.</source>
+        <translation>Ein Teil dieses Typs einlegen, Hände weg, dann scharf schalten.</translation>
+    </message>
+    <message>
+        <source>Enough squeezes: review them now.</source>
+        <translation>Genug Druckversuche: jetzt durchsehen.</translation>
+    </message>
+    <message>
+        <source>Turn or change the part between squeezes, so that the type&apos;s spread is seen.</source>
+        <translation>Das Teil zwischen den Druckversuchen drehen oder wechseln, damit die Streuung des Typs sichtbar wird.</translation>
+    </message>
+    <message>
+        <source>Drop outlier %1…</source>
+        <translation>Ausreißer %1 verwerfen…</translation>
+    </message>
+    <message>
+        <source>A type needs at least %1 accepted squeezes</source>
+        <translation>Ein Typ braucht mindestens %1 angenommene Druckversuche</translation>
+    </message>
+    <message>
+        <source>Finding m, b and k…</source>
+        <translation>m, b und k werden bestimmt…</translation>
+    </message>
+    <message>
+        <source>No squeeze yet</source>
+        <translation>Noch kein Druckversuch</translation>
+    </message>
+    <message>
+        <source>At least %1 are needed, %2 are better.</source>
+        <translation>Mindestens %1 sind nötig, %2 sind besser.</translation>
+    </message>
+    <message>
+        <source>Squeeze %1: fit %2, %3</source>
+        <translation>Druckversuch %1: Fit %2, %3</translation>
+    </message>
+    <message>
+        <source>k  %1
+b  %2
+m  %3</source>
+        <translation>k  %1
+b  %2
+m  %3</translation>
+    </message>
+    <message>
+        <source>Rejected: %1</source>
+        <translation>Verworfen: %1</translation>
+    </message>
+    <message>
+        <source>It does not go with the others. %1 Accept it only if such parts belong to the type.</source>
+        <translation>Er passt nicht zu den anderen. %1 Nur annehmen, wenn solche Teile zum Typ gehören.</translation>
+    </message>
+    <message>
+        <source>Accept it (Space) or reject it.</source>
+        <translation>Annehmen (Leertaste) oder verwerfen.</translation>
+    </message>
+    <message>
+        <source>Accepted and stored.</source>
+        <translation>Angenommen und gespeichert.</translation>
+    </message>
+    <message>
+        <source>Another squeeze is under way. Wait for its end, then try again.</source>
+        <translation>Ein anderer Druckversuch läuft. Das Ende abwarten, dann erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>by the operator</source>
+        <translation>durch den Bediener</translation>
+    </message>
+    <message>
+        <source>Drop squeeze %1</source>
+        <translation>Druckversuch %1 verwerfen</translation>
+    </message>
+    <message>
+        <source>Why is squeeze %1 dropped? The reason is kept.</source>
+        <translation>Warum wird Druckversuch %1 verworfen? Der Grund wird aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Verwerfen</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::EnrolledTypesDialog</name>
+    <message>
+        <source>Rename %1</source>
+        <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>Verdicts say the new name from now on. Inspections that were made keep “%1”.</source>
+        <translation>Urteile nennen ab jetzt den neuen Namen. Gemachte Prüfungen behalten „%1“.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>New name</source>
+        <translation>Neuer Name</translation>
+    </message>
+    <message>
+        <source>Merge %1 into another type</source>
+        <translation>%1 mit einem anderen Typ vereinigen</translation>
+    </message>
+    <message>
+        <source>The %1 squeezes of %2 will count for the other type, and %2 is no longer a type of its own. The other type needs approval again. Merge only types that are squeezed by the same recipe.</source>
+        <translation>Die %1 Druckversuche von %2 zählen dann für den anderen Typ, und %2 ist kein eigener Typ mehr. Der andere Typ braucht erneut eine Freigabe. Nur Typen vereinigen, die mit demselben Rezept gedrückt werden.</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>Vereinigen</translation>
+    </message>
+    <message>
+        <source>The type that stays</source>
+        <translation>Der Typ, der bleibt</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>%1 aufteilen</translation>
+    </message>
+    <message>
+        <source>The squeezes that you tick become a new type with the same recipe. Both types then need approval.</source>
+        <translation>Die angekreuzten Druckversuche werden ein neuer Typ mit demselben Rezept. Beide Typen brauchen dann eine Freigabe.</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Aufteilen</translation>
+    </message>
+    <message>
+        <source>Name of the new type</source>
+        <translation>Name des neuen Typs</translation>
+    </message>
+    <message>
+        <source>Squeezes of the new type</source>
+        <translation>Druckversuche des neuen Typs</translation>
+    </message>
+    <message>
+        <source>Retire %1</source>
+        <translation>%1 außer Gebrauch nehmen</translation>
+    </message>
+    <message>
+        <source>Parts of %1 are no longer recognised: they will be unknown. Its %2 squeezes are kept, and it can be put back.</source>
+        <translation>Teile von %1 werden nicht mehr erkannt: Sie sind dann unbekannt. Die %2 Druckversuche bleiben, und der Typ kann zurückgeholt werden.</translation>
+    </message>
+    <message>
+        <source>Retire</source>
+        <translation>Außer Gebrauch nehmen</translation>
+    </message>
+    <message>
+        <source>Put %1 back into use</source>
+        <translation>%1 wieder in Gebrauch nehmen</translation>
+    </message>
+    <message>
+        <source>Parts of %1 are recognised again. The type then needs approval.</source>
+        <translation>Teile von %1 werden wieder erkannt. Der Typ braucht dann eine Freigabe.</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>%1 changes were made since.</source>
+        <translation>%1 Änderungen kamen seither.</translation>
+    </message>
+    <message>
+        <source>Restore version %1</source>
+        <translation>Version %1 wiederherstellen</translation>
+    </message>
+    <message>
+        <source>%1 Types and squeezes will again be as they were at version %2. Nothing is deleted: this is a new version, and what was done since can be restored in turn. Inspections are not touched.</source>
+        <translation>%1 Typen und Druckversuche werden wieder wie in Version %2. Nichts wird gelöscht: Dies ist eine neue Version, und das seither Getane lässt sich ebenso wiederherstellen. Prüfungen bleiben unberührt.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Enrolled types</source>
+        <translation>Eingelernte Typen</translation>
+    </message>
+    <message>
+        <source>Types</source>
+        <translation>Typen</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>Versionen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Squeezes</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Merge…</source>
+        <translation>Vereinigen…</translation>
+    </message>
+    <message>
+        <source>Split…</source>
+        <translation>Aufteilen…</translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>Retire…</source>
+        <translation>Stilllegen…</translation>
+    </message>
+    <message>
+        <source>Put back…</source>
+        <translation>Zurückholen…</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Wer</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
+    </message>
+    <message>
+        <source>Versions of the library</source>
+        <translation>Versionen der Bibliothek</translation>
+    </message>
+    <message>
+        <source>Restore this version…</source>
+        <translation>Diese Version wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>Undo the last change…</source>
+        <translation>Letzte Änderung zurücknehmen…</translation>
+    </message>
+    <message>
+        <source>retired</source>
+        <translation>außer Gebrauch</translation>
+    </message>
+    <message>
+        <source>approved</source>
+        <translation>freigegeben</translation>
+    </message>
+    <message>
+        <source>not approved</source>
+        <translation>nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>Nothing is enrolled yet.</source>
+        <translation>Noch ist nichts eingelernt.</translation>
+    </message>
+    <message>
+        <source>Version %1: %2</source>
+        <translation>Version %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::EstimateRegion</name>
+    <message>
+        <source>m, b and k are known almost independently of each other.</source>
+        <translation>m, b und k sind fast unabhängig voneinander bekannt.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 err together: if %1 is too high, so is %2.</source>
+        <translation>%1 und %2 irren gemeinsam: Ist %1 zu hoch, so auch %2.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 err against each other: if %1 is too high, %2 is too low.</source>
+        <translation>%1 und %2 irren gegenläufig: Ist %1 zu hoch, ist %2 zu niedrig.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::EstimateTableModel</name>
+    <message>
+        <source>Above: fit of the model running free from the start, 100 (1 - |y - model| / |y - mean|). Below: fit one step ahead from measured positions; says little about m, b and k</source>
+        <translation>Oben: Fit des vom Start an frei laufenden Modells, 100 (1 - |y - Modell| / |y - Mittel|). Unten: Fit einen Schritt voraus aus gemessenen Wegen; sagt wenig über m, b und k</translation>
+    </message>
+    <message>
+        <source>Fit one step ahead from measured positions; says little about m, b and k</source>
+        <translation>Fit einen Schritt voraus aus gemessenen Wegen; sagt wenig über m, b und k</translation>
+    </message>
+    <message>
+        <source>Estimator</source>
+        <translation>Schätzer</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>sim. %
+pred. %</source>
+        <translation>Sim. %
+Vorh. %</translation>
+    </message>
+    <message>
+        <source>pred. %</source>
+        <translation>Vorh. %</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::EstimateWords</name>
+    <message>
+        <source>did not converge</source>
+        <translation>nicht konvergiert</translation>
+    </message>
+    <message>
+        <source>not identifiable</source>
+        <translation>nicht bestimmbar</translation>
+    </message>
+    <message>
+        <source>no physical m, b, k</source>
+        <translation>m, b, k nicht physikalisch</translation>
+    </message>
+    <message>
+        <source>too few samples</source>
+        <translation>zu wenige Abtastwerte</translation>
+    </message>
+    <message>
+        <source>not applicable</source>
+        <translation>nicht anwendbar</translation>
+    </message>
+    <message>
+        <source>recommended</source>
+        <translation>empfohlen</translation>
+    </message>
+    <message>
+        <source>no comparison</source>
+        <translation>kein Vergleich</translation>
+    </message>
+    <message>
+        <source>agrees</source>
+        <translation>stimmt überein</translation>
+    </message>
+    <message>
+        <source>Lost samples</source>
+        <translation>Verlorene Abtastwerte</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>Übersteuerung</translation>
+    </message>
+    <message>
+        <source>Excitation</source>
+        <translation>Anregung</translation>
+    </message>
+    <message>
+        <source>White residuals</source>
+        <translation>Weiße Residuen</translation>
+    </message>
+    <message>
+        <source>Residuals and force</source>
+        <translation>Residuen und Kraft</translation>
+    </message>
+    <message>
+        <source>Force between samples</source>
+        <translation>Kraftverlauf</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>Konvergenz</translation>
+    </message>
+    <message>
+        <source>Physical range</source>
+        <translation>Physikalischer Bereich</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Fit</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Straight spring</source>
+        <translation>Gerade Feder</translation>
+    </message>
+    <message>
+        <source>Force feedback</source>
+        <translation>Kraftrückkopplung</translation>
+    </message>
+    <message>
+        <source>Recording as such</source>
+        <translation>Aufnahme an sich</translation>
+    </message>
+    <message>
+        <source>Steps of the channels</source>
+        <translation>Stufen der Kanäle</translation>
+    </message>
+    <message>
+        <source>Not usable</source>
+        <translation>Nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>Clock drift</source>
+        <translation>Uhrdrift</translation>
+    </message>
+    <message>
+        <source>Clock jitter</source>
+        <translation>Uhrschwankung</translation>
+    </message>
+    <message>
+        <source>Clock jumps</source>
+        <translation>Uhrsprünge</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Contact lost</source>
+        <translation>Kontakt verloren</translation>
+    </message>
+    <message>
+        <source>Give of the frame</source>
+        <translation>Nachgiebigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::EstimatorPanel</name>
+    <message>
+        <source>Estimators against each other</source>
+        <translation>Schätzer im Vergleich</translation>
+    </message>
+    <message>
+        <source>The error bars here are those of noise alone; the intervals above count everything that is known (see Uncertainty).</source>
+        <translation>Die Fehlerbalken hier gelten für Rauschen allein; die Intervalle oben zählen alles Bekannte (siehe Unsicherheit).</translation>
+    </message>
+    <message>
+        <source>The table holds what was measured; the empty gripper&apos;s own m, b and k are taken off the numbers above.</source>
+        <translation>Die Tabelle enthält das Gemessene; von den Zahlen oben sind m, b und k des leeren Greifers abgezogen.</translation>
+    </message>
+    <message>
+        <source>ARX predicts one step ahead from the last two measured positions. With noise that reads high even when m, b and k are far off: a good ARX prediction fit says nothing about them.</source>
+        <translation>ARX sagt aus den letzten zwei gemessenen Wegen einen Schritt voraus. Mit Rauschen ist das auch dann hoch, wenn m, b und k weit danebenliegen: Ein guter Vorhersagefit von ARX sagt nichts über sie.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::FitExporter</name>
+    <message>
+        <source>Everything into a folder…</source>
+        <translation>Alles in einen Ordner…</translation>
+    </message>
+    <message>
+        <source>All numbers as JSON…</source>
+        <translation>Alle Zahlen als JSON…</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>picture copied</source>
+        <translation>Bild kopiert</translation>
+    </message>
+    <message>
+        <source>Save picture as PNG…</source>
+        <translation>Bild als PNG speichern…</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Save picture as SVG…</source>
+        <translation>Bild als SVG speichern…</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg)</source>
+        <translation>SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>Save data as CSV…</source>
+        <translation>Daten als CSV speichern…</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save %1</source>
+        <translation>%1 speichern</translation>
+    </message>
+    <message>
+        <source>Save everything into a folder</source>
+        <translation>Alles in einen Ordner speichern</translation>
+    </message>
+    <message>
+        <source>saving…</source>
+        <translation>speichert…</translation>
+    </message>
+    <message>
+        <source>saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message numerus="yes">
+        <source>saved %n file(s)</source>
+        <translation>
+            <numerusform>%n Datei gespeichert</numerusform>
+            <numerusform>%n Dateien gespeichert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not saved: %1. Choose a folder that you may write to and that has room, then save again.</source>
+        <translation>Nicht gespeichert: %1. Einen beschreibbaren Ordner mit genug Platz wählen, dann erneut speichern.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::FitPage</name>
+    <message>
+        <source>Fit</source>
+        <translation>Fit</translation>
+    </message>
+    <message>
+        <source>validating…</source>
+        <translation>validiert…</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>Aufnahme öffnen…</translation>
+    </message>
+    <message>
+        <source>Read a recording (CSV) and identify it</source>
+        <translation>Eine Aufnahme (CSV) lesen und identifizieren</translation>
+    </message>
+    <message>
+        <source>Identify again</source>
+        <translation>Neu bestimmen</translation>
+    </message>
+    <message>
+        <source>Run every estimator on this squeeze</source>
+        <translation>Alle Schätzer auf diesen Druckversuch anwenden</translation>
+    </message>
+    <message>
+        <source>Copy numbers</source>
+        <translation>Zahlen kopieren</translation>
+    </message>
+    <message>
+        <source>Copy every number, tab-separated, with full precision</source>
+        <translation>Alle Zahlen kopieren, durch Tabulatoren getrennt, mit voller Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Save plots (PNG, SVG), their data (CSV) and all numbers (JSON)</source>
+        <translation>Diagramme (PNG, SVG), ihre Daten (CSV) und alle Zahlen (JSON) speichern</translation>
+    </message>
+    <message>
+        <source>No squeeze to look at yet</source>
+        <translation>Noch kein Druckversuch zum Ansehen</translation>
+    </message>
+    <message>
+        <source>Squeeze a part on Inspect, double-click a row in History, or open a recording (CSV): drop the file here or press Open recording.</source>
+        <translation>Auf der Seite Prüfen ein Teil drücken, im Verlauf eine Zeile doppelklicken oder eine Aufnahme (CSV) öffnen: die Datei hier ablegen oder „Aufnahme öffnen“ drücken.</translation>
+    </message>
+    <message>
+        <source>identifying…</source>
+        <translation>identifiziert…</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv);;All files (*)</source>
+        <translation>Aufnahmen (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>reading %1…</source>
+        <translation>liest %1…</translation>
+    </message>
+    <message>
+        <source>copied</source>
+        <translation>kopiert</translation>
+    </message>
+    <message>
+        <source>Simulated squeeze of can A</source>
+        <translation>Simulierter Druckversuch von Dose A</translation>
+    </message>
+    <message>
+        <source>Inspection %1</source>
+        <translation>Prüfung %1</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>Tabelle kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::FitPlots</name>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>Lag (ms)</source>
+        <translation>Versatz (ms)</translation>
+    </message>
+    <message>
+        <source>Residual autocorrelation</source>
+        <translation>Autokorrelation der Residuen</translation>
+    </message>
+    <message>
+        <source>Autocorrelation</source>
+        <translation>Autokorrelation</translation>
+    </message>
+    <message>
+        <source>Residuals against force</source>
+        <translation>Residuen gegen Kraft</translation>
+    </message>
+    <message>
+        <source>Against force</source>
+        <translation>Gegen Kraft</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Residuen</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>Measured position</source>
+        <translation>Gemessener Weg</translation>
+    </message>
+    <message>
+        <source>model, %1</source>
+        <translation>Modell, %1</translation>
+    </message>
+    <message>
+        <source>Model, %1</source>
+        <translation>Modell, %1</translation>
+    </message>
+    <message>
+        <source>Residuals, one step ahead</source>
+        <translation>Residuen, einen Schritt voraus</translation>
+    </message>
+    <message>
+        <source>no model, no residuals</source>
+        <translation>ohne Modell keine Residuen</translation>
+    </message>
+    <message>
+        <source>± 2 sd</source>
+        <translation>± 2 sd</translation>
+    </message>
+    <message>
+        <source>ARX(2,1,1)</source>
+        <translation>ARX(2,1,1)</translation>
+    </message>
+    <message>
+        <source>ARX, mean force</source>
+        <translation>ARX, mittlere Kraft</translation>
+    </message>
+    <message>
+        <source>ARX(2,2,1)</source>
+        <translation>ARX(2,2,1)</translation>
+    </message>
+    <message>
+        <source>instrumental var.</source>
+        <translation>Hilfsvariablen</translation>
+    </message>
+    <message>
+        <source>output error</source>
+        <translation>Ausgangsfehler</translation>
+    </message>
+    <message>
+        <source>cubic spring</source>
+        <translation>kubische Feder</translation>
+    </message>
+    <message>
+        <source>periodic</source>
+        <translation>periodisch</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::FitSummary</name>
+    <message>
+        <source>Details of the fit</source>
+        <translation>Einzelheiten des Fits</translation>
+    </message>
+    <message>
+        <source>Estimators</source>
+        <translation>Schätzer</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Checks</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Unsicher</translation>
+    </message>
+    <message>
+        <source>Models</source>
+        <translation>Modelle</translation>
+    </message>
+    <message>
+        <source>force held</source>
+        <translation>Kraft gehalten</translation>
+    </message>
+    <message>
+        <source>force linear</source>
+        <translation>Kraft linear</translation>
+    </message>
+    <message>
+        <source>%1 samples · %2 · %3 between samples</source>
+        <translation>%1 Abtastwerte · %2 · %3 dazwischen</translation>
+    </message>
+    <message>
+        <source>Checks (%1)</source>
+        <translation>Checks (%1)</translation>
+    </message>
+    <message>
+        <source>No estimate</source>
+        <translation>Keine Schätzung</translation>
+    </message>
+    <message>
+        <source>Mass m</source>
+        <translation>Masse m</translation>
+    </message>
+    <message>
+        <source>Damping b</source>
+        <translation>Dämpfung b</translation>
+    </message>
+    <message>
+        <source>Stiffness k</source>
+        <translation>Steifigkeit k</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::HeaderBar</name>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Who works here: kept with every squeeze</source>
+        <translation>Wer hier arbeitet: wird mit jedem Druckversuch aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Scharf</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOPP</translation>
+    </message>
+    <message>
+        <source>Stop the gripper and disarm it</source>
+        <translation>Den Greifer anhalten und entschärfen</translation>
+    </message>
+    <message>
+        <source>Stop the gripper and disarm it (Esc)</source>
+        <translation>Den Greifer anhalten und entschärfen (Esc)</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Ist scharf</translation>
+    </message>
+    <message>
+        <source>Armed; press to disarm</source>
+        <translation>Scharf; drücken zum Entschärfen</translation>
+    </message>
+    <message>
+        <source>Arm the gripper</source>
+        <translation>Den Greifer scharf schalten</translation>
+    </message>
+    <message>
+        <source>The gripper may move. Press to disarm it.</source>
+        <translation>Der Greifer darf sich bewegen. Drücken zum Entschärfen.</translation>
+    </message>
+    <message>
+        <source>Let the gripper move when a squeeze is asked for</source>
+        <translation>Den Greifer sich bewegen lassen, wenn ein Druckversuch verlangt wird</translation>
+    </message>
+    <message>
+        <source>No gripper that can be commanded is connected</source>
+        <translation>Kein steuerbarer Greifer ist verbunden</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::HeatMap</name>
+    <message>
+        <source>%1 From %2 to %3.</source>
+        <translation>%1 Von %2 bis %3.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::HistoryModel</name>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>Wahrsch.</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>Squeeze</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::HistoryPage</name>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Filter by type, operator or source</source>
+        <translation>Nach Typ, Bediener oder Quelle filtern</translation>
+    </message>
+    <message>
+        <source>Filter text</source>
+        <translation>Filtertext</translation>
+    </message>
+    <message>
+        <source>All verdicts</source>
+        <translation>Alle Urteile</translation>
+    </message>
+    <message>
+        <source>A type named</source>
+        <translation>Ein Typ benannt</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>Inconclusive</source>
+        <translation>Unentschieden</translation>
+    </message>
+    <message>
+        <source>Not valid</source>
+        <translation>Ungültig</translation>
+    </message>
+    <message>
+        <source>Verdicts to show</source>
+        <translation>Zu zeigende Urteile</translation>
+    </message>
+    <message>
+        <source>Open in Fit</source>
+        <translation>Im Fit öffnen</translation>
+    </message>
+    <message>
+        <source>Identify the stored recording of the selected row again (Enter)</source>
+        <translation>Die gespeicherte Aufnahme der gewählten Zeile neu identifizieren (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation>CSV-Export…</translation>
+    </message>
+    <message>
+        <source>Write all rows that match the filters to a file</source>
+        <translation>Alle Zeilen, die zu den Filtern passen, in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Inspections, newest first</source>
+        <translation>Prüfungen, neueste zuerst</translation>
+    </message>
+    <message>
+        <source>%1 inspected</source>
+        <translation>%1 geprüft</translation>
+    </message>
+    <message>
+        <source>%1 as expected</source>
+        <translation>%1 wie erwartet</translation>
+    </message>
+    <message>
+        <source>other type</source>
+        <translation>anderer Typ</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>inconclusive</source>
+        <translation>unentschieden</translation>
+    </message>
+    <message>
+        <source>not valid</source>
+        <translation>ungültig</translation>
+    </message>
+    <message>
+        <source>%1 match the filters</source>
+        <translation>%1 passen zu den Filtern</translation>
+    </message>
+    <message>
+        <source>Nothing matches the filters</source>
+        <translation>Nichts passt zu den Filtern</translation>
+    </message>
+    <message>
+        <source>No inspections yet</source>
+        <translation>Noch keine Prüfungen</translation>
+    </message>
+    <message>
+        <source>Clear the text or choose all verdicts.</source>
+        <translation>Den Text löschen oder alle Urteile wählen.</translation>
+    </message>
+    <message>
+        <source>Squeeze a part on the Inspect page: every verdict is kept here.</source>
+        <translation>Auf der Seite Prüfen ein Teil drücken: Jedes Urteil wird hier aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Inspection %1</source>
+        <translation>Prüfung %1</translation>
+    </message>
+    <message>
+        <source>Export inspections</source>
+        <translation>Prüfungen exportieren</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Inspections written to %1</source>
+        <translation>Prüfungen nach %1 geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ImportDialog</name>
+    <message>
+        <source>The file has values that cannot be used, so nothing of it is taken.</source>
+        <translation>Die Datei hat unbrauchbare Werte, also wird nichts von ihr übernommen.</translation>
+    </message>
+    <message>
+        <source>The file changes nothing: all settings are as they are in it.</source>
+        <translation>Die Datei ändert nichts: Alle Einstellungen sind schon wie in ihr.</translation>
+    </message>
+    <message>
+        <source>These settings change:</source>
+        <translation>Diese Einstellungen ändern sich:</translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation>Einstellungen importieren</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>What changes</source>
+        <translation>Was sich ändert</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>From the file</source>
+        <translation>Aus der Datei</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ImprovementAdvice</name>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>The lag between the channels dominates the error of %1: measure the lag.</source>
+        <translation>Der Zeitversatz der Kanäle bestimmt den Fehler von %1: den Zeitversatz messen.</translation>
+    </message>
+    <message>
+        <source>How the force runs between samples dominates the error of %1: sample faster, or name the force hold of the device.</source>
+        <translation>Der Kraftverlauf zwischen den Abtastwerten bestimmt den Fehler von %1: schneller abtasten oder den Kraftverlauf des Geräts angeben.</translation>
+    </message>
+    <message>
+        <source>The calibration dominates the error of %1: calibrate force and position anew.</source>
+        <translation>Die Kalibrierung bestimmt den Fehler von %1: Kraft und Weg neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>The force calibration dominates the error of %1: calibrate the force with better weights.</source>
+        <translation>Die Kraftkalibrierung bestimmt den Fehler von %1: die Kraft mit besseren Gewichten kalibrieren.</translation>
+    </message>
+    <message>
+        <source>The position calibration dominates the error of %1: calibrate the position with better gauge blocks.</source>
+        <translation>Die Wegkalibrierung bestimmt den Fehler von %1: den Weg mit besseren Endmaßen kalibrieren.</translation>
+    </message>
+    <message>
+        <source>The give of the frame dominates the error of %1: measure it with a rigid block.</source>
+        <translation>Die Nachgiebigkeit des Gestells bestimmt den Fehler von %1: mit einem starren Block messen.</translation>
+    </message>
+    <message>
+        <source>The empty gripper dominates the error of %1: measure it again, for longer.</source>
+        <translation>Der leere Greifer bestimmt den Fehler von %1: ihn noch einmal und länger messen.</translation>
+    </message>
+    <message>
+        <source>Parts of this squeeze disagree about %1: squeeze with the amplitude that matters to you, or look at the models.</source>
+        <translation>Abschnitte dieses Druckversuchs sind sich über %1 uneins: mit der Amplitude drücken, auf die es ankommt, oder die Modelle ansehen.</translation>
+    </message>
+    <message>
+        <source>Noise dominates the error of %1: squeeze 4 times longer to halve it.</source>
+        <translation>Rauschen bestimmt den Fehler von %1: 4-mal so lang drücken, um ihn zu halbieren.</translation>
+    </message>
+    <message>
+        <source>Noise makes most of the error of %1: squeeze 4 times longer to halve that part.</source>
+        <translation>Rauschen macht den größten Teil des Fehlers von %1 aus: 4-mal so lang drücken, um diesen Teil zu halbieren.</translation>
+    </message>
+    <message>
+        <source>%1 is known %2 times worse than %3</source>
+        <translation>%1 ist %2-mal schlechter bekannt als %3</translation>
+    </message>
+    <message>
+        <source>%1: a force that changes faster (shorter bits) says more about m.</source>
+        <translation>%1: Eine schneller wechselnde Kraft (kürzere Bits) sagt mehr über m.</translation>
+    </message>
+    <message>
+        <source>%1: a force that is stronger around %2 Hz says more about b.</source>
+        <translation>%1: Eine um %L2 Hz stärkere Kraft sagt mehr über b.</translation>
+    </message>
+    <message>
+        <source>%1: a force that changes more slowly (longer bits) says more about k.</source>
+        <translation>%1: Eine langsamer wechselnde Kraft (längere Bits) sagt mehr über k.</translation>
+    </message>
+    <message>
+        <source>Little is left to gain: m, b and k are known to %1 % or better.</source>
+        <translation>Wenig ist noch zu gewinnen: m, b und k sind auf %L1 % oder besser bekannt.</translation>
+    </message>
+    <message>
+        <source>No single effect dominates: the budget shows what to gain where.</source>
+        <translation>Kein einzelner Einfluss herrscht vor: Das Budget zeigt, was wo zu gewinnen ist.</translation>
+    </message>
+    <message>
+        <source>What is left is more than noise: a longer squeeze will not help before the model fits. Compare the models.</source>
+        <translation>Der Rest ist mehr als Rauschen: Länger drücken hilft erst, wenn das Modell passt. Die Modelle vergleichen.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::InspectMeasurement</name>
+    <message>
+        <source>stiffness k (95 %)</source>
+        <translation>Steifigkeit k (95 %)</translation>
+    </message>
+    <message>
+        <source>damping b (95 %)</source>
+        <translation>Dämpfung b (95 %)</translation>
+    </message>
+    <message>
+        <source>moving mass m (95 %)</source>
+        <translation>bewegte Masse m (95 %)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::InspectPage</name>
+    <message>
+        <source>Inspect</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Expected type</source>
+        <translation>Erwarteter Typ</translation>
+    </message>
+    <message>
+        <source>nothing expected</source>
+        <translation>nichts erwartet</translation>
+    </message>
+    <message>
+        <source>Rates…</source>
+        <translation>Raten…</translation>
+    </message>
+    <message>
+        <source>Squeeze (Space)</source>
+        <translation>Drücken (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Arm the gripper</source>
+        <translation>Greifer scharf schalten</translation>
+    </message>
+    <message>
+        <source>Another squeeze is under way. Wait for its end, then try again.</source>
+        <translation>Ein anderer Druckversuch läuft. Das Ende abwarten, dann erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>%1 · %2, %3 ± %4 N</source>
+        <translation>%1 · %2, %3 ± %4 N</translation>
+    </message>
+    <message>
+        <source>Squeezing…</source>
+        <translation>Drückt…</translation>
+    </message>
+    <message>
+        <source>Judging…</source>
+        <translation>Urteilt…</translation>
+    </message>
+    <message>
+        <source>Record (Space)</source>
+        <translation>Aufnehmen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Inspection %1</source>
+        <translation>Prüfung %1</translation>
+    </message>
+    <message>
+        <source>Esc or STOP ends it at once</source>
+        <translation>Esc oder STOPP beendet ihn sofort</translation>
+    </message>
+    <message>
+        <source>Reading the library…</source>
+        <translation>Die Bibliothek wird gelesen…</translation>
+    </message>
+    <message>
+        <source>No types yet</source>
+        <translation>Noch keine Typen</translation>
+    </message>
+    <message>
+        <source>Enroll at least one type (Ctrl+3), then inspect parts</source>
+        <translation>Mindestens einen Typ einlernen (Strg+3), dann Teile prüfen</translation>
+    </message>
+    <message>
+        <source>Not armed</source>
+        <translation>Nicht scharf</translation>
+    </message>
+    <message>
+        <source>Place the part, hands clear, then arm the gripper</source>
+        <translation>Teil einlegen, Hände weg, dann den Greifer scharf schalten</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Place the part, then squeeze: %1</source>
+        <translation>Teil einlegen, dann drücken: %1</translation>
+    </message>
+    <message>
+        <source>posterior of %1: %2</source>
+        <translation>Wahrscheinlichkeit von %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 sd from %2 (gate %3 sd)</source>
+        <translation>%1 sd von %2 (Grenze %3 sd)</translation>
+    </message>
+    <message>
+        <source>decided after %1 s</source>
+        <translation>entschieden nach %1 s</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>at most %1 s</source>
+        <translation>höchstens %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 s, at most %2 s</source>
+        <translation>etwa %1 s, höchstens %2 s</translation>
+    </message>
+    <message>
+        <source>Held to: false-reject %1 (%2), wrong-type %3, stranger-accept %4</source>
+        <translation>Gehalten: Fehlrückweisung %1 (%2), Verwechslung %3, Fremdannahme %4</translation>
+    </message>
+    <message>
+        <source>with %1 confidence</source>
+        <translation>mit %1 Vertrauen</translation>
+    </message>
+    <message>
+        <source>on average</source>
+        <translation>im Mittel</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::InspectSummary</name>
+    <message>
+        <source>No part was inspected yet. Each squeeze is listed here with its verdict.</source>
+        <translation>Noch wurde kein Teil geprüft. Jeder Druckversuch steht dann hier mit seinem Urteil.</translation>
+    </message>
+    <message>
+        <source>The last 50, newest on the right</source>
+        <translation>Die letzten 50, das neueste rechts</translation>
+    </message>
+    <message>
+        <source>%1 inspected</source>
+        <translation>%1 geprüft</translation>
+    </message>
+    <message>
+        <source>%1 as expected</source>
+        <translation>%1 wie erwartet</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3, so at most %4</source>
+        <translation>%1: %2 von %3, also höchstens %4</translation>
+    </message>
+    <message>
+        <source>If each part was of the type expected:</source>
+        <translation>Wenn jedes Teil vom erwarteten Typ war:</translation>
+    </message>
+    <message>
+        <source>If each part was of type %1:</source>
+        <translation>Wenn jedes Teil vom Typ %1 war:</translation>
+    </message>
+    <message>
+        <source>other type</source>
+        <translation>anderer Typ</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Exact bounds with 95 % confidence. Wrong type: %1</source>
+        <translation>Exakte Grenzen mit 95 % Vertrauen. Anderer Typ: %1</translation>
+    </message>
+    <message>
+        <source>Inspection %1</source>
+        <translation>Prüfung %1</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::InspectionList</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%L1 s</translation>
+    </message>
+    <message>
+        <source>Last inspections</source>
+        <translation>Letzte Prüfungen</translation>
+    </message>
+    <message>
+        <source>Press Enter or double-click to see a squeeze on the Fit page</source>
+        <translation>Eingabetaste oder Doppelklick zeigt einen Druckversuch auf der Seite Fit</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::InspectionListModel</name>
+    <message>
+        <source>Inspection %1: %2 %3</source>
+        <translation>Prüfung %1: %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::IntervalText</name>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::LagDialog</name>
+    <message>
+        <source>Lag between the channels</source>
+        <translation>Zeitversatz der Kanäle</translation>
+    </message>
+    <message>
+        <source>A gripper samples the position a little later than the force. A lag of 100 µs that nobody knows of changes the mass of a can by a tenth. Grip something firm, a spring or a can of any type, and leave it there: the gripper squeezes it %1 times, with %2 ± %3 N for %4 s.</source>
+        <translation>Ein Greifer tastet den Weg etwas später ab als die Kraft. Ein unbekannter Zeitversatz von 100 µs ändert die Masse einer Dose um ein Zehntel. Etwas Festes greifen, eine Feder oder eine Dose beliebigen Typs, und dort lassen: Der Greifer drückt sie %1-mal, mit %2 ± %3 N, je %4 s lang.</translation>
+    </message>
+    <message>
+        <source>Squeezes</source>
+        <translation>Druckversuche</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Another squeeze is under way. Wait for its end, then try again.</source>
+        <translation>Ein anderer Druckversuch läuft. Das Ende abwarten, dann erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>The position is sampled %1 (95 %) later than the force.</source>
+        <translation>Der Weg wird %1 (95 %) später abgetastet als die Kraft.</translation>
+    </message>
+    <message>
+        <source>In use: %1. It is kept for gripper %2, and its uncertainty goes into every error bar.</source>
+        <translation>In Gebrauch: %1. Er gilt für Greifer %2, und seine Unsicherheit geht in jeden Fehlerbalken ein.</translation>
+    </message>
+    <message>
+        <source>No gripper is connected. Close this, and choose one at the top.</source>
+        <translation>Kein Greifer ist verbunden. Dies schließen und oben einen wählen.</translation>
+    </message>
+    <message>
+        <source>This gripper only streams, so that it cannot be measured from here.</source>
+        <translation>Dieser Greifer sendet nur und lässt sich von hier nicht messen.</translation>
+    </message>
+    <message>
+        <source>Hands clear, then arm.</source>
+        <translation>Hände weg, dann scharf schalten.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Scharf schalten</translation>
+    </message>
+    <message>
+        <source>Use this lag</source>
+        <translation>Diesen Versatz verwenden</translation>
+    </message>
+    <message>
+        <source>Squeeze %1 times</source>
+        <translation>%1-mal drücken</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Neu messen</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::LinkWords</name>
+    <message>
+        <source>%1 s ago</source>
+        <translation>vor %1 s</translation>
+    </message>
+    <message>
+        <source>%1 min ago</source>
+        <translation>vor %1 min</translation>
+    </message>
+    <message>
+        <source>%1 h ago</source>
+        <translation>vor %1 h</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>stumm</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>verbindet</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 twice</source>
+        <translation>%1 doppelt</translation>
+    </message>
+    <message>
+        <source>%1 damaged</source>
+        <translation>%1 beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 silent (%2 s)</source>
+        <translation>%1 stumm (%L2 s)</translation>
+    </message>
+    <message>
+        <source>1 clock jump</source>
+        <translation>1 Uhrsprung</translation>
+    </message>
+    <message>
+        <source>%1 clock jumps</source>
+        <translation>%1 Uhrsprünge</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>einwandfrei</translation>
+    </message>
+    <message>
+        <source>%1 ms, most %2 ms</source>
+        <translation>%1 ms, höchstens %2 ms</translation>
+    </message>
+    <message>
+        <source>loading</source>
+        <translation>lädt</translation>
+    </message>
+    <message>
+        <source>under way</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 %3</source>
+        <translation>%1 von %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::LiveChannelCard</name>
+    <message>
+        <source>%1 over time</source>
+        <translation>%1 über der Zeit</translation>
+    </message>
+    <message>
+        <source>tared</source>
+        <translation>tariert</translation>
+    </message>
+    <message>
+        <source>in view
+highest %1 %3
+lowest %2 %3</source>
+        <translation>im Bild
+höchste %1 %3
+kleinste %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::LiveEstimateCard</name>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Abtastwerte</translation>
+    </message>
+    <message>
+        <source>m, b and k appear here while the gripper squeezes</source>
+        <translation>m, b und k erscheinen hier, während der Greifer drückt</translation>
+    </message>
+    <message>
+        <source>this squeeze so far</source>
+        <translation>dieser Druckversuch bisher</translation>
+    </message>
+    <message>
+        <source>the last squeeze</source>
+        <translation>der letzte Druckversuch</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::LiveLinkPanel</name>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Reports</source>
+        <translation>Reports</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Abtastwerte</translation>
+    </message>
+    <message>
+        <source>Lost samples</source>
+        <translation>Verlorene Abtastwerte</translation>
+    </message>
+    <message>
+        <source>Latency to the screen</source>
+        <translation>Latenz bis zum Bild</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Scharf</translation>
+    </message>
+    <message>
+        <source>Force limit</source>
+        <translation>Kraftgrenze</translation>
+    </message>
+    <message>
+        <source>Travel limit</source>
+        <translation>Weggrenze</translation>
+    </message>
+    <message>
+        <source>Squeeze</source>
+        <translation>Druckversuch</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>Datenstrom</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>cannot be seen</source>
+        <translation>nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>cannot move</source>
+        <translation>nicht möglich</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::LivePage</name>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>2 s</source>
+        <translation>2 s</translation>
+    </message>
+    <message>
+        <source>10 s</source>
+        <translation>10 s</translation>
+    </message>
+    <message>
+        <source>1 min</source>
+        <translation>1 min</translation>
+    </message>
+    <message>
+        <source>10 min</source>
+        <translation>10 min</translation>
+    </message>
+    <message>
+        <source>Show the last %1</source>
+        <translation>Die letzten %1 zeigen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Tare</source>
+        <translation>Tarieren</translation>
+    </message>
+    <message>
+        <source>Shows force and position from here on; what is recorded stays as it is</source>
+        <translation>Zeigt Kraft und Weg ab hier; das Aufgenommene bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>Trial squeeze</source>
+        <translation>Probedruck</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Cancel squeeze</source>
+        <translation>Druck abbrechen</translation>
+    </message>
+    <message>
+        <source>Record 1 s</source>
+        <translation>1 s aufnehmen</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Scharf schalten</translation>
+    </message>
+    <message>
+        <source>This gripper only streams: squeeze by its own program, and record.</source>
+        <translation>Dieser Greifer sendet nur: mit seinem eigenen Programm drücken und aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Hands clear, then arm: a trial squeeze pushes with %1 ± %2 N for %3 s.</source>
+        <translation>Hände weg, dann scharf schalten: Ein Probedruck drückt mit %1 ± %2 N, %3 s lang.</translation>
+    </message>
+    <message>
+        <source>Armed. The result of a trial squeeze opens on the Fit page; nothing is stored.</source>
+        <translation>Scharf. Das Ergebnis eines Probedrucks öffnet sich auf der Seite Fit; nichts wird gespeichert.</translation>
+    </message>
+    <message>
+        <source>Tared</source>
+        <translation>Tariert</translation>
+    </message>
+    <message>
+        <source>Another squeeze is under way. Wait for its end, then try again.</source>
+        <translation>Ein anderer Druckversuch läuft. Das Ende abwarten, dann erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>Trial squeeze %1</source>
+        <translation>Probedruck %1</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::MainWindow</name>
+    <message>
+        <source>Gripscope</source>
+        <translation>Gripscope</translation>
+    </message>
+    <message>
+        <source>%1 (Ctrl+%2)</source>
+        <translation>%1 (Strg+%2)</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Optionen</translation>
+    </message>
+    <message>
+        <source>Language, theme, rates and more (Ctrl+,)</source>
+        <translation>Sprache, Farben, Raten und mehr (Strg+,)</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>About Gripscope and its keys (F1)</source>
+        <translation>Über Gripscope und seine Tasten (F1)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ManualDialog</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::MapPanel</name>
+    <message>
+        <source>Dots: squeezes a unit. White lines: borders between clusters.</source>
+        <translation>Punkte: Druckversuche je Einheit. Weiße Linien: Grenzen zwischen Clustern.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::MapPlanes</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>No squeezes here</source>
+        <translation>Keine Druckversuche hier</translation>
+    </message>
+    <message>
+        <source>Squeezes: %1</source>
+        <translation>Druckversuche: %1</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2 of the map, cluster %3</source>
+        <translation>Zeile %1, Spalte %2 der Karte, Cluster %3</translation>
+    </message>
+    <message>
+        <source>U-matrix</source>
+        <translation>U-Matrix</translation>
+    </message>
+    <message>
+        <source>How far each unit is from its neighbours, in the scaled space. Bright ridges are borders between clusters.</source>
+        <translation>Wie weit jede Einheit von ihren Nachbarn entfernt ist, im skalierten Raum. Helle Grate sind Grenzen zwischen Clustern.</translation>
+    </message>
+    <message>
+        <source>Mass m</source>
+        <translation>Masse m</translation>
+    </message>
+    <message>
+        <source>The mass that each unit stands for</source>
+        <translation>Die Masse, für die jede Einheit steht</translation>
+    </message>
+    <message>
+        <source>Damping b</source>
+        <translation>Dämpfung b</translation>
+    </message>
+    <message>
+        <source>The damping that each unit stands for</source>
+        <translation>Die Dämpfung, für die jede Einheit steht</translation>
+    </message>
+    <message>
+        <source>Stiffness k</source>
+        <translation>Steifigkeit k</translation>
+    </message>
+    <message>
+        <source>The stiffness that each unit stands for</source>
+        <translation>Die Steifigkeit, für die jede Einheit steht</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>%n weitere</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ModelPanel</name>
+    <message>
+        <source>A lower criterion explains the squeeze better for the parameters it spends. Less than 10 apart, nothing is decided.</source>
+        <translation>Ein niedrigeres Kriterium erklärt den Druckversuch mit seinen Parametern besser. Bei weniger als 10 Abstand ist nichts entschieden.</translation>
+    </message>
+    <message>
+        <source>Models against each other</source>
+        <translation>Modelle im Vergleich</translation>
+    </message>
+    <message>
+        <source>What the periods tell</source>
+        <translation>Was die Perioden verraten</translation>
+    </message>
+    <message>
+        <source>No other model was compared with this one.</source>
+        <translation>Kein anderes Modell wurde mit diesem verglichen.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::PairPlots</name>
+    <message>
+        <source>This computer has no OpenGL 3.2, so the space is shown as three plots instead of a scene.</source>
+        <translation>Dieser Rechner hat kein OpenGL 3.2, daher zeigt statt der Szene je ein Diagramm drei Ansichten des Raums.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ProfileDialog</name>
+    <message>
+        <source>Name a gripper, then listen. Nothing is sent to it.</source>
+        <translation>Einen Greifer nennen, dann abhören. Ihm wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Listening; no report came yet.</source>
+        <translation>Hört ab; noch kam kein Report.</translation>
+    </message>
+    <message>
+        <source>%1 bytes, %2 reports a second.</source>
+        <translation>%1 Bytes, %2 Reports je Sekunde.</translation>
+    </message>
+    <message>
+        <source>What gets lost cannot be seen.</source>
+        <translation>Verluste sind nicht zu sehen.</translation>
+    </message>
+    <message>
+        <source>Lost samples: %1.</source>
+        <translation>Verlorene Abtastwerte: %1.</translation>
+    </message>
+    <message>
+        <source>Not as the profile says: %1.</source>
+        <translation>Nicht, wie das Profil sagt: %1.</translation>
+    </message>
+    <message>
+        <source>Profile of another maker&apos;s gripper</source>
+        <translation>Profil für Greifer anderer Hersteller</translation>
+    </message>
+    <message>
+        <source>Bytes (● moves, ◀ chosen field)</source>
+        <translation>Bytes (● bewegt sich, ◀ gewähltes Feld)</translation>
+    </message>
+    <message>
+        <source>Bytes of the last report</source>
+        <translation>Bytes des letzten Reports</translation>
+    </message>
+    <message>
+        <source>The profile as a JSON document</source>
+        <translation>Das Profil als JSON-Dokument</translation>
+    </message>
+    <message>
+        <source>Force of the last seconds</source>
+        <translation>Kraft der letzten Sekunden</translation>
+    </message>
+    <message>
+        <source>Position of the last seconds</source>
+        <translation>Weg der letzten Sekunden</translation>
+    </message>
+    <message>
+        <source>Address of the gripper</source>
+        <translation>Adresse des Greifers</translation>
+    </message>
+    <message>
+        <source>hid:VENDOR:PRODUCT, or virtual:?like=walkthrough to try it</source>
+        <translation>hid:HERSTELLER:PRODUKT, oder virtual:?like=walkthrough zum Ausprobieren</translation>
+    </message>
+    <message>
+        <source>Listen</source>
+        <translation>Abhören</translation>
+    </message>
+    <message>
+        <source>Show as JSON</source>
+        <translation>Als JSON</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Laden…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Save to my profiles</source>
+        <translation>Zu meinen Profilen</translation>
+    </message>
+    <message>
+        <source>⚠ %1: %2. Expected: %3.</source>
+        <translation>⚠ %1: %2. Erwartet: %3.</translation>
+    </message>
+    <message>
+        <source>…and %1 more.</source>
+        <translation>…und %1 weitere.</translation>
+    </message>
+    <message>
+        <source>Load a profile</source>
+        <translation>Ein Profil laden</translation>
+    </message>
+    <message>
+        <source>Profiles (*.json)</source>
+        <translation>Profile (*.json)</translation>
+    </message>
+    <message>
+        <source>Saved as %1. The gripper is found by it from now on.</source>
+        <translation>Gespeichert als %1. Der Greifer wird ab jetzt daran erkannt.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ProfileFieldRow</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Counter</source>
+        <translation>Zähler</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>Flags</source>
+        <translation>Flags</translation>
+    </message>
+    <message>
+        <source>first byte</source>
+        <translation>erstes Byte</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>little</source>
+        <translation>little</translation>
+    </message>
+    <message>
+        <source>big</source>
+        <translation>big</translation>
+    </message>
+    <message>
+        <source>which byte comes first: the lowest (little) or the highest (big)</source>
+        <translation>welches Byte zuerst kommt: das niedrigste (little) oder das höchste (big)</translation>
+    </message>
+    <message>
+        <source>0 moving, 4 force_saturated</source>
+        <translation>0 moving, 4 force_saturated</translation>
+    </message>
+    <message>
+        <source>bits and what they mean: %1</source>
+        <translation>Bits und was sie bedeuten: %1</translation>
+    </message>
+    <message>
+        <source>what it counts</source>
+        <translation>was er zählt</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>units in one count</source>
+        <translation>Einheiten je Stufe</translation>
+    </message>
+    <message>
+        <source>added to the value, in its unit</source>
+        <translation>zum Wert addiert, in seiner Einheit</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ProfileForm</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>held (zoh)</source>
+        <translation>gehalten (zoh)</translation>
+    </message>
+    <message>
+        <source>straight (foh)</source>
+        <translation>gerade (foh)</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>USB vendor</source>
+        <translation>USB-Hersteller</translation>
+    </message>
+    <message>
+        <source>USB product</source>
+        <translation>USB-Produkt</translation>
+    </message>
+    <message>
+        <source>Report ID</source>
+        <translation>Report-ID</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Abtastwerte</translation>
+    </message>
+    <message>
+        <source>Bytes apart</source>
+        <translation>Abstand (B)</translation>
+    </message>
+    <message>
+        <source>Samples/s</source>
+        <translation>Werte je s</translation>
+    </message>
+    <message>
+        <source>Force goes on</source>
+        <translation>Kraftverlauf</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>Byte</source>
+        <translation>Byte</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Folge</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skala</translation>
+    </message>
+    <message>
+        <source>Added</source>
+        <translation>Addiert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Says now</source>
+        <translation>Sagt jetzt</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ProgressRing</name>
+    <message>
+        <source>%1 of %2 squeezes</source>
+        <translation>%1 von %2 Druckversuchen</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::RatesDialog</name>
+    <message>
+        <source>Rates</source>
+        <translation>Raten</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>False-reject rate</source>
+        <translation>Fehlrückweisungsrate</translation>
+    </message>
+    <message>
+        <source>Of the squeezes of enrolled types, the share that may be called unknown.</source>
+        <translation>Anteil der Druckversuche eingelernter Typen, der unbekannt heißen darf.</translation>
+    </message>
+    <message>
+        <source>Wrong-type rate</source>
+        <translation>Verwechslungsrate</translation>
+    </message>
+    <message>
+        <source>Of the squeezes of enrolled types, the share that may be named another type.</source>
+        <translation>Anteil der Druckversuche eingelernter Typen, der als anderer Typ benannt werden darf.</translation>
+    </message>
+    <message>
+        <source>Stranger-accept rate</source>
+        <translation>Fremdannahmerate</translation>
+    </message>
+    <message>
+        <source>Of parts of no enrolled type, spread evenly over all that the gripper may meet, the share that may be named a type.</source>
+        <translation>Anteil der Teile keines eingelernten Typs, gleichmäßig über alles verteilt, was dem Greifer begegnen kann, der als ein Typ benannt werden darf.</translation>
+    </message>
+    <message>
+        <source>The false-reject rate holds</source>
+        <translation>Die Fehlrückweisungsrate gilt</translation>
+    </message>
+    <message>
+        <source>on average over libraries</source>
+        <translation>im Mittel über Bibliotheken</translation>
+    </message>
+    <message>
+        <source>for this library, with 95 % confidence (wider gates)</source>
+        <translation>für diese Bibliothek, mit 95 % Vertrauen (weitere Grenzen)</translation>
+    </message>
+    <message>
+        <source>Types spread unlike, or have wild squeezes among them (wider gates)</source>
+        <translation>Typen streuen ungleich oder enthalten wilde Druckversuche (weitere Grenzen)</translation>
+    </message>
+    <message>
+        <source>End a squeeze as soon as it is decided</source>
+        <translation>Einen Druckversuch beenden, sobald er entschieden ist</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::RegionPlot</name>
+    <message>
+        <source>95 % joint region of m, b and k</source>
+        <translation>Gemeinsamer 95-%-Bereich von m, b und k</translation>
+    </message>
+    <message>
+        <source>Correlation of %1 and %2: %3</source>
+        <translation>Korrelation von %1 und %2: %L3</translation>
+    </message>
+    <message>
+        <source>No region without an estimate and its error bars</source>
+        <translation>Kein Bereich ohne Schätzung mit Fehlerbalken</translation>
+    </message>
+    <message>
+        <source>95 % joint region, in % of the recommended m, b, k</source>
+        <translation>Gemeinsamer 95-%-Bereich, in % der empfohlenen m, b, k</translation>
+    </message>
+    <message>
+        <source>%1 (%)</source>
+        <translation>%1 (%)</translation>
+    </message>
+    <message>
+        <source>Joint region</source>
+        <translation>Gemeinsamer Bereich</translation>
+    </message>
+    <message>
+        <source>%1 outline: %2 (%)</source>
+        <translation>%1 Umriss: %2 (%)</translation>
+    </message>
+    <message>
+        <source>%1: m, b, k (%)</source>
+        <translation>%1: m, b, k (%)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ReportTableModel</name>
+    <message>
+        <source>in</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>not taken</source>
+        <translation>verweigert</translation>
+    </message>
+    <message>
+        <source>feature</source>
+        <translation>Feature</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Report</translation>
+    </message>
+    <message>
+        <source>In words</source>
+        <translation>In Worten</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ReportsTab</name>
+    <message>
+        <source>Which reports</source>
+        <translation>Welche Reports</translation>
+    </message>
+    <message>
+        <source>All reports</source>
+        <translation>Alle Reports</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>Datenstrom</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Features</translation>
+    </message>
+    <message>
+        <source>Damaged</source>
+        <translation>Beschädigte</translation>
+    </message>
+    <message>
+        <source>Freeze</source>
+        <translation>Einfrieren</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>The last reports</source>
+        <translation>Die letzten Reports</translation>
+    </message>
+    <message>
+        <source>The report&apos;s bytes</source>
+        <translation>Die Bytes des Reports</translation>
+    </message>
+    <message>
+        <source>Choose a report to read its bytes and fields</source>
+        <translation>Einen Report wählen, um Bytes und Felder zu lesen</translation>
+    </message>
+    <message>
+        <source>The report&apos;s fields</source>
+        <translation>Die Felder des Reports</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passed while this list was read</source>
+        <translation>
+            <numerusform>%n kam, während diese Liste gelesen wurde</numerusform>
+            <numerusform>%n kamen, während diese Liste gelesen wurde</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ResidualWords</name>
+    <message>
+        <source>white</source>
+        <translation>weiß</translation>
+    </message>
+    <message>
+        <source>modelled, not white</source>
+        <translation>modelliert, nicht weiß</translation>
+    </message>
+    <message>
+        <source>not white</source>
+        <translation>nicht weiß</translation>
+    </message>
+    <message>
+        <source>independent</source>
+        <translation>unabhängig</translation>
+    </message>
+    <message>
+        <source>dependent</source>
+        <translation>abhängig</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::SceneToolBar</name>
+    <message>
+        <source>This library</source>
+        <translation>Diese Bibliothek</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s tables (units as printed)</source>
+        <translation>Tabellen der Veröffentlichung (Einheiten wie gedruckt)</translation>
+    </message>
+    <message>
+        <source>Which types to show</source>
+        <translation>Welche Typen zu zeigen sind</translation>
+    </message>
+    <message>
+        <source>Look along the mass axis (M)</source>
+        <translation>Entlang der Massenachse blicken (M)</translation>
+    </message>
+    <message>
+        <source>Look along the damping axis (B)</source>
+        <translation>Entlang der Dämpfungsachse blicken (B)</translation>
+    </message>
+    <message>
+        <source>Look along the stiffness axis (K)</source>
+        <translation>Entlang der Steifigkeitsachse blicken (K)</translation>
+    </message>
+    <message>
+        <source>The whole space from its corner (I)</source>
+        <translation>Der ganze Raum von seiner Ecke aus (I)</translation>
+    </message>
+    <message>
+        <source>Orthographic instead of perspective (O)</source>
+        <translation>Parallel- statt Zentralprojektion (O)</translation>
+    </message>
+    <message>
+        <source>Copy the picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save the picture…</source>
+        <translation>Bild speichern…</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>the picture could not be written</source>
+        <translation>das Bild ließ sich nicht schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::SceneView</name>
+    <message>
+        <source>Types in the space of mass, damping and stiffness</source>
+        <translation>Typen im Raum von Masse, Dämpfung und Steifigkeit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n Punkt</numerusform>
+            <numerusform>%n Punkte</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::SelfTestTab</name>
+    <message>
+        <source>Test the gripper</source>
+        <translation>Greifer prüfen</translation>
+    </message>
+    <message>
+        <source>Self-test</source>
+        <translation>Selbsttest</translation>
+    </message>
+    <message>
+        <source>Two seconds of listening, then a stop. Nothing moves; the gripper is disarmed at the end.</source>
+        <translation>Zwei Sekunden Zuhören, dann ein Stopp. Nichts bewegt sich; am Ende ist der Greifer entschärft.</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>Allowed</source>
+        <translation>Erlaubt</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>A squeeze is under way. Wait for its end, then test the gripper.</source>
+        <translation>Ein Druckversuch läuft. Das Ende abwarten, dann den Greifer prüfen.</translation>
+    </message>
+    <message>
+        <source>Listening…</source>
+        <translation>Hört zu…</translation>
+    </message>
+    <message>
+        <source>Nothing wrong was found.</source>
+        <translation>Kein Fehler gefunden.</translation>
+    </message>
+    <message>
+        <source>Something is wrong: see the lines with a cross.</source>
+        <translation>Etwas stimmt nicht: siehe die Zeilen mit Kreuz.</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>durchgefallen</translation>
+    </message>
+    <message>
+        <source>not tested</source>
+        <translation>nicht geprüft</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::Setting</name>
+    <message>
+        <source>%1 From the next connection on.</source>
+        <translation>%1 Ab der nächsten Verbindung.</translation>
+    </message>
+    <message>
+        <source>%1 From the next start on.</source>
+        <translation>%1 Ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>0, or a number from %1 to %2</source>
+        <translation>0 oder eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a text of up to %1 letters</source>
+        <translation>ein Text von bis zu %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Inspecting</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation>Raten</translation>
+    </message>
+    <message>
+        <source>Kept sessions</source>
+        <translation>Aufbewahrte Sitzungen</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>Beim Start</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Of all words and numbers on the screen.</source>
+        <translation>Aller Wörter und Zahlen auf dem Bildschirm.</translation>
+    </message>
+    <message>
+        <source>Text and control size</source>
+        <translation>Größe von Text und Bedienelementen</translation>
+    </message>
+    <message>
+        <source>Enlarges everything in the window.</source>
+        <translation>Vergrößert alles im Fenster.</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Colours of the window.</source>
+        <translation>Farben des Fensters.</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Reduce motion</source>
+        <translation>Weniger Bewegung</translation>
+    </message>
+    <message>
+        <source>Changes show at once, without movement.</source>
+        <translation>Änderungen erscheinen sofort, ohne Bewegung.</translation>
+    </message>
+    <message>
+        <source>Sound on a verdict</source>
+        <translation>Ton beim Urteil</translation>
+    </message>
+    <message>
+        <source>A beep when an inspection is decided.</source>
+        <translation>Ein Piepton, wenn eine Prüfung entschieden ist.</translation>
+    </message>
+    <message>
+        <source>End a squeeze as soon as it is decided</source>
+        <translation>Einen Druckversuch beenden, sobald er entschieden ist</translation>
+    </message>
+    <message>
+        <source>Parts that are clear take less time; the rates still hold.</source>
+        <translation>Eindeutige Teile brauchen weniger Zeit; die Raten gelten weiterhin.</translation>
+    </message>
+    <message>
+        <source>The false-reject rate holds</source>
+        <translation>Die Fehlrückweisungsrate gilt</translation>
+    </message>
+    <message>
+        <source>With confidence for this library, gates are wider.</source>
+        <translation>Mit Vertrauen für diese Bibliothek sind die Grenzen weiter.</translation>
+    </message>
+    <message>
+        <source>on average over libraries</source>
+        <translation>im Mittel über Bibliotheken</translation>
+    </message>
+    <message>
+        <source>with 95 % confidence</source>
+        <translation>mit 95 % Vertrauen</translation>
+    </message>
+    <message>
+        <source>Types spread unlike</source>
+        <translation>Typen streuen ungleich</translation>
+    </message>
+    <message>
+        <source>Or have wild squeezes among them: allows for both by wider gates.</source>
+        <translation>Oder enthalten wilde Druckversuche: berücksichtigt beides durch weitere Grenzen.</translation>
+    </message>
+    <message>
+        <source>False-reject rate</source>
+        <translation>Fehlrückweisungsrate</translation>
+    </message>
+    <message>
+        <source>Share of squeezes of enrolled types that may be called unknown.</source>
+        <translation>Anteil der Druckversuche eingelernter Typen, der unbekannt heißen darf.</translation>
+    </message>
+    <message>
+        <source>Wrong-type rate</source>
+        <translation>Verwechslungsrate</translation>
+    </message>
+    <message>
+        <source>Share of squeezes of enrolled types that may be named another type.</source>
+        <translation>Anteil der Druckversuche eingelernter Typen, der als anderer Typ benannt werden darf.</translation>
+    </message>
+    <message>
+        <source>Stranger-accept rate</source>
+        <translation>Fremdannahmerate</translation>
+    </message>
+    <message>
+        <source>Share of parts of no enrolled type that may be named a type.</source>
+        <translation>Anteil der Teile keines eingelernten Typs, der als ein Typ benannt werden darf.</translation>
+    </message>
+    <message>
+        <source>Keep the raw reports of every session</source>
+        <translation>Rohdaten jeder Sitzung aufbewahren</translation>
+    </message>
+    <message>
+        <source>So that it can be replayed. Of real grippers only.</source>
+        <translation>Damit sie sich wiedergeben lässt. Nur von echten Greifern.</translation>
+    </message>
+    <message>
+        <source>Folder of kept sessions</source>
+        <translation>Ordner der aufbewahrten Sitzungen</translation>
+    </message>
+    <message>
+        <source>Empty: the usual folder for data.</source>
+        <translation>Leer: der übliche Ordner für Daten.</translation>
+    </message>
+    <message>
+        <source>Room for kept sessions</source>
+        <translation>Platz für aufbewahrte Sitzungen</translation>
+    </message>
+    <message>
+        <source>When it is full, the oldest make room.</source>
+        <translation>Ist er voll, machen die ältesten Platz.</translation>
+    </message>
+    <message>
+        <source>Connect at the start</source>
+        <translation>Beim Start verbinden</translation>
+    </message>
+    <message>
+        <source>The gripper that Gripscope looks for by itself.</source>
+        <translation>Der Greifer, den Gripscope von selbst sucht.</translation>
+    </message>
+    <message>
+        <source>The one used last</source>
+        <translation>Der zuletzt benutzte</translation>
+    </message>
+    <message>
+        <source>The virtual gripper</source>
+        <translation>Der virtuelle Greifer</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>Example types</source>
+        <translation>Beispieltypen</translation>
+    </message>
+    <message>
+        <source>Adds the four example types to the library.</source>
+        <translation>Fügt der Bibliothek die vier Beispieltypen hinzu.</translation>
+    </message>
+    <message>
+        <source>Gripper used last</source>
+        <translation>Zuletzt benutzter Greifer</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Sign out when nobody works</source>
+        <translation>Abmelden, wenn niemand arbeitet</translation>
+    </message>
+    <message>
+        <source>After so many minutes without a key or a click.</source>
+        <translation>Nach so vielen Minuten ohne Taste oder Klick.</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::SettingRow</name>
+    <message>
+        <source>Reset %1</source>
+        <translation>%1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Back to the default: %1</source>
+        <translation>Zurück zum Vorgabewert: %1</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>Wählen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::Settings</name>
+    <message>
+        <source>The settings in %1 cannot be read. The defaults are used; what you change now may not be kept. Check that file.</source>
+        <translation>Die Einstellungen in %1 lassen sich nicht lesen. Es gelten die Vorgabewerte; was jetzt geändert wird, bleibt vielleicht nicht erhalten. Diese Datei prüfen.</translation>
+    </message>
+    <message>
+        <source>The setting &quot;%1&quot; was stored as &quot;%2&quot;, which cannot be used: expected %3. It is back at its default, %4.</source>
+        <translation>Die Einstellung „%1“ war als „%2“ gespeichert, was nicht brauchbar ist: erwartet wird %3. Es gilt wieder der Vorgabewert, %4.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Optionen</translation>
+    </message>
+    <message>
+        <source>Search the settings</source>
+        <translation>Einstellungen durchsuchen</translation>
+    </message>
+    <message>
+        <source>No setting has these words.</source>
+        <translation>Keine Einstellung enthält diese Wörter.</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importieren…</translation>
+    </message>
+    <message>
+        <source>Reset all…</source>
+        <translation>Alle zurücksetzen…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Export the settings</source>
+        <translation>Einstellungen exportieren</translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation>Einstellungen importieren</translation>
+    </message>
+    <message>
+        <source>Settings (*.json)</source>
+        <translation>Einstellungen (*.json)</translation>
+    </message>
+    <message>
+        <source>The settings were written to %1.</source>
+        <translation>Die Einstellungen wurden nach %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was changed.</source>
+        <translation>%1 Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The settings were taken from %1.</source>
+        <translation>Die Einstellungen wurden aus %1 übernommen.</translation>
+    </message>
+    <message>
+        <source>Reset all settings</source>
+        <translation>Alle Einstellungen zurücksetzen</translation>
+    </message>
+    <message>
+        <source>All settings go back to their defaults. Types, squeezes and calibrations are not touched.</source>
+        <translation>Alle Einstellungen gehen auf ihre Vorgabewerte zurück. Typen, Druckversuche und Kalibrierungen bleiben unberührt.</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::SettingsExchange</name>
+    <message>
+        <source>a list or an object</source>
+        <translation>eine Liste oder ein Objekt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no setting of this version and is passed over.</source>
+        <translation>„%1“ ist keine Einstellung dieser Version und wird übergangen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; belongs to one computer and is passed over.</source>
+        <translation>„%1“ gehört zu einem einzelnen Rechner und wird übergangen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; (%2) is %3; expected %4.</source>
+        <translation>„%1“ (%2) ist %3; erwartet wird %4.</translation>
+    </message>
+    <message>
+        <source>expected settings that Gripscope exported</source>
+        <translation>erwartet: von Gripscope exportierte Einstellungen</translation>
+    </message>
+    <message>
+        <source>a document of another kind</source>
+        <translation>ein Dokument anderer Art</translation>
+    </message>
+    <message>
+        <source>version %1 of the format</source>
+        <translation>Version %1 des Formats</translation>
+    </message>
+    <message>
+        <source>expected version %1; a newer Gripscope reads newer ones</source>
+        <translation>erwartet: Version %1; ein neueres Gripscope liest neuere</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::SpaceClustering</name>
+    <message>
+        <source>Clusters need at least two squeezes. Enrol some more.</source>
+        <translation>Cluster brauchen mindestens zwei Druckversuche. Weitere einlernen.</translation>
+    </message>
+    <message>
+        <source>%1 clusters need at least %1 squeezes; there are %2. Ask for fewer clusters, or enrol more squeezes.</source>
+        <translation>%1 Cluster brauchen mindestens %1 Druckversuche; es sind %2. Weniger Cluster verlangen oder mehr Druckversuche einlernen.</translation>
+    </message>
+    <message>
+        <source>The squeezes are so much alike that all fell into one cluster.</source>
+        <translation>Die Druckversuche sind einander so ähnlich, dass alle in einen Cluster fielen.</translation>
+    </message>
+    <message>
+        <source>Only %1 of the %2 clusters hold squeezes: there are no more groups to be found.</source>
+        <translation>Nur %1 der %2 Cluster enthalten Druckversuche: Mehr Gruppen sind nicht zu finden.</translation>
+    </message>
+    <message>
+        <source>Not at rest after %1 iterations: take it with care.</source>
+        <translation>Nach %1 Iterationen nicht in Ruhe: mit Vorsicht nehmen.</translation>
+    </message>
+    <message>
+        <source>inertia %1</source>
+        <translation>Trägheit %1</translation>
+    </message>
+    <message>
+        <source>log-likelihood %1</source>
+        <translation>Log-Likelihood %1</translation>
+    </message>
+    <message>
+        <source>quantisation error %1</source>
+        <translation>Quantisierungsfehler %1</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::StatusLine</name>
+    <message>
+        <source>armed: %1</source>
+        <translation>scharf: %1</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>latency %1 ms</source>
+        <translation>Latenz %1 ms</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>stumm</translation>
+    </message>
+    <message>
+        <source>library %1</source>
+        <translation>Bibliothek %1</translation>
+    </message>
+    <message>
+        <source>1 type</source>
+        <translation>1 Typ</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n types</source>
+        <translation>
+            <numerusform>%n Typ</numerusform>
+            <numerusform>%n Typen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 inspected</source>
+        <translation>%1 geprüft</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::StepBar</name>
+    <message>
+        <source>Types</source>
+        <translation>Typen</translation>
+    </message>
+    <message>
+        <source>Clusters</source>
+        <translation>Cluster</translation>
+    </message>
+    <message>
+        <source>Play the iterations</source>
+        <translation>Die Iterationen abspielen</translation>
+    </message>
+    <message>
+        <source>One iteration back</source>
+        <translation>Eine Iteration zurück</translation>
+    </message>
+    <message>
+        <source>One iteration on</source>
+        <translation>Eine Iteration weiter</translation>
+    </message>
+    <message>
+        <source>Colour by type, with the ellipsoid that holds 95 % of its squeezes</source>
+        <translation>Farbe nach Typ, mit dem Ellipsoid, das 95 % seiner Druckversuche enthält</translation>
+    </message>
+    <message>
+        <source>Colour by the clusters that are found without knowing the types</source>
+        <translation>Farbe nach den Clustern, die ohne Kenntnis der Typen gefunden wurden</translation>
+    </message>
+    <message>
+        <source>Iteration of the method</source>
+        <translation>Iteration des Verfahrens</translation>
+    </message>
+    <message>
+        <source>start of %1</source>
+        <translation>Beginn von %1</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::StepLine</name>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Schritt %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>All steps done</source>
+        <translation>Alle Schritte erledigt</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::StripChart</name>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::TimePlot</name>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::TypeChangeForm</name>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
+    </message>
+    <message>
+        <source>Why? The reason is kept with the change.</source>
+        <translation>Warum? Der Grund wird mit der Änderung aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>%1:  k %2   b %3   m %4</source>
+        <translation>%1:  k %2   b %3   m %4</translation>
+    </message>
+    <message>
+        <source>   part %1</source>
+        <translation>   Teil %1</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::TypeMap</name>
+    <message>
+        <source>Stiffness and damping of the types and of this part</source>
+        <translation>Steifigkeit und Dämpfung der Typen und dieses Teils</translation>
+    </message>
+    <message>
+        <source>No types yet. Enroll one to see where it lies.</source>
+        <translation>Noch keine Typen. Einen einlernen, um seine Lage zu sehen.</translation>
+    </message>
+    <message>
+        <source>stiffness (kN/m)</source>
+        <translation>Steifigkeit (kN/m)</translation>
+    </message>
+    <message>
+        <source>this part</source>
+        <translation>dieses Teil</translation>
+    </message>
+    <message>
+        <source>b (N s/m)</source>
+        <translation>b (N s/m)</translation>
+    </message>
+    <message>
+        <source>damping (N s/m)</source>
+        <translation>Dämpfung (N s/m)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::TypeScene</name>
+    <message>
+        <source>Mass m</source>
+        <translation>Masse m</translation>
+    </message>
+    <message>
+        <source>Damping b</source>
+        <translation>Dämpfung b</translation>
+    </message>
+    <message>
+        <source>Stiffness k</source>
+        <translation>Steifigkeit k</translation>
+    </message>
+    <message>
+        <source>%1, squeeze %2</source>
+        <translation>%1, Druckversuch %2</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::TypesPage</name>
+    <message>
+        <source>Colour: cluster. Shape: type.</source>
+        <translation>Farbe: Cluster. Form: Typ.</translation>
+    </message>
+    <message>
+        <source>The plus signs are the centroids.</source>
+        <translation>Die Pluszeichen sind die Zentren.</translation>
+    </message>
+    <message>
+        <source>The plus signs are the means, the ellipsoids hold 95 % of each component.</source>
+        <translation>Die Pluszeichen sind die Mittelwerte, die Ellipsoide enthalten 95 % jeder Komponente.</translation>
+    </message>
+    <message>
+        <source>The net is the map: a dot a unit, a line between neighbours.</source>
+        <translation>Das Netz ist die Karte: ein Punkt je Einheit, eine Linie zwischen Nachbarn.</translation>
+    </message>
+    <message>
+        <source>Types</source>
+        <translation>Typen</translation>
+    </message>
+    <message>
+        <source>Enrol a type on the Enroll page: about ten squeezes of good parts. Or load the four cans of the paper as examples.</source>
+        <translation>Auf der Seite Einlernen einen Typ einlernen: etwa zehn Druckversuche guter Teile. Oder die vier Dosen der Veröffentlichung als Beispiele laden.</translation>
+    </message>
+    <message>
+        <source>Load the example types</source>
+        <translation>Beispieltypen laden</translation>
+    </message>
+    <message>
+        <source>No types in this library yet</source>
+        <translation>Noch keine Typen in dieser Bibliothek</translation>
+    </message>
+    <message>
+        <source>Ringed: inspection %1</source>
+        <translation>Mit Ring: Prüfung %1</translation>
+    </message>
+    <message>
+        <source>Ringed: the latest inspection</source>
+        <translation>Mit Ring: die letzte Prüfung</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::TypesSide</name>
+    <message>
+        <source>Open in Fit</source>
+        <translation>Im Fit öffnen</translation>
+    </message>
+    <message>
+        <source>Types</source>
+        <translation>Typen</translation>
+    </message>
+    <message>
+        <source>squeezes</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Picked squeeze</source>
+        <translation>Gewählter Druckversuch</translation>
+    </message>
+    <message>
+        <source>Nearest pair</source>
+        <translation>Nächstes Paar</translation>
+    </message>
+    <message>
+        <source>Show or hide %1</source>
+        <translation>%1 zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>With one squeeze a type nothing is known of how squeezes scatter, so there is no ellipsoid yet. Enrol more: ten a type is good.</source>
+        <translation>Mit einem Druckversuch je Typ ist über die Streuung nichts bekannt, daher gibt es noch kein Ellipsoid. Weitere einlernen: zehn je Typ sind gut.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are %3 sd apart.</source>
+        <translation>%1 und %2 liegen %3 sd auseinander.</translation>
+    </message>
+    <message>
+        <source>Two types with some squeezes each are needed.</source>
+        <translation>Zwei Typen mit je einigen Druckversuchen sind nötig.</translation>
+    </message>
+    <message>
+        <source>Mahalanobis distance of the two means, in standard deviations of the scatter that all types share. Below about 4 they overlap.</source>
+        <translation>Mahalanobis-Abstand der beiden Mittelwerte, in Standardabweichungen der gemeinsamen Streuung aller Typen. Unter etwa 4 überlappen sie.</translation>
+    </message>
+    <message>
+        <source>Click a point, or press N for the next one.</source>
+        <translation>Einen Punkt anklicken oder N für den nächsten drücken.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::UncertaintyPanel</name>
+    <message>
+        <source>Natural frequency</source>
+        <translation>Eigenfrequenz</translation>
+    </message>
+    <message>
+        <source>Damping ratio</source>
+        <translation>Dämpfungsgrad</translation>
+    </message>
+    <message>
+        <source>What would make it better</source>
+        <translation>Was es besser machen würde</translation>
+    </message>
+    <message>
+        <source>What the error bars are made of</source>
+        <translation>Woraus die Fehlerbalken bestehen</translation>
+    </message>
+    <message>
+        <source>What follows from m, b and k (95 %)</source>
+        <translation>Was aus m, b und k folgt (95 %)</translation>
+    </message>
+    <message>
+        <source>The measurement is not valid. The failed checks say what to do first.</source>
+        <translation>Die Messung ist ungültig. Die durchgefallenen Checks sagen, was zuerst zu tun ist.</translation>
+    </message>
+    <message>
+        <source>Without error bars there is nothing to improve on. Squeeze again.</source>
+        <translation>Ohne Fehlerbalken gibt es nichts zu verbessern. Erneut drücken.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ValidationChooser</name>
+    <message>
+        <source>Squeeze %1, %2</source>
+        <translation>Druckversuch %1, %2</translation>
+    </message>
+    <message>
+        <source>%1, squeeze %2</source>
+        <translation>%1, Druckversuch %2</translation>
+    </message>
+    <message>
+        <source>A recording (CSV)…</source>
+        <translation>Eine Aufnahme (CSV)…</translation>
+    </message>
+    <message>
+        <source>Stored squeezes</source>
+        <translation>Gespeicherte Druckversuche</translation>
+    </message>
+    <message>
+        <source>Validate with a recording</source>
+        <translation>Mit einer Aufnahme validieren</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv);;All files (*)</source>
+        <translation>Aufnahmen (*.csv);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ValidationPanel</name>
+    <message>
+        <source>On data it was not found from</source>
+        <translation>An Daten, aus denen sie nicht stammt</translation>
+    </message>
+    <message>
+        <source>Validate with</source>
+        <translation>Validieren mit</translation>
+    </message>
+    <message>
+        <source>Hold this estimate against another squeeze: its start and offset are fitted anew, m, b and k are not</source>
+        <translation>Diese Schätzung an einem anderen Druckversuch prüfen: Anfang und Nullpunkt werden neu angepasst, m, b und k nicht</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>Validation</source>
+        <translation>Validierung</translation>
+    </message>
+    <message>
+        <source>This estimate was not held against other data yet.</source>
+        <translation>Diese Schätzung wurde noch nicht an anderen Daten geprüft.</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>Measured position</source>
+        <translation>Gemessener Weg</translation>
+    </message>
+    <message>
+        <source>model from elsewhere</source>
+        <translation>Modell von anderswo</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ValidationWords</name>
+    <message>
+        <source>%1, %2 samples</source>
+        <translation>%1, %2 Abtastwerte</translation>
+    </message>
+    <message>
+        <source>the last %1 samples, found from the first %2</source>
+        <translation>die letzten %1 Abtastwerte, bestimmt aus den ersten %2</translation>
+    </message>
+    <message>
+        <source>Held against</source>
+        <translation>Geprüft an</translation>
+    </message>
+    <message>
+        <source>%1, expected %2</source>
+        <translation>%1, erwartet %2</translation>
+    </message>
+    <message>
+        <source>Simulation fit</source>
+        <translation>Simulationsfit</translation>
+    </message>
+    <message>
+        <source>Prediction fit</source>
+        <translation>Vorhersagefit</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Residuen</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>weiß</translation>
+    </message>
+    <message>
+        <source>not white</source>
+        <translation>nicht weiß</translation>
+    </message>
+    <message>
+        <source>Against force</source>
+        <translation>Gegen Kraft</translation>
+    </message>
+    <message>
+        <source>independent</source>
+        <translation>unabhängig</translation>
+    </message>
+    <message>
+        <source>dependent</source>
+        <translation>abhängig</translation>
+    </message>
+    <message>
+        <source>m, b and k</source>
+        <translation>m, b und k</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>gelten</translation>
+    </message>
+    <message>
+        <source>do not hold</source>
+        <translation>gelten nicht</translation>
+    </message>
+    <message>
+        <source>Change of m</source>
+        <translation>Änderung von m</translation>
+    </message>
+    <message>
+        <source>Change of b</source>
+        <translation>Änderung von b</translation>
+    </message>
+    <message>
+        <source>Change of k</source>
+        <translation>Änderung von k</translation>
+    </message>
+    <message>
+        <source>the force answers to disturbances of the position, which periodic allows for and output error does not</source>
+        <translation>die Kraft antwortet auf Störungen des Wegs, was periodic berücksichtigt und das Ausgangsfehlermodell nicht</translation>
+    </message>
+    <message>
+        <source>the force does not answer to the position</source>
+        <translation>die Kraft antwortet nicht auf den Weg</translation>
+    </message>
+    <message>
+        <source>harmonics that the force does not have show a spring or damper that is not linear</source>
+        <translation>Oberschwingungen, die die Kraft nicht hat, zeigen eine nichtlineare Feder oder Dämpfung</translation>
+    </message>
+    <message>
+        <source>no harmonic shows more than a linear object</source>
+        <translation>keine Oberschwingung zeigt mehr als ein lineares Objekt</translation>
+    </message>
+    <message>
+        <source>the misfit is larger than what changes from period to period explains, and the errors were enlarged to match</source>
+        <translation>der Modellfehler ist größer, als die Unterschiede zwischen den Perioden erklären, die Fehler wurden entsprechend vergrößert</translation>
+    </message>
+    <message>
+        <source>Periods</source>
+        <translation>Perioden</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples</source>
+        <translation>%1 von %2 Abtastwerten</translation>
+    </message>
+    <message>
+        <source>Force noise</source>
+        <translation>Rauschen der Kraft</translation>
+    </message>
+    <message>
+        <source>Position noise</source>
+        <translation>Rauschen des Wegs</translation>
+    </message>
+    <message>
+        <source>Their correlation</source>
+        <translation>Ihre Korrelation</translation>
+    </message>
+    <message>
+        <source>Drift of force</source>
+        <translation>Drift der Kraft</translation>
+    </message>
+    <message>
+        <source>Drift of position</source>
+        <translation>Drift des Wegs</translation>
+    </message>
+    <message>
+        <source>Misfit over noise</source>
+        <translation>Modellfehler zu Rauschen</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Distortion</source>
+        <translation>Verzerrung</translation>
+    </message>
+    <message>
+        <source>not told: the force leaves no harmonic empty</source>
+        <translation>nicht zu sagen: Die Kraft lässt keine Oberschwingung frei</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ValidityLine</name>
+    <message>
+        <source>Measurement valid</source>
+        <translation>Messung gültig</translation>
+    </message>
+    <message>
+        <source>Measurement suspect</source>
+        <translation>Messung fraglich</translation>
+    </message>
+    <message>
+        <source>Measurement not valid</source>
+        <translation>Messung ungültig</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::Workbench</name>
+    <message>
+        <source>operator not named</source>
+        <translation>Bediener nicht genannt</translation>
+    </message>
+    <message>
+        <source>The raw reports of this session are not being kept: %1 Measuring goes on.</source>
+        <translation>Die Rohdaten dieser Sitzung werden nicht aufbewahrt: %1 Das Messen geht weiter.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The disk is too slow: of the raw reports of this session %n are not kept. Measuring goes on.</source>
+        <translation>
+            <numerusform>Der Datenträger ist zu langsam: %n Report dieser Sitzung wird nicht aufbewahrt. Das Messen geht weiter.</numerusform>
+            <numerusform>Der Datenträger ist zu langsam: %n Reports dieser Sitzung werden nicht aufbewahrt. Das Messen geht weiter.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::YieldStrip</name>
+    <message>
+        <source>Last %1 inspections: %2 as expected</source>
+        <translation>Die letzten %1 Prüfungen: %2 wie erwartet</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_registry.h"
+#include "tests/ui/workbench_fixture.h"
+#include "ui/language.h"
+#include "ui/settings/settings.h"
+#include "ui/settings/settings_dialog.h"
+#include "ui/widgets/rail_button.h"
+#include "ui/window_host.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalSpy>
+
+using namespace Qt::StringLiterals;
+using namespace gripscope;
+using gripscope::test::WindowFixture;
+
+namespace {
+
+constexpr int patience_ms = 15000;
+
+} // namespace
+
+/// Another language while the program runs: the window is a new one, the work goes on.
+class LanguageSwitchTest : public QObject {
+    Q_OBJECT
+
+    template <typename T>
+    static T* find(const WindowHost& host, const char* name)
+    {
+        T* widget = host.window().findChild<T*>(QString::fromLatin1(name));
+        if (!widget)
+            qFatal("there is no widget %s", name);
+        return widget;
+    }
+    static QString railWord(const WindowHost& host, const char* name)
+    {
+        return find<RailButton>(host, name)->text();
+    }
+
+private slots:
+    void cleanup() { QVERIFY(applyLanguage(u"en"_s)); }
+
+    void itIsChosenInTheSettings()
+    {
+        WindowFixture f(false, QString());
+        f.window.reset();
+        const WindowHost host(*f.bench);
+        host.window().show();
+        QCOMPARE(railWord(host, "rail-inspect"), u"Inspect"_s);
+        host.window().showPage(u"types"_s);
+        f.bench->report(u"Read me."_s);
+        host.window().showSettings();
+        auto* box = find<QComboBox>(host, "setting-language");
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Down);
+        QTRY_COMPARE(railWord(host, "rail-inspect"), u"Prüfen"_s);
+        QCOMPARE(host.window().currentPage()->id(), u"types"_s);
+        QCOMPARE(host.window().message(), u"Read me."_s);
+        QVERIFY(host.window().isVisible());
+        // The Settings window is open again, and back it goes.
+        QVERIFY(host.window().findChild<SettingsDialog*>());
+        f.bench->settings().set(setting::language, u"en"_s);
+        QTRY_COMPARE(railWord(host, "rail-inspect"), u"Inspect"_s);
+    }
+
+    void aRecipeThatIsBeingTypedStays()
+    {
+        WindowFixture f(false);
+        f.window.reset();
+        const WindowHost host(*f.bench);
+        host.window().show();
+        host.window().showPage(u"enroll"_s);
+        QTest::keyClicks(find<QLineEdit>(host, "typeName"), u"Cola 330 ml"_s);
+        f.bench->settings().set(setting::language, u"de"_s);
+        QTRY_COMPARE(railWord(host, "rail-enroll"), u"Einlernen"_s);
+        QCOMPARE(find<QLineEdit>(host, "typeName")->text(), u"Cola 330 ml"_s);
+        QTest::keyClick(find<QLineEdit>(host, "typeName"), Qt::Key_Return);
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Recipe, patience_ms);
+        QList<double> typed;
+        for (QDoubleSpinBox* field : host.window().currentPage()->findChildren<QDoubleSpinBox*>()) {
+            field->setValue(field->value() * 0.9);
+            typed << field->value();
+        }
+        QVERIFY(typed.size() >= 4);
+        f.bench->settings().set(setting::language, u"en"_s);
+        QTRY_COMPARE(railWord(host, "rail-enroll"), u"Enroll"_s);
+        QList<double> found;
+        for (const QDoubleSpinBox* field : host.window().currentPage()->findChildren<QDoubleSpinBox*>())
+            found << field->value();
+        QCOMPARE(found, typed);
+    }
+
+    void aHalfFinishedEnrolmentGoesOn()
+    {
+        WindowFixture f(true, u"virtual:?object=0.031,52,13500&seed=3"_s);
+        f.window.reset();
+        const WindowHost host(*f.bench);
+        host.window().show();
+        host.window().showPage(u"enroll"_s);
+        QTest::keyClicks(find<QLineEdit>(host, "typeName"), u"Cola 330 ml"_s);
+        QTest::keyClick(find<QLineEdit>(host, "typeName"), Qt::Key_Return);
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Recipe, patience_ms);
+        WindowFixture::click(find<QPushButton>(host, "recipeNext"));
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Squeeze, patience_ms);
+        const auto squeezeAndAccept = [&] {
+            if (!f.bench->connection().armed()) // a busy machine may have starved the gripper's heartbeat
+                WindowFixture::click(find<QPushButton>(host, "enrollArmButton"));
+            auto* squeeze = find<QPushButton>(host, "enrollSqueezeButton");
+            QTRY_VERIFY_WITH_TIMEOUT(squeeze->isEnabled(), patience_ms);
+            WindowFixture::click(squeeze);
+            auto* accept = find<QPushButton>(host, "acceptButton");
+            QTRY_VERIFY_WITH_TIMEOUT(accept->isVisible() && accept->isEnabled(), patience_ms);
+            WindowFixture::click(accept);
+        };
+        squeezeAndAccept();
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, patience_ms);
+
+        const QSignalSpy stopped(f.bench.get(), &Workbench::stopped);
+        f.bench->settings().set(setting::language, u"de"_s);
+        QTRY_COMPARE(railWord(host, "rail-enroll"), u"Einlernen"_s);
+        QVERIFY(stopped.isEmpty());
+        QCOMPARE(f.bench->enrollment().step(), EnrollSession::Step::Squeeze);
+        QCOMPARE(f.bench->enrollment().acceptedCount(), 1);
+        squeezeAndAccept();
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 2, patience_ms);
+    }
+};
+
+GRIPSCOPE_TEST(LanguageSwitchTest)
+#include "language_switch_test.moc"
