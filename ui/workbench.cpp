@@ -97,6 +97,7 @@ struct Workbench::Private {
 Workbench::Workbench(const QString& libraryFile, const QString& settingsFile, QObject* parent)
     : QObject(parent), d(std::make_unique<Private>(libraryFile, settingsFile))
 {
+    d->enrollment.keepDrafts(true);
     d->connection.addListener([this](const std::vector<Sample>& samples) {
         d->history.append(d->plotTime.place(samples, d->history.newestTime_s()));
         d->estimate.append(samples);

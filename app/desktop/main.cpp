@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desktop/options.h"
 #include "core/store/library.h"
+#include "ui/example_types_button.h"
 #include "ui/main_window.h"
 #include "ui/settings/settings.h"
 #include "ui/settings/settings_link.h"
@@ -30,18 +31,6 @@ void prepareEnvironment(int argc, char** argv)
 #endif
 }
 
-void addExamples(Workbench& bench)
-{
-    bench.ask<void>(
-        &bench, [](Library& library) { return library.loadExampleTypes(); },
-        [&bench](const Expected<void>& done) {
-            if (done)
-                bench.tellLibraryChanged();
-            else
-                bench.report(done.error().describe());
-        });
-}
-
 int runWindow(const DesktopOptions& options)
 {
     Workbench bench(options.library.isEmpty() ? Library::defaultFile() : options.library,
@@ -59,7 +48,7 @@ int runWindow(const DesktopOptions& options)
     for (const QString& problem : settings.takeProblems())
         bench.report(problem);
     if (options.examples || settings.get(setting::examplesAtStart))
-        addExamples(bench);
+        loadExampleTypes(bench);
     const QString address = options.device.isEmpty() ? SettingsLink::addressAtStart(bench) : options.device;
     if (!address.isEmpty())
         bench.connectTo(address);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/enroll_session.h"
 
-#include "core/session/comparable_units.h"
-#include "core/session/enrollment_storage.h"
+#include "core/session/enroll_session_private.h"
 #include "core/session/hold_history.h"
-#include "core/session/library_answer.h"
+#include "core/store/time_ordered_id.h"
 #include "core/words.h"
 
 #include <algorithm>
@@ -17,52 +16,19 @@ namespace {
 
 using Decision = EnrollSqueeze::Decision;
 
-tl::unexpected<Error> notNow(const QString& why)
+QString tooFew(int accepted)
 {
-    return failure(ErrorCode::Usage, {why});
+    return Words::tr("A type needs at least %1 accepted squeezes; there are %2.")
+        .arg(EnrollSession::leastSqueezes)
+        .arg(accepted);
 }
 
 } // namespace
 
-struct EnrollSession::Private {
-    Private(ConnectSession& session, LibraryService& service)
-        : connection(session), library(service), job(session)
-    {
-    }
-
-    ConnectSession& connection;
-    LibraryService& library;
-    SqueezeJob job;
-    IdentificationTask task;
-    LibraryAnswer answer;
-    IdentificationOptions options;
-    QString operatorName;
-
-    Step step = Step::Name;
-    Activity activity = Activity::Waiting;
-    QString typeName;
-    Recipe recipe;
-    std::optional<TypeRecord> type; // once it is in the library
-    std::vector<EnrollSqueeze> squeezes;
-    Recording measured; // what is being identified
-    QString source;
-    QString part, measuredPart; // of the next squeeze, and of the one that is being identified
-    std::optional<Error> error;
-
-    [[nodiscard]] Expected<void> waitingIn(Step wanted) const;
-    [[nodiscard]] EnrollSqueeze* pending();
-    void identify(Recording recording, const QString& from);
-    void identified(Identification identification);
-    void resume(StoredType stored);
-    void fail(const Error& reason, Activity next);
-    template <typename T>
-    void ask(std::function<Expected<T>(Library&)> work, std::function<void(Expected<T>)> done)
-    {
-        activity = Activity::Storing;
-        error.reset();
-        answer.await<T>(library.run<T>(std::move(work)), std::move(done));
-    }
-};
+tl::unexpected<Error> notNow(const QString& why)
+{
+    return failure(ErrorCode::Usage, {why});
+}
 
 Expected<void> EnrollSession::Private::waitingIn(Step wanted) const
 {
@@ -93,44 +59,28 @@ void EnrollSession::Private::fail(const Error& reason, Activity next)
     activity = next;
 }
 
-void EnrollSession::Private::identify(Recording recording, const QString& from)
+void EnrollSession::Private::identify(EnrollSqueeze squeeze)
 {
-    measured = recording;
-    measuredPart = part;
-    source = from;
-    error.reset();
+    measured = std::move(squeeze);
     activity = Activity::Identifying;
     HoldHistory history;
     for (const EnrollSqueeze& earlier : squeezes)
         if (earlier.decision == Decision::Accepted)
             history.add(earlier.recording, earlier.identification);
     IdentificationOptions withEarlier = options;
-    withEarlier.earlierHold = history.before(recording, options);
-    task.start(std::move(recording), withEarlier);
+    withEarlier.earlierHold = history.before(measured.recording, options);
+    task.start(measured.recording, withEarlier);
 }
 
 void EnrollSession::Private::identified(Identification identification)
 {
-    EnrollSqueeze squeeze;
-    squeeze.recording = std::move(measured);
-    squeeze.part = measuredPart;
-    squeeze.reason = whyNotEnrolled(identification);
-    squeeze.identification = std::move(identification);
-    squeezes.push_back(std::move(squeeze));
+    measured.reason = whyNotEnrolled(identification);
+    measured.identification = std::move(identification);
+    squeezes.push_back(std::move(measured));
+    measured = {};
     activity = Activity::Deciding;
-}
-
-void EnrollSession::Private::resume(StoredType stored)
-{
-    type = std::move(stored.type);
-    if (type)
-        recipe = type->recipe;
-    squeezes.clear();
-    for (const GraspRecord& grasp : stored.grasps)
-        if (grasp.accepted)
-            squeezes.push_back(enrolledSqueeze(grasp));
-    step = Step::Squeeze;
-    activity = Activity::Waiting;
+    undone.clear();
+    done.push_back({{Act::Kind::Squeeze, static_cast<int>(squeezes.size()) - 1}});
 }
 
 EnrollSession::EnrollSession(ConnectSession& connection, LibraryService& library)
@@ -154,6 +104,7 @@ Expected<void> EnrollSession::setName(const QString& name)
         return notNow(Words::tr("The type needs a name."));
     d->typeName = name.trimmed();
     d->step = Step::Recipe;
+    d->keepNewDraft();
     return {};
 }
 
@@ -164,13 +115,7 @@ Expected<void> EnrollSession::setRecipe(const Recipe& recipe)
     if (const std::optional<Error> error = recipeError(recipe))
         return tl::unexpected<Error>(*error);
     d->recipe = recipe;
-    d->ask<StoredType>([name = d->typeName](Library& library) { return findStoredType(library, name); },
-                       [this](Expected<StoredType> found) {
-                           if (found)
-                               d->resume(std::move(*found));
-                           else
-                               d->fail(found.error(), Activity::Waiting);
-                       });
+    d->load(false);
     return {};
 }
 
@@ -202,69 +147,14 @@ Expected<void> EnrollSession::addRecording(Recording recording, const QString& s
 {
     if (const Expected<void> may = d->waitingIn(Step::Squeeze); !may)
         return may;
-    d->identify(std::move(recording), source);
-    return {};
-}
-
-Expected<void> EnrollSession::accept()
-{
-    const EnrollSqueeze* squeeze = d->pending();
-    if (!squeeze)
-        return notNow(Words::tr("There is no squeeze to decide on."));
-    if (!squeeze->reason.isEmpty())
-        return notNow(
-            Words::tr("This measurement is not valid and cannot be enrolled: %1").arg(squeeze->reason));
-    if (d->type) {
-        const Expected<double> factor =
-            parameterFactor(squeeze->recording.forceUnit, squeeze->recording.positionUnit, d->type->forceUnit,
-                            d->type->positionUnit);
-        if (!factor)
-            return tl::unexpected<Error>(factor.error());
-    }
-    NewGrasp grasp = makeGrasp(squeeze->recording, squeeze->identification, d->source, d->operatorName);
-    grasp.part = squeeze->part;
-    d->ask<StoredSqueeze>([name = d->typeName, recipe = d->recipe,
-                           grasp](Library& library) { return storeSqueeze(library, name, recipe, grasp); },
-                          [this](Expected<StoredSqueeze> stored) {
-                              if (!stored)
-                                  return d->fail(stored.error(), Activity::Deciding);
-                              d->type = stored->type;
-                              d->squeezes.back().graspId = stored->graspId;
-                              d->squeezes.back().decision = Decision::Accepted;
-                              d->activity = Activity::Waiting;
-                          });
-    return {};
-}
-
-Expected<void> EnrollSession::reject(const QString& reason)
-{
-    EnrollSqueeze* squeeze = d->pending();
-    if (!squeeze)
-        return notNow(Words::tr("There is no squeeze to decide on."));
-    squeeze->decision = Decision::Rejected;
-    if (!reason.trimmed().isEmpty())
-        squeeze->reason = reason.trimmed();
-    d->activity = Activity::Waiting;
-    return {};
-}
-
-Expected<void> EnrollSession::drop(int index, const QString& reason)
-{
-    const bool there = index >= 0 && static_cast<std::size_t>(index) < d->squeezes.size();
-    if (!there || d->squeezes[static_cast<std::size_t>(index)].decision != Decision::Accepted)
-        return notNow(Words::tr("Only an accepted squeeze can be dropped."));
-    if (const Expected<void> may = d->waitingIn(d->step == Step::Review ? Step::Review : Step::Squeeze); !may)
-        return may;
-    const auto position = static_cast<std::size_t>(index);
-    d->ask<void>([id = d->squeezes[position].graspId, reason,
-                  who = d->operatorName](Library& library) { return library.dropGrasp(id, reason, who); },
-                 [this, position, reason](Expected<void> dropped) {
-                     if (!dropped)
-                         return d->fail(dropped.error(), Activity::Waiting);
-                     d->squeezes[position].decision = Decision::Rejected;
-                     d->squeezes[position].reason = reason;
-                     d->activity = Activity::Waiting;
-                 });
+    EnrollSqueeze squeeze;
+    squeeze.recording = std::move(recording);
+    squeeze.source = source;
+    squeeze.part = d->part;
+    squeeze.draftId = newTimeOrderedId();
+    d->error.reset();
+    d->identify(std::move(squeeze));
+    d->keepMeasured();
     return {};
 }
 
@@ -273,10 +163,9 @@ Expected<void> EnrollSession::review()
     if (const Expected<void> may = d->waitingIn(Step::Squeeze); !may)
         return may;
     if (acceptedCount() < leastSqueezes)
-        return notNow(Words::tr("A type needs at least %1 accepted squeezes; there are %2.")
-                          .arg(leastSqueezes)
-                          .arg(acceptedCount()));
+        return notNow(tooFew(acceptedCount()));
     d->step = Step::Review;
+    d->keepDraft(u"review"_qs);
     return {};
 }
 
@@ -286,6 +175,7 @@ Expected<void> EnrollSession::back()
     if (const Expected<void> may = d->waitingIn(fromReview ? Step::Review : Step::Recipe); !may)
         return may;
     d->step = fromReview ? Step::Squeeze : Step::Name;
+    d->keepDraft(u"back"_qs);
     return {};
 }
 
@@ -294,16 +184,22 @@ Expected<void> EnrollSession::approve()
     if (const Expected<void> may = d->waitingIn(Step::Review); !may)
         return may;
     if (acceptedCount() < leastSqueezes || !d->type)
-        return notNow(Words::tr("A type needs at least %1 accepted squeezes; there are %2.")
-                          .arg(leastSqueezes)
-                          .arg(acceptedCount()));
+        return notNow(tooFew(acceptedCount()));
     d->ask<void>(
-        [id = d->type->id, who = d->operatorName](Library& library) { return library.approveType(id, who); },
+        [id = d->type->id, who = d->operatorName, name = d->typeName,
+         drafts = d->keepsDrafts](Library& library) {
+            return library.atOnce([&]() -> Expected<void> {
+                if (Expected<void> approved = library.approveType(id, who); !approved || !drafts)
+                    return approved;
+                return library.endDraft(name, DraftEnd::Approved, who);
+            });
+        },
         [this](Expected<void> approved) {
             if (!approved)
                 return d->fail(approved.error(), Activity::Waiting);
             d->step = Step::Approved;
             d->activity = Activity::Waiting;
+            d->forgetActs();
         });
     return {};
 }
@@ -316,35 +212,47 @@ void EnrollSession::restart()
     d->step = Step::Name;
     d->activity = Activity::Waiting;
     d->typeName.clear();
+    d->draftName.clear();
     d->part.clear();
     d->type.reset();
+    d->recipe = {};
+    d->picture.reset();
+    d->pictureChosen = false;
     d->squeezes.clear();
     d->error.reset();
+    d->forgetActs();
 }
 
 bool EnrollSession::poll()
 {
+    const std::optional<Error> unwritten = d->writes.poll();
+    if (unwritten)
+        d->error = unwritten;
     switch (d->activity) {
     case Activity::Squeezing:
         d->job.poll();
-        if (d->job.state() == SqueezeJob::State::Done)
-            d->identify(d->job.recording(), d->connection.address());
-        else if (d->job.state() == SqueezeJob::State::Failed)
+        if (d->job.state() == SqueezeJob::State::Done) {
+            d->activity = Activity::Waiting;
+            (void)addRecording(d->job.recording(), d->connection.address());
+        } else if (d->job.state() == SqueezeJob::State::Failed) {
             d->fail(*d->job.error(), Activity::Waiting);
+        }
         return true; // progress, at least
     case Activity::Identifying:
+        if (d->writes.busy()) // what is shown for a decision is kept
+            return unwritten.has_value();
         if (std::optional<Identification> identification = d->task.take()) {
             d->identified(std::move(*identification));
             return true;
         }
-        return false;
+        break;
     case Activity::Storing:
-        return d->answer.poll();
+        return d->answer.poll() || unwritten;
     case Activity::Waiting:
     case Activity::Deciding:
         break;
     }
-    return false;
+    return unwritten.has_value();
 }
 
 EnrollSession::Step EnrollSession::step() const

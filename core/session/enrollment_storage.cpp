@@ -55,29 +55,93 @@ Expected<StoredType> findStoredType(Library& library, const QString& name)
     return found;
 }
 
-Expected<StoredSqueeze> storeSqueeze(Library& library, const QString& name, const Recipe& recipe,
-                                     NewGrasp grasp)
+Expected<StoredEnrollment> findStoredEnrollment(Library& library, const QString& name, bool withDraft)
 {
-    Expected<std::optional<TypeRecord>> known = library.findType(name);
+    Expected<StoredType> stored = findStoredType(library, name);
+    if (!stored)
+        return tl::unexpected<Error>(stored.error());
+    StoredEnrollment found;
+    found.stored = std::move(*stored);
+    if (!withDraft)
+        return found;
+    Expected<std::optional<EnrollmentDraft>> draft = library.draft(name);
+    if (!draft)
+        return tl::unexpected<Error>(draft.error());
+    found.draft = std::move(*draft);
+    if (found.draft && !found.draft->pendingId.isEmpty()) {
+        Expected<DraftSqueeze> pending = library.draftSqueeze(found.draft->pendingId);
+        if (!pending)
+            return tl::unexpected<Error>(pending.error());
+        found.pending = std::move(*pending);
+    }
+    Expected<std::optional<PartPicture>> picture = std::optional<PartPicture>();
+    if (found.draft && !found.draft->pictureId.isEmpty())
+        picture = library.picture(found.draft->pictureId).map([](PartPicture p) { return std::optional(p); });
+    else if (found.stored.type)
+        picture = library.typePicture(found.stored.type->id);
+    if (!picture)
+        return tl::unexpected<Error>(picture.error());
+    found.picture = std::move(*picture);
+    return found;
+}
+
+namespace {
+
+Expected<TypeRecord> typeFor(Library& library, const SqueezeToStore& squeeze)
+{
+    Expected<std::optional<TypeRecord>> known = library.findType(squeeze.name);
     if (!known)
         return tl::unexpected<Error>(known.error());
-    if (!*known) {
-        const Expected<TypeRecord> added =
-            library.addType(name, recipe, grasp.forceUnit, grasp.positionUnit, grasp.operatorName);
-        if (!added)
-            return tl::unexpected<Error>(added.error());
-        known = *added;
-    }
-    const TypeRecord& type = **known;
+    if (*known)
+        return **known;
+    const NewGrasp& grasp = squeeze.grasp;
+    Expected<TypeRecord> added = library.addType(squeeze.name, squeeze.recipe, grasp.forceUnit,
+                                                 grasp.positionUnit, grasp.operatorName);
+    if (!added || !squeeze.draft || squeeze.draft->pictureId.isEmpty())
+        return added;
+    if (const Expected<void> done =
+            library.setTypePicture(added->id, squeeze.draft->pictureId, grasp.operatorName);
+        !done)
+        return tl::unexpected<Error>(done.error());
+    return added;
+}
+
+Expected<StoredSqueeze> storeAll(Library& library, const SqueezeToStore& squeeze)
+{
+    const Expected<TypeRecord> type = typeFor(library, squeeze);
+    if (!type)
+        return tl::unexpected<Error>(type.error());
+    NewGrasp grasp = squeeze.grasp;
     const Expected<double> factor =
-        parameterFactor(grasp.forceUnit, grasp.positionUnit, type.forceUnit, type.positionUnit);
+        parameterFactor(grasp.forceUnit, grasp.positionUnit, type->forceUnit, type->positionUnit);
     if (!factor)
         return tl::unexpected<Error>(factor.error());
-    grasp.typeId = type.id;
-    const Expected<GraspRecord> added = library.addGrasp(grasp);
-    if (!added)
-        return tl::unexpected<Error>(added.error());
-    return StoredSqueeze{type, added->id};
+    StoredSqueeze stored{*type, squeeze.graspId};
+    if (stored.graspId.isEmpty()) {
+        grasp.typeId = type->id;
+        const Expected<GraspRecord> added = library.addGrasp(grasp);
+        if (!added)
+            return tl::unexpected<Error>(added.error());
+        stored.graspId = added->id;
+    } else if (const Expected<void> back = library.undropGrasp(stored.graspId, grasp.operatorName); !back) {
+        return tl::unexpected<Error>(back.error());
+    }
+    if (squeeze.draft)
+        if (const Expected<void> saved = library.saveDraft(*squeeze.draft); !saved)
+            return tl::unexpected<Error>(saved.error());
+    return stored;
+}
+
+} // namespace
+
+Expected<StoredSqueeze> storeSqueeze(Library& library, const SqueezeToStore& squeeze)
+{
+    Expected<StoredSqueeze> stored = StoredSqueeze{};
+    const Expected<void> done = library.atOnce([&]() -> Expected<void> {
+        stored = storeAll(library, squeeze);
+        return stored ? Expected<void>() : tl::unexpected<Error>(stored.error());
+    });
+    return done ? stored : tl::unexpected<Error>(done.error());
 }
 
 EnrollSqueeze enrolledSqueeze(const GraspRecord& grasp)

@@ -22,14 +22,32 @@ struct StoredType {
 };
 [[nodiscard]] Expected<StoredType> findStoredType(Library& library, const QString& name);
 
-/// Adds the squeeze, and before it the type when it is new. UnitsDiffer when the type has units that the
-/// squeeze's cannot be converted to.
+/// The same with the draft of that name, where there is one and it is asked for: the squeeze that waits for a
+/// decision, and the picture, which is the type's where the draft has none.
+struct StoredEnrollment {
+    StoredType stored;
+    std::optional<EnrollmentDraft> draft;
+    std::optional<DraftSqueeze> pending;
+    std::optional<PartPicture> picture;
+};
+[[nodiscard]] Expected<StoredEnrollment> findStoredEnrollment(Library& library, const QString& name,
+                                                              bool withDraft);
+
+/// An accepted squeeze.
+struct SqueezeToStore {
+    QString name; ///< of the type
+    Recipe recipe;
+    NewGrasp grasp;
+    QString graspId = {};                      ///< not empty: the library has it, and it counts again
+    std::optional<EnrollmentDraft> draft = {}; ///< as it is afterwards
+};
 struct StoredSqueeze {
     TypeRecord type;
     QString graspId;
 };
-[[nodiscard]] Expected<StoredSqueeze> storeSqueeze(Library& library, const QString& name,
-                                                   const Recipe& recipe, NewGrasp grasp);
+/// All at once: the type when it is new, with its picture, the squeeze, the draft. UnitsDiffer when the type
+/// has units that the squeeze's cannot be converted to.
+[[nodiscard]] Expected<StoredSqueeze> storeSqueeze(Library& library, const SqueezeToStore& squeeze);
 
 /// A squeeze of an enrolment that is being resumed.
 [[nodiscard]] EnrollSqueeze enrolledSqueeze(const GraspRecord& grasp);

@@ -59,6 +59,12 @@ Expected<AdmittedExcitation> SafetyGate::admit(const std::vector<double>& force_
         return tl::unexpected<Error>(*error);
 
     const JobLimits limits = effectiveLimits();
+    const auto usable = [](double limit) { return std::isfinite(limit) && limit > 0; };
+    if (!usable(m_jobLimits.maxForce_N) || !usable(m_jobLimits.maxTravel_m))
+        return failure(
+            ErrorCode::Usage,
+            {Words::tr(
+                "The recipe has no crush limit. Give the most force and travel that the part bears.")});
     const double largest_N = *std::max_element(force_N.begin(), force_N.end());
     if (largest_N > limits.maxForce_N) {
         const bool device = identity.limits.maxForce_N <= m_jobLimits.maxForce_N;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/squeeze_job.h"
 
+#include "core/session/limit_watch.h"
 #include "core/session/squeeze_notes.h"
 #include "core/session/squeeze_recorder.h"
 #include "core/signal/stream_account.h"
@@ -68,6 +69,7 @@ struct SqueezeJob::Private {
     State state = State::Idle;
     std::optional<Error> error;
     SqueezeRecorder recorder;
+    LimitWatch watch;
     Recording recording;
     int listener = 0;
     bool listening = false;
@@ -139,6 +141,7 @@ void SqueezeJob::Private::begin(std::size_t samples, QMap<QString, QString> prov
     started = lastNews = clock();
     listener = connection.addListener([this](const std::vector<Sample>& batch) {
         recorder.take(batch);
+        watch.take(batch);
         lastNews = clock();
     });
 }
@@ -198,6 +201,10 @@ void SqueezeJob::Private::finishSqueeze()
 
 void SqueezeJob::Private::followSqueeze(double waited_s)
 {
+    if (watch.exceeded()) {
+        connection.stop();
+        return fail(*watch.exceeded());
+    }
     const GripperPort& port = *connection.port();
     switch (port.squeezeState()) {
     case SqueezeState::Refused:
@@ -260,6 +267,7 @@ Expected<void> SqueezeJob::start(ExcitationOptions excitation, const JobLimits& 
     if (const Expected<void> started = gate.start(*force_N); !started)
         return started;
     d->listening = false;
+    d->watch = LimitWatch(gate.effectiveLimits(), d->connection.identity());
     QMap<QString, QString> facts{{u"excitation"_qs, toString(excitation.kind)},
                                  {u"excitation_peak_N"_qs, number(excitation.peak)},
                                  {u"excitation_bias_N"_qs, number(excitation.bias)},
@@ -279,6 +287,7 @@ Expected<void> SqueezeJob::listen(double seconds)
     if (!(samples >= 1) || !std::isfinite(samples))
         return failure(ErrorCode::Usage, {Words::tr("Listening needs a time above zero.")});
     d->listening = true;
+    d->watch = {}; // nothing is moved that could be stopped
     d->begin(static_cast<std::size_t>(samples), {{u"excitation"_qs, u"none, listened only"_qs}});
     return {};
 }

@@ -17,6 +17,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QScopedValueRollback>
 #include <QStandardPaths>
 
 #include <algorithm>
@@ -83,22 +84,45 @@ Expected<GraspRecord> Library::addGrasp(const NewGrasp& grasp)
     });
 }
 
+Expected<void> Library::atOnce(const std::function<Expected<void>()>& work)
+{
+    return d->write<void>(Words::tr("store what belongs together"), [&] {
+        const QScopedValueRollback<bool> within(d->atOnce, true);
+        return work();
+    });
+}
+
+Expected<void> Library::Private::place(const QString& graspId, ChangeKind kind, const QString& reason,
+                                       const QString& operatorName)
+{
+    const bool accepted = kind == ChangeKind::Undrop;
+    return write<void>(
+        accepted ? Words::tr("put the squeeze back") : Words::tr("drop the squeeze"),
+        [&]() -> Expected<void> {
+            const auto grasp = requireGrasp(*database, graspId);
+            if (!grasp)
+                return tl::unexpected(grasp.error());
+            if (grasp->typeId.isEmpty())
+                return failure(ErrorCode::Usage,
+                               {Words::tr("The squeeze of an inspection belongs to no type.")});
+            if (grasp->accepted == accepted)
+                return {};
+            const auto version = change_table::insert(
+                *database, {0, {}, {}, kind, grasp->typeName, {}, 1, operatorName, reason});
+            if (!version)
+                return tl::unexpected(version.error());
+            return placement_table::insert(*database, *version, graspId, {grasp->typeId, accepted});
+        });
+}
+
 Expected<void> Library::dropGrasp(const QString& graspId, const QString& reason, const QString& operatorName)
 {
-    return d->write<void>(Words::tr("drop the squeeze"), [&]() -> Expected<void> {
-        const auto grasp = requireGrasp(*d->database, graspId);
-        if (!grasp)
-            return tl::unexpected(grasp.error());
-        if (grasp->typeId.isEmpty())
-            return failure(ErrorCode::Usage, {Words::tr("The squeeze of an inspection belongs to no type.")});
-        if (!grasp->accepted)
-            return {};
-        const auto version = change_table::insert(
-            *d->database, {0, {}, {}, ChangeKind::Drop, grasp->typeName, {}, 1, operatorName, reason});
-        if (!version)
-            return tl::unexpected(version.error());
-        return placement_table::insert(*d->database, *version, graspId, {grasp->typeId, false});
-    });
+    return d->place(graspId, ChangeKind::Drop, reason, operatorName);
+}
+
+Expected<void> Library::undropGrasp(const QString& graspId, const QString& operatorName)
+{
+    return d->place(graspId, ChangeKind::Undrop, {}, operatorName);
 }
 
 Expected<std::vector<GraspRecord>> Library::grasps(const QString& typeId) const

@@ -12,6 +12,7 @@
 #include <QJsonObject>
 #include <QString>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,6 +22,10 @@ namespace gripscope {
 struct SensorCalibration;
 struct CalibrationRecord;
 struct CalibrationsInForce;
+struct EnrollmentDraft;
+struct DraftSqueeze;
+struct PartPicture;
+enum class DraftEnd;
 
 /// How a part is squeezed. Forces in newtons.
 struct Recipe {
@@ -139,6 +144,8 @@ public:
 
     [[nodiscard]] QString file() const;
     [[nodiscard]] int schemaVersion() const;
+    /// All that `work` asks of this library is one transaction: when it fails, nothing of it is stored.
+    [[nodiscard]] Expected<void> atOnce(const std::function<Expected<void>()>& work);
 
     // Types. NotFound: there is no such type. Usage: what is asked for makes no sense; says why.
     /// Usage: no name, or one that is taken. UnitsDiffer: not comparable with the types that are there.
@@ -188,6 +195,8 @@ public:
     /// Usage for the squeeze of an inspection.
     [[nodiscard]] Expected<void> dropGrasp(const QString& graspId, const QString& reason,
                                            const QString& operatorName);
+    /// Undoes dropGrasp(). One that counts already stays as it is. Errors as there.
+    [[nodiscard]] Expected<void> undropGrasp(const QString& graspId, const QString& operatorName);
     [[nodiscard]] Expected<std::vector<GraspRecord>>
     grasps(const QString& typeId) const; ///< in order of recording
     [[nodiscard]] Expected<std::optional<GraspRecord>> grasp(const QString& graspId) const;
@@ -221,6 +230,27 @@ public:
     [[nodiscard]] Expected<std::vector<CalibrationRecord>> calibrations(const QString& gripperSerial,
                                                                         int limit) const;
     [[nodiscard]] Expected<CalibrationsInForce> calibrationsInForce(const QString& gripperSerial) const;
+
+    // Enrolments under way (enrollment_draft.h)
+    /// In force for its name from now on.
+    [[nodiscard]] Expected<void> saveDraft(const EnrollmentDraft& draft);
+    /// It is no longer to be gone on with; its rows stay. Nothing when there is none.
+    [[nodiscard]] Expected<void> endDraft(const QString& name, DraftEnd end, const QString& operatorName);
+    [[nodiscard]] Expected<std::vector<EnrollmentDraft>> drafts() const; ///< open ones, newest first
+    [[nodiscard]] Expected<std::optional<EnrollmentDraft>> draft(const QString& name) const;
+    [[nodiscard]] Expected<void> addDraftSqueeze(const DraftSqueeze& squeeze);
+    /// NotFound; StorageCorrupt when the bytes are not those that were stored.
+    [[nodiscard]] Expected<DraftSqueeze> draftSqueeze(const QString& id) const;
+
+    // Pictures of parts
+    /// Once; Usage when it is neither PNG nor JPEG.
+    [[nodiscard]] Expected<void> addPicture(const PartPicture& picture);
+    /// NotFound; StorageCorrupt when the bytes are not those that were stored.
+    [[nodiscard]] Expected<PartPicture> picture(const QString& pictureId) const;
+    /// From now on; no picture where the key is empty.
+    [[nodiscard]] Expected<void> setTypePicture(const QString& typeId, const QString& pictureId,
+                                                const QString& operatorName);
+    [[nodiscard]] Expected<std::optional<PartPicture>> typePicture(const QString& typeId) const;
 
     /// Adds the paper's four cans in SI as types A to D with 10 squeezes each, once: nothing when they are
     /// there.

@@ -16,9 +16,10 @@ struct KindName {
     const char16_t* name;
 };
 
-constexpr std::array<KindName, 12> kindNames{{{ChangeKind::NewType, u"new_type"},
+constexpr std::array<KindName, 13> kindNames{{{ChangeKind::NewType, u"new_type"},
                                               {ChangeKind::Squeeze, u"squeeze"},
                                               {ChangeKind::Drop, u"drop"},
+                                              {ChangeKind::Undrop, u"undrop"},
                                               {ChangeKind::Recipe, u"recipe"},
                                               {ChangeKind::Approve, u"approve"},
                                               {ChangeKind::Rename, u"rename"},
@@ -90,6 +91,8 @@ QString inWords(const LibraryChange& change)
         return Words::tr("%1 was enrolled with %2 more.").arg(type, squeezes(change.squeezes));
     case ChangeKind::Drop:
         return Words::tr("%2 of %1 was dropped.").arg(type, squeezes(change.squeezes));
+    case ChangeKind::Undrop:
+        return Words::tr("%2 of %1 counts again.").arg(type, squeezes(change.squeezes));
     case ChangeKind::Recipe:
         return Words::tr("The recipe of %1 was changed.").arg(type);
     case ChangeKind::Approve:

@@ -15,6 +15,7 @@ enum class ChangeKind {
     NewType,
     Squeeze, ///< added to a type
     Drop,    ///< of a squeeze
+    Undrop,  ///< a dropped squeeze counts again
     Recipe,
     Approve,
     Rename,

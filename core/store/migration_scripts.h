@@ -10,5 +10,6 @@ extern const char* const migrationScript2;
 extern const char* const migrationScript3;
 extern const char* const migrationScript4;
 extern const char* const migrationScript5;
+extern const char* const migrationScript6;
 
 } // namespace gripscope

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/enroll_page.h"
 
+#include "ui/pages/enroll_drafts.h"
+#include "ui/pages/enroll_name_step.h"
 #include "ui/pages/enroll_recipe_form.h"
 #include "ui/pages/enroll_review_panel.h"
 #include "ui/pages/enroll_squeeze_panel.h"
-#include "ui/pages/enrolled_types_dialog.h"
+#include "ui/pages/part_picture_view.h"
 #include "ui/tour_script.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/step_line.h"
@@ -13,7 +15,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QLineEdit>
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -23,67 +25,52 @@ namespace gripscope {
 
 struct EnrollPage::Private {
     StepLine* steps = nullptr;
+    QPushButton *undo = nullptr, *redo = nullptr, *later = nullptr;
     QStackedWidget* stack = nullptr;
-    QLineEdit* name = nullptr;
-    QLabel* nameHint = nullptr;
-    QPushButton* nameNext = nullptr;
+    EnrollNameStep* name = nullptr;
     EnrollRecipeForm* recipe = nullptr;
+    QString recipeOf; ///< the type whose recipe the form has
     QLabel* recipeHint = nullptr;
     QPushButton* recipeNext = nullptr;
     EnrollSqueezePanel* squeezes = nullptr;
     EnrollReviewPanel* review = nullptr;
     QLabel* done = nullptr;
-    QPushButton* again = nullptr;
+    PartPictureView* donePicture = nullptr;
+    QPushButton *again = nullptr, *inspect = nullptr;
     EnrollSession::Step shown = EnrollSession::Step::Name;
     bool active = false;
     TourScript tour;
 };
 
-namespace {
-
-/// A card of readable width in the middle of the page, for the steps that are a form.
-QVBoxLayout* makeFormCard(QWidget* step)
-{
-    QFrame* card = makeCard(step);
-    card->setMaximumWidth(680);
-    auto* column = new QVBoxLayout(card);
-    setSpacing(column, 24, 12);
-    auto* row = new QHBoxLayout;
-    row->addStretch(1);
-    row->addWidget(card, 8);
-    row->addStretch(1);
-    auto* outer = new QVBoxLayout(step);
-    setSpacing(outer, 0, 0);
-    outer->addLayout(row);
-    outer->addStretch(1);
-    return column;
-}
-
-} // namespace
-
 EnrollPage::EnrollPage(Workbench& bench, QWidget* parent)
     : Page(bench, parent), d(std::make_unique<Private>())
 {
-    d->steps = new StepLine({tr("Name"), tr("Recipe"), tr("Squeeze"), tr("Review"), tr("Approve")}, this);
     d->stack = new QStackedWidget(this);
+    d->name = new EnrollNameStep(bench, this);
     d->squeezes = new EnrollSqueezePanel(bench, this);
     d->review = new EnrollReviewPanel(bench, this);
-    for (QWidget* step : {makeNameStep(), makeRecipeStep(), static_cast<QWidget*>(d->squeezes),
-                          static_cast<QWidget*>(d->review), makeDoneStep()})
+    for (QWidget* step :
+         {static_cast<QWidget*>(d->name), makeRecipeStep(), static_cast<QWidget*>(d->squeezes),
+          static_cast<QWidget*>(d->review), makeDoneStep()})
         d->stack->addWidget(step);
     auto* column = new QVBoxLayout(this);
     setSpacing(column, 16, 12);
-    column->addWidget(d->steps);
+    column->addLayout(makeTop());
     column->addWidget(d->stack, 1);
     setFocusPolicy(Qt::StrongFocus);
 
     connect(&bench, &Workbench::enrollmentChanged, this, &EnrollPage::refresh);
     connect(&bench, &Workbench::connectionChanged, this, &EnrollPage::refresh);
-    connect(&bench, &Workbench::inspectionChanged, this, &EnrollPage::refreshNameHint);
+    connect(&bench, &Workbench::inspectionChanged, d->name, &EnrollNameStep::refresh);
+    connect(d->name, &EnrollNameStep::named, this, &EnrollPage::submitName);
+    connect(d->name, &EnrollNameStep::goOn, this, [this](const QString& name) {
+        d->squeezes->leaveToPerson();
+        tell(workbench().enrollment().resumeDraft(name));
+    });
+    connect(&d->name->drafts(), &EnrollDrafts::changed, this, &EnrollPage::refreshUndo);
     connect(d->squeezes, &EnrollSqueezePanel::changed, this, &EnrollPage::refresh);
     connect(d->review, &EnrollReviewPanel::changed, this, &EnrollPage::refresh);
-    if (bench.enrollment().step() == EnrollSession::Step::Recipe) // begun in a window before this one
-        showRecipe();
+    d->name->begin();
     refresh();
 }
 
@@ -104,43 +91,35 @@ QString EnrollPage::iconName() const
     return u"list-add"_s;
 }
 
-QWidget* EnrollPage::makeNameStep()
+QLayout* EnrollPage::makeTop()
 {
-    auto* step = new QWidget(this);
-    QVBoxLayout* column = makeFormCard(step);
-    column->addWidget(makeLabel(tr("What is the type called?"), "heading", step));
-    auto* why = makeLabel(tr("As a technician would say it, for instance “Cola 330 ml”. The name appears in "
-                             "large letters when a "
-                             "part of this type is inspected."),
-                          "second", step);
-    why->setWordWrap(true);
-    column->addWidget(why);
-    d->name = new QLineEdit(step);
-    d->name->setObjectName("typeName");
-    d->name->setMaxLength(60);
-    d->name->setAccessibleName(tr("Name of the type"));
-    d->name->setPlaceholderText(tr("Name of the type"));
-    column->addWidget(d->name);
-    d->nameHint = makeLabel({}, "second", step);
-    d->nameHint->setWordWrap(true);
-    column->addWidget(d->nameHint);
-    d->nameNext = makeButton(tr("Continue"), {}, "primary", step);
-    d->nameNext->setObjectName("nameNext");
-    QPushButton* types = makeButton(tr("Enrolled types…"), {}, "quiet", step);
-    types->setObjectName("enrolledTypesButton");
-    types->setToolTip(tr("Rename, merge, split or retire types; undo changes"));
+    d->steps = new StepLine({tr("Name"), tr("Recipe"), tr("Squeeze"), tr("Review"), tr("Approve")}, this);
+    d->undo = makeButton({}, u"edit-undo"_s, "quiet", this);
+    d->undo->setObjectName("undoStep");
+    d->redo = makeButton({}, u"edit-redo"_s, "quiet", this);
+    d->redo->setObjectName("redoStep");
+    for (QPushButton* button : {d->undo, d->redo})
+        button->setFixedWidth(56);
+    d->later = makeButton(tr("Leave for later"), {}, "", this);
+    d->later->setObjectName("leaveForLater");
+    d->later->setToolTip(tr("Keeps this enrolment as it is and goes back to the first step"));
     auto* row = new QHBoxLayout;
-    row->addWidget(types);
-    row->addStretch(1);
-    row->addWidget(d->nameNext);
-    column->addLayout(row);
-    connect(types, &QPushButton::clicked, this,
-            [this] { (new EnrolledTypesDialog(workbench(), this))->open(); });
-    connect(d->name, &QLineEdit::textChanged, this, &EnrollPage::refreshNameHint);
-    connect(d->name, &QLineEdit::returnPressed, this, &EnrollPage::submitName);
-    connect(d->nameNext, &QPushButton::clicked, this, &EnrollPage::submitName);
-    refreshNameHint();
-    return step;
+    row->setSpacing(8);
+    row->addWidget(d->steps, 1);
+    row->addWidget(d->undo);
+    row->addWidget(d->redo);
+    row->addWidget(d->later);
+    connect(d->undo, &QPushButton::clicked, this, &EnrollPage::undo);
+    connect(d->redo, &QPushButton::clicked, this, &EnrollPage::redo);
+    connect(d->later, &QPushButton::clicked, this, &EnrollPage::startAnew);
+    const auto key = [this](QKeySequence::StandardKey keys, void (EnrollPage::*action)()) {
+        auto* shortcut = new QShortcut(keys, this);
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(shortcut, &QShortcut::activated, this, action);
+    };
+    key(QKeySequence::Undo, &EnrollPage::undo);
+    key(QKeySequence::Redo, &EnrollPage::redo);
+    return row;
 }
 
 QWidget* EnrollPage::makeRecipeStep()
@@ -156,17 +135,13 @@ QWidget* EnrollPage::makeRecipeStep()
     auto* row = new QHBoxLayout;
     QPushButton* back = makeButton(tr("Back"), {}, "", step);
     back->setObjectName("recipeBack");
-    d->recipeNext = makeButton(tr("Continue"), {}, "primary", step);
+    d->recipeNext = makeButton(tr("Continue (Enter)"), {}, "primary", step);
     d->recipeNext->setObjectName("recipeNext");
     row->addWidget(back);
     row->addStretch(1);
     row->addWidget(d->recipeNext);
     column->addLayout(row);
-    connect(back, &QPushButton::clicked, this, [this] {
-        if (const Expected<void> done = workbench().enrollment().back(); !done)
-            workbench().report(done.error().describe());
-        refresh();
-    });
+    connect(back, &QPushButton::clicked, this, [this] { tell(workbench().enrollment().back()); });
     connect(d->recipeNext, &QPushButton::clicked, this, &EnrollPage::submitRecipe);
     connect(d->recipe, &EnrollRecipeForm::changed, this,
             [this] { d->recipeNext->setEnabled(d->recipe->isValid()); });
@@ -181,6 +156,8 @@ QWidget* EnrollPage::makeDoneStep()
     d->done->setObjectName("doneLabel");
     d->done->setWordWrap(true);
     column->addWidget(d->done);
+    d->donePicture = new PartPictureView(workbench(), 104, PartPictureView::Empty::Hidden, step);
+    column->addWidget(d->donePicture);
     auto* what = makeLabel(tr("Parts of this type are recognised from now on. More squeezes can be added "
                               "later under the same name."),
                            "second", step);
@@ -189,73 +166,77 @@ QWidget* EnrollPage::makeDoneStep()
     auto* row = new QHBoxLayout;
     d->again = makeButton(tr("Enroll another type"), u"list-add"_s, "", step);
     d->again->setObjectName("enrollAnother");
-    QPushButton* inspect = makeButton(tr("Inspect parts"), u"answer-correct"_s, "primary", step);
+    d->inspect = makeButton(tr("Inspect parts"), u"answer-correct"_s, "primary", step);
+    d->inspect->setObjectName("inspectParts");
     row->addWidget(d->again);
     row->addStretch(1);
-    row->addWidget(inspect);
+    row->addWidget(d->inspect);
     column->addLayout(row);
-    connect(d->again, &QPushButton::clicked, this, [this] {
-        workbench().enrollment().restart();
-        d->name->clear();
-        refresh();
-    });
-    connect(inspect, &QPushButton::clicked, this, [this] {
-        workbench().enrollment().restart();
-        d->name->clear();
-        refresh();
+    connect(d->again, &QPushButton::clicked, this, &EnrollPage::startAnew);
+    connect(d->inspect, &QPushButton::clicked, this, [this] {
+        startAnew();
         workbench().showPage(u"inspect"_s);
     });
     return step;
 }
 
-void EnrollPage::refreshNameHint()
+void EnrollPage::startAnew()
 {
-    const QString name = d->name->text().trimmed();
-    d->nameNext->setEnabled(!name.isEmpty());
-    d->nameHint->clear();
-    for (const TypeRecord& type : workbench().inspection().types())
-        if (type.name == name)
-            d->nameHint->setText(
-                tr("This type is known (squeezes so far: %1). The enrolment goes on with its own recipe.")
-                    .arg(type.squeezes));
-    d->nameHint->setVisible(!d->nameHint->text().isEmpty());
+    workbench().enrollment().restart();
+    d->squeezes->leaveToPerson();
+    d->recipeOf.clear();
+    d->name->begin();
+    refresh();
 }
 
-void EnrollPage::submitName()
+void EnrollPage::tell(const Expected<void>& done)
 {
-    if (d->name->text().trimmed().isEmpty())
-        return;
-    if (const Expected<void> done = workbench().enrollment().setName(d->name->text()); !done) {
+    if (!done)
         workbench().report(done.error().describe());
-        return;
-    }
-    showRecipe();
     refresh();
+}
+
+void EnrollPage::submitName(const QString& name)
+{
+    tell(workbench().enrollment().setName(name));
 }
 
 void EnrollPage::showRecipe()
 {
-    Recipe recipe;
-    bool known = false;
+    const EnrollSession& session = workbench().enrollment();
+    const TypeRecord* known = nullptr;
     for (const TypeRecord& type : workbench().inspection().types())
-        if (type.name == workbench().enrollment().typeName()) {
-            recipe = type.recipe;
-            known = true;
-        }
-    d->recipe->setRecipe(recipe, known);
+        if (type.name == session.typeName())
+            known = &type;
     d->recipeHint->setText(
         known ? tr("%1 is known: its recipe stays as it is, so that all its squeezes can be compared.")
-                    .arg(workbench().enrollment().typeName())
-              : tr("A preload, and on it a push and a release that follow one another at random. The limits "
-                   "hold "
-                   "for every squeeze of this type."));
+                    .arg(session.typeName())
+              : tr("A preload, and on it a push and a release that follow one another at random. The crush "
+                   "limit is the most that this part bears: no squeeze of this type goes above it."));
+    if (d->recipeOf == session.typeName() && !known)
+        return; // what was typed stays
+    d->recipeOf = session.typeName();
+    d->recipe->setRecipe(known ? known->recipe : session.recipe(), known != nullptr);
 }
 
 void EnrollPage::submitRecipe()
 {
-    if (const Expected<void> done = workbench().enrollment().setRecipe(d->recipe->recipe()); !done)
-        workbench().report(done.error().describe());
-    refresh();
+    if (d->recipe->isValid())
+        tell(workbench().enrollment().setRecipe(d->recipe->recipe()));
+}
+
+void EnrollPage::undo()
+{
+    if (workbench().enrollment().step() == EnrollSession::Step::Name)
+        return d->name->drafts().bringBack();
+    d->squeezes->leaveToPerson();
+    tell(workbench().enrollment().undo());
+}
+
+void EnrollPage::redo()
+{
+    d->squeezes->leaveToPerson();
+    tell(workbench().enrollment().redo());
 }
 
 void EnrollPage::refresh()
@@ -270,23 +251,71 @@ void EnrollPage::refresh()
                                   session.activity() == EnrollSession::Activity::Waiting);
     if (step == EnrollSession::Step::Squeeze)
         d->squeezes->refresh();
-    if (step == EnrollSession::Step::Approved)
+    if (step == EnrollSession::Step::Approved) {
         d->done->setText(
             tr("%1 is enrolled with %2 squeezes.").arg(session.typeName()).arg(session.acceptedCount()));
-    if (step != d->shown) {
-        d->shown = step;
-        if (step == EnrollSession::Step::Review)
-            d->review->load();
-        if (d->active)
-            focusStep();
+        d->donePicture->setPicture(session.picture());
     }
+    refreshUndo();
+    if (step == d->shown)
+        return;
+    d->shown = step;
+    if (step == EnrollSession::Step::Recipe)
+        showRecipe();
+    if (step == EnrollSession::Step::Review)
+        d->review->load();
+    if (d->active)
+        focusStep();
+}
+
+void EnrollPage::refreshUndo()
+{
+    const EnrollSession& session = workbench().enrollment();
+    const bool first = session.step() == EnrollSession::Step::Name;
+    const std::optional<EnrollSession::Act> undoable = session.undoable();
+    const std::optional<EnrollSession::Act> redoable = session.redoable();
+    d->undo->setEnabled(first ? d->name->drafts().canBringBack() : undoable.has_value());
+    d->redo->setEnabled(redoable.has_value());
+    const QString undo = first      ? tr("Undo: discard an enrolment (Ctrl+Z)")
+                         : undoable ? tr("Undo: %1 (Ctrl+Z)").arg(inWords(*undoable))
+                                    : tr("Undo (Ctrl+Z): nothing now");
+    const QString redo = redoable ? tr("Redo: %1 (Ctrl+Shift+Z)").arg(inWords(*redoable))
+                                  : tr("Redo (Ctrl+Shift+Z): nothing now");
+    d->undo->setToolTip(undo);
+    d->undo->setAccessibleName(undo);
+    d->redo->setToolTip(redo);
+    d->redo->setAccessibleName(redo);
+    d->later->setVisible(!first && session.step() != EnrollSession::Step::Approved);
+}
+
+QString EnrollPage::inWords(const EnrollSession::Act& act) const
+{
+    using Kind = EnrollSession::Act::Kind;
+    const int number = act.squeeze + 1;
+    switch (act.kind) {
+    case Kind::Name:
+        return tr("the name");
+    case Kind::Recipe:
+        return tr("the recipe");
+    case Kind::Review:
+        return tr("going to the review");
+    case Kind::Squeeze:
+        return tr("taking squeeze %1").arg(number);
+    case Kind::Accept:
+        return tr("accepting squeeze %1").arg(number);
+    case Kind::Reject:
+        return tr("rejecting squeeze %1").arg(number);
+    case Kind::Drop:
+        return tr("dropping squeeze %1").arg(number);
+    }
+    return {};
 }
 
 void EnrollPage::focusStep()
 {
     switch (workbench().enrollment().step()) {
     case EnrollSession::Step::Name:
-        d->name->setFocus();
+        d->name->focusField();
         break;
     case EnrollSession::Step::Recipe:
         d->recipe->setFocus();
@@ -298,7 +327,7 @@ void EnrollPage::focusStep()
         d->review->setFocus();
         break;
     case EnrollSession::Step::Approved:
-        d->again->setFocus();
+        d->inspect->setFocus();
         break;
     }
 }
@@ -308,17 +337,24 @@ void EnrollPage::setActive(bool active)
     d->active = active;
     if (!active)
         return;
+    if (workbench().enrollment().step() == EnrollSession::Step::Name)
+        d->name->drafts().load();
     refresh();
     focusStep();
 }
 
 void EnrollPage::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Space && !event->isAutoRepeat() &&
-        workbench().enrollment().step() == EnrollSession::Step::Squeeze) {
-        d->squeezes->squeezeOrAccept();
-        return;
-    }
+    const EnrollSession::Step step = workbench().enrollment().step();
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (event->isAutoRepeat()) // a key that is held neither walks through the steps nor squeezes
+        return Page::keyPressEvent(event);
+    if (enter && step == EnrollSession::Step::Name)
+        return d->name->submit();
+    if (enter && step == EnrollSession::Step::Recipe)
+        return submitRecipe();
+    if (event->key() == Qt::Key_Space && step == EnrollSession::Step::Squeeze)
+        return d->squeezes->squeezeOrAccept();
     Page::keyPressEvent(event);
 }
 
@@ -329,8 +365,8 @@ void EnrollPage::prepareTour()
     tour.connectTo(workbench(), u"virtual:?object=0.031,52,13500&seed=31"_s);
     tour.add(
         [this] {
-            d->name->setText(tr("Cola 330 ml"));
-            submitName();
+            d->squeezes->setAcceptsByItself(false); // the picture shows a decision
+            submitName(tr("Cola 330 ml"));
         },
         [&session] { return session.step() == EnrollSession::Step::Recipe; });
     tour.add([this] { submitRecipe(); },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/enroll_session.h"
 #include "ui/pages/page.h"
 
 #include <memory>
@@ -8,7 +9,7 @@
 namespace gripscope {
 
 /// A new type in five steps: name, recipe, squeezes, review, approval. A name that the library knows is gone
-/// on with.
+/// on with. Enter continues on forms, Space squeezes; what was done can be undone, left and gone on with.
 class EnrollPage : public Page {
     Q_OBJECT
 public:
@@ -26,14 +27,19 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    QWidget* makeNameStep();
+    QLayout* makeTop();
     QWidget* makeRecipeStep();
     QWidget* makeDoneStep();
     void refresh();
-    void refreshNameHint();
-    void submitName();
-    void showRecipe(); ///< what the type of the name begins with
+    void refreshUndo();
+    [[nodiscard]] QString inWords(const EnrollSession::Act& act) const;
+    void showRecipe();
+    void submitName(const QString& name);
     void submitRecipe();
+    void undo();
+    void redo();
+    void startAnew(); ///< what was begun stays as a draft
+    void tell(const Expected<void>& done);
     void focusStep();
     struct Private;
     std::unique_ptr<Private> d;

@@ -3,16 +3,19 @@
 
 #include "core/session/comparable_units.h"
 #include "ui/pages/enroll_check.h"
+#include "ui/pages/part_picture_view.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_format.h"
 #include "ui/widgets/parameter_text.h"
 #include "ui/widgets/type_map.h"
 #include "ui/workbench.h"
 
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
+#include <QSet>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -94,11 +97,48 @@ Expected<TypeReview> loadReview(Library& library, const QString& name)
 
 } // namespace
 
+QStringList summaryLines(const EnrollSession& session)
+{
+    int rejected = 0;
+    QSet<QString> parts;
+    for (const EnrollSqueeze& squeeze : session.squeezes()) {
+        if (squeeze.decision != EnrollSqueeze::Decision::Accepted)
+            ++rejected;
+        else if (!squeeze.part.isEmpty())
+            parts.insert(squeeze.part);
+    }
+    const auto tr = [](const char* text, int n = -1) {
+        return QCoreApplication::translate("EnrollReviewPanel", text, nullptr, n);
+    };
+    QString squeezes = rejected == 0
+                           ? tr("Squeezes: %1 accepted").arg(session.acceptedCount())
+                           : tr("Squeezes: %1 accepted, %2 not").arg(session.acceptedCount()).arg(rejected);
+    if (!parts.isEmpty())
+        squeezes += u'\n' + tr("Of %n part(s) with a mark", static_cast<int>(parts.size()));
+    const Recipe& recipe = session.recipe();
+    return {squeezes,
+            tr("Force: %1 to %2 N for %3 s")
+                .arg(recipe.bias_N - recipe.peak_N)
+                .arg(recipe.bias_N + recipe.peak_N)
+                .arg(recipe.seconds),
+            tr("Crush limit: %1 N, %2 mm").arg(recipe.maxForce_N).arg(recipe.maxTravel_m * 1e3)};
+}
+
 QWidget* EnrollReviewPanel::makeFacts(QWidget* parent)
 {
     auto* card = new QWidget(parent);
     auto* facts = new QVBoxLayout(card);
     setSpacing(facts, 0, 8);
+    m_picture = new PartPictureView(*m_workbench, 64, PartPictureView::Empty::Hidden, card);
+    m_summary = makeLabel({}, "second", card);
+    m_summary->setObjectName("reviewSummary");
+    m_summary->setWordWrap(true);
+    auto* what = new QHBoxLayout;
+    what->setSpacing(12);
+    what->addWidget(m_picture, 0, Qt::AlignTop);
+    what->addWidget(m_summary, 1);
+    facts->addLayout(what);
+    facts->addSpacing(8);
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(24);
     grid->setVerticalSpacing(8);
@@ -181,6 +221,8 @@ void EnrollReviewPanel::load()
 {
     const QString name = m_workbench->enrollment().typeName();
     m_title->setText(tr("Review of %1").arg(name));
+    m_picture->setPicture(m_workbench->enrollment().picture());
+    m_summary->setText(summaryLines(m_workbench->enrollment()).join(u'\n'));
     m_workbench->ask<TypeReview>(
         this, [name](Library& library) { return loadReview(library, name); },
         [this](const Expected<TypeReview>& review) {

@@ -14,7 +14,9 @@ class QPushButton;
 
 namespace gripscope {
 
+class EnrollSession;
 class Library;
+class PartPictureView;
 class TypeMap;
 class EnrollCheck;
 class Workbench;
@@ -33,6 +35,9 @@ struct TypeReview {
 [[nodiscard]] TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels& models,
                                     const QString& name);
 
+/// What was enrolled and how, a line each: squeezes and parts, recipe, crush limit.
+[[nodiscard]] QStringList summaryLines(const EnrollSession& session);
+
 /// The review step: mean and spread, how far the nearest other type is, what overlaps, what held-out squeezes
 /// are called, and approval.
 class EnrollReviewPanel : public QWidget {
@@ -49,7 +54,8 @@ private:
     QWidget* makeFacts(QWidget* parent);
     void loadCheck();
     Workbench* m_workbench;
-    QLabel *m_title, *m_mean[3], *m_spread[3], *m_distance, *m_gate, *m_sentences;
+    PartPictureView* m_picture;
+    QLabel *m_title, *m_summary, *m_mean[3], *m_spread[3], *m_distance, *m_gate, *m_sentences;
     TypeMap* m_map;
     EnrollCheck* m_check;
     QPushButton* m_approve;

@@ -2,11 +2,14 @@
 #include "ui/pages/enroll_squeeze_panel.h"
 
 #include "ui/connection_words.h"
+#include "ui/pages/enroll_live_words.h"
+#include "ui/pages/part_picture_view.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/parameter_text.h"
 #include "ui/widgets/progress_ring.h"
 #include "ui/workbench.h"
 
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QInputDialog>
@@ -89,6 +92,7 @@ QWidget* EnrollSqueezePanel::makeLast(QWidget* parent)
     m_lastTitle = makeLabel({}, "strong", box);
     m_lastNumbers = makeLabel({}, "", box);
     m_lastWords = makeLabel({}, "caption", box);
+    m_lastWords->setObjectName("squeezeWords");
     m_lastWords->setWordWrap(true);
     column->addWidget(m_lastTitle);
     column->addWidget(m_lastNumbers);
@@ -113,11 +117,20 @@ QWidget* EnrollSqueezePanel::makeTable()
     auto* column = new QVBoxLayout(card);
     setSpacing(column, 2, 0);
     m_title = makeLabel({}, "heading", card);
-    m_title->setContentsMargins(16, 12, 16, 4);
     m_advice = makeLabel({}, "caption", card);
     m_advice->setObjectName("adviceLabel");
     m_advice->setWordWrap(true);
-    m_advice->setContentsMargins(16, 0, 16, 8);
+    m_picture = new PartPictureView(*m_workbench, 64, PartPictureView::Empty::Hidden, card);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(4);
+    words->addWidget(m_title);
+    words->addWidget(m_advice);
+    words->addStretch(1);
+    auto* head = new QHBoxLayout;
+    head->setContentsMargins(16, 12, 16, 8);
+    head->setSpacing(12);
+    head->addWidget(m_picture, 0, Qt::AlignTop);
+    head->addLayout(words, 1);
     m_table = new QTableView(card);
     m_table->setObjectName("squeezeTable");
     m_table->setAccessibleName(tr("Squeezes of this type"));
@@ -134,6 +147,11 @@ QWidget* EnrollSqueezePanel::makeTable()
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &EnrollSqueezePanel::refresh);
+    m_itself = new QCheckBox(tr("Accept good squeezes by itself"), card);
+    m_itself->setObjectName("acceptByItself");
+    m_itself->setToolTip(tr("A valid squeeze that goes with the others is accepted without asking; any other "
+                            "waits for you. Ctrl+Z undoes it."));
+    m_itself->setChecked(true);
     auto* foot = new QHBoxLayout;
     foot->setContentsMargins(16, 8, 16, 12);
     foot->setSpacing(8);
@@ -143,11 +161,11 @@ QWidget* EnrollSqueezePanel::makeTable()
         tr("Takes an accepted squeeze out of the type, with a reason; the library keeps both"));
     m_review = makeButton(tr("Review"), {}, "", card);
     m_review->setObjectName("reviewButton");
-    foot->addWidget(m_drop);
+    foot->addWidget(m_itself);
     foot->addStretch(1);
+    foot->addWidget(m_drop);
     foot->addWidget(m_review);
-    column->addWidget(m_title);
-    column->addWidget(m_advice);
+    column->addLayout(head);
     column->addWidget(m_table, 1);
     column->addWidget(makeRule(card));
     column->addLayout(foot);
@@ -168,6 +186,7 @@ void EnrollSqueezePanel::refresh()
         m_table->scrollToBottom();
     const int accepted = session.acceptedCount();
     m_title->setText(tr("Squeezes of %1").arg(session.typeName()));
+    m_picture->setPicture(session.picture());
     m_ring->setCount(accepted, std::max(accepted, static_cast<int>(EnrollSession::suggestedSqueezes)));
     m_ring->setRunning(activity == Activity::Squeezing ? session.progress() : -1);
     const bool connected = connection.state() == ConnectSession::State::Connected;
@@ -199,6 +218,7 @@ void EnrollSqueezePanel::refresh()
     const char* look = accepted >= EnrollSession::suggestedSqueezes ? "primary" : "";
     if (m_review->property("role").toString() != QLatin1String(look))
         setRole(m_review, look);
+    acceptByItself();
     refreshLast();
     if (activity != m_shown || ready != m_ready) {
         m_shown = activity;
@@ -247,13 +267,53 @@ QString EnrollSqueezePanel::outlierReason(int row) const
     return found == m_advisor.advice()->outliers.end() ? QString() : found->second.reason;
 }
 
+bool EnrollSqueezePanel::decidesByItself() const
+{
+    const EnrollSession& session = m_workbench->enrollment();
+    const std::vector<EnrollSqueeze>& squeezes = session.squeezes();
+    if (!m_itself->isChecked() || session.activity() != EnrollSession::Activity::Deciding ||
+        m_ownSqueeze != static_cast<int>(squeezes.size()) - 1)
+        return false;
+    const EnrollSqueeze& last = squeezes.back();
+    return last.reason.isEmpty() && last.identification.validity.verdict == ValidityVerdict::Valid &&
+           outlierReason(m_ownSqueeze).isEmpty();
+}
+
+void EnrollSqueezePanel::acceptByItself()
+{
+    // Whether it goes with the others is known once the advice is there.
+    if (!decidesByItself() || !m_advisor.advice())
+        return;
+    leaveToPerson(); // should the library refuse it
+    if (const Expected<void> done = m_workbench->enrollment().accept(); !done)
+        m_workbench->report(done.error().describe());
+}
+
+bool EnrollSqueezePanel::showLive()
+{
+    const EnrollSession& session = m_workbench->enrollment();
+    if (session.activity() != EnrollSession::Activity::Squeezing)
+        return false;
+    const LiveEstimate& estimate = m_workbench->liveEstimate();
+    const GripperIdentity identity = m_workbench->connection().identity();
+    const LiveSqueezeWords live = liveSqueezeWords(estimate.following() ? estimate.state() : std::nullopt,
+                                                   identity.forceUnit, identity.positionUnit);
+    m_lastTitle->setText(tr("Squeeze %1, so far").arg(session.squeezes().size() + 1));
+    m_lastNumbers->setText(live.numbers);
+    m_lastNumbers->show();
+    m_lastWords->setText(live.quality);
+    return true;
+}
+
 void EnrollSqueezePanel::refreshLast()
 {
     const EnrollSession& session = m_workbench->enrollment();
     const std::vector<EnrollSqueeze>& squeezes = session.squeezes();
-    const bool deciding = session.activity() == EnrollSession::Activity::Deciding;
+    const bool deciding = session.activity() == EnrollSession::Activity::Deciding && !decidesByItself();
     m_accept->setVisible(deciding);
     m_reject->setVisible(deciding);
+    if (showLive())
+        return;
     if (session.activity() == EnrollSession::Activity::Identifying) {
         m_lastTitle->setText(tr("Finding m, b and k…"));
         return;
@@ -276,7 +336,7 @@ void EnrollSqueezePanel::refreshLast()
     if (best) {
         const ParameterTexts texts =
             parameterTexts(last.identification, last.recording.forceUnit, last.recording.positionUnit);
-        m_lastNumbers->setText(tr("k  %1\nb  %2\nm  %3").arg(texts.k.text(), texts.b.text(), texts.m.text()));
+        m_lastNumbers->setText(threeLines(texts.k.text(), texts.b.text(), texts.m.text()));
     }
     m_lastWords->setText(
         last.decision == EnrollSqueeze::Decision::Rejected ? tr("Rejected: %1").arg(last.reason)
@@ -284,8 +344,9 @@ void EnrollSqueezePanel::refreshLast()
         : deciding && !outlierReason(static_cast<int>(squeezes.size()) - 1).isEmpty()
             ? tr("It does not go with the others. %1 Accept it only if such parts belong to the type.")
                   .arg(outlierReason(static_cast<int>(squeezes.size()) - 1))
-        : deciding ? tr("Accept it (Space) or reject it.")
-                   : tr("Accepted and stored."));
+        : deciding                                          ? tr("Accept it (Space) or reject it.")
+        : last.decision == EnrollSqueeze::Decision::Pending ? tr("Being accepted…")
+                                                            : tr("Accepted and stored."));
 }
 
 void EnrollSqueezePanel::focusNext()
@@ -328,7 +389,13 @@ void EnrollSqueezePanel::squeeze()
         m_workbench->report(tr("Another squeeze is under way. Wait for its end, then try again."));
         return;
     }
+    m_ownSqueeze = static_cast<int>(m_workbench->enrollment().squeezes().size());
     tell(m_workbench->enrollment().squeeze());
+}
+
+void EnrollSqueezePanel::setAcceptsByItself(bool on)
+{
+    m_itself->setChecked(on);
 }
 
 void EnrollSqueezePanel::accept()

@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -13,6 +14,7 @@ class QTableView;
 
 namespace gripscope {
 
+class PartPictureView;
 class ProgressRing;
 class Workbench;
 
@@ -26,6 +28,10 @@ public:
     void focusNext(); ///< on what is to be done next
     /// What Space does here: squeeze when one is due, accept when one waits for it.
     void squeezeOrAccept();
+    /// Valid squeezes that go with the others are accepted without asking; on at first.
+    void setAcceptsByItself(bool on);
+    /// The squeeze that waits, or will, is a person's to decide on.
+    void leaveToPerson() { m_ownSqueeze = -1; }
 
 signals:
     void changed();
@@ -42,6 +48,9 @@ private:
     void review();
     void tell(const Expected<void>& done);
     void refreshLast();
+    bool showLive();
+    void acceptByItself();
+    [[nodiscard]] bool decidesByItself() const;
     void refreshAdvice();
     [[nodiscard]] int rowToDrop() const; ///< the selected one, else an accepted outlier; -1: none
     [[nodiscard]] QString outlierReason(int row) const;
@@ -50,10 +59,13 @@ private:
     EnrollSqueezeModel m_model;
     QLabel *m_title, *m_advice, *m_hint, *m_lastTitle, *m_lastNumbers, *m_lastWords;
     ProgressRing* m_ring;
+    PartPictureView* m_picture;
     QLineEdit* m_part;
+    QCheckBox* m_itself;
     QPushButton *m_squeeze, *m_arm, *m_accept, *m_reject, *m_drop, *m_review;
     QTableView* m_table;
     bool m_ready = false;
+    int m_ownSqueeze = -1; ///< row of the squeeze that may be accepted by itself; -1: none
     EnrollSession::Activity m_shown = EnrollSession::Activity::Waiting;
 };
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the dialog of enrolled types does to them: asks first, then changes the library on its thread.
+#include "core/store/time_ordered_id.h"
+#include "ui/pages/enroll_picture_field.h"
 #include "ui/pages/enrolled_types_dialog.h"
 #include "ui/pages/type_change_form.h"
+#include "ui/widgets/controls.h"
 #include "ui/workbench.h"
 
 #include <QLabel>
+#include <QVBoxLayout>
 
 namespace gripscope {
 
@@ -30,6 +34,42 @@ void EnrolledTypesDialog::change(Change work)
         m_workbench->tellLibraryChanged();
         load();
     });
+}
+
+void EnrolledTypesDialog::choosePicture()
+{
+    auto* dialog = new QDialog(this);
+    dialog->setObjectName("typePictureDialog");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Picture of %1").arg(selectedType()->name));
+    auto* column = new QVBoxLayout(dialog);
+    setSpacing(column, 24, 16);
+    auto* field = new EnrollPictureField(*m_workbench, dialog);
+    QPushButton* close = makeButton(tr("Close"), {}, "primary", dialog);
+    column->addWidget(field);
+    column->addWidget(close, 0, Qt::AlignRight);
+    connect(close, &QPushButton::clicked, dialog, &QDialog::accept);
+    connect(field, &EnrollPictureField::chosen, this,
+            [this, id = selectedType()->id](std::optional<PartPicture> picture) {
+                if (picture)
+                    picture->id = newTimeOrderedId();
+                change([id, picture, who = m_workbench->operatorName()](Library& library) {
+                    return library.atOnce([&]() -> Expected<void> {
+                        if (picture)
+                            if (Expected<void> added = library.addPicture(*picture); !added)
+                                return added;
+                        return library.setTypePicture(id, picture ? picture->id : QString(), who);
+                    });
+                });
+            });
+    m_workbench->ask<std::optional<PartPicture>>(
+        field, [id = selectedType()->id](Library& library) { return library.typePicture(id); },
+        [field](const Expected<std::optional<PartPicture>>& picture) {
+            if (picture)
+                field->showPicture(*picture);
+        });
+    dialog->resize(560, 200);
+    dialog->open();
 }
 
 void EnrolledTypesDialog::rename()

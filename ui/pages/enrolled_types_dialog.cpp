@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/enrolled_types_dialog.h"
 
+#include "ui/part_picture_reader.h"
 #include "ui/widgets/controls.h"
 #include "ui/workbench.h"
 
@@ -19,6 +20,7 @@ namespace {
 
 /// As far back as the list goes; older versions are in `gripscope-cli types versions`.
 constexpr int listedVersions = 500;
+constexpr int pictureSide = 32; ///< of a type in its row
 
 QTableWidget* makeTable(const QStringList& headers, const char* name, QWidget* parent)
 {
@@ -89,11 +91,14 @@ QPushButton* EnrolledTypesDialog::addAction(QBoxLayout* column, const QString& t
 QWidget* EnrolledTypesDialog::makeTypes()
 {
     auto* page = new QWidget(this);
-    m_types = makeTable({tr("Type"), tr("State"), tr("Squeezes"), tr("Recipe")}, "typesTable", page);
+    m_types = makeTable({tr("Type"), tr("State"), tr("Squeezes"), tr("Recipe"), tr("Crush limit")},
+                        "typesTable", page);
+    m_types->setIconSize({pictureSide, pictureSide});
     m_types->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_types->setAccessibleName(tr("Enrolled types"));
     auto* actions = new QVBoxLayout;
     actions->setSpacing(8);
+    m_picture = addAction(actions, tr("Picture…"), "pictureButton", &EnrolledTypesDialog::choosePicture);
     m_rename = addAction(actions, tr("Rename…"), "renameButton", &EnrolledTypesDialog::rename);
     m_merge = addAction(actions, tr("Merge…"), "mergeButton", &EnrolledTypesDialog::merge);
     m_split = addAction(actions, tr("Split…"), "splitButton", &EnrolledTypesDialog::split);
@@ -132,21 +137,33 @@ QWidget* EnrolledTypesDialog::makeVersions()
     return page;
 }
 
+Expected<EnrolledTypesDialog::Contents> EnrolledTypesDialog::read(Library& library, int pictureSide)
+{
+    auto types = library.types();
+    const auto retired = library.retiredTypes();
+    auto changes = library.changes(listedVersions);
+    const auto version = library.version();
+    if (!types || !retired)
+        return tl::unexpected<Error>((types ? retired : types).error());
+    if (!changes || !version)
+        return tl::unexpected<Error>(changes ? version.error() : changes.error());
+    types->insert(types->end(), retired->begin(), retired->end());
+    Contents contents{std::move(*types), {}, std::move(*changes), *version};
+    for (const TypeRecord& type : contents.types) {
+        const auto picture = library.typePicture(type.id);
+        if (!picture)
+            return tl::unexpected<Error>(picture.error());
+        contents.pictures.push_back(*picture ? shownPicture(**picture, pictureSide) : QImage());
+    }
+    return contents;
+}
+
 void EnrolledTypesDialog::load()
 {
     m_workbench->ask<Contents>(
         this,
-        [](Library& library) -> Expected<Contents> {
-            auto types = library.types();
-            const auto retired = library.retiredTypes();
-            auto changes = library.changes(listedVersions);
-            const auto version = library.version();
-            if (!types || !retired)
-                return tl::unexpected<Error>((types ? retired : types).error());
-            if (!changes || !version)
-                return tl::unexpected<Error>(changes ? version.error() : changes.error());
-            types->insert(types->end(), retired->begin(), retired->end());
-            return Contents{std::move(*types), std::move(*changes), *version};
+        [side = static_cast<int>(pictureSide * devicePixelRatioF())](Library& library) {
+            return read(library, side);
         },
         [this](Expected<Contents> contents) {
             if (contents)
@@ -166,7 +183,11 @@ void EnrolledTypesDialog::show(Contents contents)
         const QString state = type.status == TypeStatus::Retired    ? tr("retired")
                               : type.status == TypeStatus::Approved ? tr("approved")
                                                                     : tr("not approved");
-        setRow(m_types, row, {type.name, state, QString::number(type.squeezes), type.recipe.name});
+        setRow(m_types, row,
+               {type.name, state, QString::number(type.squeezes), type.recipe.name,
+                tr("%1 N").arg(type.recipe.maxForce_N)});
+        if (const QImage& picture = m_contents.pictures[static_cast<std::size_t>(row)]; !picture.isNull())
+            m_types->item(row, 0)->setIcon(QPixmap::fromImage(picture));
     }
     m_versions->setRowCount(static_cast<int>(m_contents.changes.size()));
     for (int row = 0; row < m_versions->rowCount(); ++row) {
@@ -189,6 +210,7 @@ void EnrolledTypesDialog::refresh()
 {
     const TypeRecord* type = selectedType();
     const bool inUse = type && type->status != TypeStatus::Retired;
+    m_picture->setEnabled(type);
     m_rename->setEnabled(type);
     m_merge->setEnabled(inUse && m_contents.types.size() > 1);
     m_split->setEnabled(inUse && type->squeezes > 1);

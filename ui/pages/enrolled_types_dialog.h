@@ -4,6 +4,7 @@
 #include "core/store/library.h"
 
 #include <QDialog>
+#include <QImage>
 
 #include <functional>
 
@@ -27,6 +28,7 @@ private:
     /// What the lists show, read on the library's thread.
     struct Contents {
         std::vector<TypeRecord> types; ///< those in use, then the retired
+        std::vector<QImage> pictures;  ///< one a type, small; a null image where it has none
         std::vector<LibraryChange> changes;
         qint64 version = 0;
     };
@@ -36,6 +38,7 @@ private:
     QWidget* makeVersions();
     QPushButton* addAction(QBoxLayout* column, const QString& text, const char* name,
                            void (EnrolledTypesDialog::*action)());
+    [[nodiscard]] static Expected<Contents> read(Library& library, int pictureSide);
     void load();
     void show(Contents contents);
     void refresh();
@@ -43,6 +46,7 @@ private:
     [[nodiscard]] const TypeRecord* selectedType() const;
     [[nodiscard]] const LibraryChange* selectedVersion() const;
     [[nodiscard]] ChangeNote note(const TypeChangeForm& form) const;
+    void choosePicture();
     void rename();
     void merge();
     void split();
@@ -56,7 +60,8 @@ private:
     Workbench* m_workbench;
     Contents m_contents;
     QTableWidget *m_types, *m_versions;
-    QPushButton *m_rename, *m_merge, *m_split, *m_approve, *m_retire, *m_putBack, *m_restore, *m_undo;
+    QPushButton *m_picture, *m_rename, *m_merge, *m_split, *m_approve, *m_retire, *m_putBack, *m_restore,
+        *m_undo;
     QLabel* m_state;
 };
 

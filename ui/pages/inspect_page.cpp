@@ -3,6 +3,7 @@
 
 #include "core/words.h"
 #include "ui/connection_words.h"
+#include "ui/example_types_button.h"
 #include "ui/pages/inspect_measurement.h"
 #include "ui/pages/inspect_summary.h"
 #include "ui/rates_dialog.h"
@@ -154,6 +155,7 @@ void InspectPage::buildActions(QBoxLayout* column)
     d->arm->setObjectName("inspectArmButton");
     d->arm->setProperty("large", true);
     connect(d->arm, &QPushButton::clicked, this, [this] { workbench().arm(); });
+    row->addWidget(new ExampleTypesButton(workbench(), this));
     row->addWidget(d->arm, 2);
     row->addWidget(d->squeeze, 3);
     column->addLayout(row);

@@ -3,6 +3,7 @@
 
 #include "core/signal/units.h"
 #include "core/work_watch.h"
+#include "ui/example_types_button.h"
 #include "ui/models/space_clustering.h"
 #include "ui/pages/fit_page_open.h"
 #include "ui/pages/types_page_advice.h"
@@ -170,8 +171,8 @@ QWidget* TypesPage::buildEmpty()
                   "second");
     text->setWordWrap(true);
     text->setAlignment(Qt::AlignCenter);
-    auto* load = makeButton(tr("Load the example types"), {}, "primary");
-    connect(load, &QPushButton::clicked, this, [this] { loadExamples(); });
+    auto* load = makeButton(tr("Load four example types"), {}, "primary");
+    connect(load, &QPushButton::clicked, this, [this] { loadExampleTypes(workbench()); });
     column->addStretch();
     column->addWidget(makeLabel(tr("No types in this library yet"), "title"), 0, Qt::AlignHCenter);
     column->addWidget(text);
@@ -367,18 +368,6 @@ QString TypesPage::tipOf(const QString& id) const
         return squeezeName(*d->space, *squeeze) + u'\n' +
                parametersText(squeeze->parameters, d->space->units, squeeze->covariance);
     return d->highlightTip;
-}
-
-void TypesPage::loadExamples()
-{
-    workbench().ask<void>(
-        this, [](Library& library) { return library.loadExampleTypes(); },
-        [this](Expected<void> done) {
-            if (done)
-                workbench().tellLibraryChanged();
-            else
-                workbench().report(done.error().describe());
-        });
 }
 
 void TypesPage::openPicked()

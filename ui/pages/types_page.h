@@ -47,7 +47,6 @@ private:
     void refresh();
     void takePick(const QString& id);
     [[nodiscard]] QString tipOf(const QString& id) const;
-    void loadExamples();
     void openPicked();
 
     struct Private;

@@ -24,6 +24,7 @@ struct FakeGripper {
     LinkCounters counters;
     MassDampingStiffness object{0.0396, 43.0, 9990.0};
     double noise_m = 1e-6;
+    double forceGain = 1; ///< of what its force sensor says over what it was told to press
     double trueLag_s = 0; ///< of the position channel, whatever the identity says
 
     bool opensAtOnce = true;
@@ -112,7 +113,8 @@ struct FakeGripper {
                 skip();
                 continue;
             }
-            push(force[static_cast<std::size_t>(i)], position[static_cast<std::size_t>(i)] + noise(),
+            push(forceGain * force[static_cast<std::size_t>(i)],
+                 position[static_cast<std::size_t>(i)] + noise(),
                  static_cast<std::uint16_t>(StatusArmed | (moving ? StatusMoving : 0)));
         }
     }

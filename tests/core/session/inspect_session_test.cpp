@@ -220,8 +220,9 @@ private slots:
         const Recording recording = squeezeOf(strangeCan, 1);
         const NewGrasp grasp = makeGrasp(recording, identify(recording), QStringLiteral("file.csv"), {});
         QVERIFY(run.library
-                    .run<StoredSqueeze>(
-                        [grasp](Library& l) { return storeSqueeze(l, QStringLiteral("new"), {}, grasp); })
+                    .run<StoredSqueeze>([grasp](Library& l) {
+                        return storeSqueeze(l, {QStringLiteral("new"), {}, grasp});
+                    })
                     .get());
         run.inspection.reload();
         QVERIFY(run.ready());
@@ -235,8 +236,9 @@ private slots:
         {
             std::unique_ptr<Library> library = std::move(*Library::open(m_file));
             const Recording recording = squeezeOf(strangeCan, 1);
-            QVERIFY(storeSqueeze(*library, QStringLiteral("short"), recipe,
-                                 makeGrasp(recording, identify(recording), QStringLiteral("file.csv"), {})));
+            QVERIFY(storeSqueeze(
+                *library, {QStringLiteral("short"), recipe,
+                           makeGrasp(recording, identify(recording), QStringLiteral("file.csv"), {})}));
         }
         Run run(m_file);
         QVERIFY(run.connection.open());

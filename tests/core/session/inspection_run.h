@@ -46,7 +46,7 @@ inline void enrolTypes(const QString& file,
         for (std::uint64_t seed = 1; seed <= squeezes; ++seed) {
             const Recording recording = scatteredSqueezeOf(type.second, seed);
             const NewGrasp grasp = makeGrasp(recording, identify(recording), QStringLiteral("file.csv"), {});
-            QVERIFY(storeSqueeze(*library, type.first, {}, grasp));
+            QVERIFY(storeSqueeze(*library, {type.first, {}, grasp}));
         }
 }
 

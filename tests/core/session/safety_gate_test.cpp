@@ -59,6 +59,18 @@ private slots:
         QCOMPARE(started ? -1 : static_cast<int>(started.error().code), code);
         QCOMPARE(m_gripper->started, code == -1 ? 1 : 0);
     }
+    void limitsThatAreNoneAreRefused()
+    {
+        QVERIFY(m_gate->arm(QStringLiteral("Ada")));
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        for (const JobLimits& limits :
+             {JobLimits{nan, 0.02}, JobLimits{0, 0.02}, JobLimits{-40, 0.02}, JobLimits{40, nan},
+              JobLimits{40, 0}, JobLimits{std::numeric_limits<double>::infinity(), 0.02}}) {
+            m_gate->setJobLimits(limits);
+            QCOMPARE(m_gate->start({1, 2}).error().code, ErrorCode::Usage);
+        }
+        QCOMPARE(m_gripper->started, 0);
+    }
     void nothingMovesBeforeAPersonArmed()
     {
         const Expected<void> early = m_gate->start({1, 2});

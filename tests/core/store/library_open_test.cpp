@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/calibration_record.h"
+#include "core/store/enrollment_draft.h"
 #include "core/store/migration.h"
 #include "tests/core/store/library_fixture.h"
 #include "tests/core/store/raw_database.h"
@@ -125,6 +127,10 @@ private slots:
             2e-6, 0, 0.002, 0.001, 1e-5, 1e-6, GripperBaseline{{0.01, 2, 300}, {0.001, 0.2, 30}}};
         if (chain)
             QVERIFY(chain->chain == stored);
+        const auto calibrations = valueOf(library->calibrations(u"0001"_s, 10));
+        QCOMPARE(calibrations.size(), std::size_t(version > 4 ? 1 : 0));
+        QVERIFY(calibrations.empty() || calibrations[0].points.size() == 3);
+        QVERIFY(valueOf(library->drafts()).empty());
     }
     void migrationsAreNeverEdited()
     {
@@ -139,6 +145,8 @@ private slots:
                  u"df417d941c7bf59bbcd7a281f62730f4f446b821cadc67fe975cad7793ee6ad9"_s);
         QCOMPARE(migrations()[4].checksum(),
                  u"ec80b874498ca7ec92bac62d324aa44dbb2303a2826586f7085a908edb3d760b"_s);
+        QCOMPARE(migrations()[5].checksum(),
+                 u"f07cec2ca6f45dcb71f40d83f40432f15a1dbcc3245a9f1ce7e62eed29a6aa13"_s);
     }
     void furtherStepsAreAppliedInOrderAndOnce()
     {
