@@ -17,10 +17,9 @@ constexpr qint64 largestFile = 100'000'000;
 /// Of the sides of what it holds, before it is made smaller.
 constexpr int largestSide = 20'000;
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("PartPicture", text);
-}
+class PictureWords {
+    Q_DECLARE_TR_FUNCTIONS(PictureWords)
+};
 
 QSize shrunk(const QSize& size, int side)
 {
@@ -37,7 +36,8 @@ Expected<PartPicture> encoded(const QImage& image, const QString& format)
     const bool written = buffer.open(QIODevice::WriteOnly) &&
                          image.save(&buffer, format.toLatin1().constData(), format == "jpeg"_L1 ? 88 : -1);
     if (!written)
-        return failure(ErrorCode::Usage, {tr("The picture could not be kept as %1.").arg(format)});
+        return failure(ErrorCode::Usage,
+                       {PictureWords::tr("The picture could not be kept as %1.").arg(format)});
     return picture;
 }
 
@@ -50,23 +50,23 @@ Expected<PartPicture> readPartPicture(const QString& file)
     };
     const QFileInfo info(file);
     if (!info.isFile())
-        return unreadable(tr("there is no such file"));
+        return unreadable(PictureWords::tr("there is no such file"));
     if (info.size() > largestFile)
-        return unreadable(tr("it is larger than 100 MB"));
+        return unreadable(PictureWords::tr("it is larger than 100 MB"));
     QImageReader reader(file);
     reader.setDecideFormatFromContent(true);
     reader.setAutoTransform(true);
     const QByteArray format = reader.format();
     if (format != "png" && format != "jpeg")
-        return unreadable(tr("it is neither a PNG nor a JPEG picture"));
+        return unreadable(PictureWords::tr("it is neither a PNG nor a JPEG picture"));
     const QSize size = reader.size();
     if (size.width() > largestSide || size.height() > largestSide)
-        return unreadable(tr("it is larger than %1 by %1 pixels").arg(largestSide));
+        return unreadable(PictureWords::tr("it is larger than %1 by %1 pixels").arg(largestSide));
     if (size.isValid())
         reader.setScaledSize(shrunk(size, largestPictureSide));
     const QImage image = reader.read();
     if (image.isNull())
-        return unreadable(tr("it is damaged (%1)").arg(reader.errorString()));
+        return unreadable(PictureWords::tr("it is damaged (%1)").arg(reader.errorString()));
     return encoded(image, QString::fromLatin1(format));
 }
 
@@ -74,7 +74,7 @@ Expected<PartPicture> toPartPicture(const QImage& image)
 {
     if (image.isNull())
         return failure(ErrorCode::Usage,
-                       {tr("There is no picture to paste. Copy one first, or choose a file.")});
+                       {PictureWords::tr("There is no picture to paste. Copy one first, or choose a file.")});
     return encoded(
         image.scaled(shrunk(image.size(), largestPictureSide), Qt::KeepAspectRatio, Qt::SmoothTransformation),
         u"png"_s);

@@ -152,6 +152,60 @@
     </message>
 </context>
 <context>
+    <name>LiveSqueezeWords</name>
+    <message>
+        <source>k  %1
+b  %2
+m  %3</source>
+        <translation>k  %1
+b  %2
+m  %3</translation>
+    </message>
+    <message>
+        <source>Not enough of the squeeze yet.</source>
+        <translation>Noch zu wenig vom Druckversuch.</translation>
+    </message>
+    <message>
+        <source>Stiffness known to %1 so far.</source>
+        <translation>Steifigkeit bisher auf %1 bekannt.</translation>
+    </message>
+    <message>
+        <source>Still searching.</source>
+        <translation>Wird noch gesucht.</translation>
+    </message>
+</context>
+<context>
+    <name>PictureWords</name>
+    <message>
+        <source>The picture could not be kept as %1.</source>
+        <translation>Das Bild konnte nicht als %1 abgelegt werden.</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>es gibt keine solche Datei</translation>
+    </message>
+    <message>
+        <source>it is larger than 100 MB</source>
+        <translation>sie ist größer als 100 MB</translation>
+    </message>
+    <message>
+        <source>it is neither a PNG nor a JPEG picture</source>
+        <translation>sie ist weder ein PNG- noch ein JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 by %1 pixels</source>
+        <translation>sie ist größer als %1 mal %1 Pixel</translation>
+    </message>
+    <message>
+        <source>it is damaged (%1)</source>
+        <translation>sie ist beschädigt (%1)</translation>
+    </message>
+    <message>
+        <source>There is no picture to paste. Copy one first, or choose a file.</source>
+        <translation>Es gibt kein Bild zum Einfügen. Erst eines kopieren oder eine Datei wählen.</translation>
+    </message>
+</context>
+<context>
     <name>Words</name>
     <message>
         <source>calibration points</source>
@@ -3143,6 +3197,86 @@
         <source>bit %1</source>
         <translation>Bit %1</translation>
     </message>
+    <message>
+        <source>There is nothing to undo now.</source>
+        <translation>Jetzt gibt es nichts rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to do again now.</source>
+        <translation>Jetzt gibt es nichts zu wiederholen.</translation>
+    </message>
+    <message>
+        <source>taken back</source>
+        <translation>zurückgenommen</translation>
+    </message>
+    <message>
+        <source>%1 is measured, above the limit of %2</source>
+        <translation>gemessen werden %1, mehr als die Grenze von %2</translation>
+    </message>
+    <message>
+        <source>The recipe has no crush limit. Give the most force and travel that the part bears.</source>
+        <translation>Das Rezept hat keine Bruchgrenze. Größte Kraft und größten Weg angeben, die das Teil verträgt.</translation>
+    </message>
+    <message>
+        <source>squeeze %1 of an enrolment</source>
+        <translation>Druckversuch %1 eines Einlernens</translation>
+    </message>
+    <message>
+        <source>store the enrolment under way</source>
+        <translation>das laufende Einlernen speichern</translation>
+    </message>
+    <message>
+        <source>read the enrolments under way</source>
+        <translation>die laufenden Einlernvorgänge lesen</translation>
+    </message>
+    <message>
+        <source>store what belongs together</source>
+        <translation>speichern, was zusammengehört</translation>
+    </message>
+    <message>
+        <source>put the squeeze back</source>
+        <translation>den Druckversuch wieder aufnehmen</translation>
+    </message>
+    <message>
+        <source>%2 of %1 counts again.</source>
+        <translation>%2 von %1: zählt wieder.</translation>
+    </message>
+    <message>
+        <source>An enrolment needs the name of its type.</source>
+        <translation>Ein Einlernen braucht den Namen seines Typs.</translation>
+    </message>
+    <message>
+        <source>end the enrolment</source>
+        <translation>das Einlernen beenden</translation>
+    </message>
+    <message>
+        <source>A picture of a part is PNG or JPEG.</source>
+        <translation>Das Bild eines Teils ist PNG oder JPEG.</translation>
+    </message>
+    <message>
+        <source>store the picture</source>
+        <translation>das Bild speichern</translation>
+    </message>
+    <message>
+        <source>store the type&apos;s picture</source>
+        <translation>das Bild des Typs speichern</translation>
+    </message>
+    <message>
+        <source>read the picture</source>
+        <translation>das Bild lesen</translation>
+    </message>
+    <message>
+        <source>picture %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>The picture %1</source>
+        <translation>Das Bild %1</translation>
+    </message>
+    <message>
+        <source>read the type&apos;s picture</source>
+        <translation>das Bild des Typs lesen</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::AboutDialog</name>
@@ -3199,10 +3333,6 @@
         <translation>F1</translation>
     </message>
     <message>
-        <source>This window</source>
-        <translation>Dieses Fenster</translation>
-    </message>
-    <message>
         <source>F9</source>
         <translation>F9</translation>
     </message>
@@ -3211,12 +3341,12 @@
         <translation>Den Greifer untersuchen: Reports, Zähler, Selbsttest</translation>
     </message>
     <message>
-        <source>Manual</source>
-        <translation>Handbuch</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>The manual, at the page about this screen</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4601,6 +4731,111 @@ max. (95 %)</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::EnrollDrafts</name>
+    <message>
+        <source>Named, and not squeezed yet.</source>
+        <translation>Benannt, noch nicht gedrückt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n squeeze(s), ready for approval.</source>
+        <translation>
+            <numerusform>%n Druckversuch, bereit zur Freigabe.</numerusform>
+            <numerusform>%n Druckversuche, bereit zur Freigabe.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 Left on %2.</source>
+        <translation>%1 Verlassen am %2.</translation>
+    </message>
+    <message>
+        <source>%1 Left by %2 on %3.</source>
+        <translation>%1 Verlassen von %2 am %3.</translation>
+    </message>
+    <message>
+        <source>Begun and not finished</source>
+        <translation>Begonnen und nicht beendet</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>“%1” was discarded.</source>
+        <translation>„%1“ wurde verworfen.</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Go on with %1</source>
+        <translation>%1 fortsetzen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Discard the enrolment of %1</source>
+        <translation>Das Einlernen von %1 verwerfen</translation>
+    </message>
+    <message>
+        <source>It is offered no more; accepted squeezes stay, see Enrolled types</source>
+        <translation>Es wird nicht mehr angeboten; angenommene Druckversuche bleiben, siehe Eingelernte Typen</translation>
+    </message>
+    <message>
+        <source>It is offered no more</source>
+        <translation>Es wird nicht mehr angeboten</translation>
+    </message>
+    <message>
+        <source>%1 of %2 squeezes.</source>
+        <translation>%1 von %2 Druckversuchen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 squeezes, and one to decide on.</source>
+        <translation>%1 von %2 Druckversuchen, über einen ist zu entscheiden.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::EnrollNameStep</name>
+    <message>
+        <source>What is the type called?</source>
+        <translation>Wie heißt der Typ?</translation>
+    </message>
+    <message>
+        <source>As a technician would say it, for instance “Cola 330 ml”. The name appears in large letters when a part of this type is inspected.</source>
+        <translation>So, wie man ihn am Platz nennt, zum Beispiel „Cola 330 ml“. Der Name erscheint groß, wenn ein Teil dieses Typs geprüft wird.</translation>
+    </message>
+    <message>
+        <source>Name of the type</source>
+        <translation>Name des Typs</translation>
+    </message>
+    <message>
+        <source>Continue (Enter)</source>
+        <translation>Weiter (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Enrolled types…</source>
+        <translation>Eingelernte Typen…</translation>
+    </message>
+    <message>
+        <source>Rename, merge, split or retire types; undo changes</source>
+        <translation>Typen umbenennen, vereinigen, aufteilen oder außer Gebrauch nehmen; Änderungen rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Type %1</source>
+        <translation>Typ %1</translation>
+    </message>
+    <message>
+        <source>This type is known (squeezes so far: %1). The enrolment goes on with its own recipe.</source>
+        <translation>Dieser Typ ist bekannt (bisherige Druckversuche: %1). Das Einlernen geht mit seinem eigenen Rezept weiter.</translation>
+    </message>
+    <message>
+        <source>This enrolment was begun before. It goes on with the squeezes that it has.</source>
+        <translation>Dieses Einlernen wurde schon begonnen. Es geht mit seinen Druckversuchen weiter.</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::EnrollPage</name>
     <message>
         <source>Name</source>
@@ -4627,30 +4862,6 @@ max. (95 %)</translation>
         <translation>Einlernen</translation>
     </message>
     <message>
-        <source>What is the type called?</source>
-        <translation>Wie heißt der Typ?</translation>
-    </message>
-    <message>
-        <source>As a technician would say it, for instance “Cola 330 ml”. The name appears in large letters when a part of this type is inspected.</source>
-        <translation>So, wie man ihn am Platz nennt, zum Beispiel „Cola 330 ml“. Der Name erscheint groß, wenn ein Teil dieses Typs geprüft wird.</translation>
-    </message>
-    <message>
-        <source>Name of the type</source>
-        <translation>Name des Typs</translation>
-    </message>
-    <message>
-        <source>Continue</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
-        <source>Enrolled types…</source>
-        <translation>Eingelernte Typen…</translation>
-    </message>
-    <message>
-        <source>Rename, merge, split or retire types; undo changes</source>
-        <translation>Typen umbenennen, vereinigen, aufteilen oder außer Gebrauch nehmen; Änderungen rückgängig machen</translation>
-    </message>
-    <message>
         <source>How is it squeezed?</source>
         <translation>Wie wird gedrückt?</translation>
     </message>
@@ -4671,16 +4882,8 @@ max. (95 %)</translation>
         <translation>Teile prüfen</translation>
     </message>
     <message>
-        <source>This type is known (squeezes so far: %1). The enrolment goes on with its own recipe.</source>
-        <translation>Dieser Typ ist bekannt (bisherige Druckversuche: %1). Das Einlernen geht mit seinem eigenen Rezept weiter.</translation>
-    </message>
-    <message>
         <source>%1 is known: its recipe stays as it is, so that all its squeezes can be compared.</source>
         <translation>%1 ist bekannt: Sein Rezept bleibt, damit alle seine Druckversuche vergleichbar sind.</translation>
-    </message>
-    <message>
-        <source>A preload, and on it a push and a release that follow one another at random. The limits hold for every squeeze of this type.</source>
-        <translation>Eine Vorlast und darauf ein Drücken und Nachlassen in zufälliger Folge. Die Grenzen gelten für jeden Druckversuch dieses Typs.</translation>
     </message>
     <message>
         <source>%1 is enrolled with %2 squeezes.</source>
@@ -4689,6 +4892,109 @@ max. (95 %)</translation>
     <message>
         <source>Cola 330 ml</source>
         <translation>Cola 330 ml</translation>
+    </message>
+    <message>
+        <source>Leave for later</source>
+        <translation>Später weiter</translation>
+    </message>
+    <message>
+        <source>Keeps this enrolment as it is and goes back to the first step</source>
+        <translation>Behält dieses Einlernen, wie es ist, und geht zum ersten Schritt zurück</translation>
+    </message>
+    <message>
+        <source>Continue (Enter)</source>
+        <translation>Weiter (Eingabe)</translation>
+    </message>
+    <message>
+        <source>A preload, and on it a push and a release that follow one another at random. The crush limit is the most that this part bears: no squeeze of this type goes above it.</source>
+        <translation>Eine Vorlast und darauf ein Drücken und Loslassen in zufälliger Folge. Die Bruchgrenze ist das Äußerste, was dieses Teil verträgt: Kein Druckversuch dieses Typs geht darüber.</translation>
+    </message>
+    <message>
+        <source>Undo: discard an enrolment (Ctrl+Z)</source>
+        <translation>Rückgängig: ein Einlernen verwerfen (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Undo: %1 (Ctrl+Z)</source>
+        <translation>Rückgängig: %1 (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl+Z): nothing now</source>
+        <translation>Rückgängig (Strg+Z): jetzt nichts</translation>
+    </message>
+    <message>
+        <source>Redo: %1 (Ctrl+Shift+Z)</source>
+        <translation>Wiederholen: %1 (Strg+Umschalt+Z)</translation>
+    </message>
+    <message>
+        <source>Redo (Ctrl+Shift+Z): nothing now</source>
+        <translation>Wiederholen (Strg+Umschalt+Z): jetzt nichts</translation>
+    </message>
+    <message>
+        <source>the name</source>
+        <translation>den Namen</translation>
+    </message>
+    <message>
+        <source>the recipe</source>
+        <translation>das Rezept</translation>
+    </message>
+    <message>
+        <source>going to the review</source>
+        <translation>zur Durchsicht gehen</translation>
+    </message>
+    <message>
+        <source>taking squeeze %1</source>
+        <translation>Druckversuch %1</translation>
+    </message>
+    <message>
+        <source>accepting squeeze %1</source>
+        <translation>Annahme von Druckversuch %1</translation>
+    </message>
+    <message>
+        <source>rejecting squeeze %1</source>
+        <translation>Ablehnung von Druckversuch %1</translation>
+    </message>
+    <message>
+        <source>dropping squeeze %1</source>
+        <translation>Streichen von Druckversuch %1</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::EnrollPictureField</name>
+    <message>
+        <source>Choose picture…</source>
+        <translation>Bild wählen…</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the picture</source>
+        <translation>Das Bild entfernen</translation>
+    </message>
+    <message>
+        <source>Shown with the type, so that nobody takes one for another.</source>
+        <translation>Wird beim Typ gezeigt, damit niemand einen mit dem anderen verwechselt.</translation>
+    </message>
+    <message>
+        <source>A picture of the part, if you like: choose a PNG or JPEG file, drop it here, or paste it.</source>
+        <translation>Auf Wunsch ein Bild des Teils: eine PNG- oder JPEG-Datei wählen, hier ablegen oder einfügen.</translation>
+    </message>
+    <message>
+        <source>Picture of the part</source>
+        <translation>Bild des Teils</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg);;All files (*)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Reading the picture…</source>
+        <translation>Das Bild wird gelesen…</translation>
     </message>
 </context>
 <context>
@@ -4799,6 +5105,29 @@ max. (95 %)</translation>
     <message>
         <source>Too few squeezes for a gate yet: every verdict on this type stays inconclusive. Add some.</source>
         <translation>Noch zu wenige Druckversuche für eine Grenze: Jedes Urteil zu diesem Typ bleibt unentschieden. Weitere hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Squeezes: %1 accepted</source>
+        <translation>Druckversuche: %1 angenommen</translation>
+    </message>
+    <message>
+        <source>Squeezes: %1 accepted, %2 not</source>
+        <translation>Druckversuche: %1 angenommen, %2 nicht</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %n part(s) with a mark</source>
+        <translation>
+            <numerusform>Von %n bezeichneten Teil</numerusform>
+            <numerusform>Von %n bezeichneten Teilen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Force: %1 to %2 N for %3 s</source>
+        <translation>Kraft: %L1 bis %L2 N, %L3 s lang</translation>
+    </message>
+    <message>
+        <source>Crush limit: %1 N, %2 mm</source>
+        <translation>Bruchgrenze: %L1 N, %L2 mm</translation>
     </message>
 </context>
 <context>
@@ -4981,14 +5310,6 @@ Fit</translation>
         <translation>Druckversuch %1: Fit %2, %3</translation>
     </message>
     <message>
-        <source>k  %1
-b  %2
-m  %3</source>
-        <translation>k  %1
-b  %2
-m  %3</translation>
-    </message>
-    <message>
         <source>Rejected: %1</source>
         <translation>Verworfen: %1</translation>
     </message>
@@ -5023,6 +5344,22 @@ m  %3</translation>
     <message>
         <source>Drop</source>
         <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Accept good squeezes by itself</source>
+        <translation>Gute Versuche selbst annehmen</translation>
+    </message>
+    <message>
+        <source>A valid squeeze that goes with the others is accepted without asking; any other waits for you. Ctrl+Z undoes it.</source>
+        <translation>Ein gültiger Druckversuch, der zu den anderen passt, wird ohne Nachfrage angenommen; jeder andere wartet. Strg+Z macht es rückgängig.</translation>
+    </message>
+    <message>
+        <source>Squeeze %1, so far</source>
+        <translation>Druckversuch %1, bisher</translation>
+    </message>
+    <message>
+        <source>Being accepted…</source>
+        <translation>Wird angenommen…</translation>
     </message>
 </context>
 <context>
@@ -5227,6 +5564,22 @@ m  %3</translation>
         <source>Version %1: %2</source>
         <translation>Version %1: %2</translation>
     </message>
+    <message>
+        <source>Picture of %1</source>
+        <translation>Bild von %1</translation>
+    </message>
+    <message>
+        <source>Crush limit</source>
+        <translation>Bruchgrenze</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Bild…</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%L1 N</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::EstimateRegion</name>
@@ -5424,6 +5777,17 @@ Vorh. %</translation>
     <message>
         <source>ARX predicts one step ahead from the last two measured positions. With noise that reads high even when m, b and k are far off: a good ARX prediction fit says nothing about them.</source>
         <translation>ARX sagt aus den letzten zwei gemessenen Wegen einen Schritt voraus. Mit Rauschen ist das auch dann hoch, wenn m, b und k weit danebenliegen: Ein guter Vorhersagefit von ARX sagt nichts über sie.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ExampleTypesButton</name>
+    <message>
+        <source>Load four example types</source>
+        <translation>Vier Beispieltypen laden</translation>
+    </message>
+    <message>
+        <source>The four cans of the paper, ten squeezes each; retire them when they are no longer wanted</source>
+        <translation>Die vier Dosen der Veröffentlichung mit je zehn Druckversuchen; sie lassen sich außer Gebrauch nehmen</translation>
     </message>
 </context>
 <context>
@@ -6690,27 +7054,47 @@ kleinste %2 %3</translation>
         <translation>Hilfe</translation>
     </message>
     <message>
-        <source>About Gripscope and its keys (F1)</source>
-        <translation>Über Gripscope und seine Tasten (F1)</translation>
+        <source>The manual, at the page about this screen (F1)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
-    <name>gripscope::ManualDialog</name>
+    <name>gripscope::ManualWindow</name>
     <message>
         <source>Manual</source>
         <translation>Handbuch</translation>
     </message>
     <message>
-        <source>Contents</source>
-        <translation>Inhalt</translation>
+        <source>Page of the manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search (Ctrl+F)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Back</source>
         <translation>Zurück</translation>
     </message>
     <message>
+        <source>Keys and version…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>On no page. Try another word.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6813,6 +7197,17 @@ kleinste %2 %3</translation>
     <message>
         <source>This computer has no OpenGL 3.2, so the space is shown as three plots instead of a scene.</source>
         <translation>Dieser Rechner hat kein OpenGL 3.2, daher zeigt statt der Szene je ein Diagramm drei Ansichten des Raums.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::PartPictureView</name>
+    <message>
+        <source>Picture of the part: none</source>
+        <translation>Bild des Teils: keines</translation>
+    </message>
+    <message>
+        <source>Picture of the part</source>
+        <translation>Bild des Teils</translation>
     </message>
 </context>
 <context>
@@ -8045,10 +8440,6 @@ kleinste %2 %3</translation>
         <translation>Auf der Seite Einlernen einen Typ einlernen: etwa zehn Druckversuche guter Teile. Oder die vier Dosen der Veröffentlichung als Beispiele laden.</translation>
     </message>
     <message>
-        <source>Load the example types</source>
-        <translation>Beispieltypen laden</translation>
-    </message>
-    <message>
         <source>No types in this library yet</source>
         <translation>Noch keine Typen in dieser Bibliothek</translation>
     </message>
@@ -8059,6 +8450,10 @@ kleinste %2 %3</translation>
     <message>
         <source>Ringed: the latest inspection</source>
         <translation>Mit Ring: die letzte Prüfung</translation>
+    </message>
+    <message>
+        <source>Load four example types</source>
+        <translation>Vier Beispieltypen laden</translation>
     </message>
 </context>
 <context>

@@ -5,7 +5,6 @@
 #include "ui/widgets/elided_label.h"
 #include "ui/workbench.h"
 
-#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QVBoxLayout>
@@ -18,21 +17,16 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString tr(const char* text, const char* disambiguation = nullptr, int n = -1)
-{
-    return QCoreApplication::translate("EnrollDrafts", text, disambiguation, n);
-}
-
 QString reached(const EnrollmentDraft& draft)
 {
     if (draft.step == EnrollmentDraft::Step::Recipe)
-        return tr("Named, and not squeezed yet.");
+        return EnrollDrafts::tr("Named, and not squeezed yet.");
     if (draft.step == EnrollmentDraft::Step::Review)
-        return tr("%n squeeze(s), ready for approval.", nullptr, draft.squeezes);
-    const QString of = tr("%1 of %2 squeezes")
-                           .arg(draft.squeezes)
-                           .arg(std::max(draft.squeezes, int{EnrollSession::suggestedSqueezes}));
-    return draft.pendingId.isEmpty() ? tr("%1.").arg(of) : tr("%1, and one to decide on.").arg(of);
+        return EnrollDrafts::tr("%n squeeze(s), ready for approval.", nullptr, draft.squeezes);
+    const QString words = draft.pendingId.isEmpty()
+                              ? EnrollDrafts::tr("%1 of %2 squeezes.")
+                              : EnrollDrafts::tr("%1 of %2 squeezes, and one to decide on.");
+    return words.arg(draft.squeezes).arg(std::max(draft.squeezes, int{EnrollSession::suggestedSqueezes}));
 }
 
 } // namespace
@@ -41,8 +35,8 @@ QString inWords(const EnrollmentDraft& draft)
 {
     const QString when = QLocale().toString(draft.changed.toLocalTime(), QLocale::ShortFormat);
     return draft.operatorName.isEmpty()
-               ? tr("%1 Left on %2.").arg(reached(draft), when)
-               : tr("%1 Left by %2 on %3.").arg(reached(draft), draft.operatorName, when);
+               ? EnrollDrafts::tr("%1 Left on %2.").arg(reached(draft), when)
+               : EnrollDrafts::tr("%1 Left by %2 on %3.").arg(reached(draft), draft.operatorName, when);
 }
 
 EnrollDrafts::EnrollDrafts(Workbench& workbench, QWidget* parent) : QFrame(parent), m_workbench(&workbench)

@@ -3,13 +3,16 @@
 
 #include "core/identification/recursive_estimator.h"
 
+#include <QCoreApplication>
 #include <QString>
 
 namespace gripscope {
 
 /// What is known of a squeeze while it runs: k, b and m so far, a line each, and how well the stiffness is
 /// known by now.
-struct LiveSqueezeWords {
+class LiveSqueezeWords {
+    Q_DECLARE_TR_FUNCTIONS(LiveSqueezeWords)
+public:
     QString numbers, quality;
 };
 [[nodiscard]] LiveSqueezeWords liveSqueezeWords(const std::optional<RecursiveState>& state,

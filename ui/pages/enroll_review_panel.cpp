@@ -10,7 +10,6 @@
 #include "ui/widgets/type_map.h"
 #include "ui/workbench.h"
 
-#include <QCoreApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -107,21 +106,23 @@ QStringList summaryLines(const EnrollSession& session)
         else if (!squeeze.part.isEmpty())
             parts.insert(squeeze.part);
     }
-    const auto tr = [](const char* text, int n = -1) {
-        return QCoreApplication::translate("EnrollReviewPanel", text, nullptr, n);
-    };
     QString squeezes = rejected == 0
-                           ? tr("Squeezes: %1 accepted").arg(session.acceptedCount())
-                           : tr("Squeezes: %1 accepted, %2 not").arg(session.acceptedCount()).arg(rejected);
+                           ? EnrollReviewPanel::tr("Squeezes: %1 accepted").arg(session.acceptedCount())
+                           : EnrollReviewPanel::tr("Squeezes: %1 accepted, %2 not")
+                                 .arg(session.acceptedCount())
+                                 .arg(rejected);
     if (!parts.isEmpty())
-        squeezes += u'\n' + tr("Of %n part(s) with a mark", static_cast<int>(parts.size()));
+        squeezes += u'\n' + EnrollReviewPanel::tr("Of %n part(s) with a mark", nullptr,
+                                                  static_cast<int>(parts.size()));
     const Recipe& recipe = session.recipe();
     return {squeezes,
-            tr("Force: %1 to %2 N for %3 s")
+            EnrollReviewPanel::tr("Force: %1 to %2 N for %3 s")
                 .arg(recipe.bias_N - recipe.peak_N)
                 .arg(recipe.bias_N + recipe.peak_N)
                 .arg(recipe.seconds),
-            tr("Crush limit: %1 N, %2 mm").arg(recipe.maxForce_N).arg(recipe.maxTravel_m * 1e3)};
+            EnrollReviewPanel::tr("Crush limit: %1 N, %2 mm")
+                .arg(recipe.maxForce_N)
+                .arg(recipe.maxTravel_m * 1e3)};
 }
 
 QWidget* EnrollReviewPanel::makeFacts(QWidget* parent)
