@@ -9,6 +9,7 @@ ExampleTypesButton::ExampleTypesButton(Workbench& workbench, QWidget* parent)
     : QPushButton(tr("Load four example types"), parent)
 {
     setObjectName("loadExampleTypes");
+    setProperty("large", true);
     setAccessibleName(text());
     setToolTip(
         tr("The four cans of the paper, ten squeezes each; retire them when they are no longer wanted"));
@@ -17,10 +18,7 @@ ExampleTypesButton::ExampleTypesButton(Workbench& workbench, QWidget* parent)
         setVisible(inspection.state() != InspectSession::State::Loading && inspection.types().empty());
     };
     connect(&workbench, &Workbench::inspectionChanged, this, refresh);
-    connect(this, &QPushButton::clicked, this, [this, &workbench] {
-        setEnabled(false); // once is enough
-        loadExampleTypes(workbench);
-    });
+    connect(this, &QPushButton::clicked, this, [&workbench] { loadExampleTypes(workbench); });
     refresh();
 }
 

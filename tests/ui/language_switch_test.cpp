@@ -7,6 +7,7 @@
 #include "ui/widgets/rail_button.h"
 #include "ui/window_host.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -105,6 +106,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Recipe, patience_ms);
         WindowFixture::click(find<QPushButton>(host, "recipeNext"));
         QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Squeeze, patience_ms);
+        find<QCheckBox>(host, "acceptByItself")->setChecked(false); // each is decided on here
         const auto squeezeAndAccept = [&] {
             if (!f.bench->connection().armed()) // a busy machine may have starved the gripper's heartbeat
                 WindowFixture::click(find<QPushButton>(host, "enrollArmButton"));

@@ -2,6 +2,7 @@
 #include "ui/pages/enroll_squeeze_panel.h"
 
 #include "ui/connection_words.h"
+#include "ui/page_state.h"
 #include "ui/pages/enroll_live_words.h"
 #include "ui/pages/part_picture_view.h"
 #include "ui/widgets/controls.h"
@@ -152,6 +153,7 @@ QWidget* EnrollSqueezePanel::makeTable()
     m_itself->setToolTip(tr("A valid squeeze that goes with the others is accepted without asking; any other "
                             "waits for you. Ctrl+Z undoes it."));
     m_itself->setChecked(true);
+    rememberChoice(m_itself);
     auto* foot = new QHBoxLayout;
     foot->setContentsMargins(16, 8, 16, 12);
     foot->setSpacing(8);
