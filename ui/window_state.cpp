@@ -21,6 +21,7 @@ namespace gripscope {
 namespace {
 
 constexpr int version = 1;
+constexpr int titleBar = 32; ///< of the desktop's frame, which is not known before the window is shown
 
 QJsonArray toJson(const QRect& rect)
 {
@@ -48,7 +49,7 @@ QRect ontoAScreen(QRect rect, const QSize& least)
     }
     rect.setSize(rect.size().boundedTo(room.size()).expandedTo(least));
     rect.moveLeft(std::max(room.left(), std::min(rect.left(), room.right() + 1 - rect.width())));
-    rect.moveTop(std::max(room.top(), std::min(rect.top(), room.bottom() + 1 - rect.height())));
+    rect.moveTop(std::max(room.top() + titleBar, std::min(rect.top(), room.bottom() + 1 - rect.height())));
     return rect;
 }
 

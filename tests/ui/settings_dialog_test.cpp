@@ -90,7 +90,7 @@ private slots:
         rate->setFocus();
         rate->selectAll();
         QTest::keyClicks(rate, u"2.5"_s);
-        QTest::keyClick(rate, Qt::Key_Tab);
+        QTest::keyClick(rate, Qt::Key_Return);
         QCOMPARE(o.f.bench->rates().rates.falseReject, 0.025);
         // Set in the Rates window of the Inspect page, they are shown here.
         StoredRates other = o.f.bench->rates();
@@ -112,7 +112,7 @@ private slots:
         auto* folder = o.find<QLineEdit>("setting-captures/folder");
         folder->setFocus();
         QTest::keyClicks(folder, m_folder.path());
-        QTest::keyClick(folder, Qt::Key_Tab);
+        QTest::keyClick(folder, Qt::Key_Return);
         QCOMPARE(o.f.bench->keeping().folder, m_folder.path());
     }
 

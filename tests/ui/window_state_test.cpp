@@ -58,8 +58,9 @@ private slots:
                                 {u"geometry"_s, QJsonArray{kept.x(), kept.y(), kept.width(), kept.height()}}};
         restoreWindowState(*f.window, QJsonDocument(state).toJson());
         const QRect room = QGuiApplication::primaryScreen()->availableGeometry();
-        QVERIFY(f.window->x() >= room.left() && f.window->y() >= room.top());
-        QVERIFY(f.window->x() <= std::max(room.left(), room.right() + 1 - f.window->width()));
+        const QRect placed = f.window->geometry();
+        QVERIFY(placed.left() >= room.left() && placed.top() > room.top()); // with room for a title bar
+        QVERIFY(placed.left() <= std::max(room.left(), room.right() + 1 - placed.width()));
         QVERIFY(f.window->width() <= std::max(room.width(), f.window->minimumWidth()));
         QVERIFY(f.window->height() <= std::max(room.height(), f.window->minimumHeight()));
     }

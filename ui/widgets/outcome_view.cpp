@@ -17,10 +17,9 @@ namespace gripscope {
 
 namespace {
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("Outcome", text);
-}
+struct OutcomeWords {
+    Q_DECLARE_TR_FUNCTIONS(gripscope::Outcome)
+};
 
 /// The two types with the largest posterior.
 QStringList likeliest(const QMap<QString, double>& posterior)
@@ -38,15 +37,15 @@ QString outcomeWord(InspectionOutcome outcome)
 {
     switch (outcome) {
     case InspectionOutcome::AsExpected:
-        return tr(QT_TRANSLATE_NOOP("Outcome", "as expected"));
+        return OutcomeWords::tr("as expected");
     case InspectionOutcome::OtherType:
-        return tr(QT_TRANSLATE_NOOP("Outcome", "other type"));
+        return OutcomeWords::tr("other type");
     case InspectionOutcome::Unknown:
-        return tr(QT_TRANSLATE_NOOP("Outcome", "unknown"));
+        return OutcomeWords::tr("unknown");
     case InspectionOutcome::Inconclusive:
-        return tr(QT_TRANSLATE_NOOP("Outcome", "inconclusive"));
+        return OutcomeWords::tr("inconclusive");
     case InspectionOutcome::NotValid:
-        return tr(QT_TRANSLATE_NOOP("Outcome", "not valid"));
+        return OutcomeWords::tr("not valid");
     }
     return {};
 }
@@ -60,17 +59,16 @@ QString betweenTypes(const InspectSession::Result& result)
     QString first = verdict.nearest, second = verdict.rival;
     if (verdict.posterior.value(first) < verdict.posterior.value(second))
         first.swap(second);
-    const QString either = tr(QT_TRANSLATE_NOOP("Outcome", "It could be %1 (%2) or %3 (%4)"))
+    const QString either = OutcomeWords::tr("It could be %1 (%2) or %3 (%4)")
                                .arg(first, formatProbability(verdict.posterior.value(first)), second,
                                     formatProbability(verdict.posterior.value(second)));
     const std::optional<CorrectedParameters> object = result.identification.object();
     const bool lengthTells = verdict.timesLonger || (object && !object->covariance.isZero(0));
     if (lengthTells && !verdict.timesLonger)
-        return tr(QT_TRANSLATE_NOOP("Outcome", "%1, and a longer squeeze would not tell them apart."))
-            .arg(either);
+        return OutcomeWords::tr("%1, and a longer squeeze would not tell them apart.").arg(either);
     if (!lengthTells || *verdict.timesLonger < 1.05)
-        return tr(QT_TRANSLATE_NOOP("Outcome", "%1: squeeze it again.")).arg(either);
-    return tr(QT_TRANSLATE_NOOP("Outcome", "%1: squeezed for %2 s, nine of ten would be told apart."))
+        return OutcomeWords::tr("%1: squeeze it again.").arg(either);
+    return OutcomeWords::tr("%1: squeezed for %2 s, nine of ten would be told apart.")
         .arg(either, Words::number(result.seconds * *verdict.timesLonger, 'g', 2));
 }
 
@@ -91,29 +89,26 @@ VerdictWords headlineOf(const InspectSession::Result& result)
     switch (result.outcome) {
     case InspectionOutcome::AsExpected:
         return {verdict.type,
-                result.expectedType.isEmpty()
-                    ? tr(QT_TRANSLATE_NOOP("Outcome", "known type, none was expected"))
-                    : outcomeWord(result.outcome),
+                result.expectedType.isEmpty() ? OutcomeWords::tr("known type, none was expected")
+                                              : outcomeWord(result.outcome),
                 {}};
     case InspectionOutcome::OtherType:
-        return {verdict.type,
-                tr(QT_TRANSLATE_NOOP("Outcome", "other type; expected %1")).arg(result.expectedType),
-                {}};
+        return {verdict.type, OutcomeWords::tr("other type; expected %1").arg(result.expectedType), {}};
     case InspectionOutcome::Unknown:
-        return {tr(QT_TRANSLATE_NOOP("Outcome", "Unknown")),
-                verdict.nearest.isEmpty() ? tr(QT_TRANSLATE_NOOP("Outcome", "no type is enrolled yet"))
-                                          : tr(QT_TRANSLATE_NOOP("Outcome", "none of the enrolled types")),
+        return {OutcomeWords::tr("Unknown"),
+                verdict.nearest.isEmpty() ? OutcomeWords::tr("no type is enrolled yet")
+                                          : OutcomeWords::tr("none of the enrolled types"),
                 {}};
     case InspectionOutcome::Inconclusive: {
         const QStringList two = likeliest(verdict.posterior);
-        return {two.size() == 2 ? tr(QT_TRANSLATE_NOOP("Outcome", "%1 or %2?")).arg(two[0], two[1])
-                                : tr(QT_TRANSLATE_NOOP("Outcome", "Open")),
+        return {two.size() == 2 ? OutcomeWords::tr("%1 or %2?").arg(two[0], two[1])
+                                : OutcomeWords::tr("Open"),
                 outcomeWord(result.outcome),
                 {}};
     }
     case InspectionOutcome::NotValid:
-        return {tr(QT_TRANSLATE_NOOP("Outcome", "Squeeze again")),
-                tr(QT_TRANSLATE_NOOP("Outcome", "measurement not valid; part not judged")),
+        return {OutcomeWords::tr("Squeeze again"),
+                OutcomeWords::tr("measurement not valid; part not judged"),
                 {}};
     }
     return {};
