@@ -3563,11 +3563,11 @@ m  %3</translation>
     </message>
     <message>
         <source>Least</source>
-        <translation>Kleinster</translation>
+        <translation>Min.</translation>
     </message>
     <message>
         <source>Most</source>
-        <translation>Größter</translation>
+        <translation>Max.</translation>
     </message>
     <message>
         <source>per s</source>
@@ -5243,11 +5243,11 @@ Fit</translation>
     </message>
     <message>
         <source>Accept</source>
-        <translation>Annehmen</translation>
+        <translation>Nehmen</translation>
     </message>
     <message>
         <source>Reject</source>
-        <translation>Verwerfen</translation>
+        <translation>Nein</translation>
     </message>
     <message>
         <source>Squeezes of this type</source>
@@ -7388,11 +7388,11 @@ kleinste %2 %3</translation>
     </message>
     <message>
         <source>held (zoh)</source>
-        <translation>gehalten (zoh)</translation>
+        <translation>fest (zoh)</translation>
     </message>
     <message>
         <source>straight (foh)</source>
-        <translation>gerade (foh)</translation>
+        <translation>Linie (foh)</translation>
     </message>
     <message>
         <source>Name</source>
@@ -7490,7 +7490,7 @@ kleinste %2 %3</translation>
     </message>
     <message>
         <source>Of the squeezes of enrolled types, the share that may be called unknown.</source>
-        <translation>Anteil der Druckversuche eingelernter Typen, der unbekannt heißen darf.</translation>
+        <translation>Anteil der Druckversuche, der zu Unrecht unbekannt heißen darf.</translation>
     </message>
     <message>
         <source>Wrong-type rate</source>
@@ -7498,7 +7498,7 @@ kleinste %2 %3</translation>
     </message>
     <message>
         <source>Of the squeezes of enrolled types, the share that may be named another type.</source>
-        <translation>Anteil der Druckversuche eingelernter Typen, der als anderer Typ benannt werden darf.</translation>
+        <translation>Anteil der Druckversuche, der als falscher Typ benannt werden darf.</translation>
     </message>
     <message>
         <source>Stranger-accept rate</source>
@@ -7506,7 +7506,7 @@ kleinste %2 %3</translation>
     </message>
     <message>
         <source>Of parts of no enrolled type, spread evenly over all that the gripper may meet, the share that may be named a type.</source>
-        <translation>Anteil der Teile keines eingelernten Typs, gleichmäßig über alles verteilt, was dem Greifer begegnen kann, der als ein Typ benannt werden darf.</translation>
+        <translation>Anteil fremder Teile, gleichmäßig über alles verteilt, was dem Greifer begegnen kann, der als ein Typ benannt werden darf.</translation>
     </message>
     <message>
         <source>The false-reject rate holds</source>
@@ -7522,7 +7522,7 @@ kleinste %2 %3</translation>
     </message>
     <message>
         <source>Types spread unlike, or have wild squeezes among them (wider gates)</source>
-        <translation>Typen streuen ungleich oder enthalten wilde Druckversuche (weitere Grenzen)</translation>
+        <translation>Typen streuen ungleich oder wild (weitere Grenzen)</translation>
     </message>
     <message>
         <source>End a squeeze as soon as it is decided</source>

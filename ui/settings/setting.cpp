@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/settings/setting.h"
 
+#include "core/words.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -27,8 +29,7 @@ QString words(const char* text)
 
 QString withUnit(double value, const Setting& setting)
 {
-    const QString number = QLocale().toString(value * setting.factor, 'f', setting.decimals);
-    return number + QChar(QChar::Nbsp) + words(setting.unit);
+    return Words::number(value * setting.factor, 'g', 8) + QChar(QChar::Nbsp) + words(setting.unit);
 }
 
 std::optional<QVariant> asSwitch(const QVariant& value)
