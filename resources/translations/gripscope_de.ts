@@ -3346,7 +3346,7 @@ m  %3</translation>
     </message>
     <message>
         <source>The manual, at the page about this screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Handbuch, auf der Seite zu diesem Bild</translation>
     </message>
 </context>
 <context>
@@ -3617,7 +3617,7 @@ m  %3</translation>
     <name>gripscope::CalibrateSetup</name>
     <message>
         <source>and down</source>
-        <translation>und abwärts</translation>
+        <translation>und ab</translation>
     </message>
     <message>
         <source>Begin</source>
@@ -3850,7 +3850,7 @@ m  %3</translation>
     <name>gripscope::CalibrationListModel</name>
     <message>
         <source>Taken</source>
-        <translation>Aufgenommen</translation>
+        <translation>Am</translation>
     </message>
     <message>
         <source>Channel</source>
@@ -5150,7 +5150,7 @@ max. (95 %)</translation>
     </message>
     <message>
         <source>%1, accepted</source>
-        <translation>%1, angenommen</translation>
+        <translation>%1, zählt</translation>
     </message>
     <message>
         <source>outlier: %1</source>
@@ -5283,7 +5283,7 @@ Fit</translation>
     </message>
     <message>
         <source>Turn or change the part between squeezes, so that the type&apos;s spread is seen.</source>
-        <translation>Das Teil zwischen den Druckversuchen drehen oder wechseln, damit die Streuung des Typs sichtbar wird.</translation>
+        <translation>Das Teil zwischen den Versuchen drehen oder wechseln: So wird die Streuung sichtbar.</translation>
     </message>
     <message>
         <source>Drop outlier %1…</source>
@@ -5959,7 +5959,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Lag (ms)</source>
-        <translation>Versatz (ms)</translation>
+        <translation>Lag (ms)</translation>
     </message>
     <message>
         <source>Residual autocorrelation</source>
@@ -6066,7 +6066,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Uncertainty</source>
-        <translation>Unsicher</translation>
+        <translation>Budget</translation>
     </message>
     <message>
         <source>Models</source>
@@ -6121,7 +6121,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Arm</source>
-        <translation>Scharf</translation>
+        <translation>Schärfen</translation>
     </message>
     <message>
         <source>STOP</source>
@@ -6137,7 +6137,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Armed</source>
-        <translation>Ist scharf</translation>
+        <translation>Scharf</translation>
     </message>
     <message>
         <source>Armed; press to disarm</source>
@@ -6554,7 +6554,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>posterior of %1: %2</source>
-        <translation>Wahrscheinlichkeit von %1: %2</translation>
+        <translation>P(%1) = %2</translation>
     </message>
     <message>
         <source>%1 sd from %2 (gate %3 sd)</source>
@@ -7055,7 +7055,7 @@ kleinste %2 %3</translation>
     </message>
     <message>
         <source>The manual, at the page about this screen (F1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Handbuch, auf der Seite zu diesem Bild (F1)</translation>
     </message>
 </context>
 <context>
@@ -7066,19 +7066,19 @@ kleinste %2 %3</translation>
     </message>
     <message>
         <source>Page of the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite des Handbuchs</translation>
     </message>
     <message>
         <source>Search (Ctrl+F)</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen (Strg+F)</translation>
     </message>
     <message>
         <source>Search the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Handbuch durchsuchen</translation>
     </message>
     <message>
         <source>Pages of the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten des Handbuchs</translation>
     </message>
     <message>
         <source>Back</source>
@@ -7086,7 +7086,7 @@ kleinste %2 %3</translation>
     </message>
     <message>
         <source>Keys and version…</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten und Version…</translation>
     </message>
     <message>
         <source>Close</source>
@@ -7094,7 +7094,7 @@ kleinste %2 %3</translation>
     </message>
     <message>
         <source>On no page. Try another word.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf keiner Seite. Ein anderes Wort versuchen.</translation>
     </message>
 </context>
 <context>
@@ -7190,6 +7190,81 @@ kleinste %2 %3</translation>
     <message>
         <source>No other model was compared with this one.</source>
         <translation>Kein anderes Modell wurde mit diesem verglichen.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::Outcome</name>
+    <message>
+        <source>as expected</source>
+        <translation>wie erwartet</translation>
+    </message>
+    <message>
+        <source>other type</source>
+        <translation>anderer Typ</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>inconclusive</source>
+        <translation>unentschieden</translation>
+    </message>
+    <message>
+        <source>not valid</source>
+        <translation>ungültig</translation>
+    </message>
+    <message>
+        <source>It could be %1 (%2) or %3 (%4)</source>
+        <translation>Es könnte %1 (%2) oder %3 (%4) sein</translation>
+    </message>
+    <message>
+        <source>%1, and a longer squeeze would not tell them apart.</source>
+        <translation>%1, und längeres Drücken würde sie nicht trennen.</translation>
+    </message>
+    <message>
+        <source>%1: squeeze it again.</source>
+        <translation>%1: erneut drücken.</translation>
+    </message>
+    <message>
+        <source>%1: squeezed for %2 s, nine of ten would be told apart.</source>
+        <translation>%1: Bei %2 s Drücken wären neun von zehn zu unterscheiden.</translation>
+    </message>
+    <message>
+        <source>known type, none was expected</source>
+        <translation>bekannter Typ, keiner war erwartet</translation>
+    </message>
+    <message>
+        <source>other type; expected %1</source>
+        <translation>anderer Typ; erwartet %1</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>no type is enrolled yet</source>
+        <translation>noch ist kein Typ eingelernt</translation>
+    </message>
+    <message>
+        <source>none of the enrolled types</source>
+        <translation>keiner der eingelernten Typen</translation>
+    </message>
+    <message>
+        <source>%1 or %2?</source>
+        <translation>%1 oder %2?</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>Squeeze again</source>
+        <translation>Erneut drücken</translation>
+    </message>
+    <message>
+        <source>measurement not valid; part not judged</source>
+        <translation>Messung ungültig; Teil nicht beurteilt</translation>
     </message>
 </context>
 <context>
