@@ -22,8 +22,7 @@ protected:
 
 private:
     void build();
-    void act();
-    void refresh();
+    [[nodiscard]] QString found() const;
     [[nodiscard]] QString outcome() const;
 
     struct Private;

@@ -8,7 +8,8 @@ namespace gripscope {
 class ElidedLabel;
 class Workbench;
 
-/// The line under every page: gripper, armed or not, latency, library, counts.
+/// The line under every page: gripper, armed or not, latency, how its calibration and its check stand,
+/// library and its version, counts.
 class StatusLine : public QFrame {
     Q_OBJECT
 public:
@@ -17,9 +18,12 @@ public:
 
 private:
     void refresh();
+    void askVersion();
+    [[nodiscard]] QStringList standing() const; ///< of the connected gripper's channels
     Workbench* m_workbench;
     ElidedLabel* m_label;
     QString m_shown;
+    qint64 m_version = 0; ///< of the library; 0: not known yet
 };
 
 } // namespace gripscope

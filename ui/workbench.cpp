@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench.h"
 
+#include "core/calibration/calibration_record.h"
 #include "core/session/stored_chain.h"
 #include "devices/replay/capture_folder.h"
 #include "ui/connection_words.h"
+#include "ui/models/reference_words.h"
 #include "ui/settings/settings.h"
 
 #include <QPointer>
@@ -11,6 +13,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <utility>
 
 namespace gripscope {
 
@@ -89,6 +92,7 @@ struct Workbench::Private {
     KeepSessions keeping{CaptureFolder::defaultPath(), {}, false};
     bool keeps = false;
     bool captureSuffers = false; ///< and that was told
+    CheckStatus referenceCheck = CheckStatus::NotAsked; ///< as it was told
     int enrolledSqueezes = 0;
     EnrollSession::Step enrollmentStep = EnrollSession::Step::Name;
     qint64 lastInspection = 0;
@@ -270,6 +274,7 @@ void Workbench::tick()
     d->estimate.setForceLag(d->connection.forceLag_s());
     noticeConnection();
     noticeCapture();
+    noticeReferenceCheck();
     noticeEnrollment();
     noticeInspection();
     answerWaiting();
@@ -345,6 +350,20 @@ void Workbench::applyCalibrations(const QString& serial)
                 report(words);
             emit connectionChanged();
         });
+}
+
+void Workbench::noticeReferenceCheck()
+{
+    const bool connected = d->connection.state() == ConnectSession::State::Connected;
+    const std::optional<ReferenceStanding> standing =
+        connected ? d->connection.calibration().reference() : std::nullopt;
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    const CheckStatus status = checkStatus(standing, now);
+    if (std::exchange(d->referenceCheck, status) == status)
+        return;
+    if (status == CheckStatus::Due || status == CheckStatus::Failed)
+        report(tr("Check on the reference spring: %1 Make it on the Calibrate page.")
+                   .arg(ReferenceWords::status(standing, now)));
 }
 
 void Workbench::noticeEnrollment()

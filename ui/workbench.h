@@ -127,6 +127,7 @@ private:
     void tick();
     void noticeConnection();
     void noticeCapture();
+    void noticeReferenceCheck(); ///< of the connected gripper: due, or failed
     void applyCalibrations(const QString& serial);
     void applyMeasuringChain(const QString& serial); ///< what the library knows of this gripper
     void noticeEnrollment();

@@ -23,6 +23,24 @@ QString correctionKey(SensorChannel channel)
     return toString(channel) + u"_correction"_s;
 }
 
+const auto checkKey = u"reference_check"_s;
+const auto checkWordsKey = u"reference_check_words"_s;
+
+QString toString(CheckStatus status)
+{
+    switch (status) {
+    case CheckStatus::Passed:
+        return u"passed"_s;
+    case CheckStatus::Due:
+        return u"due"_s;
+    case CheckStatus::Failed:
+        return u"failed"_s;
+    case CheckStatus::NotAsked:
+        break;
+    }
+    return {};
+}
+
 void correct(std::vector<double>& values, const QString& text)
 {
     const std::optional<SensorCorrection> correction = SensorCorrection::fromText(text);
@@ -59,6 +77,28 @@ std::vector<CalibrationFact> calibrationFacts(const QMap<QString, QString>& prov
             facts.push_back({channel, days, provenance.value(wordsKey(channel))});
     }
     return facts;
+}
+
+void noteReferenceCheck(QMap<QString, QString>& provenance, const ReferenceStanding& standing,
+                        const QDateTime& now)
+{
+    const CheckStatus status = checkStatus(standing, now);
+    if (status == CheckStatus::NotAsked)
+        return;
+    provenance[checkKey] = toString(status);
+    provenance[checkWordsKey] =
+        standing.last ? u"last on %1 at %2"_s.arg(standing.reference.name.simplified(),
+                                                  standing.last->made.toUTC().toString(Qt::ISODate))
+                      : u"never on %1"_s.arg(standing.reference.name.simplified());
+}
+
+std::optional<ReferenceCheckFact> referenceCheckFact(const QMap<QString, QString>& provenance)
+{
+    const QString found = provenance.value(checkKey);
+    for (const CheckStatus status : {CheckStatus::Passed, CheckStatus::Due, CheckStatus::Failed})
+        if (found == toString(status))
+            return ReferenceCheckFact{status, provenance.value(checkWordsKey)};
+    return std::nullopt;
 }
 
 } // namespace gripscope

@@ -10,8 +10,8 @@
 namespace gripscope {
 
 /// What a recording says of the calibration of one of its channels, as keys of its provenance:
-/// `force_calibration` (when, against what, until when, the curve) and `force_calibration_days_left` (on the
-/// day it was recorded; negative: overdue), `force_correction` (SensorCorrection::text()); the same for
+/// `force_calibration` (when, against what, until when), `force_calibration_days_left` (on the day it was
+/// recorded; negative: overdue) and `force_correction` (the curve, SensorCorrection::text()); the same for
 /// `position`.
 struct CalibrationFact {
     SensorChannel channel = SensorChannel::Force;
@@ -26,5 +26,15 @@ void noteCalibration(QMap<QString, QString>& provenance, const CalibrationRecord
 void correctAsNoted(Recording& recording);
 /// Of both channels, those that are noted.
 [[nodiscard]] std::vector<CalibrationFact> calibrationFacts(const QMap<QString, QString>& provenance);
+
+/// What a recording says of the check on the reference object: `reference_check` (failed, due or passed) and
+/// `reference_check_words` (on what, when). Nothing where no check is asked for.
+struct ReferenceCheckFact {
+    CheckStatus status = CheckStatus::Passed;
+    QString words;
+};
+void noteReferenceCheck(QMap<QString, QString>& provenance, const ReferenceStanding& standing,
+                        const QDateTime& now);
+[[nodiscard]] std::optional<ReferenceCheckFact> referenceCheckFact(const QMap<QString, QString>& provenance);
 
 } // namespace gripscope

@@ -14,6 +14,7 @@ struct CalibrationPlan {
     int degree = 1;
     CalibrationReference reference;
     double averaging_s = 1;
+    bool loadsAreRead = false; ///< from a load cell at each point; those of the plan are what to aim at
 };
 
 struct PlannedPoint {

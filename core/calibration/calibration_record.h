@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calibration/reference_check.h"
 #include "core/calibration/sensor_calibration.h"
 
 namespace gripscope {
@@ -11,8 +12,10 @@ struct CalibrationRecord : SensorCalibration {
     QDateTime stored;
 };
 
+/// How the channels of a gripper stand.
 struct CalibrationsInForce {
     std::optional<CalibrationRecord> force, position;
+    std::optional<ReferenceStanding> reference; ///< nothing where the gripper has no reference object
 };
 
 } // namespace gripscope

@@ -2,6 +2,7 @@
 #include "core/identification/lag_estimation.h"
 
 #include "core/identification/lag_profile.h"
+#include "core/identification/pooled_mean.h"
 #include "core/words.h"
 
 #include <algorithm>
@@ -81,25 +82,6 @@ std::optional<double> gainOverOtherHold(const LagProfile& profile, const LagMini
     return best.degreesOfFreedom / 2 * std::log(other->sse / best.sse);
 }
 
-/// Scatter between the squeezes beyond their own errors (method of moments, not below zero).
-double varianceBetween(std::span<const LagEstimate> squeezes)
-{
-    double sum = 0, sumSquares = 0, mean = 0;
-    for (const LagEstimate& squeeze : squeezes) {
-        const double weight = 1 / (squeeze.standardError_s * squeeze.standardError_s);
-        sum += weight;
-        sumSquares += weight * weight;
-        mean += weight * squeeze.lag_s;
-    }
-    mean /= sum;
-    double scatter = 0;
-    for (const LagEstimate& squeeze : squeezes)
-        scatter += std::pow((squeeze.lag_s - mean) / squeeze.standardError_s, 2);
-    const double free = static_cast<double>(squeezes.size()) - 1;
-    const double scale = sum - sumSquares / sum;
-    return scale > 0 ? std::max((scatter - free) / scale, 0.0) : 0;
-}
-
 } // namespace
 
 LagEstimate estimateLag(const std::vector<double>& force, const std::vector<double>& position,
@@ -144,22 +126,18 @@ LagEstimate combineLags(std::span<const LagEstimate> squeezes)
     }
     if (used.empty())
         return failed(LagStatus::NotEstimated, Words::tr("none of the squeezes tells the lag"));
-    // No squeeze is perfect: a floor keeps one without noise from outweighing all others without end.
-    for (LagEstimate& squeeze : used)
-        squeeze.standardError_s = std::max(squeeze.standardError_s, 1e-9 * squeeze.sampleTime_s);
-    const double between = varianceBetween(used);
     LagEstimate combined;
     combined.squeezes = 0;
-    double sum = 0;
+    std::vector<ValueWithError> lags;
     for (const LagEstimate& squeeze : used) {
-        const double weight = 1 / (squeeze.standardError_s * squeeze.standardError_s + between);
-        sum += weight;
-        combined.lag_s += weight * squeeze.lag_s;
+        // No squeeze is perfect: a floor keeps one without noise from outweighing all others without end.
+        lags.push_back({squeeze.lag_s, std::max(squeeze.standardError_s, 1e-9 * squeeze.sampleTime_s)});
         combined.squeezes += squeeze.squeezes;
         combined.sampleTime_s = std::max(combined.sampleTime_s, squeeze.sampleTime_s);
     }
-    combined.lag_s /= sum;
-    combined.standardError_s = 1 / std::sqrt(sum);
+    const ValueWithError mean = pooledMean(lags);
+    combined.lag_s = mean.value;
+    combined.standardError_s = mean.standardError;
     judge(combined);
     return combined;
 }

@@ -64,9 +64,8 @@ struct LagEstimate {
 [[nodiscard]] LagEstimate estimateLag(const std::vector<double>& force, const std::vector<double>& position,
                                       const LagEstimationOptions& options);
 
-/// The lag of the device from several squeezes: the mean weighted with 1 / (error^2 + between^2), `between`
-/// the scatter beyond the squeezes' own errors (DerSimonian and Laird 1986), so that a model that does not
-/// quite fit makes the error larger, not the lag wrong. Estimates without a value do not count.
+/// The lag of the device from several squeezes: their pooledMean(), so that a model that does not quite fit
+/// makes the error larger, not the lag wrong. Estimates without a value do not count.
 [[nodiscard]] LagEstimate combineLags(std::span<const LagEstimate> squeezes);
 
 } // namespace gripscope

@@ -404,6 +404,20 @@ ValidityCheck fitCheck(const Estimate& estimate)
     return check;
 }
 
+/// What speaks against the channels by their last check on a reference object; empty when nothing does.
+QString referenceDoubt(const Recording& recording)
+{
+    const std::optional<ReferenceCheckFact> fact = referenceCheckFact(recording.provenance);
+    if (!fact || fact->status == CheckStatus::Passed)
+        return {};
+    if (fact->status == CheckStatus::Failed)
+        return Words::tr("the gripper failed its check on the reference object (%1). Find out why and check it "
+                         "again, then squeeze again.")
+            .arg(fact->words);
+    return Words::tr("the check of the gripper on its reference object was due (%1). Check it, then squeeze again.")
+        .arg(fact->words);
+}
+
 /// value: days that the calibration still held; limit: none left.
 ValidityCheck calibration(const Recording& recording)
 {
@@ -412,20 +426,21 @@ ValidityCheck calibration(const Recording& recording)
     const std::vector<CalibrationFact> facts = calibrationFacts(recording.provenance);
     const auto first = std::min_element(facts.begin(), facts.end(),
                                         [](const auto& a, const auto& b) { return a.daysLeft < b.daysLeft; });
-    if (first == facts.end()) {
-        check.message = Words::tr("not judged: the channels carry the device's own calibration");
-        return check;
+    QStringList doubts;
+    if (first != facts.end()) {
+        check.value = static_cast<double>(first->daysLeft);
+        check.limit = 0;
+        if (first->daysLeft < 0)
+            doubts << Words::tr("the calibration of the %1 was overdue by %2 days. Calibrate it, then squeeze again.")
+                          .arg(first->channel == SensorChannel::Force ? Words::tr("force") : Words::tr("position"))
+                          .arg(-first->daysLeft);
     }
-    check.value = static_cast<double>(first->daysLeft);
-    check.limit = 0;
-    check.ok = first->daysLeft >= 0;
-    check.message =
-        check.ok
-            ? Words::tr("the calibrations held on that day")
-            : Words::tr("the calibration of the %1 was overdue by %2 days. Calibrate it, then squeeze "
-                        "again.")
-                  .arg(first->channel == SensorChannel::Force ? Words::tr("force") : Words::tr("position"))
-                  .arg(-first->daysLeft);
+    if (const QString doubt = referenceDoubt(recording); !doubt.isEmpty())
+        doubts << doubt;
+    check.ok = doubts.isEmpty();
+    check.message = !check.ok              ? doubts.join(u' ')
+                    : first != facts.end() ? Words::tr("the calibrations held on that day")
+                                           : Words::tr("not judged: the channels carry the device's own calibration");
     return check;
 }
 

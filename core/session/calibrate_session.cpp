@@ -47,6 +47,7 @@ struct CalibrateSession::Private {
     std::optional<int> listener;
     std::vector<double> values;
     std::size_t wanted = 0;
+    std::optional<double> load; ///< of the point being read, where it is not the planned one
     bool saturated = false;
     bool changed = false;
 
@@ -55,13 +56,34 @@ struct CalibrateSession::Private {
     void finishReading();
     void evaluate();
     [[nodiscard]] QString unit() const;
-    [[nodiscard]] double range() const { return plan.loads.back() - plan.loads.front(); }
+    [[nodiscard]] SensorCalibration calibration() const;
+    [[nodiscard]] double driftAllowed() const
+    {
+        return driftShareAllowed * (plan.loads.back() - plan.loads.front());
+    }
     [[nodiscard]] QString doubtOf(const PlannedPoint& point, const SteadyReading& reading) const;
 };
 
 QString CalibrateSession::Private::unit() const
 {
     return plan.channel == SensorChannel::Force ? gripper.forceUnit : gripper.positionUnit;
+}
+
+SensorCalibration CalibrateSession::Private::calibration() const
+{
+    SensorCalibration calibration;
+    calibration.gripperSerial = gripper.serial;
+    calibration.gripperName = gripper.name;
+    calibration.channel = plan.channel;
+    calibration.unit = unit();
+    calibration.reference = plan.reference;
+    calibration.degree = plan.degree;
+    calibration.operatorName = operatorName;
+    calibration.takenUtc = begun;
+    calibration.points.reserve(points.size());
+    for (const TakenPoint& point : points)
+        calibration.points.push_back({point.planned.load, point.reading.mean});
+    return calibration;
 }
 
 void CalibrateSession::Private::listen()
@@ -112,7 +134,7 @@ void CalibrateSession::Private::finishReading()
     stopListening();
     state = State::Waiting;
     SteadyOptions options;
-    options.driftAllowed = driftShareAllowed * range();
+    options.driftAllowed = driftAllowed();
     const SteadyReading reading = steadyReading(values, options);
     if (saturated) {
         error = Error{ErrorCode::DeviceRefused,
@@ -129,7 +151,8 @@ void CalibrateSession::Private::finishReading()
         error = Error{ErrorCode::DeviceRefused,
                       {Words::tr("take this point"), Words::tr("only %1 samples came").arg(reading.samples)}};
     } else {
-        const PlannedPoint& point = planned[points.size()];
+        PlannedPoint point = planned[points.size()];
+        point.load = load.value_or(point.load);
         points.push_back({point, reading, doubtOf(point, reading)});
         evaluate();
     }
@@ -140,13 +163,7 @@ void CalibrateSession::Private::evaluate()
     evaluation.reset();
     if (static_cast<int>(points.size()) < plan.degree + 2)
         return;
-    SensorCalibration soFar;
-    soFar.degree = plan.degree;
-    soFar.reference = plan.reference;
-    soFar.points.reserve(points.size());
-    for (const TakenPoint& point : points)
-        soFar.points.push_back({point.planned.load, point.reading.mean});
-    evaluation = evaluateCalibration(soFar);
+    evaluation = evaluateCalibration(calibration());
 }
 
 CalibrateSession::CalibrateSession(ConnectSession& connection, LibraryService& library)
@@ -181,10 +198,12 @@ Expected<void> CalibrateSession::start(const CalibrationPlan& plan)
     return {};
 }
 
-Expected<void> CalibrateSession::take()
+Expected<void> CalibrateSession::take(std::optional<double> load)
 {
     if (d->state != State::Waiting || !next())
         return failure(ErrorCode::Usage, {Words::tr("There is no point to be taken now.")});
+    if (load && !std::isfinite(*load))
+        return failure(ErrorCode::Usage, {Words::tr("The load that was put on must be a number.")});
     if (const std::optional<Error> problem = notReady(d->connection))
         return tl::unexpected<Error>(*problem);
     if (d->connection.identity().serial != d->gripper.serial)
@@ -193,6 +212,7 @@ Expected<void> CalibrateSession::take()
                         Words::tr("it is another gripper than the one that was begun with (%1)")
                             .arg(d->gripper.serial)});
     d->error.reset();
+    d->load = load;
     d->listen();
     return {};
 }
@@ -230,13 +250,6 @@ void CalibrateSession::abandon()
 void CalibrateSession::setDegree(int degree)
 {
     d->plan.degree = std::clamp(degree, 1, highestCalibrationDegree);
-    d->evaluate();
-    d->changed = true;
-}
-
-void CalibrateSession::setReference(const CalibrationReference& reference)
-{
-    d->plan.reference = reference;
     d->evaluate();
     d->changed = true;
 }
@@ -325,6 +338,11 @@ double CalibrateSession::readingProgress() const
                : 0;
 }
 
+double CalibrateSession::driftAllowed() const
+{
+    return d->plan.loads.empty() ? 0 : d->driftAllowed();
+}
+
 const std::optional<Expected<CalibrationEvaluation>>& CalibrateSession::evaluation() const
 {
     return d->evaluation;
@@ -332,19 +350,7 @@ const std::optional<Expected<CalibrationEvaluation>>& CalibrateSession::evaluati
 
 SensorCalibration CalibrateSession::calibration() const
 {
-    SensorCalibration calibration;
-    calibration.gripperSerial = d->gripper.serial;
-    calibration.gripperName = d->gripper.name;
-    calibration.channel = d->plan.channel;
-    calibration.unit = d->unit();
-    calibration.reference = d->plan.reference;
-    calibration.degree = d->plan.degree;
-    calibration.operatorName = d->operatorName;
-    calibration.takenUtc = d->begun;
-    calibration.points.reserve(d->points.size());
-    for (const TakenPoint& point : d->points)
-        calibration.points.push_back({point.planned.load, point.reading.mean});
-    return calibration;
+    return d->calibration();
 }
 
 std::optional<Error> CalibrateSession::error() const

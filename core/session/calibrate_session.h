@@ -38,13 +38,13 @@ public:
     void setOperator(const QString& name);
     /// Usage: a plan that makes no sense. DeviceRefused: no gripper, or an armed one.
     [[nodiscard]] Expected<void> start(const CalibrationPlan& plan);
-    /// Averages the channel for the plan's time. DeviceRefused while armed.
-    [[nodiscard]] Expected<void> take();
+    /// Averages the channel for the plan's time. `load`: what was really put on, where a load cell says so;
+    /// the planned one otherwise. DeviceRefused while armed. Usage: a load that is not finite.
+    [[nodiscard]] Expected<void> take(std::optional<double> load = {});
     void stopReading();         ///< back to Waiting, without a point
     void undo();                ///< the last point is to be taken again
     void abandon();             ///< Idle; what was taken is forgotten
     void setDegree(int degree); ///< the points stay
-    void setReference(const CalibrationReference& reference);
     /// Keeps the calibration and puts it in force. Usage: points are missing, or no evaluation.
     [[nodiscard]] Expected<void> accept(const QDate& due, const QString& note);
     bool poll(); ///< never waits; true when something changed
@@ -55,6 +55,7 @@ public:
     [[nodiscard]] const std::vector<TakenPoint>& points() const;
     [[nodiscard]] std::optional<PlannedPoint> next() const; ///< nothing when all are taken
     [[nodiscard]] double readingProgress() const;           ///< 0 to 1, of the point being read
+    [[nodiscard]] double driftAllowed() const; ///< by which a reading may move, in the channel's unit
     /// Of the points so far, once they are enough for the degree.
     [[nodiscard]] const std::optional<Expected<CalibrationEvaluation>>& evaluation() const;
     /// The calibration as it stands, to be shown or stored.

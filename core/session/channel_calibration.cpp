@@ -13,58 +13,70 @@ void ChannelCalibration::put(const CalibrationsInForce& calibrations, const Grip
     clear();
     if (gripper.corrected)
         return;
-    const auto use = [&](const std::optional<CalibrationRecord>& record, const QString& unit,
-                         std::optional<CalibrationRecord>& kept, std::optional<SensorCorrection>& correction,
-                         std::optional<double>& scale) {
-        if (!record)
-            return;
-        if (record->unit != unit) {
-            m_unusable =
-                Words::tr(
-                    "The %1 was calibrated in %2, but the gripper now measures in %3: calibrate it again.")
-                    .arg(record->channel == SensorChannel::Force ? Words::tr("force") : Words::tr("position"),
-                         record->unit, unit);
-            return;
-        }
-        const Expected<CalibrationEvaluation> evaluation = evaluateCalibration(*record);
-        if (!evaluation) { // it was checked when it was stored
-            m_unusable = evaluation.error().describe();
-            return;
-        }
-        kept = record;
-        correction.emplace(evaluation->curve);
-        scale = evaluation->scaleUncertainty;
-    };
-    use(calibrations.force, gripper.forceUnit, m_inForce.force, m_force, m_forceScale);
-    use(calibrations.position, gripper.positionUnit, m_inForce.position, m_position, m_positionScale);
+    m_force = use(calibrations.force, gripper.forceUnit);
+    m_position = use(calibrations.position, gripper.positionUnit);
+    m_reference = calibrations.reference;
+}
+
+std::optional<ChannelCalibration::InUse>
+ChannelCalibration::use(const std::optional<CalibrationRecord>& record, const QString& unit)
+{
+    if (!record)
+        return std::nullopt;
+    if (record->unit != unit) {
+        m_unusable =
+            Words::tr("The %1 was calibrated in %2, but the gripper now measures in %3: calibrate it again.")
+                .arg(record->channel == SensorChannel::Force ? Words::tr("force") : Words::tr("position"),
+                     record->unit, unit);
+        return std::nullopt;
+    }
+    const Expected<CalibrationEvaluation> evaluation = evaluateCalibration(*record);
+    if (!evaluation) { // it was checked when it was stored
+        m_unusable = evaluation.error().describe();
+        return std::nullopt;
+    }
+    return InUse{*record, SensorCorrection(evaluation->curve), evaluation->scaleUncertainty};
+}
+
+const std::optional<ChannelCalibration::InUse>& ChannelCalibration::of(SensorChannel channel) const
+{
+    return channel == SensorChannel::Force ? m_force : m_position;
+}
+
+const CalibrationRecord* ChannelCalibration::record(SensorChannel channel) const
+{
+    const std::optional<InUse>& inUse = of(channel);
+    return inUse ? &inUse->record : nullptr;
 }
 
 void ChannelCalibration::correct(std::vector<Sample>& samples) const
 {
     if (m_force)
         for (Sample& sample : samples)
-            sample.force = m_force->loadOf(sample.force);
+            sample.force = m_force->correction.loadOf(sample.force);
     if (m_position)
         for (Sample& sample : samples)
-            sample.position = m_position->loadOf(sample.position);
+            sample.position = m_position->correction.loadOf(sample.position);
 }
 
 double ChannelCalibration::uncorrected(SensorChannel channel, double value) const
 {
-    const std::optional<SensorCorrection>& correction =
-        channel == SensorChannel::Force ? m_force : m_position;
-    return correction ? correction->readingOf(value) : value;
+    const std::optional<InUse>& inUse = of(channel);
+    return inUse ? inUse->correction.readingOf(value) : value;
 }
 
-void ChannelCalibration::describe(Recording& recording, const QDate& today) const
+void ChannelCalibration::describe(Recording& recording, const QDateTime& now) const
 {
-    if (m_inForce.force)
-        noteCalibration(recording.provenance, *m_inForce.force, *m_force, today);
-    if (m_inForce.position)
-        noteCalibration(recording.provenance, *m_inForce.position, *m_position, today);
-    recording.chain.forceScaleUncertainty = m_forceScale.value_or(recording.chain.forceScaleUncertainty);
-    recording.chain.positionScaleUncertainty =
-        m_positionScale.value_or(recording.chain.positionScaleUncertainty);
+    const auto note = [&](const std::optional<InUse>& inUse, double& scaleUncertainty) {
+        if (!inUse)
+            return;
+        noteCalibration(recording.provenance, inUse->record, inUse->correction, now.date());
+        scaleUncertainty = inUse->scaleUncertainty;
+    };
+    note(m_force, recording.chain.forceScaleUncertainty);
+    note(m_position, recording.chain.positionScaleUncertainty);
+    if (m_reference)
+        noteReferenceCheck(recording.provenance, *m_reference, now);
 }
 
 } // namespace gripscope

@@ -16,19 +16,30 @@ public:
     /// whose samples are corrected already.
     void put(const CalibrationsInForce& calibrations, const GripperIdentity& gripper);
     void clear() { *this = {}; }
-    [[nodiscard]] const CalibrationsInForce& inForce() const { return m_inForce; }
+    /// What is used of a channel; null when nothing is.
+    [[nodiscard]] const CalibrationRecord* record(SensorChannel channel) const;
+    /// The reference object that the gripper is checked on.
+    [[nodiscard]] const std::optional<ReferenceStanding>& reference() const { return m_reference; }
     [[nodiscard]] const QString& unusable() const { return m_unusable; }
 
     void correct(std::vector<Sample>& samples) const;
     /// The reading of the device itself that correct() takes to this value.
     [[nodiscard]] double uncorrected(SensorChannel channel, double value) const;
     /// Notes in the recording what was done to its channels, how long that holds and how certain it is.
-    void describe(Recording& recording, const QDate& today) const;
+    void describe(Recording& recording, const QDateTime& now) const;
 
 private:
-    CalibrationsInForce m_inForce;
-    std::optional<SensorCorrection> m_force, m_position;
-    std::optional<double> m_forceScale, m_positionScale; ///< relative standard uncertainties
+    struct InUse {
+        CalibrationRecord record;
+        SensorCorrection correction;
+        double scaleUncertainty = 0; ///< relative, standard
+    };
+    [[nodiscard]] std::optional<InUse> use(const std::optional<CalibrationRecord>& record,
+                                           const QString& unit);
+    [[nodiscard]] const std::optional<InUse>& of(SensorChannel channel) const;
+
+    std::optional<InUse> m_force, m_position;
+    std::optional<ReferenceStanding> m_reference;
     QString m_unusable;
 };
 

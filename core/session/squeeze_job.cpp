@@ -126,7 +126,7 @@ void SqueezeJob::Private::begin(std::size_t samples, QMap<QString, QString> prov
     recording.forceLag_s = connection.forceLag_s();
     recording.chain = connection.measuringChain();
     recording.provenance = std::move(provenance);
-    connection.calibration().describe(recording, QDate::currentDate());
+    connection.calibration().describe(recording, QDateTime::currentDateTime());
     if (!identity.keptSession.isEmpty())
         recording.provenance[u"capture"_qs] = identity.keptSession;
     const auto mode = listening ? SqueezeRecorder::Mode::Everything : SqueezeRecorder::Mode::Movement;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/calibration_table.h"
 
+#include "core/store/rows.h"
 #include "core/words.h"
 
 #include <QStringList>
@@ -73,24 +74,6 @@ Expected<CalibrationRecord> take(Statement& row)
     return record;
 }
 
-Expected<std::vector<CalibrationRecord>> all(Statement& query)
-{
-    std::vector<CalibrationRecord> records;
-    std::optional<Error> error;
-    auto done = query.forEach([&](Statement& row) {
-        Expected<CalibrationRecord> record = take(row);
-        if (record)
-            records.push_back(std::move(*record));
-        else
-            error = record.error();
-    });
-    if (!done)
-        return tl::unexpected<Error>(done.error());
-    if (error)
-        return tl::unexpected<Error>(*error);
-    return records;
-}
-
 } // namespace
 
 Expected<void> insert(Database& database, const RowStamp& stamp, const SensorCalibration& calibration)
@@ -116,7 +99,7 @@ Expected<std::vector<CalibrationRecord>> read(Database& database, const QString&
                         u" FROM calibrations WHERE ? IN ('', gripper_serial) "
                         "ORDER BY created_utc DESC, id DESC LIMIT ?"_s);
     query.bind(gripperSerial).bind(limit);
-    return all(query);
+    return allRows(query, take);
 }
 
 Expected<CalibrationsInForce> inForce(Database& database, const QString& gripperSerial)
@@ -128,11 +111,10 @@ Expected<CalibrationsInForce> inForce(Database& database, const QString& gripper
                             u" FROM calibrations WHERE gripper_serial = ? AND channel = ? "
                             "ORDER BY created_utc DESC, id DESC LIMIT 1"_s);
         query.bind(gripperSerial).bind(toString(channel));
-        Expected<std::vector<CalibrationRecord>> newest = all(query);
+        Expected<std::optional<CalibrationRecord>> newest = firstRow(query, take);
         if (!newest)
             return tl::unexpected<Error>(newest.error());
-        if (!newest->empty())
-            (channel == SensorChannel::Force ? found.force : found.position) = std::move(newest->front());
+        (channel == SensorChannel::Force ? found.force : found.position) = std::move(*newest);
     }
     return found;
 }

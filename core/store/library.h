@@ -26,6 +26,9 @@ struct EnrollmentDraft;
 struct DraftSqueeze;
 struct PartPicture;
 enum class DraftEnd;
+struct ReferenceCheck;
+struct ReferenceCheckRecord;
+struct ReferenceObject;
 
 /// How a part is squeezed. Forces in newtons.
 struct Recipe {
@@ -229,6 +232,7 @@ public:
     /// Newest first; of all grippers where the serial number is empty.
     [[nodiscard]] Expected<std::vector<CalibrationRecord>> calibrations(const QString& gripperSerial,
                                                                         int limit) const;
+    /// With the reference object of the gripper and its newest check.
     [[nodiscard]] Expected<CalibrationsInForce> calibrationsInForce(const QString& gripperSerial) const;
 
     // Enrolments under way (enrollment_draft.h)
@@ -251,6 +255,12 @@ public:
     [[nodiscard]] Expected<void> setTypePicture(const QString& typeId, const QString& pictureId,
                                                 const QString& operatorName);
     [[nodiscard]] Expected<std::optional<PartPicture>> typePicture(const QString& typeId) const;
+    /// What a gripper is checked on from now on. Usage: no serial number, or problemOf() has one.
+    [[nodiscard]] Expected<void> addReferenceObject(const ReferenceObject& reference);
+    /// A check as it was judged. NotFound: no such reference object. Usage: a number that is not finite.
+    [[nodiscard]] Expected<void> addReferenceCheck(const ReferenceCheck& check);
+    [[nodiscard]] Expected<std::vector<ReferenceCheckRecord>>
+    referenceChecks(const QString& gripperSerial, int limit) const; ///< newest first
 
     /// Adds the paper's four cans in SI as types A to D with 10 squeezes each, once: nothing when they are
     /// there.

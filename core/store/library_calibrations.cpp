@@ -2,6 +2,10 @@
 #include "core/store/calibration_table.h"
 #include "core/store/library_private.h"
 #include "core/words.h"
+#include "core/store/reference_check_table.h"
+#include "core/store/reference_table.h"
+
+#include <cmath>
 
 namespace gripscope {
 
@@ -30,7 +34,51 @@ Expected<std::vector<CalibrationRecord>> Library::calibrations(const QString& gr
 
 Expected<CalibrationsInForce> Library::calibrationsInForce(const QString& gripperSerial) const
 {
-    return calibration_table::inForce(*d->database, gripperSerial);
+    Expected<CalibrationsInForce> found = calibration_table::inForce(*d->database, gripperSerial);
+    if (!found)
+        return found;
+    const auto reference = reference_table::newest(*d->database, gripperSerial);
+    if (!reference)
+        return tl::unexpected<Error>(reference.error());
+    if (!*reference)
+        return found;
+    auto last = reference_check_table::newest(*d->database, **reference);
+    if (!last)
+        return tl::unexpected<Error>(last.error());
+    found->reference = ReferenceStanding{**reference, std::move(*last)};
+    return found;
+}
+
+Expected<void> Library::addReferenceObject(const ReferenceObject& reference)
+{
+    if (reference.gripperSerial.isEmpty())
+        return failure(ErrorCode::Usage,
+                       {u"This gripper has no serial number to keep its reference object under."_s});
+    if (const QString problem = problemOf(reference); !problem.isEmpty())
+        return failure(ErrorCode::Usage, {problem});
+    return d->write<void>(u"store the reference object"_s,
+                          [&] { return reference_table::insert(*d->database, RowStamp::now(), reference); });
+}
+
+Expected<void> Library::addReferenceCheck(const ReferenceCheck& check)
+{
+    for (const std::optional<MeasuredQuantity>& measured : check.measured)
+        if (measured && !(std::isfinite(measured->value) && std::isfinite(measured->standardUncertainty)))
+            return failure(ErrorCode::Usage, {u"A number that was measured in the check is not finite."_s});
+    return d->write<void>(u"store the check on the reference object"_s, [&]() -> Expected<void> {
+        const auto reference = reference_table::find(*d->database, check.referenceId);
+        if (!reference)
+            return tl::unexpected<Error>(reference.error());
+        if (!*reference)
+            return failure(ErrorCode::NotFound, {u"the reference object of this check"_s});
+        return reference_check_table::insert(*d->database, RowStamp::now(), check);
+    });
+}
+
+Expected<std::vector<ReferenceCheckRecord>> Library::referenceChecks(const QString& gripperSerial,
+                                                                     int limit) const
+{
+    return reference_check_table::read(*d->database, gripperSerial, limit);
 }
 
 } // namespace gripscope

@@ -11,5 +11,6 @@ extern const char* const migrationScript3;
 extern const char* const migrationScript4;
 extern const char* const migrationScript5;
 extern const char* const migrationScript6;
+extern const char* const migrationScript7;
 
 } // namespace gripscope

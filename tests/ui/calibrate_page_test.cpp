@@ -5,9 +5,12 @@
 #include "ui/models/calibration_points_model.h"
 #include "ui/pages/calibrate_example.h"
 #include "ui/reports/calibration_certificate.h"
+#include "ui/status_line.h"
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -74,6 +77,8 @@ private slots:
             QCOMPARE(f.find<QLabel>("calibrationLoad")->text().replace(QChar(QChar::Nbsp), u' '),
                      u"%1 N"_s.arg(load_N));
             QTRY_VERIFY_WITH_TIMEOUT(channelSays(f, load_N), patience_ms);
+            auto* steady = f.find<QLabel>("calibrationSteady");
+            QTRY_VERIFY_WITH_TIMEOUT(steady->text().contains(u"rests"_s), patience_ms);
             QTest::keyClick(f.page(u"calibrate"_s), Qt::Key_Space);
             const int row = int(load_N / 10);
             QTRY_VERIFY_WITH_TIMEOUT(!points->model()->index(row, 3).data().toString().isEmpty(),
@@ -86,8 +91,33 @@ private slots:
         auto* list = f.find<QTableView>("calibrationList");
         QTRY_COMPARE_WITH_TIMEOUT(list->model()->rowCount(), 1, patience_ms);
         QCOMPARE(list->model()->index(0, 5).data().toString(), u"Mai"_s);
-        QVERIFY(f.bench->connection().calibration().inForce().force);
+        QVERIFY(f.bench->connection().calibration().record(SensorChannel::Force));
+        auto* line = f.window->findChild<StatusLine*>();
+        QTRY_VERIFY_WITH_TIMEOUT(line->text().contains(u"force cal. due in 36"_s), patience_ms);
         QTRY_VERIFY(f.find<QLabel>("forceCalibrationStatus")->text().startsWith(u"Holds until"_s));
+    }
+
+    void theLastPointCanBeTakenAgainAndALoadCellIsTyped()
+    {
+        WindowFixture f(false, u"virtual:"_s);
+        f.window->showPage(u"calibrate"_s);
+        f.find<QComboBox>("calibrationChannel")->setCurrentIndex(1); // a load cell
+        QTest::keyClicks(f.find<QLineEdit>("calibrationReference"), u"Load cell 7"_s);
+        QTRY_VERIFY(f.find<QPushButton>("calibrationBegin")->isEnabled());
+        f.click(f.find<QPushButton>("calibrationBegin"));
+        auto* shown = f.find<QDoubleSpinBox>("calibrationShown");
+        QVERIFY(shown->isVisible());
+        QCOMPARE(shown->value(), 0.0);
+        shown->setValue(0.25);
+        auto* points = f.find<QTableView>("calibrationPoints");
+        QTest::keyClick(f.page(u"calibrate"_s), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(!points->model()->index(0, 3).data().toString().isEmpty(), patience_ms);
+        QCOMPARE(points->model()->index(0, 1).data().toString(), u"0.25"_s);
+        QCOMPARE(shown->value(), 10.0); // the next one's
+        QTest::keyClick(f.page(u"calibrate"_s), Qt::Key_Backspace);
+        QVERIFY(points->model()->index(0, 3).data().toString().isEmpty());
+        QCOMPARE(shown->value(), 0.0);
+        f.click(f.find<QPushButton>("calibrationAbandon"));
     }
 
     void whatIsMissingIsSaid()
@@ -148,9 +178,11 @@ private slots:
         CalibrationListModel list;
         const QAbstractItemModelTester first(&points, QAbstractItemModelTester::FailureReportingMode::QtTest);
         const QAbstractItemModelTester second(&list, QAbstractItemModelTester::FailureReportingMode::QtTest);
-        points.setStored(record, evaluation);
-        QCOMPARE(points.rowCount(), int(record.points.size()));
+        points.setPoints(u"N"_s, {{0, 1, true}, {10, 1, true}, {0, 1, false}},
+                         {{{0, 1, true}, {SteadyStatus::Steady, 0.05}, {}}}, {0.001});
+        QCOMPARE(points.rowCount(), 3);
         QCOMPARE(points.index(1, 2).data().toString(), u"up"_s);
+        QCOMPARE(points.index(1, 5).data().toString(), u"next"_s);
         list.setRows({{record, evaluation}, {record, std::nullopt}});
         QCOMPARE(list.rowCount(), 2);
         QCOMPARE(list.index(1, 2).data().toString(), u"–"_s);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/calibration_points_model.h"
 
-#include "core/calibration/calibration_figures.h"
 #include "ui/theme/theme.h"
 
 #include <QLocale>
@@ -52,21 +51,6 @@ void CalibrationPointsModel::setPoints(const QString& unit, std::vector<PlannedP
     endResetModel();
 }
 
-void CalibrationPointsModel::setStored(const SensorCalibration& calibration,
-                                       const CalibrationEvaluation& evaluation)
-{
-    const std::vector<bool> up = ascendingPoints(calibration.points);
-    std::vector<PlannedPoint> planned;
-    std::vector<TakenPoint> taken;
-    for (std::size_t i = 0; i < calibration.points.size(); ++i) {
-        planned.push_back({calibration.points[i].load, 1, up[i]});
-        SteadyReading reading;
-        reading.mean = calibration.points[i].reading;
-        taken.push_back({planned.back(), reading, {}});
-    }
-    setPoints(calibration.unit, std::move(planned), std::move(taken), evaluation.residuals);
-}
-
 int CalibrationPointsModel::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : int(m_planned.size());
@@ -86,7 +70,7 @@ QString CalibrationPointsModel::text(int row, Column column) const
     case Column::Number:
         return QString::number(row + 1);
     case Column::Load:
-        return QLocale().toString(m_loads.factor * point.load, 'g', 6);
+        return QLocale().toString(m_loads.factor * (taken ? taken->planned : point).load, 'g', 6);
     case Column::Way:
         return point.ascending ? tr("up") : tr("down");
     case Column::Reading:

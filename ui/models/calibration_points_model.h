@@ -19,8 +19,6 @@ public:
 
     void setPoints(const QString& unit, std::vector<PlannedPoint> planned, std::vector<TakenPoint> taken,
                    std::vector<double> residuals);
-    /// Of a calibration that was stored.
-    void setStored(const SensorCalibration& calibration, const CalibrationEvaluation& evaluation);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;

@@ -31,7 +31,7 @@ QString CalibrationWords::date(const QDate& date)
     return QLocale().toString(date, u"d MMM yyyy"_s);
 }
 
-QString CalibrationWords::status(const std::optional<CalibrationRecord>& record, const QDate& today)
+QString CalibrationWords::status(const CalibrationRecord* record, const QDate& today)
 {
     switch (calibrationStatus(record ? std::optional(record->due) : std::nullopt, today)) {
     case CalibrationStatus::Missing:
@@ -44,6 +44,23 @@ QString CalibrationWords::status(const std::optional<CalibrationRecord>& record,
         break;
     }
     return tr("Holds until %1.").arg(date(record->due));
+}
+
+QString CalibrationWords::brief(SensorChannel channel, const CalibrationRecord* record, const QDate& today)
+{
+    const bool force = channel == SensorChannel::Force;
+    if (record == nullptr)
+        return force ? tr("force not calibrated") : tr("position not calibrated");
+    const auto days = int(today.daysTo(record->due));
+    if (days < 0)
+        return force ? tr("force cal. overdue since %1").arg(date(record->due))
+                     : tr("position cal. overdue since %1").arg(date(record->due));
+    if (days < 2) {
+        const QString day = days == 0 ? tr("today") : tr("tomorrow");
+        return force ? tr("force cal. due %1").arg(day) : tr("position cal. due %1").arg(day);
+    }
+    return force ? tr("force cal. due in %n days", nullptr, days)
+                 : tr("position cal. due in %n days", nullptr, days);
 }
 
 std::vector<Fact> CalibrationWords::figures(const SensorCalibration& calibration,

@@ -15,8 +15,12 @@ class CalibrationWords {
     Q_DECLARE_TR_FUNCTIONS(CalibrationWords)
 public:
     [[nodiscard]] static QString channel(SensorChannel channel); ///< "Force"
-    /// "holds until 1 Mar 2027", "was due on 1 Mar 2026", "not calibrated here".
-    [[nodiscard]] static QString status(const std::optional<CalibrationRecord>& record, const QDate& today);
+    /// "Holds until 1 Mar 2027.", "Overdue since 1 Mar 2026: ...", "Not calibrated here: ..."; `record` may
+    /// be null.
+    [[nodiscard]] static QString status(const CalibrationRecord* record, const QDate& today);
+    /// For the status line: "force cal. due in 41 days", "force not calibrated"; `record` may be null.
+    [[nodiscard]] static QString brief(SensorChannel channel, const CalibrationRecord* record,
+                                       const QDate& today);
     /// Expanded uncertainty, linearity and so on; "–" for what the points do not tell.
     [[nodiscard]] static std::vector<Fact> figures(const SensorCalibration& calibration,
                                                    const CalibrationEvaluation& evaluation);

@@ -32,4 +32,39 @@ SensorCalibration exampleCalibration()
     return calibration;
 }
 
+ReferenceObject exampleReference()
+{
+    ReferenceObject reference;
+    reference.gripperSerial = u"VG-1"_s;
+    reference.name = u"Spring S-12"_s;
+    reference.certificate = u"F-0815 2026-02"_s;
+    reference.stated[2] = ReferenceQuantity{9990, 25, 300};
+    reference.operatorName = u"Mai"_s;
+    return reference;
+}
+
+Expected<void> storeExamples(Library& library)
+{
+    if (Expected<void> done = library.addCalibration(exampleCalibration()); !done)
+        return done;
+    const ReferenceObject reference = exampleReference();
+    if (Expected<void> done = library.addReferenceObject(reference); !done)
+        return done;
+    const Expected<CalibrationsInForce> standing = library.calibrationsInForce(reference.gripperSerial);
+    if (!standing)
+        return tl::unexpected<Error>(standing.error());
+    for (const double stiffness : {9952.0, 10010.0, 9973.0, 10021.0}) {
+        ReferenceCheck check;
+        check.gripperSerial = reference.gripperSerial;
+        check.referenceId = standing->reference->reference.id;
+        check.measured[2] = MeasuredQuantity{stiffness, 30};
+        check.verdict = judgeCheck(reference, check.measured);
+        check.squeezes = reference.squeezes;
+        check.operatorName = reference.operatorName;
+        if (Expected<void> done = library.addReferenceCheck(check); !done)
+            return done;
+    }
+    return {};
+}
+
 } // namespace gripscope

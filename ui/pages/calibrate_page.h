@@ -7,9 +7,8 @@
 
 namespace gripscope {
 
-struct CalibrationRecord;
-
-/// Calibrating the channels: how they stand, what was done before, and a new calibration, point by point.
+/// What keeps the gripper a measuring instrument: its channels against references, the check on a spring
+/// before a shift, and what the empty gripper adds.
 class CalibratePage : public Page {
     Q_OBJECT
 public:
@@ -27,13 +26,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    QWidget* makeOverview();
-    QWidget* makeHistory();
-    void refresh();
-    void reload();
-    void showStatus();
-    void saveCertificate();
-    [[nodiscard]] const CalibrationRecord* selected() const;
+    void show(int part);
 
     struct Private;
     std::unique_ptr<Private> d;

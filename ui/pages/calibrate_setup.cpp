@@ -40,8 +40,9 @@ CalibrateSetup::CalibrateSetup(Workbench& workbench, QWidget* parent)
 
 void CalibrateSetup::build()
 {
-    m_channel->addItem(tr("Force, with reference weights or a load cell"), int(SensorChannel::Force));
-    m_channel->addItem(tr("Position, with gauge blocks"), int(SensorChannel::Position));
+    m_channel->addItem(tr("Force, with reference weights"), int(Way::Weights));
+    m_channel->addItem(tr("Force, with a load cell"), int(Way::LoadCell));
+    m_channel->addItem(tr("Position, with gauge blocks"), int(Way::GaugeBlocks));
     m_channel->setObjectName("calibrationChannel");
     m_loads->setObjectName("calibrationLoads");
     m_runs->setObjectName("calibrationRuns");
@@ -92,9 +93,14 @@ void CalibrateSetup::build()
     column->addLayout(row);
 }
 
+CalibrateSetup::Way CalibrateSetup::way() const
+{
+    return Way(m_channel->currentData().toInt());
+}
+
 SensorChannel CalibrateSetup::channel() const
 {
-    return SensorChannel(m_channel->currentData().toInt());
+    return way() == Way::GaugeBlocks ? SensorChannel::Position : SensorChannel::Force;
 }
 
 double CalibrateSetup::perTyped() const
@@ -138,6 +144,7 @@ CalibrationPlan CalibrateSetup::plan() const
         load *= perTyped();
     plan.runs = m_runs->value();
     plan.descending = m_descending->isChecked();
+    plan.loadsAreRead = way() == Way::LoadCell;
     plan.degree = m_degree->value();
     plan.reference = {m_reference->text().trimmed(), m_certificate->text().trimmed(),
                       m_uncertainty->value() * perTyped(), 0};

@@ -33,6 +33,8 @@ private:
     void validate();
     /// Loads as they are typed, newtons or millimetres; nothing when it is not a list of numbers.
     [[nodiscard]] std::optional<std::vector<double>> typedLoads() const;
+    enum class Way { Weights, LoadCell, GaugeBlocks };
+    [[nodiscard]] Way way() const;
     [[nodiscard]] SensorChannel channel() const;
     [[nodiscard]] double perTyped() const; ///< channel's units in a newton or millimetre
     [[nodiscard]] QString problem() const;

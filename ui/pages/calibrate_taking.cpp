@@ -12,6 +12,7 @@
 #include "ui/workbench.h"
 
 #include <QDateEdit>
+#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLineEdit>
 #include <QProgressBar>
@@ -19,6 +20,9 @@
 #include <QStackedWidget>
 #include <QTableView>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <numeric>
 
 using namespace Qt::StringLiterals;
 
@@ -67,7 +71,7 @@ QWidget* CalibrateTaking::makeSide()
     m_words = makeLabel({}, "error", card);
     m_words->setObjectName("calibrationWords");
     m_words->setWordWrap(true);
-    m_undo = makeButton(tr("Undo the last point"), u"edit-undo"_s, "", card);
+    m_undo = makeButton(tr("Undo the last point (Backspace)"), u"edit-undo"_s, "", card);
     m_undo->setObjectName("calibrationUndo");
     m_abandon = makeButton(tr("Leave it"), u"dialog-cancel"_s, "quiet", card);
     m_abandon->setObjectName("calibrationAbandon");
@@ -76,10 +80,7 @@ QWidget* CalibrateTaking::makeSide()
     column->addWidget(m_words);
     column->addWidget(m_undo);
     column->addWidget(m_abandon);
-    connect(m_undo, &QPushButton::clicked, this, [this] {
-        m_session->undo();
-        refresh();
-    });
+    connect(m_undo, &QPushButton::clicked, this, &CalibrateTaking::undo);
     connect(m_abandon, &QPushButton::clicked, this, &CalibrateTaking::abandoned);
     return card;
 }
@@ -93,7 +94,19 @@ QWidget* CalibrateTaking::makeNext()
     m_load = makeLabel({}, "big-number", box);
     m_load->setObjectName("calibrationLoad");
     m_way = makeLabel({}, "second", box);
+    m_way->setWordWrap(true);
+    m_shownBox = new QWidget(box);
+    m_onIt = new QDoubleSpinBox(m_shownBox);
+    m_onIt->setObjectName("calibrationShown");
+    m_onIt->setAccessibleName(tr("The load cell shows"));
+    m_onIt->setDecimals(4);
+    auto* shownRow = new QHBoxLayout(m_shownBox);
+    setSpacing(shownRow, 0, 8);
+    shownRow->addWidget(makeLabel(tr("The load cell shows"), "strong", m_shownBox));
+    shownRow->addWidget(m_onIt, 1);
     m_reading = makeLabel({}, "number", box);
+    m_steady = makeLabel({}, "second", box);
+    m_steady->setObjectName("calibrationSteady");
     m_progress = new QProgressBar(box);
     m_progress->setTextVisible(false);
     m_progress->setAccessibleName(tr("Reading the channel"));
@@ -102,9 +115,11 @@ QWidget* CalibrateTaking::makeNext()
     column->addWidget(m_step);
     column->addWidget(m_load);
     column->addWidget(m_way);
+    column->addWidget(m_shownBox);
     column->addStretch(1);
     column->addWidget(makeLabel(tr("The channel says"), "caption", box));
     column->addWidget(m_reading);
+    column->addWidget(m_steady);
     column->addStretch(1);
     column->addWidget(m_progress);
     column->addWidget(m_take);
@@ -167,10 +182,19 @@ QString CalibrateTaking::shown(double value, int digits) const
 
 void CalibrateTaking::take()
 {
+    const std::optional<double> load =
+        m_session->plan().loadsAreRead ? std::optional(m_onIt->value() / m_perChannel) : std::nullopt;
     if (m_session->state() == CalibrateSession::State::Reading)
         m_session->stopReading();
-    else if (const Expected<void> begun = m_session->take(); !begun)
+    else if (const Expected<void> begun = m_session->take(load); !begun)
         m_workbench->report(begun.error().describe());
+    refresh();
+}
+
+void CalibrateTaking::undo()
+{
+    m_session->undo();
+    m_proposed = 0;
     refresh();
 }
 
@@ -232,10 +256,40 @@ void CalibrateTaking::showNext()
         return;
     m_step->setText(
         tr("Point %1 of %2").arg(m_session->points().size() + 1).arg(m_session->planned().size()));
-    const ChannelScale scale = channelScale(m_session->calibration().unit, m_session->plan().loads.back());
-    m_load->setText(QLocale().toString(scale.factor * next->load, 'g', 6) + QChar(QChar::Nbsp) + scale.unit);
-    m_way->setText(next->ascending ? tr("Put it on from below, and let it rest.")
-                                   : tr("Come down to it from above, and let it rest."));
+    showLoad(*next);
+    m_way->setText(instruction(*next, m_session->plan()));
+}
+
+void CalibrateTaking::showLoad(const PlannedPoint& next)
+{
+    const CalibrationPlan& plan = m_session->plan();
+    const ChannelScale scale = channelScale(m_session->calibration().unit, plan.loads.back());
+    m_perChannel = scale.factor;
+    m_load->setText(QLocale().toString(scale.factor * next.load, 'g', 6) + QChar(QChar::Nbsp) + scale.unit);
+    m_shownBox->setVisible(plan.loadsAreRead);
+    if (!plan.loadsAreRead || m_proposed == m_session->points().size() + 1)
+        return;
+    m_proposed = m_session->points().size() + 1;
+    constexpr double farthest = 10; ///< times the largest load: what a slip of the finger types
+    m_onIt->setRange(-farthest * scale.factor * plan.loads.back(),
+                     farthest * scale.factor * plan.loads.back());
+    m_onIt->setSuffix(QChar(QChar::Nbsp) + scale.unit);
+    m_onIt->setValue(scale.factor * next.load);
+}
+
+QString CalibrateTaking::instruction(const PlannedPoint& next, const CalibrationPlan& plan)
+{
+    if (plan.channel == SensorChannel::Position)
+        return next.ascending ? tr("Coming from less: set the fingers on this block, and let them rest.")
+                              : tr("Coming from more: set the fingers on this block, and let them rest.");
+    if (next.load == 0)
+        return tr("Take everything off, and let it rest.");
+    if (plan.loadsAreRead)
+        return next.ascending
+                   ? tr("Press up to about this, not beyond, hold it, and type what the cell shows.")
+                   : tr("Give way down to about this, hold it, and type what the cell shows.");
+    return next.ascending ? tr("Add weights up to this, never beyond, and let them rest.")
+                          : tr("Take weights off down to this, never below, and let them rest.");
 }
 
 void CalibrateTaking::showFigures()
@@ -256,24 +310,37 @@ void CalibrateTaking::showFigures()
     m_doubt->setVisible(!m_doubt->text().isEmpty());
 }
 
-void CalibrateTaking::refreshReading()
+std::vector<double> CalibrateTaking::recentValues() const
 {
+    constexpr double watched_s = 1;
+    constexpr int columns = 40;
     const bool force = m_session->plan().channel == SensorChannel::Force;
     const LiveHistory& history = m_workbench->liveHistory();
-    constexpr double averaged_s = 0.2;
     const auto stretches =
         history.columns(force ? LiveHistory::Channel::Force : LiveHistory::Channel::Position,
-                        history.newestTime_s(), averaged_s, 16);
-    double sum = 0;
-    int count = 0;
-    for (const LiveHistory::Stretch& stretch : stretches)
-        for (const auto& point : stretch) {
-            sum += point.y;
-            ++count;
-        }
-    ConnectSession& connection = m_workbench->connection();
-    m_reading->setText(count > 0 ? shown(connection.uncorrected(m_session->plan().channel, sum / count), 4)
-                                 : u"–"_s);
+                        history.newestTime_s(), watched_s, columns);
+    std::vector<double> values;
+    if (!stretches.empty()) // what came before a gap tells nothing of now
+        for (const auto& point : stretches.back())
+            values.push_back(point.y);
+    return values;
+}
+
+void CalibrateTaking::refreshReading()
+{
+    const std::vector<double> values = recentValues();
+    SteadyOptions options;
+    options.driftAllowed = m_session->driftAllowed();
+    const SteadyReading second = steadyReading(values, options);
+    constexpr std::size_t newest = 16;
+    const std::size_t count = std::min(newest, values.size());
+    const double now =
+        std::accumulate(values.end() - std::ptrdiff_t(count), values.end(), 0.0) / double(count);
+    const ConnectSession& connection = m_workbench->connection();
+    m_reading->setText(count > 0 ? shown(connection.uncorrected(m_session->plan().channel, now), 4) : u"–"_s);
+    m_steady->setText(second.status == SteadyStatus::Steady   ? tr("● rests: it can be taken")
+                      : second.status == SteadyStatus::Moving ? tr("◌ still moves: wait")
+                                                              : tr("◌ not enough samples yet"));
     m_progress->setValue(int(100 * m_session->readingProgress()));
 }
 

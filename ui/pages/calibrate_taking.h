@@ -6,6 +6,7 @@
 #include <QWidget>
 
 class QDateEdit;
+class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
 class QLineEdit;
@@ -31,6 +32,7 @@ public:
     void refresh();        ///< after the session changed
     void refreshReading(); ///< the number that the channel says now
     void takeOrAccept();   ///< what Space does
+    void undo();           ///< what Backspace does
 
 signals:
     void abandoned();
@@ -44,7 +46,10 @@ private:
     void accept();
     void showPoints();
     void showNext();
+    void showLoad(const PlannedPoint& next);
     void showFigures();
+    [[nodiscard]] static QString instruction(const PlannedPoint& next, const CalibrationPlan& plan);
+    [[nodiscard]] std::vector<double> recentValues() const; ///< of the channel, evenly spaced in time
     [[nodiscard]] QString shown(double value, int digits) const;
 
     Workbench* m_workbench;
@@ -53,7 +58,11 @@ private:
     CalibrationPointsModel* m_model;
     QTableView* m_table;
     QStackedWidget* m_stack;
-    QLabel *m_title, *m_step, *m_load, *m_way, *m_reading, *m_words;
+    QLabel *m_title, *m_step, *m_load, *m_way, *m_reading, *m_steady, *m_words;
+    QWidget* m_shownBox;        ///< what a load cell shows
+    QDoubleSpinBox* m_onIt;     ///< in the unit of m_load
+    double m_perChannel = 1;    ///< that unit's number for one of the channel's
+    std::size_t m_proposed = 0; ///< points there were when a load was proposed, and one
     QProgressBar* m_progress;
     QPushButton *m_take, *m_undo, *m_abandon, *m_accept;
     QGridLayout* m_figures;

@@ -231,7 +231,7 @@ private slots:
             record.points.push_back({load, load});
         record.due = QDate::currentDate().addDays(days);
         record.takenUtc = QDateTime::currentDateTimeUtc();
-        m_connection->session.setCalibrations({record, {}});
+        m_connection->session.setCalibrations({record, {}, {}});
         QVERIFY(m_connection->session.arm(u"Ada"_s));
         m_connection->session.poll();
         SqueezeJob job(m_connection->session);
@@ -268,8 +268,26 @@ private slots:
             record.points.push_back({load, 2 * load});
         m_connection->gripper().identity.corrected = true;
         m_connection->session.poll();
-        m_connection->session.setCalibrations({record, {}});
+        m_connection->session.setCalibrations({record, {}, {}});
         QCOMPARE(m_connection->session.uncorrected(SensorChannel::Force, 5), 5.0);
+    }
+
+    void whatTheLoadCellShowsCounts()
+    {
+        CalibrationPlan read = plan();
+        read.loadsAreRead = true;
+        QVERIFY(m_session->start(read));
+        QVERIFY(!m_session->take(std::nan("")));
+        int step = 0;
+        while (const std::optional<PlannedPoint> point = m_session->next()) {
+            const double shown = point->load + 0.37 * (step++ % 3); // by hand, so never quite what was planned
+            QVERIFY(m_session->take(shown));
+            putOn(shown);
+            QVERIFY(until(State::Waiting));
+        }
+        const CalibrationEvaluation& found = **m_session->evaluation();
+        QVERIFY(std::abs(found.curve.readingAt(30) - readingOf(30)) < 1.5e-3); // as with weights
+        QCOMPARE(m_session->points()[1].planned.load, 10.37);
     }
 
     void aCalibrationInAnotherUnitIsNotApplied()
@@ -278,8 +296,8 @@ private slots:
         record.unit = u"mN"_s;
         for (const double load : {0.0, 10.0, 20.0})
             record.points.push_back({load, 2 * load});
-        m_connection->session.setCalibrations({record, {}});
-        QVERIFY(!m_connection->session.calibration().inForce().force);
+        m_connection->session.setCalibrations({record, {}, {}});
+        QVERIFY(m_connection->session.calibration().record(SensorChannel::Force) == nullptr);
         QVERIFY(m_connection->session.calibration().unusable().contains(u"mN"_s));
     }
 };

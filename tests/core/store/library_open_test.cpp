@@ -25,7 +25,7 @@ void write(const QString& name, const QByteArray& bytes)
 }
 
 /// A library as an earlier version of the schema left it, with one type, squeeze and inspection and, from
-/// version 2, one gripper's channels; from SQL alone.
+/// version 2, one gripper's channels, from version 5 their calibration; from SQL alone.
 void makeVersion(const QString& file, int version)
 {
     RawDatabase raw(file);
@@ -130,7 +130,12 @@ private slots:
         const auto calibrations = valueOf(library->calibrations(u"0001"_s, 10));
         QCOMPARE(calibrations.size(), std::size_t(version > 4 ? 1 : 0));
         QVERIFY(calibrations.empty() || calibrations[0].points.size() == 3);
-        QVERIFY(valueOf(library->drafts()).empty());
+        const auto drafts = valueOf(library->drafts());
+        QCOMPARE(drafts.size(), std::size_t(version > 5 ? 1 : 0));
+        QVERIFY(drafts.empty() || drafts[0].name == u"Jar"_s);
+        QCOMPARE(valueOf(library->calibrationsInForce(u"0001"_s)).reference.has_value(), version > 6);
+        const auto checks = valueOf(library->referenceChecks(u"0001"_s, 10));
+        QCOMPARE(checks.size(), std::size_t(version > 6 ? 1 : 0));
     }
     void migrationsAreNeverEdited()
     {
@@ -147,6 +152,8 @@ private slots:
                  u"ec80b874498ca7ec92bac62d324aa44dbb2303a2826586f7085a908edb3d760b"_s);
         QCOMPARE(migrations()[5].checksum(),
                  u"f07cec2ca6f45dcb71f40d83f40432f15a1dbcc3245a9f1ce7e62eed29a6aa13"_s);
+        QCOMPARE(migrations()[6].checksum(),
+                 u"f7842ddc6ff44aaf6c12793077c3dd46143fa76204f9f993dba6a89c7f6c566c"_s);
     }
     void furtherStepsAreAppliedInOrderAndOnce()
     {

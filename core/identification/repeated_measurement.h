@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/identification.h"
+
+#include <array>
+#include <span>
+
+namespace gripscope {
+
+/// m, b, k of one object from several squeezes, in the channels' units, without the empty gripper's where
+/// that is known.
+struct RepeatedMeasurement {
+    MassDampingStiffness parameters;
+    std::array<double, 3> ownErrors{};    ///< standard, of the mean: the squeezes' noise and their scatter
+    std::array<double, 3> sharedErrors{}; ///< standard: what all squeezes of the gripper have in common
+    [[nodiscard]] double standardUncertainty(std::size_t parameter) const;
+};
+
+/// The pooled means of the squeezes (pooledMean()), each with the type A lines of its budget as its own
+/// error; shared are the type B lines (calibration, lag, frame, baseline), the largest of the squeezes, since
+/// repeating does not average them out (JCGM 100, 5.2). Nothing without squeezes, or when one has no m, b, k
+/// above zero with a budget.
+[[nodiscard]] std::optional<RepeatedMeasurement>
+repeatedMeasurement(std::span<const Identification> squeezes);
+
+} // namespace gripscope

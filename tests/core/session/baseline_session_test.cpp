@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/baseline_session.h"
+#include "tests/core/session/session_driver.h"
+#include "tests/support/test_registry.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+using namespace gripscope;
+using namespace gripscope::test;
+using namespace Qt::StringLiterals;
+
+namespace {
+/// What moves where nothing is gripped.
+constexpr MassDampingStiffness fingers{0.012, 9, 3000};
+} // namespace
+
+class BaselineSessionTest : public QObject {
+    Q_OBJECT
+    using State = SeriesSession::State;
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<LibraryService> m_library;
+    std::unique_ptr<ArmedConnection> m_connection;
+    std::unique_ptr<BaselineSession> m_session;
+
+    bool until(State state)
+    {
+        return pollUntil(
+                   [this] {
+                       m_connection->session.poll();
+                       m_session->poll();
+                   },
+                   [this, state] {
+                       return m_session->state() == state || m_session->state() == State::Failed;
+                   }) &&
+               m_session->state() == state;
+    }
+    std::optional<MeasuringChainRecord> stored()
+    {
+        using Found = std::optional<MeasuringChainRecord>;
+        return m_library->run<Found>([](Library& library) { return library.measuringChain(u"F-1"_s); })
+            .get()
+            .value();
+    }
+
+private slots:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_library = std::make_unique<LibraryService>(m_folder->filePath(u"baseline.db"_s));
+        m_connection = std::make_unique<ArmedConnection>();
+        m_connection->gripper().object = fingers;
+        QVERIFY(m_connection->open());
+        m_session = std::make_unique<BaselineSession>(m_connection->session, *m_library);
+        m_session->setOperator(u"Ada"_s);
+    }
+    void cleanup()
+    {
+        m_session.reset();
+        m_connection.reset();
+        m_library.reset();
+    }
+
+    void theEmptyGripperIsFoundKeptAndTakenOff()
+    {
+        MeasuringChain known;
+        known.forceScaleUncertainty = 0.003; // stays
+        m_connection->session.setMeasuringChain(1e-6, known);
+        QVERIFY(m_session->start({}, 3));
+        QVERIFY(until(State::Measured));
+        const GripperBaseline found = m_session->baseline().value();
+        const double truth[] = {fingers.m, fingers.b, fingers.k};
+        for (std::size_t i = 0; i < 3; ++i) {
+            // Five standard errors of three squeezes whose scatter is estimated from themselves.
+            QVERIFY2(std::abs(found.parameters[i] - truth[i]) < 5 * found.standardErrors[i],
+                     qPrintable(QString::number(found.parameters[i])));
+            QVERIFY(found.standardErrors[i] > 0 && found.standardErrors[i] < 0.05 * truth[i]);
+        }
+        QVERIFY(!stored());
+        QVERIFY(m_session->accept());
+        QVERIFY(until(State::Stored));
+        QVERIFY(stored()->chain.baseline == found);
+        QCOMPARE(stored()->chain.forceScaleUncertainty, 0.003);
+        QCOMPARE(stored()->forceLag_s, 1e-6);
+        QCOMPARE(stored()->operatorName, u"Ada"_s);
+        QVERIFY(m_connection->session.measuringChain().baseline == found);
+
+        // A part in these fingers is now found without them.
+        const MassDampingStiffness part{0.0396, 43, 9990};
+        m_connection->gripper().object = {part.m + fingers.m, part.b + fingers.b, part.k + fingers.k};
+        SqueezeJob job(m_connection->session);
+        QVERIFY(job.start(Recipe(), 9));
+        QVERIFY(pollUntil(
+            [&] {
+                m_connection->session.poll();
+                job.poll();
+            },
+            [&] { return job.state() == SqueezeJob::State::Done; }));
+        const auto object = identify(job.recording()).object();
+        QVERIFY(object && std::abs(object->parameters.k / part.k - 1) < 0.01);
+        QVERIFY(std::abs(object->parameters.m / part.m - 1) < 0.05);
+    }
+
+    void aSecondMeasurementIsOfTheWholeAgain()
+    {
+        MeasuringChain known;
+        known.baseline = GripperBaseline{{0.006, 4, 1000}, {1e-4, 0.1, 10}};
+        m_connection->session.setMeasuringChain(0, known);
+        QVERIFY(m_session->start({}, 2));
+        QVERIFY(until(State::Measured));
+        QVERIFY(std::abs(m_session->baseline()->parameters[2] / fingers.k - 1) < 0.05);
+    }
+
+    void itCanBeTakenAwayAgain()
+    {
+        QVERIFY(!m_session->remove());
+        MeasuringChain known;
+        known.frameCompliance = 1e-6;
+        known.baseline = GripperBaseline{{0.006, 4, 1000}, {1e-4, 0.1, 10}};
+        m_connection->session.setMeasuringChain(0, known);
+        QVERIFY(m_session->remove());
+        QVERIFY(until(State::Stored));
+        QVERIFY(!stored()->chain.baseline && stored()->chain.frameCompliance == 1e-6);
+        QVERIFY(!m_connection->session.measuringChain().baseline);
+    }
+
+    void squeezesThatAreNotValidMakeNoBaseline()
+    {
+        m_connection->gripper().dropSample = [](int i) { return i % 3 == 0; };
+        QVERIFY(m_session->start({}, 2));
+        QVERIFY(until(State::Measured));
+        QVERIFY(!m_session->baseline());
+        QVERIFY2(m_session->problem().startsWith(u"squeeze 1: "_s), qPrintable(m_session->problem()));
+        QVERIFY(!m_session->accept());
+        QVERIFY(!stored());
+    }
+
+    void whatWasMeasuredOfOneGripperIsNotKeptForAnother()
+    {
+        QVERIFY(m_session->start({}, 2));
+        QVERIFY(until(State::Measured));
+        m_connection->gripper().identity.serial = u"F-2"_s;
+        m_connection->session.poll();
+        QVERIFY(!m_session->accept());
+        QVERIFY(!stored());
+    }
+};
+
+GRIPSCOPE_TEST(BaselineSessionTest)
+#include "baseline_session_test.moc"
