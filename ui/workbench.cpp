@@ -91,7 +91,7 @@ struct Workbench::Private {
     std::optional<Error> connectionError, inspectionError, enrollmentError;
     KeepSessions keeping{CaptureFolder::defaultPath(), {}, false};
     bool keeps = false;
-    bool captureSuffers = false; ///< and that was told
+    bool captureSuffers = false;                        ///< and that was told
     CheckStatus referenceCheck = CheckStatus::NotAsked; ///< as it was told
     int enrolledSqueezes = 0;
     EnrollSession::Step enrollmentStep = EnrollSession::Step::Name;
@@ -355,8 +355,9 @@ void Workbench::applyCalibrations(const QString& serial)
 void Workbench::noticeReferenceCheck()
 {
     const bool connected = d->connection.state() == ConnectSession::State::Connected;
-    const std::optional<ReferenceStanding> standing =
-        connected ? d->connection.calibration().reference() : std::nullopt;
+    const std::optional<ReferenceStanding> none;
+    const std::optional<ReferenceStanding>& standing =
+        connected ? d->connection.calibration().reference() : none;
     const QDateTime now = QDateTime::currentDateTimeUtc();
     const CheckStatus status = checkStatus(standing, now);
     if (std::exchange(d->referenceCheck, status) == status)

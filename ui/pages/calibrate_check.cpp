@@ -236,7 +236,10 @@ void CalibrateCheck::showStanding()
 void CalibrateCheck::editReference()
 {
     const auto& standing = d->inUse();
-    auto* dialog = new ReferenceDialog(standing ? standing->reference : proposal(serial()), this);
+    ReferenceObject known = proposal(serial());
+    if (standing)
+        known = standing->reference;
+    auto* dialog = new ReferenceDialog(known, this);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { keepReference(dialog->reference()); });
     dialog->open();
 }

@@ -71,14 +71,15 @@ private slots:
     }
     void badlyScaledPointsAgreeWithRationalArithmetic()
     {
-        // Loads over seven decades with no pattern, their squares up to 1e13. The wanted numbers are the normal
-        // equations of these very doubles, solved in fractions.
+        // Loads over seven decades with no pattern, their squares up to 1e13. The wanted numbers are the
+        // normal equations of these very doubles, solved in fractions.
         const std::vector<CalibrationPoint> points{
-            {0, 0.0011},      {1, 0.0011009},      {10, 0.00111},      {100, 0.00117},
-            {1000, 0.0018},   {30000, 0.0221},     {250000.5, 0.1769}, {1000000, 0.7017},
-            {1700000.25, 1.1904}, {2500000, 1.7481}, {2999999, 2.0951}, {3000000, 2.0957}};
+            {0, 0.0011},          {1, 0.0011009},    {10, 0.00111},      {100, 0.00117},
+            {1000, 0.0018},       {30000, 0.0221},   {250000.5, 0.1769}, {1000000, 0.7017},
+            {1700000.25, 1.1904}, {2500000, 1.7481}, {2999999, 2.0951},  {3000000, 2.0957}};
         const CalibrationCurve curve = CalibrationCurve::fit(points, 2).value();
-        const double coefficients[] = {1.14041009637608832e-3, 7.01786609421355951e-7, -1.23012869282317608e-15};
+        const double coefficients[] = {1.14041009637608832e-3, 7.01786609421355951e-7,
+                                       -1.23012869282317608e-15};
         const double deviations[] = {8.58609526192207778e-5, 2.37441383746174876e-10,
                                      8.20684431767793296e-17};
         for (int i = 0; i < 3; ++i) {

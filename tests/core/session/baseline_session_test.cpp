@@ -66,7 +66,8 @@ private slots:
     void theEmptyGripperIsFoundKeptAndTakenOff()
     {
         MeasuringChain known;
-        known.forceScaleUncertainty = 0.003; // stays
+        known.forceScaleUncertainty = 0.003; // stays, and so does the lag
+        m_connection->gripper().trueLag_s = 1e-6;
         m_connection->session.setMeasuringChain(1e-6, known);
         QVERIFY(m_session->start({}, 3));
         QVERIFY(until(State::Measured));

@@ -280,7 +280,8 @@ private slots:
         QVERIFY(!m_session->take(std::nan("")));
         int step = 0;
         while (const std::optional<PlannedPoint> point = m_session->next()) {
-            const double shown = point->load + 0.37 * (step++ % 3); // by hand, so never quite what was planned
+            const double shown =
+                point->load + 0.37 * (step++ % 3); // by hand, so never quite what was planned
             QVERIFY(m_session->take(shown));
             putOn(shown);
             QVERIFY(until(State::Waiting));
