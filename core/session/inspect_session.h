@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/recognition/early_stop.h"
+#include "core/recognition/inspection_outcome.h"
 #include "core/session/squeeze_job.h"
 #include "core/store/library_service.h"
 
@@ -9,14 +10,6 @@
 #include <optional>
 
 namespace gripscope {
-
-/// What an inspection shows: one of five outcomes that never share a word or a colour.
-enum class InspectionOutcome { AsExpected, OtherType, Unknown, Inconclusive, NotValid };
-
-/// With nothing expected every named type is "as expected".
-[[nodiscard]] InspectionOutcome inspectionOutcome(VerdictKind verdict, const QString& type,
-                                                  const QString& expectedType);
-[[nodiscard]] QString toString(InspectionOutcome outcome); ///< "as_expected", "other_type", ...
 
 /// Inspections one after another.
 ///

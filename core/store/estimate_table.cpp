@@ -2,6 +2,7 @@
 #include "core/store/estimate_table.h"
 
 #include "core/words.h"
+#include <cmath>
 
 namespace gripscope::estimate_table {
 
@@ -33,7 +34,49 @@ void bindParameters(Statement& row, const Estimate& estimate)
     row.bind(c ? c->b2 : Real()).bind(c ? c->constant : Real());
 }
 
+StoredEstimate take(Statement& row)
+{
+    StoredEstimate stored;
+    stored.rank = int(row.takeInteger());
+    stored.estimator = row.takeText();
+    stored.status = row.takeText();
+    stored.program = row.takeText();
+    stored.stored = row.takeUtc();
+    stored.parameters = takeParameters(row);
+    stored.standardErrors = takeStandardErrors(row);
+    stored.simulationFitPercent = row.takeOptionalReal();
+    const bool later = !row.takeText().isEmpty();
+    Reidentification how;
+    how.hold = forceHoldFromString(row.takeText());
+    how.initialState = row.takeText() == u"rest" ? InitialState::Rest : InitialState::Free;
+    how.freeOffset = row.takeInteger() != 0;
+    how.operatorName = row.takeText();
+    if (later)
+        stored.again = how;
+    return stored;
+}
+
 } // namespace
+
+std::optional<MassDampingStiffness> takeParameters(Statement& row)
+{
+    const auto m = row.takeOptionalReal();
+    const auto b = row.takeOptionalReal();
+    const auto k = row.takeOptionalReal();
+    if (!m || !b || !k)
+        return {};
+    return MassDampingStiffness{*m, *b, *k};
+}
+
+std::optional<Eigen::Vector3d> takeStandardErrors(Statement& row)
+{
+    const auto m = row.takeOptionalReal();
+    const auto b = row.takeOptionalReal();
+    const auto k = row.takeOptionalReal();
+    if (!m || !b || !k || *m < 0 || *b < 0 || *k < 0)
+        return {};
+    return Eigen::Vector3d(std::sqrt(*m), std::sqrt(*b), std::sqrt(*k));
+}
 
 Expected<void> insert(Database& database, const RowStamp& stamp, const QString& graspId, int rank,
                       const Estimate& estimate)
@@ -47,6 +90,31 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
     row.bind(estimate.residuals.sse).bind(estimate.residuals.degreesOfFreedom);
     row.bind(estimate.residuals.whitenessP).bind(estimate.residuals.inputIndependenceP);
     return row.bind(estimate.iterations).run();
+}
+
+Expected<int> nextRank(Database& database, const QString& graspId)
+{
+    int rank = 1;
+    Statement query(database, u"store the estimate"_s,
+                    u"SELECT COALESCE(MAX(rank), 0) + 1 FROM estimates WHERE grasp_id = ?"_s);
+    auto done = query.bind(graspId).forEach([&](Statement& row) { rank = int(row.takeInteger()); });
+    if (!done)
+        return tl::unexpected(done.error());
+    return rank;
+}
+
+Expected<std::vector<StoredEstimate>> ofGrasp(Database& database, const QString& graspId)
+{
+    std::vector<StoredEstimate> estimates;
+    Statement query(database, u"read the estimates"_s,
+                    u"SELECT e.rank, e.estimator, e.status, e.program, e.created_utc, e.m, e.b, e.k, e.var_m, "
+                    "e.var_b, e.var_k, e.simulation_fit_percent, r.id, r.force_hold, r.initial_state, "
+                    "r.free_offset, r.operator_name FROM estimates e LEFT JOIN reidentifications r ON "
+                    "r.estimate_id = e.id WHERE e.grasp_id = ? ORDER BY e.rank"_s);
+    auto done = query.bind(graspId).forEach([&](Statement& row) { estimates.push_back(take(row)); });
+    if (!done)
+        return tl::unexpected(done.error());
+    return estimates;
 }
 
 } // namespace gripscope::estimate_table

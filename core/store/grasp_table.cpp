@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/grasp_table.h"
 
+#include "core/store/estimate_table.h"
 #include "core/store/type_squeeze.h"
 #include "core/words.h"
 
@@ -16,12 +17,8 @@ QString doing()
 }
 
 /// Where a squeeze belongs now, what its type is called, and its recommended estimate.
-const auto from =
-    u"FROM grasps g LEFT JOIN placements p ON p.grasp_id = g.id AND p.version = "
-    u"(SELECT MAX(q.version) FROM placements q WHERE q.grasp_id = g.id) "
-    "LEFT JOIN type_states s ON s.type_id = COALESCE(p.type_id, g.type_id) AND s.version = "
-    "(SELECT MAX(w.version) FROM type_states w WHERE w.type_id = COALESCE(p.type_id, g.type_id)) "
-    "LEFT JOIN estimates e ON e.grasp_id = g.id AND e.rank = 0 "_s;
+const auto from = u"FROM grasps g "_s + typeJoins() +
+                  u"LEFT JOIN estimates e ON e.grasp_id = g.id AND e.rank = 0 "_s;
 
 const auto select =
     u"SELECT g.id, COALESCE(p.type_id, g.type_id), s.name, g.type_id, g.part, g.source, g.operator_name, "
@@ -30,16 +27,6 @@ const auto select =
     "e.estimator, e.m, e.b, e.k, e.var_m, e.cov_mb, e.cov_mk, e.var_b, e.cov_bk, e.var_k, "
     "e.simulation_fit_percent "_s +
     from;
-
-std::optional<MassDampingStiffness> takeParameters(Statement& row)
-{
-    const auto m = row.takeOptionalReal();
-    const auto b = row.takeOptionalReal();
-    const auto k = row.takeOptionalReal();
-    if (!m || !b || !k)
-        return {};
-    return MassDampingStiffness{*m, *b, *k};
-}
 
 std::optional<Eigen::Matrix3d> takeCovariance(Statement& row)
 {
@@ -71,7 +58,7 @@ GraspRecord takeGrasp(Statement& row)
     grasp.hasRecording = row.takeInteger() > 0;
     grasp.accepted = row.takeInteger() != 0;
     grasp.estimator = estimatorFromString(row.takeText()).value_or(Estimator::OutputError);
-    grasp.parameters = takeParameters(row);
+    grasp.parameters = estimate_table::takeParameters(row);
     grasp.covariance = takeCovariance(row);
     grasp.simulationFitPercent = row.takeOptionalReal();
     return grasp;
@@ -88,12 +75,24 @@ Expected<std::vector<GraspRecord>> read(Statement& query)
 
 } // namespace
 
+QString typeJoins()
+{
+    return u"LEFT JOIN placements p ON g.type_id IS NOT NULL AND p.grasp_id = g.id AND p.version = "
+           u"(SELECT MAX(q.version) FROM placements q WHERE q.grasp_id = g.id) "
+           "LEFT JOIN type_states s ON s.type_id = COALESCE(p.type_id, g.type_id) AND s.version = "
+           "(SELECT MAX(w.version) FROM type_states w WHERE w.type_id = COALESCE(p.type_id, g.type_id)) "_s;
+}
+
 Expected<void> insert(Database& database, const RowStamp& stamp, const NewGrasp& grasp, qint64 version)
 {
+    const auto noted = [&grasp](const QString& key) {
+        return grasp.recording ? grasp.recording->provenance.value(key) : QString();
+    };
     Statement row(
         database, Words::tr("store the squeeze"),
         u"INSERT INTO grasps (id, station, recorded_utc, type_id, operator_name, source, force_unit, "
-        "position_unit, part, library_version) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+        "position_unit, part, library_version, device_name, device_serial, firmware) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bindOrNull(grasp.typeId);
     return row.bind(grasp.operatorName)
         .bind(grasp.source)
@@ -101,6 +100,9 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const NewGrasp&
         .bind(grasp.positionUnit)
         .bind(grasp.part)
         .bind(version)
+        .bind(noted(u"device"_s))
+        .bind(noted(u"serial"_s))
+        .bind(noted(u"firmware"_s))
         .run();
 }
 
@@ -141,7 +143,7 @@ Expected<std::vector<TypeSqueeze>> enrolled(Database& database)
         grasp.part = row.takeText();
         grasp.forceUnit = row.takeText();
         grasp.positionUnit = row.takeText();
-        grasp.parameters = takeParameters(row);
+        grasp.parameters = estimate_table::takeParameters(row);
         grasp.covariance = takeCovariance(row);
         if (auto squeeze = typeSqueeze(grasp))
             squeezes.push_back(std::move(*squeeze));

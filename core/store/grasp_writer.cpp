@@ -17,9 +17,8 @@ namespace {
 Expected<void> checkGrasp(Database& database, const NewGrasp& grasp)
 {
     for (const Estimate& estimate : grasp.estimates)
-        if ((estimate.parameters && !estimate.parameters->vector().allFinite()) ||
-            (estimate.covariance && !estimate.covariance->allFinite()))
-            return failure(ErrorCode::Usage, {Words::tr("An estimate holds a number that is not finite.")});
+        if (auto finite = requireFinite(estimate); !finite)
+            return finite;
     if (grasp.typeId.isEmpty())
         return {};
     if (grasp.estimates.empty())
@@ -31,6 +30,14 @@ Expected<void> checkGrasp(Database& database, const NewGrasp& grasp)
 }
 
 } // namespace
+
+Expected<void> requireFinite(const Estimate& estimate)
+{
+    if ((estimate.parameters && !estimate.parameters->vector().allFinite()) ||
+        (estimate.covariance && !estimate.covariance->allFinite()))
+        return failure(ErrorCode::Usage, {u"An estimate holds a number that is not finite."_s});
+    return {};
+}
 
 Expected<QString> storeGrasp(Database& database, const NewGrasp& grasp, qint64 version)
 {

@@ -11,6 +11,7 @@ namespace gripscope {
 /// Stores the squeeze with its recording, estimates and document; its key. `version`: of the library, for a
 /// squeeze of a type.
 [[nodiscard]] Expected<QString> storeGrasp(Database& database, const NewGrasp& grasp, qint64 version = 0);
+[[nodiscard]] Expected<void> requireFinite(const Estimate& estimate);
 [[nodiscard]] Expected<GraspRecord> requireGrasp(Database& database, const QString& id);
 
 } // namespace gripscope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/inspection_table.h"
 
+#include "core/store/estimate_table.h"
 #include "core/words.h"
 
 #include <QJsonArray>
@@ -48,14 +49,6 @@ std::optional<double> leadingPosterior(const Verdict& verdict)
     return it == verdict.posterior.end() ? std::nullopt : std::optional(*it);
 }
 
-QString joinReasons(const QString& json)
-{
-    QStringList sentences;
-    for (const QJsonValue sentence : QJsonDocument::fromJson(json.toUtf8()).array())
-        sentences.append(sentence.toString());
-    return sentences.join(u' ');
-}
-
 InspectionRecord takeInspection(Statement& row)
 {
     InspectionRecord inspection;
@@ -72,11 +65,7 @@ InspectionRecord takeInspection(Statement& row)
     inspection.posterior = row.takeOptionalReal();
     inspection.distance = row.takeOptionalReal();
     inspection.gate = row.takeOptionalReal();
-    const auto m = row.takeOptionalReal();
-    const auto b = row.takeOptionalReal();
-    const auto k = row.takeOptionalReal();
-    if (m && b && k)
-        inspection.parameters = MassDampingStiffness{*m, *b, *k};
+    inspection.parameters = estimate_table::takeParameters(row);
     inspection.forceUnit = row.takeText();
     inspection.positionUnit = row.takeText();
     inspection.seconds = row.takeReal();
@@ -92,37 +81,15 @@ Expected<std::vector<InspectionRecord>> read(Statement& query)
     return inspections;
 }
 
-/// The part of a SELECT that finds the rows of a filter: it joins the squeezes only when their text is asked
-/// for.
-QString matching(const HistoryFilter& filter)
-{
-    const bool byText = !filter.text.isEmpty();
-    QString sql = u"FROM inspections p "_s;
-    if (byText)
-        sql += u"JOIN grasps q ON q.id = p.grasp_id "_s;
-    QStringList conditions;
-    if (filter.verdict)
-        conditions += u"p.verdict = ?"_s;
-    if (byText)
-        conditions += u"(LOWER(p.type_name) LIKE LOWER(?) ESCAPE '!' OR LOWER(p.operator_name) LIKE LOWER(?) "
-                      u"ESCAPE '!' "
-                      "OR LOWER(q.source) LIKE LOWER(?) ESCAPE '!')"_s;
-    return conditions.isEmpty() ? sql : sql + u"WHERE "_s + conditions.join(u" AND "_s) + u' ';
-}
-
-void bindFilter(Statement& query, const HistoryFilter& filter)
-{
-    if (filter.verdict)
-        query.bind(toString(*filter.verdict));
-    if (filter.text.isEmpty())
-        return;
-    QString text = filter.text;
-    text.replace(u'!', "!!"_L1).replace(u'%', "!%"_L1).replace(u'_', "!_"_L1);
-    for (int i = 0; i < 3; ++i)
-        query.bind(u'%' + text + u'%');
-}
-
 } // namespace
+
+QString joinReasons(const QString& json)
+{
+    QStringList sentences;
+    for (const QJsonValue sentence : QJsonDocument::fromJson(json.toUtf8()).array())
+        sentences.append(sentence.toString());
+    return sentences.join(u' ');
+}
 
 Expected<void> insert(Database& database, const RowStamp& stamp, const QString& graspId,
                       const NewInspection& inspection)
@@ -157,21 +124,9 @@ Expected<std::vector<InspectionRecord>> page(Database& database, const HistoryFi
     // The page is picked by number first and joined afterwards, so that a far page does not join all before
     // it.
     Statement query(database, doing(),
-                    select + u"WHERE i.number IN (SELECT p.number "_s + matching(filter) +
-                        u"ORDER BY p.number DESC LIMIT ? OFFSET ?) ORDER BY i.number DESC"_s);
-    bindFilter(query, filter);
+                    select + u"WHERE i.number IN (SELECT p.number FROM inspections p "
+                             "ORDER BY p.number DESC LIMIT ? OFFSET ?) ORDER BY i.number DESC"_s);
     return read(query.bind(std::max(0, filter.limit)).bind(std::max(0, filter.offset)));
-}
-
-Expected<qint64> count(Database& database, const HistoryFilter& filter)
-{
-    qint64 total = 0;
-    Statement query(database, doing(), u"SELECT COUNT(*) "_s + matching(filter));
-    bindFilter(query, filter);
-    auto done = query.forEach([&](Statement& row) { total = row.takeInteger(); });
-    if (!done)
-        return tl::unexpected(done.error());
-    return total;
 }
 
 Expected<InspectionCounts> counts(Database& database)

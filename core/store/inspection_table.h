@@ -6,13 +6,14 @@
 
 namespace gripscope::inspection_table {
 
+/// The sentences of a stored list, as one text.
+[[nodiscard]] QString joinReasons(const QString& json);
 /// Numbers the inspection: one more than the highest so far. Inside a write transaction, so that two never
 /// meet.
 [[nodiscard]] Expected<void> insert(Database& database, const RowStamp& stamp, const QString& graspId,
                                     const NewInspection& inspection);
 [[nodiscard]] Expected<std::optional<InspectionRecord>> find(Database& database, const QString& id);
 [[nodiscard]] Expected<std::vector<InspectionRecord>> page(Database& database, const HistoryFilter& filter);
-[[nodiscard]] Expected<qint64> count(Database& database, const HistoryFilter& filter);
 [[nodiscard]] Expected<InspectionCounts> counts(Database& database);
 
 } // namespace gripscope::inspection_table

@@ -171,11 +171,6 @@ Expected<std::vector<InspectionRecord>> Library::inspections(const HistoryFilter
     return inspection_table::page(*d->database, filter);
 }
 
-Expected<qint64> Library::countInspections(const HistoryFilter& filter) const
-{
-    return inspection_table::count(*d->database, filter);
-}
-
 Expected<InspectionCounts> Library::inspectionCounts() const
 {
     return inspection_table::counts(*d->database);

@@ -20,6 +20,14 @@
 namespace gripscope {
 
 struct SensorCalibration;
+class HistoryKeys;
+struct HistoryQuery;
+struct HistoryEntry;
+struct HistoryCounts;
+struct HistoryPoints;
+struct HistoryChoices;
+struct SqueezeDetails;
+struct Reidentification;
 struct CalibrationRecord;
 struct CalibrationsInForce;
 struct EnrollmentDraft;
@@ -96,8 +104,6 @@ struct InspectionRecord {
 };
 
 struct HistoryFilter {
-    QString text; ///< type, operator or source contains
-    std::optional<VerdictKind> verdict;
     int limit = 200;
     int offset = 0;
 };
@@ -217,8 +223,23 @@ public:
     [[nodiscard]] Expected<InspectionRecord> addInspection(const NewInspection& inspection);
     [[nodiscard]] Expected<std::vector<InspectionRecord>>
     inspections(const HistoryFilter& filter) const; ///< newest first
-    [[nodiscard]] Expected<qint64> countInspections(const HistoryFilter& filter) const;
     [[nodiscard]] Expected<InspectionCounts> inspectionCounts() const;
+
+    // History: every squeeze, inspected or enrolled (core/store/history.h)
+    /// The keys of all that a query finds, in its order: pages of it are read with historyEntries().
+    [[nodiscard]] Expected<HistoryKeys> historyKeys(const HistoryQuery& query) const;
+    /// At most 1000 at once, in that order; those that are not there are left out.
+    [[nodiscard]] Expected<std::vector<HistoryEntry>>
+    historyEntries(const std::vector<QString>& graspIds) const;
+    [[nodiscard]] Expected<HistoryCounts> historyCounts(const HistoryQuery& query) const;
+    [[nodiscard]] Expected<HistoryPoints> historyPoints(const HistoryQuery& query) const;
+    [[nodiscard]] Expected<HistoryChoices> historyChoices() const;
+    /// NotFound.
+    [[nodiscard]] Expected<SqueezeDetails> squeezeDetails(const QString& graspId) const;
+    /// One more estimate of a stored squeeze, kept beside those that are there: neither the estimate that
+    /// stands for the squeeze nor a verdict changes. NotFound. Usage: a number that is not finite.
+    [[nodiscard]] Expected<void> addReidentification(const QString& graspId, const Estimate& estimate,
+                                                     const Reidentification& how);
 
     // Grippers
     /// What is known of a gripper from now on. Usage: no serial number, or a number that is not finite.

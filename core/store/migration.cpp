@@ -96,6 +96,7 @@ const std::vector<Migration>& migrations()
         {5, u"calibrations of sensors"_s, statementsOf(QString::fromUtf8(migrationScript5))},
         {6, u"pictures of parts, and enrolments under way"_s, statementsOf(QString::fromUtf8(migrationScript6))},
         {7, u"checks on a reference object"_s, statementsOf(QString::fromUtf8(migrationScript7))},
+        {8, u"what the history shows of squeezes"_s, statementsOf(QString::fromUtf8(migrationScript8))},
     };
     return steps;
 }

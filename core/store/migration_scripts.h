@@ -12,5 +12,6 @@ extern const char* const migrationScript4;
 extern const char* const migrationScript5;
 extern const char* const migrationScript6;
 extern const char* const migrationScript7;
+extern const char* const migrationScript8;
 
 } // namespace gripscope

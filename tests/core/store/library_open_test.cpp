@@ -154,6 +154,8 @@ private slots:
                  u"f07cec2ca6f45dcb71f40d83f40432f15a1dbcc3245a9f1ce7e62eed29a6aa13"_s);
         QCOMPARE(migrations()[6].checksum(),
                  u"f7842ddc6ff44aaf6c12793077c3dd46143fa76204f9f993dba6a89c7f6c566c"_s);
+        QCOMPARE(migrations()[7].checksum(),
+                 u"517bb996476637705568edfda69712aa9be39162f767cf970caa259e29f09eac"_s);
     }
     void furtherStepsAreAppliedInOrderAndOnce()
     {

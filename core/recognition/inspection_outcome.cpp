@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/inspect_session.h"
+#include "core/recognition/inspection_outcome.h"
 
 namespace gripscope {
 

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/words.h"
+#include "core/store/history_view.h"
+
+#include "core/signal/units.h"
+#include "core/store/estimate_table.h"
+#include "core/store/history_selection.h"
+#include "core/store/inspection_table.h"
+
+#include <QHash>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope::history_view {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString doing()
+{
+    return Words::tr("read the history");
+}
+
+/// One row of `entryColumns`.
+HistoryEntry takeEntry(Statement& row)
+{
+    HistoryEntry entry;
+    entry.graspId = row.takeText();
+    entry.kind = row.takeInteger() != 0 ? SqueezeKind::Enrollment : SqueezeKind::Inspection;
+    entry.time = row.takeUtc();
+    entry.number = row.takeInteger();
+    entry.expectedType = row.takeText();
+    entry.verdict = verdictKindFromString(row.takeText());
+    entry.type = row.takeText();
+    entry.nearest = row.takeText();
+    entry.reason = inspection_table::joinReasons(row.takeText());
+    entry.posterior = row.takeOptionalReal();
+    entry.distance = row.takeOptionalReal();
+    entry.gate = row.takeOptionalReal();
+    entry.seconds = row.takeOptionalReal();
+    entry.falseReject = row.takeOptionalReal();
+    entry.wrongType = row.takeOptionalReal();
+    entry.estimator = row.takeText();
+    entry.program = row.takeText();
+    entry.parameters = estimate_table::takeParameters(row);
+    entry.standardErrors = estimate_table::takeStandardErrors(row);
+    entry.simulationFitPercent = row.takeOptionalReal();
+    entry.forceUnit = row.takeText();
+    entry.positionUnit = row.takeText();
+    entry.operatorName = row.takeText();
+    entry.device = row.takeText();
+    entry.serial = row.takeText();
+    entry.firmware = row.takeText();
+    entry.source = row.takeText();
+    entry.part = row.takeText();
+    entry.accepted = row.takeInteger() != 0;
+    return entry;
+}
+
+QString entryColumns()
+{
+    return u"SELECT g.id, CASE WHEN g.type_id IS NULL THEN 0 ELSE 1 END, g.recorded_utc, "
+           "COALESCE(i.number, 0), "
+           "COALESCE(i.expected_type, ''), COALESCE(i.verdict, ''), %1, COALESCE(i.nearest, ''), "
+           "COALESCE(i.reasons, '[]'), i.posterior, i.distance, i.gate, i.seconds, "
+           "i.false_reject, i.wrong_type, "
+           "COALESCE(e.estimator, ''), COALESCE(e.program, ''), e.m, e.b, e.k, e.var_m, e.var_b, e.var_k, "
+           "e.simulation_fit_percent, g.force_unit, g.position_unit, g.operator_name, g.device_name, "
+           "g.device_serial, g.firmware, g.source, g.part, COALESCE(p.accepted, 1) "_s.arg(historyTypeSql());
+}
+
+HistoryPoint takePoint(Statement& row, HistoryPoints& points, QHash<QString, int>& types)
+{
+    HistoryPoint point;
+    points.keys.append(row.takeText());
+    point.time_ms = row.takeUtc().toMSecsSinceEpoch();
+    const QString verdict = row.takeText();
+    const QString expected = row.takeText();
+    const QString type = row.takeText();
+    if (const auto kind = verdictKindFromString(verdict))
+        point.outcome = inspectionOutcome(*kind, type, expected);
+    if (!type.isEmpty()) {
+        if (!types.contains(type)) {
+            types.insert(type, int(points.types.size()));
+            points.types.append(type);
+        }
+        point.type = types.value(type);
+    }
+    point.parameters = {row.takeReal(), row.takeReal(), 0};
+    point.parameters.k = row.takeReal();
+    const auto root = [&row] { return std::sqrt(std::max(0.0, row.takeOptionalReal().value_or(0))); };
+    point.standardErrors.m = root();
+    point.standardErrors.b = root();
+    point.standardErrors.k = root();
+    const QString force = row.takeText();
+    const std::optional<double> factor = siFactor(force, row.takeText());
+    points.si = points.si && factor.has_value();
+    const double scale = factor.value_or(1);
+    for (double MassDampingStiffness::*member :
+         {&MassDampingStiffness::m, &MassDampingStiffness::b, &MassDampingStiffness::k}) {
+        point.parameters.*member *= scale;
+        point.standardErrors.*member *= scale;
+    }
+    return point;
+}
+
+Expected<QStringList> column(Database& database, const QString& sql)
+{
+    QStringList values;
+    Statement query(database, doing(), sql);
+    auto done = query.forEach([&](Statement& row) {
+        if (const QString value = row.takeText(); !value.isEmpty())
+            values << value;
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    values.sort(Qt::CaseInsensitive);
+    return values;
+}
+
+} // namespace
+
+Expected<HistoryKeys> keys(Database& database, const HistoryQuery& query)
+{
+    HistoryKeys keys;
+    const HistorySelection selection(query);
+    Statement statement(database, doing(), u"SELECT g.id "_s + selection.fromWhere() + selection.orderBy());
+    selection.bind(statement);
+    auto done = statement.forEach([&](Statement& row) { keys.append(row.takeText()); });
+    if (!done)
+        return tl::unexpected(done.error());
+    return keys;
+}
+
+Expected<std::vector<HistoryEntry>> entries(Database& database, const std::vector<QString>& graspIds)
+{
+    if (graspIds.empty())
+        return std::vector<HistoryEntry>{};
+    QStringList marks;
+    QHash<QString, std::size_t> places;
+    for (const QString& id : graspIds) {
+        places.insert(id, places.size());
+        marks << u"?"_s;
+    }
+    Statement statement(database, doing(),
+                        entryColumns() + historyJoins(true, true, true) +
+                            u"WHERE g.id IN (%1)"_s.arg(marks.join(u',')));
+    for (const QString& id : graspIds)
+        statement.bind(id);
+    std::vector<std::optional<HistoryEntry>> found(graspIds.size());
+    auto done = statement.forEach([&](Statement& row) {
+        HistoryEntry entry = takeEntry(row);
+        found[places.value(entry.graspId)] = std::move(entry);
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    std::vector<HistoryEntry> entries;
+    for (std::optional<HistoryEntry>& entry : found)
+        if (entry)
+            entries.push_back(std::move(*entry));
+    return entries;
+}
+
+Expected<HistoryCounts> counts(Database& database, const HistoryQuery& query)
+{
+    HistoryCounts counts;
+    HistoryQuery unordered = query;
+    unordered.order = HistoryOrder::Time;
+    const HistorySelection selection(unordered, HistorySelection::Inspections);
+    Statement statement(database, doing(),
+                        u"SELECT CASE WHEN g.type_id IS NULL THEN 0 ELSE 1 END, i.verdict, i.expected_type, "
+                        "i.type_name, COUNT(*) "_s +
+                            selection.fromWhere() + u"GROUP BY 1, 2, 3, 4"_s);
+    selection.bind(statement);
+    auto done = statement.forEach([&](Statement& row) {
+        const bool enrolled = row.takeInteger() != 0;
+        const auto verdict = verdictKindFromString(row.takeText());
+        const QString expected = row.takeText();
+        const QString type = row.takeText();
+        const qint64 count = row.takeInteger();
+        (enrolled ? counts.enrolled : counts.inspections) += count;
+        if (!verdict)
+            return;
+        switch (inspectionOutcome(*verdict, type, expected)) {
+        case InspectionOutcome::AsExpected:
+            counts.asExpected += count;
+            break;
+        case InspectionOutcome::OtherType:
+            counts.otherType += count;
+            break;
+        case InspectionOutcome::Unknown:
+            counts.unknown += count;
+            break;
+        case InspectionOutcome::Inconclusive:
+            counts.inconclusive += count;
+            break;
+        case InspectionOutcome::NotValid:
+            counts.notValid += count;
+            break;
+        }
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return counts;
+}
+
+Expected<HistoryPoints> points(Database& database, HistoryQuery query)
+{
+    query.order = HistoryOrder::Time;
+    query.descending = false;
+    HistoryPoints points;
+    QHash<QString, int> types;
+    const HistorySelection selection(query, HistorySelection::Inspections | HistorySelection::Types |
+                                                HistorySelection::Estimates);
+    const QString where = selection.fromWhere();
+    Statement statement(
+        database, doing(),
+        u"SELECT g.id, g.recorded_utc, COALESCE(i.verdict, ''), COALESCE(i.expected_type, ''), %1, e.m, e.b, "
+        "e.k, e.var_m, e.var_b, e.var_k, g.force_unit, g.position_unit %2 %3 e.m IS NOT NULL "_s.arg(
+            historyTypeSql(), where, where.contains("WHERE"_L1) ? u"AND"_s : u"WHERE"_s) +
+            selection.orderBy());
+    selection.bind(statement);
+    auto done = statement.forEach(
+        [&](Statement& row) { points.points.push_back(takePoint(row, points, types)); });
+    if (!done)
+        return tl::unexpected(done.error());
+    return points;
+}
+
+Expected<HistoryChoices> choices(Database& database)
+{
+    HistoryChoices choices;
+    const std::pair<QString, QStringList HistoryChoices::*> lists[] = {
+        {u"SELECT DISTINCT type_name FROM inspections UNION SELECT name FROM type_states WHERE status <> 'gone'"_s,
+         &HistoryChoices::types},
+        {u"SELECT DISTINCT expected_type FROM inspections"_s, &HistoryChoices::expected},
+        {u"SELECT DISTINCT operator_name FROM grasps"_s, &HistoryChoices::operators},
+        {u"SELECT DISTINCT %1 FROM grasps g"_s.arg(historyDeviceSql()), &HistoryChoices::devices}};
+    for (const auto& [sql, list] : lists) {
+        auto values = column(database, sql);
+        if (!values)
+            return tl::unexpected(values.error());
+        choices.*list = std::move(*values);
+    }
+    return choices;
+}
+
+} // namespace gripscope::history_view
