@@ -21,6 +21,8 @@ const std::vector<Command>& commands()
         {u"enroll"_qs, u"adds recordings to a type of a library"_qs, runEnroll},
         {u"classify"_qs, u"says which enrolled type each recording shows"_qs, runClassify},
         {u"types"_qs, u"renames, merges, splits, retires and rolls back enrolled types"_qs, runTypes},
+        {u"history"_qs, u"lists the squeezes of a library, inspected or enrolled, as a table, CSV or JSON"_qs,
+         runHistory},
         {u"drift"_qs, u"says whether inspected parts have moved since the enrolment, and what moved"_qs,
          runDrift},
         {u"transfer"_qs, u"compares two grippers by squeezes of the same types"_qs, runTransfer},

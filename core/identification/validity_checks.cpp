@@ -411,10 +411,12 @@ QString referenceDoubt(const Recording& recording)
     if (!fact || fact->status == CheckStatus::Passed)
         return {};
     if (fact->status == CheckStatus::Failed)
-        return Words::tr("the gripper failed its check on the reference object (%1). Find out why and check it "
-                         "again, then squeeze again.")
+        return Words::tr(
+                   "the gripper failed its check on the reference object (%1). Find out why and check it "
+                   "again, then squeeze again.")
             .arg(fact->words);
-    return Words::tr("the check of the gripper on its reference object was due (%1). Check it, then squeeze again.")
+    return Words::tr(
+               "the check of the gripper on its reference object was due (%1). Check it, then squeeze again.")
         .arg(fact->words);
 }
 
@@ -431,16 +433,20 @@ ValidityCheck calibration(const Recording& recording)
         check.value = static_cast<double>(first->daysLeft);
         check.limit = 0;
         if (first->daysLeft < 0)
-            doubts << Words::tr("the calibration of the %1 was overdue by %2 days. Calibrate it, then squeeze again.")
-                          .arg(first->channel == SensorChannel::Force ? Words::tr("force") : Words::tr("position"))
-                          .arg(-first->daysLeft);
+            doubts
+                << Words::tr(
+                       "the calibration of the %1 was overdue by %2 days. Calibrate it, then squeeze again.")
+                       .arg(first->channel == SensorChannel::Force ? Words::tr("force")
+                                                                   : Words::tr("position"))
+                       .arg(-first->daysLeft);
     }
     if (const QString doubt = referenceDoubt(recording); !doubt.isEmpty())
         doubts << doubt;
     check.ok = doubts.isEmpty();
-    check.message = !check.ok              ? doubts.join(u' ')
-                    : first != facts.end() ? Words::tr("the calibrations held on that day")
-                                           : Words::tr("not judged: the channels carry the device's own calibration");
+    check.message = !check.ok ? doubts.join(u' ')
+                    : first != facts.end()
+                        ? Words::tr("the calibrations held on that day")
+                        : Words::tr("not judged: the channels carry the device's own calibration");
     return check;
 }
 

@@ -50,11 +50,12 @@ void LagSession::conclude()
 Expected<void> LagSession::accept()
 {
     if (state() != State::Measured || m_result.status != LagStatus::Measured)
-        return failure(ErrorCode::Usage, {Words::tr("There is no lag that was measured well enough to be used.")});
+        return failure(ErrorCode::Usage,
+                       {Words::tr("There is no lag that was measured well enough to be used.")});
     MeasuringChain chain = connection().measuringChain();
     chain.forceLagUncertainty_s = m_result.standardError_s;
-    return storeChain(
-        {serial(), m_result.lag_s, chain, operatorName(), Words::tr("lag from %1 squeezes").arg(m_result.squeezes)});
+    return storeChain({serial(), m_result.lag_s, chain, operatorName(),
+                       Words::tr("lag from %1 squeezes").arg(m_result.squeezes)});
 }
 
 LagEstimate estimateLag(const Recording& recording)

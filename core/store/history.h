@@ -51,7 +51,7 @@ struct HistoryQuery {
     QString type = {};     ///< named, or enrolled in
     QString expected = {}; ///< an inspection's
     QString operatorName = {};
-    QString device = {};         ///< as HistoryChoices has them
+    QString device = {};          ///< as HistoryChoices has them
     QDateTime from = {}, to = {}; ///< from the first on, before the second
     HistoryOrder order = HistoryOrder::Time;
     bool descending = true; ///< rows without what is ordered by come last either way
@@ -96,9 +96,11 @@ struct HistoryPoint {
 /// Those of a query that have m, b and k, in order of time whatever the order asked for.
 struct HistoryPoints {
     std::vector<HistoryPoint> points;
-    HistoryKeys keys; ///< of the squeezes, in the same order
-    QStringList types; ///< by name
-    bool si = true;   ///< whether all are in SI; else as they were stored
+    HistoryKeys keys;                         ///< of the squeezes, in the same order
+    QStringList types;                        ///< by name
+    bool si = true;                           ///< whether all are in SI; else as they were stored
+    QMap<QString, qint64> operators, serials; ///< squeezes of each, those without m, b and k too
+    QMap<QString, QString> devices;           ///< the name of the gripper with a serial number
 };
 
 /// How many squeezes came out how.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/words.h"
 #include "core/store/history_view.h"
 
 #include "core/signal/units.h"
 #include "core/store/estimate_table.h"
 #include "core/store/history_selection.h"
 #include "core/store/inspection_table.h"
+#include "core/words.h"
 
 #include <QHash>
 
@@ -71,16 +71,26 @@ QString entryColumns()
            "g.device_serial, g.firmware, g.source, g.part, COALESCE(p.accepted, 1) "_s.arg(historyTypeSql());
 }
 
-HistoryPoint takePoint(Statement& row, HistoryPoints& points, QHash<QString, int>& types)
+/// One row of those that points() asks for; a squeeze without m, b and k is counted only.
+void takePoint(Statement& row, HistoryPoints& points, QHash<QString, int>& types)
 {
     HistoryPoint point;
-    points.keys.append(row.takeText());
+    const QString id = row.takeText();
     point.time_ms = row.takeUtc().toMSecsSinceEpoch();
+    ++points.operators[row.takeText()];
+    const QString device = row.takeText();
+    const QString serial = row.takeText();
+    ++points.serials[serial];
+    points.devices[serial] = device;
     const QString verdict = row.takeText();
     const QString expected = row.takeText();
     const QString type = row.takeText();
     if (const auto kind = verdictKindFromString(verdict))
         point.outcome = inspectionOutcome(*kind, type, expected);
+    const auto parameters = estimate_table::takeParameters(row);
+    if (!parameters)
+        return;
+    point.parameters = *parameters;
     if (!type.isEmpty()) {
         if (!types.contains(type)) {
             types.insert(type, int(points.types.size()));
@@ -88,12 +98,8 @@ HistoryPoint takePoint(Statement& row, HistoryPoints& points, QHash<QString, int
         }
         point.type = types.value(type);
     }
-    point.parameters = {row.takeReal(), row.takeReal(), 0};
-    point.parameters.k = row.takeReal();
-    const auto root = [&row] { return std::sqrt(std::max(0.0, row.takeOptionalReal().value_or(0))); };
-    point.standardErrors.m = root();
-    point.standardErrors.b = root();
-    point.standardErrors.k = root();
+    if (const auto errors = estimate_table::takeStandardErrors(row))
+        point.standardErrors = {(*errors)(0), (*errors)(1), (*errors)(2)};
     const QString force = row.takeText();
     const std::optional<double> factor = siFactor(force, row.takeText());
     points.si = points.si && factor.has_value();
@@ -103,7 +109,18 @@ HistoryPoint takePoint(Statement& row, HistoryPoints& points, QHash<QString, int
         point.parameters.*member *= scale;
         point.standardErrors.*member *= scale;
     }
-    return point;
+    points.keys.append(id);
+    points.points.push_back(point);
+}
+
+void sortTypes(HistoryPoints& points)
+{
+    QStringList sorted = points.types;
+    sorted.sort(Qt::CaseInsensitive);
+    for (HistoryPoint& point : points.points)
+        if (point.type >= 0)
+            point.type = int(sorted.indexOf(points.types[point.type]));
+    points.types = sorted;
 }
 
 Expected<QStringList> column(Database& database, const QString& sql)
@@ -214,18 +231,17 @@ Expected<HistoryPoints> points(Database& database, HistoryQuery query)
     QHash<QString, int> types;
     const HistorySelection selection(query, HistorySelection::Inspections | HistorySelection::Types |
                                                 HistorySelection::Estimates);
-    const QString where = selection.fromWhere();
     Statement statement(
         database, doing(),
-        u"SELECT g.id, g.recorded_utc, COALESCE(i.verdict, ''), COALESCE(i.expected_type, ''), %1, e.m, e.b, "
-        "e.k, e.var_m, e.var_b, e.var_k, g.force_unit, g.position_unit %2 %3 e.m IS NOT NULL "_s.arg(
-            historyTypeSql(), where, where.contains("WHERE"_L1) ? u"AND"_s : u"WHERE"_s) +
-            selection.orderBy());
+        u"SELECT g.id, g.recorded_utc, g.operator_name, g.device_name, g.device_serial, "
+        "COALESCE(i.verdict, ''), COALESCE(i.expected_type, ''), %1, e.m, e.b, e.k, e.var_m, e.var_b, "
+        "e.var_k, g.force_unit, g.position_unit "_s.arg(historyTypeSql()) +
+            selection.fromWhere() + selection.orderBy());
     selection.bind(statement);
-    auto done = statement.forEach(
-        [&](Statement& row) { points.points.push_back(takePoint(row, points, types)); });
+    auto done = statement.forEach([&](Statement& row) { takePoint(row, points, types); });
     if (!done)
         return tl::unexpected(done.error());
+    sortTypes(points);
     return points;
 }
 

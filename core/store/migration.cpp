@@ -94,7 +94,8 @@ const std::vector<Migration>& migrations()
         {3, u"the noise of a gripper's force channel"_s, statementsOf(QString::fromUtf8(migrationScript3))},
         {4, u"versions of the library, and parts"_s, statementsOf(QString::fromUtf8(migrationScript4))},
         {5, u"calibrations of sensors"_s, statementsOf(QString::fromUtf8(migrationScript5))},
-        {6, u"pictures of parts, and enrolments under way"_s, statementsOf(QString::fromUtf8(migrationScript6))},
+        {6, u"pictures of parts, and enrolments under way"_s,
+         statementsOf(QString::fromUtf8(migrationScript6))},
         {7, u"checks on a reference object"_s, statementsOf(QString::fromUtf8(migrationScript7))},
         {8, u"what the history shows of squeezes"_s, statementsOf(QString::fromUtf8(migrationScript8))},
     };

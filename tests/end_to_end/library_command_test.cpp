@@ -110,6 +110,27 @@ private slots:
         QCOMPARE(work.cli({u"drift"_s, u"--library"_s, u"none.db"_s}).exit, 5);
         QCOMPARE(work.cli(ask + QStringList{u"--weight"_s, u"2"_s}).exit, 2);
     }
+    void theHistoryIsListedFilteredAndExported()
+    {
+        Workplace work;
+        work.write(u"t.csv"_s, tableOf(1, 1));
+        QCOMPARE(enroll(work, u"t.db"_s, u"t.csv"_s).exit, 0);
+        inspect(work.path(u"t.db"_s), 1.1);
+        const QStringList ask{u"history"_s, u"--library"_s, u"t.db"_s};
+        const QJsonObject all = work.cli(ask + QStringList{u"--json"_s}).json();
+        const qsizetype squeezes = all[u"squeezes"].toArray().size();
+        QVERIFY(squeezes > 40);
+        QCOMPARE(all[u"count"].toInt(), int(squeezes));
+        const QStringList inspected = ask + QStringList{u"--kind"_s, u"inspection"_s};
+        const QJsonObject some = work.cli(inspected + QStringList{u"--json"_s}).json();
+        QCOMPARE(some[u"squeezes"].toArray().size(), 40);
+        QCOMPARE(some[u"filter"][u"kind"].toString(), u"inspection"_s);
+        QCOMPARE(work.cli(inspected + QStringList{u"--csv"_s}).out.count('\n'), 41);
+        QCOMPARE(work.cli(inspected).out.count('\n'), 41);
+        QCOMPARE(work.cli(inspected + QStringList{u"--csv"_s, u"--json"_s}).exit, 2);
+        QCOMPARE(work.cli(ask + QStringList{u"--from"_s, u"yesterday"_s}).exit, 2);
+        QCOMPARE(work.cli({u"history"_s, u"--library"_s, u"none.db"_s}).exit, 5);
+    }
     void transferIsMeasuredAndAdjusted()
     {
         const Workplace work;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/history_document.h"
 #include "tests/support/test_registry.h"
-#include "ui/models/history_csv.h"
 #include "ui/models/history_delegate.h"
 #include "ui/models/history_model.h"
 
@@ -9,33 +9,46 @@
 #include <QTest>
 
 using namespace gripscope;
+using namespace Qt::StringLiterals;
 using Column = HistoryModel::Column;
 
 namespace {
 
-InspectionRecord inspection(qint64 number)
+HistoryEntry inspection(qint64 number)
 {
-    InspectionRecord record;
-    record.number = number;
-    record.inspected = QDateTime(QDate(2020, 3, 1), QTime(12, 0), Qt::UTC).addSecs(number);
-    record.expectedType = QStringLiteral("A");
-    record.verdict = VerdictKind::Type;
-    record.type = number % 2 ? QStringLiteral("A") : QStringLiteral("B");
-    record.posterior = 0.9998;
-    record.parameters = MassDampingStiffness{0.0396, 43, 9990};
-    record.forceUnit = QStringLiteral("N");
-    record.positionUnit = QStringLiteral("m");
-    record.seconds = 1;
-    record.operatorName = QStringLiteral("Mai");
-    return record;
+    HistoryEntry entry;
+    entry.graspId = u"g%1"_s.arg(number);
+    entry.number = number;
+    entry.time = QDateTime(QDate(2020, 3, 1), QTime(12, 0), Qt::UTC).addSecs(number);
+    entry.expectedType = u"A"_s;
+    entry.verdict = VerdictKind::Type;
+    entry.type = number % 2 ? u"A"_s : u"B"_s;
+    entry.posterior = 0.9998;
+    entry.parameters = MassDampingStiffness{0.0396, 43, 9990};
+    entry.standardErrors = Eigen::Vector3d(1e-4, 0.1, 10);
+    entry.forceUnit = u"N"_s;
+    entry.positionUnit = u"m"_s;
+    entry.seconds = 1;
+    entry.operatorName = u"Mai"_s;
+    entry.estimator = u"oe"_s;
+    return entry;
 }
 
-std::vector<InspectionRecord> page(qint64 newest, int count)
+/// The keys of inspections `newest`, ..., 1.
+HistoryKeys keysDownFrom(qint64 newest)
 {
-    std::vector<InspectionRecord> records;
+    HistoryKeys keys;
+    for (qint64 number = newest; number > 0; --number)
+        keys.append(u"g%1"_s.arg(number));
+    return keys;
+}
+
+std::vector<HistoryEntry> page(qint64 newest, int count)
+{
+    std::vector<HistoryEntry> entries;
     for (int i = 0; i < count; ++i)
-        records.push_back(inspection(newest - i));
-    return records;
+        entries.push_back(inspection(newest - i));
+    return entries;
 }
 
 } // namespace
@@ -43,79 +56,101 @@ std::vector<InspectionRecord> page(qint64 newest, int count)
 class HistoryModelTest : public QObject {
     Q_OBJECT
 private slots:
-    void keepsTheRulesOfAModelWhileItGrows()
+    void keepsTheRulesOfAModelWhilePagesComeAndGo()
     {
         HistoryModel model;
         const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-        model.restart(5, page(5, 3));
-        model.append(3, page(2, 2));
-        QCOMPARE(model.rowCount(), 5);
-        model.restart(0, {});
+        model.restart(keysDownFrom(500), page(500, 200));
+        QCOMPARE(model.rowCount(), 500);
+        model.setPage(1, page(300, 200));
+        model.setPage(9, page(300, 200)); // of an older, longer list
+        QCOMPARE(model.rowCount(), 500);
+        model.restart({}, {});
         QCOMPARE(model.rowCount(), 0);
     }
-    void asksForThePagesItLacksOneAtATime()
+    void asksForThePageThatIsLookedAtOnce()
     {
         HistoryModel model;
         QSignalSpy asked(&model, &HistoryModel::pageAsked);
-        model.restart(450, page(450, 200));
-        QVERIFY(model.canFetchMore({}));
-        model.fetchMore({});
-        model.fetchMore({}); // the first answer is still on its way
+        model.restart(keysDownFrom(100'000), page(100'000, 200));
+        QVERIFY(model.index(199, 0).data().isValid());
+        QCOMPARE(asked.size(), 0);
+        QVERIFY(!model.index(99'999, 0).data().isValid()); // the end, at once
+        QVERIFY(!model.index(99'900, 3).data().isValid());
         QCOMPARE(asked.size(), 1);
-        QCOMPARE(asked.first().first().toInt(), 200);
-        model.append(200, page(250, 200));
-        model.fetchMore({});
-        QCOMPARE(asked.last().first().toInt(), 400);
-        model.append(400, page(50, 50));
-        QVERIFY(!model.canFetchMore({}));
+        QCOMPARE(asked[0][0].toInt(), 499);
+        QCOMPARE(model.pageKeys(499).size(), std::size_t(200));
+        QCOMPARE(model.pageKeys(499).back(), u"g1"_s);
+        model.setPage(499, page(200, 200));
+        QCOMPARE(model.index(99'999, int(Column::Number)).data().toLongLong(), 1);
+        model.index(50'000, 0).data();
+        model.forgetRequest(250);
+        model.index(50'000, 0).data();
+        QCOMPARE(asked.size(), 3);
     }
-    void aPageForAnOlderListIsIgnored()
+    void holdsFewPagesHoweverFarItIsScrolled()
     {
         HistoryModel model;
-        model.restart(8, page(8, 4));
-        model.append(0, page(8, 4));
-        QCOMPARE(model.rowCount(), 4);
+        model.restart(keysDownFrom(100'000), page(100'000, 200));
+        for (int i = 1; i < 500; ++i) {
+            model.index(0, 0).data(); // the first page stays in use
+            model.setPage(i, page(100'000 - 200 * i, 200));
+            QVERIFY(model.pagesHeld() <= HistoryModel::pagesKept);
+        }
+        QVERIFY(model.entry(0));
+        QVERIFY(model.entry(99'999));
+        QVERIFY(!model.entry(50'000));
     }
-    void anEmptyPageEndsTheList()
+    void findsARowByItsKey()
     {
         HistoryModel model;
-        model.restart(10, page(10, 4));
-        model.append(4, {});
-        QVERIFY(!model.canFetchMore({}));
-        QCOMPARE(model.total(), 4);
+        model.restart(keysDownFrom(1000), {});
+        QCOMPARE(model.rowOf(u"g1000"_s), 0);
+        QCOMPARE(model.rowOf(u"g1"_s), 999);
+        QCOMPARE(model.rowOf(u"g0"_s), -1);
+        QCOMPARE(model.key(998), u"g2"_s);
+    }
+    void sortingIsForTheLibrary()
+    {
+        HistoryModel model;
+        QSignalSpy asked(&model, &HistoryModel::sortAsked);
+        model.sort(int(Column::Stiffness), Qt::AscendingOrder);
+        QCOMPARE(asked.size(), 1);
+        QVERIFY(HistoryModel::order(asked[0][0].value<Column>()) == HistoryOrder::Stiffness);
     }
     void holdsRawValuesAndWordsThemInTheDelegate()
     {
         HistoryModel model;
-        model.restart(2, page(2, 2));
+        model.restart(keysDownFrom(3), page(3, 2));
         const auto cell = [&](int row, Column column) { return model.index(row, int(column)); };
         QCOMPARE(cell(0, Column::Mass).data(HistoryModel::SortRole).toDouble(), 0.0396);
-        QCOMPARE(HistoryDelegate::text(cell(0, Column::Mass)),
-                 QStringLiteral("39.6") + QChar::Nbsp + QStringLiteral("g"));
-        QCOMPARE(cell(0, Column::Outcome).data(Qt::EditRole).toInt(), int(InspectionOutcome::OtherType));
-        QCOMPARE(HistoryDelegate::text(cell(1, Column::Outcome)), QStringLiteral("as expected"));
-        QCOMPARE(HistoryDelegate::text(cell(1, Column::Posterior)), QStringLiteral("0.9998"));
-        QVERIFY(HistoryDelegate::text(cell(1, Column::Time)).startsWith(QStringLiteral("2020-03-01")));
+        QCOMPARE(HistoryDelegate::text(cell(0, Column::Mass)), u"39.6"_s + QChar::Nbsp + u"g"_s);
+        QCOMPARE(cell(1, Column::Outcome).data(Qt::EditRole).toInt(), int(InspectionOutcome::OtherType));
+        QCOMPARE(HistoryDelegate::text(cell(0, Column::Outcome)), u"as expected"_s);
+        QCOMPARE(HistoryDelegate::text(cell(0, Column::Posterior)), u"0.9998"_s);
+        QVERIFY(HistoryDelegate::text(cell(0, Column::Time)).startsWith(u"2020-03-01"_s));
+        QCOMPARE(HistoryDelegate::text(cell(0, Column::Device)), QString(QChar(0x2013))); // not known
+        QCOMPARE(HistoryDelegate::text(cell(2, Column::Type)), QString(QChar(0x2026)));   // not there yet
     }
     void aPartOfNoTypeHasNoPosterior()
     {
         HistoryModel model;
-        InspectionRecord stranger = inspection(1);
+        HistoryEntry stranger = inspection(1);
         stranger.verdict = VerdictKind::Unknown;
-        model.restart(1, {stranger});
+        model.restart(keysDownFrom(1), {stranger});
         QVERIFY(!model.index(0, int(Column::Posterior)).data(Qt::EditRole).isValid());
     }
     void csvKeepsEveryDigitAndQuotesNames()
     {
-        InspectionRecord record = inspection(7);
-        record.operatorName = QStringLiteral("Nguyen, \"Mai\"");
-        record.parameters->m = 0.1 + 0.2;
-        const QString text = QString::fromUtf8(toCsv({record}));
-        const QStringList lines = text.split(u'\n');
-        QVERIFY(lines[0].startsWith(QStringLiteral("number,time_utc,expected,outcome")));
-        QVERIFY(lines[1].startsWith(QStringLiteral("7,2020-03-01T12:00:07.000Z,A,as_expected,type,A,")));
-        QVERIFY(lines[1].contains(QStringLiteral(",0.30000000000000004,kg,")));
-        QVERIFY(lines[1].contains(QStringLiteral("\"Nguyen, \"\"Mai\"\"\"")));
+        HistoryEntry entry = inspection(7);
+        entry.operatorName = u"Nguyen, \"Mai\""_s;
+        entry.parameters->m = 0.1 + 0.2;
+        const QStringList header = QString::fromUtf8(historyCsvHeader()).trimmed().split(u',');
+        const QString line = QString::fromUtf8(toCsv({entry}));
+        QVERIFY(line.startsWith(u"7,2020-03-01T12:00:07.000Z,inspection,A,as_expected,type,A,"_s));
+        QVERIFY(line.contains(u",0.30000000000000004,0.0001,kg,"_s));
+        QVERIFY(line.contains(u"\"Nguyen, \"\"Mai\"\"\""_s));
+        QCOMPARE(QString(line).remove(u"\"Nguyen, \"\"Mai\"\"\""_s).count(u',') + 1, header.size());
     }
 };
 

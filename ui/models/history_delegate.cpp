@@ -2,6 +2,7 @@
 #include "ui/models/history_delegate.h"
 
 #include "ui/models/history_model.h"
+#include "ui/models/history_words.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/number_format.h"
 #include "ui/widgets/outcome_view.h"
@@ -33,11 +34,38 @@ QIcon outcomeIcon(InspectionOutcome outcome, double ratio)
     return QIcon(pixmap);
 }
 
-/// Without the year while it is this one: the tool tip has it whole.
-QString shortTime(const QDateTime& time)
+QString wordsOf(Column column, const QVariant& value, const QString& unit)
 {
-    const bool thisYear = time.date().year() == QDate::currentDate().year();
-    return QLocale().toString(time, thisYear ? u"MM-dd HH:mm"_s : u"yyyy-MM-dd HH:mm"_s);
+    switch (column) {
+    case Column::Number:
+        return QString::number(value.toLongLong());
+    case Column::Time:
+        return HistoryWords::shortTime(value.toDateTime());
+    case Column::Kind:
+        return HistoryWords::kind(SqueezeKind(value.toInt()));
+    case Column::Outcome:
+        return outcomeWord(InspectionOutcome(value.toInt()));
+    case Column::Posterior:
+        // In double precision a certain posterior rounds to 1; it never is.
+        return formatProbability(std::min(value.toDouble(), 1 - 1e-15));
+    case Column::Mass:
+    case Column::Damping:
+    case Column::Stiffness:
+        return formatNumber(value.toDouble(), std::nullopt, unit).valueWithUnit();
+    case Column::Fit:
+        return formatPercent(value.toDouble());
+    case Column::Seconds:
+        return QLocale().toString(value.toDouble(), 'f', 2) + QChar::Nbsp + u's';
+    case Column::Estimator:
+        return HistoryWords::estimator(value.toString());
+    case Column::Expected:
+    case Column::Type:
+    case Column::Operator:
+    case Column::Device:
+    case Column::Program:
+        break;
+    }
+    return value.toString();
 }
 
 } // namespace
@@ -45,32 +73,14 @@ QString shortTime(const QDateTime& time)
 QString HistoryDelegate::text(const QModelIndex& index)
 {
     const QVariant value = index.data(HistoryModel::SortRole);
-    switch (Column(index.column())) {
-    case Column::Number:
-        return QString::number(value.toLongLong());
-    case Column::Time:
-        return shortTime(value.toDateTime().toLocalTime());
-    case Column::Outcome:
-        return outcomeWord(InspectionOutcome(value.toInt()));
-    case Column::Posterior:
-        // In double precision a certain posterior rounds to 1; it never is.
-        return value.isValid() ? formatProbability(std::min(value.toDouble(), 1 - 1e-15))
-                               : QString(QChar(0x2013));
-    case Column::Mass:
-    case Column::Damping:
-    case Column::Stiffness:
-        return value.isValid() ? formatNumber(value.toDouble(), std::nullopt,
-                                              index.data(HistoryModel::UnitRole).toString())
-                                     .valueWithUnit()
-                               : QString();
-    case Column::Seconds:
-        return QLocale().toString(value.toDouble(), 'f', 2) + QChar::Nbsp + u's';
-    case Column::Expected:
-    case Column::Type:
-    case Column::Operator:
-        break;
-    }
-    return value.toString().isEmpty() ? QString(QChar(0x2013)) : value.toString();
+    const QString words = value.isValid() ? wordsOf(Column(index.column()), value,
+                                                    index.data(HistoryModel::UnitRole).toString())
+                                          : QString();
+    if (!words.isEmpty())
+        return words;
+    const auto* model = qobject_cast<const HistoryModel*>(index.model());
+    const bool there = model && model->entry(index.row());
+    return there ? QString(QChar(0x2013)) : QString(QChar(0x2026)); // or still on its way
 }
 
 void HistoryDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const
@@ -78,11 +88,12 @@ void HistoryDelegate::initStyleOption(QStyleOptionViewItem* option, const QModel
     QStyledItemDelegate::initStyleOption(option, index);
     option->features |= QStyleOptionViewItem::HasDisplay;
     option->text = text(index);
-    if (Column(index.column()) != Column::Outcome)
+    const QVariant value = index.data(HistoryModel::SortRole);
+    if (Column(index.column()) != Column::Outcome || !value.isValid())
         return;
-    const auto outcome = InspectionOutcome(index.data(HistoryModel::SortRole).toInt());
     option->features |= QStyleOptionViewItem::HasDecoration;
-    option->icon = outcomeIcon(outcome, option->widget ? option->widget->devicePixelRatioF() : 1);
+    option->icon = outcomeIcon(InspectionOutcome(value.toInt()),
+                               option->widget ? option->widget->devicePixelRatioF() : 1);
     option->decorationSize = {signSize, signSize};
 }
 

@@ -2,12 +2,15 @@
 #include "ui/models/history_model.h"
 
 #include "core/signal/units.h"
+#include "ui/models/history_words.h"
 
-#include <QLocale>
+#include <algorithm>
+#include <limits>
 
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
+using Column = HistoryModel::Column;
 
 namespace {
 
@@ -16,112 +19,150 @@ QVariant optionalNumber(const std::optional<double>& number)
     return number ? QVariant(*number) : QVariant();
 }
 
-QVariant parameter(const InspectionRecord& record, double MassDampingStiffness::*member)
+QVariant parameter(const HistoryEntry& entry, double MassDampingStiffness::*member)
 {
-    if (!record.parameters)
+    if (!entry.parameters)
         return {};
-    return (*record.parameters).*member * siFactor(record.forceUnit, record.positionUnit).value_or(1);
+    return (*entry.parameters).*member * siFactor(entry.forceUnit, entry.positionUnit).value_or(1);
 }
 
-QString parameterUnit(const InspectionRecord& record, HistoryModel::Column column)
+QString parameterUnit(const HistoryEntry& entry, Column column)
 {
-    const bool si = siFactor(record.forceUnit, record.positionUnit).has_value();
-    const ParameterUnits units =
-        si ? parameterUnits(u"N"_s, u"m"_s) : parameterUnits(record.forceUnit, record.positionUnit);
-    const QString unit = column == HistoryModel::Column::Mass      ? units.m
-                         : column == HistoryModel::Column::Damping ? units.b
-                                                                   : units.k;
+    const ParameterUnits units = HistoryWords::shownUnits(entry);
+    const QString unit = column == Column::Mass ? units.m : column == Column::Damping ? units.b : units.k;
     return unit == u"1" ? QString() : unit;
 }
 
-bool isText(HistoryModel::Column column)
+bool isNumber(Column column)
 {
-    using Column = HistoryModel::Column;
-    return column == Column::Time || column == Column::Expected || column == Column::Outcome ||
-           column == Column::Type || column == Column::Operator;
+    return column == Column::Number || column == Column::Posterior || column == Column::Mass ||
+           column == Column::Damping || column == Column::Stiffness || column == Column::Fit ||
+           column == Column::Seconds;
 }
 
 } // namespace
 
-InspectionOutcome outcomeOf(const InspectionRecord& record)
-{
-    return inspectionOutcome(record.verdict, record.type, record.expectedType);
-}
-
-void HistoryModel::restart(qint64 total, std::vector<InspectionRecord> page)
+void HistoryModel::restart(HistoryKeys keys, std::vector<HistoryEntry> first)
 {
     beginResetModel();
-    m_rows = std::move(page);
-    m_total = total;
-    m_waiting = false;
+    m_keys = std::move(keys);
+    m_pages.clear();
+    m_asked.clear();
+    if (!first.empty())
+        m_pages.insert(0, {std::move(first), ++m_uses});
     endResetModel();
 }
 
-void HistoryModel::append(int offset, const std::vector<InspectionRecord>& page)
+void HistoryModel::setPage(int page, std::vector<HistoryEntry> entries)
 {
-    if (offset != int(m_rows.size()))
+    m_asked.remove(page);
+    const int first = page * pageSize;
+    if (first < 0 || first >= rowCount())
         return;
-    m_waiting = false;
-    if (page.empty()) {
-        m_total = qint64(m_rows.size());
-        return;
+    m_pages.insert(page, {std::move(entries), ++m_uses});
+    keepFew();
+    emit dataChanged(index(first, 0), index(std::min(rowCount(), first + pageSize) - 1, columns - 1));
+}
+
+void HistoryModel::forgetRequest(int page)
+{
+    m_asked.remove(page);
+}
+
+void HistoryModel::keepFew()
+{
+    while (m_pages.size() > pagesKept) {
+        auto oldest = m_pages.begin();
+        for (auto page = m_pages.begin(); page != m_pages.end(); ++page)
+            if (page->used < oldest->used)
+                oldest = page;
+        m_pages.erase(oldest);
     }
-    const int first = int(m_rows.size());
-    beginInsertRows({}, first, first + int(page.size()) - 1);
-    m_rows.insert(m_rows.end(), page.begin(), page.end());
-    endInsertRows();
+}
+
+std::vector<QString> HistoryModel::pageKeys(int page) const
+{
+    return m_keys.part(std::size_t(std::max(0, page)) * pageSize, pageSize);
+}
+
+const HistoryEntry* HistoryModel::entry(int row) const
+{
+    const auto page = m_pages.constFind(row / pageSize);
+    if (row < 0 || page == m_pages.constEnd())
+        return nullptr;
+    page->used = ++m_uses;
+    const auto place = std::size_t(row % pageSize);
+    return place < page->entries.size() ? &page->entries[place] : nullptr;
+}
+
+const HistoryEntry* HistoryModel::wanted(int row) const
+{
+    const HistoryEntry* found = entry(row);
+    const int page = row / pageSize;
+    if (!found && !m_pages.contains(page) && !m_asked.contains(page))
+        const_cast<HistoryModel*>(this)->ask(page); // a view only ever looks
+    return found;
+}
+
+void HistoryModel::ask(int page)
+{
+    m_asked.insert(page);
+    emit pageAsked(page);
+}
+
+int HistoryModel::rowOf(const QString& key) const
+{
+    const std::optional<std::size_t> place = m_keys.find(key);
+    return place ? int(*place) : -1;
 }
 
 int HistoryModel::rowCount(const QModelIndex& parent) const
 {
-    return parent.isValid() ? 0 : int(m_rows.size());
+    constexpr auto most = std::size_t(std::numeric_limits<int>::max());
+    return parent.isValid() ? 0 : int(std::min(m_keys.size(), most));
 }
 int HistoryModel::columnCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : columns;
 }
 
-bool HistoryModel::canFetchMore(const QModelIndex& parent) const
-{
-    return !parent.isValid() && !m_waiting && qint64(m_rows.size()) < m_total;
-}
-
-void HistoryModel::fetchMore(const QModelIndex& parent)
-{
-    if (!canFetchMore(parent))
-        return;
-    m_waiting = true;
-    emit pageAsked(int(m_rows.size()));
-}
-
-QVariant HistoryModel::value(const InspectionRecord& record, Column column)
+QVariant HistoryModel::value(const HistoryEntry& entry, Column column)
 {
     switch (column) {
     case Column::Number:
-        return record.number;
+        return entry.number > 0 ? QVariant(entry.number) : QVariant();
     case Column::Time:
-        return record.inspected;
+        return entry.time;
+    case Column::Kind:
+        return int(entry.kind);
+    case Column::Outcome: {
+        const std::optional<InspectionOutcome> outcome = entry.outcome();
+        return outcome ? QVariant(int(*outcome)) : QVariant();
+    }
     case Column::Expected:
-        return record.expectedType;
-    case Column::Outcome:
-        return int(outcomeOf(record));
+        return entry.expectedType;
     case Column::Type:
-        return record.type;
+        return entry.type;
     case Column::Posterior:
-        // Among the enrolled types only: for a part that is none of them it would mislead.
-        return record.verdict == VerdictKind::Type || record.verdict == VerdictKind::Inconclusive
-                   ? optionalNumber(record.posterior)
-                   : QVariant();
+        return optionalNumber(entry.tellingPosterior());
     case Column::Mass:
-        return parameter(record, &MassDampingStiffness::m);
+        return parameter(entry, &MassDampingStiffness::m);
     case Column::Damping:
-        return parameter(record, &MassDampingStiffness::b);
+        return parameter(entry, &MassDampingStiffness::b);
     case Column::Stiffness:
-        return parameter(record, &MassDampingStiffness::k);
+        return parameter(entry, &MassDampingStiffness::k);
+    case Column::Fit:
+        return optionalNumber(entry.simulationFitPercent);
     case Column::Seconds:
-        return record.seconds;
+        return optionalNumber(entry.seconds);
     case Column::Operator:
-        return record.operatorName;
+        return entry.operatorName;
+    case Column::Device:
+        return HistoryWords::device(entry);
+    case Column::Estimator:
+        return entry.estimator;
+    case Column::Program:
+        return entry.program;
     }
     return {};
 }
@@ -130,23 +171,20 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid())
         return {};
-    const InspectionRecord& row = record(index.row());
     const auto column = Column(index.column());
-    switch (role) {
-    case Qt::DisplayRole:
-    case Qt::EditRole:
-    case SortRole:
-        return value(row, column);
-    case UnitRole:
-        return parameterUnit(row, column);
-    case Qt::ToolTipRole:
-        return column == Column::Time ? QLocale().toString(row.inspected.toLocalTime(), QLocale::LongFormat)
-                                      : row.reason;
-    case Qt::TextAlignmentRole:
-        return int(Qt::AlignVCenter | (isText(column) ? Qt::AlignLeft : Qt::AlignRight));
-    default:
+    if (role == Qt::TextAlignmentRole)
+        return int(Qt::AlignVCenter | (isNumber(column) ? Qt::AlignRight : Qt::AlignLeft));
+    if (role != Qt::DisplayRole && role != Qt::EditRole && role != SortRole && role != UnitRole &&
+        role != Qt::ToolTipRole)
         return {};
-    }
+    const HistoryEntry* row = wanted(index.row());
+    if (!row)
+        return {};
+    if (role == UnitRole)
+        return parameterUnit(*row, column);
+    if (role == Qt::ToolTipRole)
+        return column == Column::Time ? HistoryWords::longTime(row->time) : row->reason;
+    return value(*row, column);
 }
 
 QVariant HistoryModel::headerData(int section, Qt::Orientation orientation, int role) const
@@ -155,34 +193,107 @@ QVariant HistoryModel::headerData(int section, Qt::Orientation orientation, int 
         return {};
     const auto column = Column(section);
     if (role == Qt::TextAlignmentRole)
-        return int(Qt::AlignVCenter | (isText(column) ? Qt::AlignLeft : Qt::AlignRight));
+        return int(Qt::AlignVCenter | (isNumber(column) ? Qt::AlignRight : Qt::AlignLeft));
+    if (role == Qt::ToolTipRole)
+        return columnName(column);
     if (role != Qt::DisplayRole)
         return {};
     switch (column) {
     case Column::Number:
         return tr("No.");
-    case Column::Time:
-        return tr("Time");
-    case Column::Expected:
-        return tr("Expected");
-    case Column::Outcome:
-        return tr("Outcome");
-    case Column::Type:
-        return tr("Type");
-    case Column::Posterior:
-        return tr("Posterior");
     case Column::Mass:
         return tr("m");
     case Column::Damping:
         return tr("b");
     case Column::Stiffness:
         return tr("k");
+    default:
+        return columnName(column);
+    }
+}
+
+QString HistoryModel::columnName(Column column)
+{
+    switch (column) {
+    case Column::Number:
+        return tr("Number");
+    case Column::Time:
+        return tr("Time");
+    case Column::Kind:
+        return tr("Kind");
+    case Column::Outcome:
+        return tr("Outcome");
+    case Column::Expected:
+        return tr("Expected");
+    case Column::Type:
+        return tr("Type");
+    case Column::Posterior:
+        return tr("Posterior");
+    case Column::Mass:
+        return tr("Mass m");
+    case Column::Damping:
+        return tr("Damping b");
+    case Column::Stiffness:
+        return tr("Stiffness k");
+    case Column::Fit:
+        return tr("Simulation fit");
     case Column::Seconds:
-        return tr("Squeeze");
+        return tr("Length");
     case Column::Operator:
         return tr("Operator");
+    case Column::Device:
+        return tr("Gripper");
+    case Column::Estimator:
+        return tr("Estimator");
+    case Column::Program:
+        return tr("Software");
     }
     return {};
+}
+
+HistoryOrder HistoryModel::order(Column column)
+{
+    switch (column) {
+    case Column::Number:
+        return HistoryOrder::Number;
+    case Column::Time:
+        return HistoryOrder::Time;
+    case Column::Kind:
+        return HistoryOrder::Kind;
+    case Column::Outcome:
+        return HistoryOrder::Outcome;
+    case Column::Expected:
+        return HistoryOrder::Expected;
+    case Column::Type:
+        return HistoryOrder::Type;
+    case Column::Posterior:
+        return HistoryOrder::Posterior;
+    case Column::Mass:
+        return HistoryOrder::Mass;
+    case Column::Damping:
+        return HistoryOrder::Damping;
+    case Column::Stiffness:
+        return HistoryOrder::Stiffness;
+    case Column::Fit:
+        return HistoryOrder::Fit;
+    case Column::Seconds:
+        return HistoryOrder::Seconds;
+    case Column::Operator:
+        return HistoryOrder::Operator;
+    case Column::Device:
+        return HistoryOrder::Device;
+    case Column::Estimator:
+        return HistoryOrder::Estimator;
+    case Column::Program:
+        return HistoryOrder::Program;
+    }
+    return HistoryOrder::Time;
+}
+
+void HistoryModel::sort(int column, Qt::SortOrder order)
+{
+    if (column >= 0 && column < columns)
+        emit sortAsked(Column(column), order);
 }
 
 } // namespace gripscope

@@ -1,35 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/inspect_session.h"
-#include "core/store/library.h"
+#include "core/store/history.h"
 
 #include <QAbstractTableModel>
+#include <QHash>
+#include <QSet>
 
 #include <vector>
 
 namespace gripscope {
 
-/// Inspections, newest first, page by page: the view asks for more as it is scrolled, the owner fetches each
-/// page away from the screen's thread and appends it. Numbers are raw; HistoryDelegate words them.
+/// Squeezes of the library in the order of a query, any of which can be come to at once: the model knows all
+/// keys, asks for the page of two hundred that is looked at, and keeps those looked at last. A row that is
+/// not there yet is empty. Numbers are raw; HistoryDelegate words them.
 class HistoryModel : public QAbstractTableModel {
     Q_OBJECT
 public:
     enum class Column {
         Number,
         Time,
-        Expected,
+        Kind,
         Outcome,
+        Expected,
         Type,
         Posterior,
         Mass,
         Damping,
         Stiffness,
+        Fit,
         Seconds,
-        Operator
+        Operator,
+        Device,
+        Estimator,
+        Program
     };
-    static constexpr int columns = 11;
+    static constexpr int columns = 16;
     static constexpr int pageSize = 200;
+    static constexpr int pagesKept = 16;
     enum Role {
         SortRole = Qt::UserRole, ///< the raw value
         UnitRole,                ///< of m, b and k: SI where the squeeze's units are known; empty: none
@@ -37,33 +45,48 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// Starts anew with a list of `total` rows, of which `page` are the first.
-    void restart(qint64 total, std::vector<InspectionRecord> page);
-    /// The page that was asked for at `offset`; ignored when that is no longer where the list ends. An empty
-    /// one ends the list.
-    void append(int offset, const std::vector<InspectionRecord>& page);
-    [[nodiscard]] const InspectionRecord& record(int row) const { return m_rows[std::size_t(row)]; }
-    [[nodiscard]] qint64 total() const { return m_total; }
+    /// Starts anew with these squeezes, of which `first` are the first.
+    void restart(HistoryKeys keys, std::vector<HistoryEntry> first);
+    /// The answer to pageAsked(); one that is not as long as it should be is taken for what is there.
+    void setPage(int page, std::vector<HistoryEntry> entries);
+    /// It will not be answered: the page is asked for again when it is looked at.
+    void forgetRequest(int page);
+    /// The keys of a page that was asked for.
+    [[nodiscard]] std::vector<QString> pageKeys(int page) const;
+
+    /// Nothing until its page is there.
+    [[nodiscard]] const HistoryEntry* entry(int row) const;
+    [[nodiscard]] QString key(int row) const { return m_keys.at(std::size_t(row)); }
+    [[nodiscard]] int rowOf(const QString& key) const; ///< -1: not among them
+    [[nodiscard]] int pagesHeld() const { return int(m_pages.size()); }
+    [[nodiscard]] static HistoryOrder order(Column column);
+    [[nodiscard]] static QString columnName(Column column); ///< in full, for a list of columns
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    [[nodiscard]] bool canFetchMore(const QModelIndex& parent) const override;
-    void fetchMore(const QModelIndex& parent) override;
+    /// The library orders: emits sortAsked() only.
+    void sort(int column, Qt::SortOrder order) override;
 
 signals:
-    void pageAsked(int offset);
+    void pageAsked(int page);
+    void sortAsked(gripscope::HistoryModel::Column column, Qt::SortOrder order);
 
 private:
-    [[nodiscard]] static QVariant value(const InspectionRecord& record, Column column);
+    struct Page {
+        std::vector<HistoryEntry> entries;
+        mutable quint64 used = 0;
+    };
+    [[nodiscard]] static QVariant value(const HistoryEntry& entry, Column column);
+    [[nodiscard]] const HistoryEntry* wanted(int row) const;
+    void ask(int page);
+    void keepFew();
 
-    std::vector<InspectionRecord> m_rows;
-    qint64 m_total = 0;
-    bool m_waiting = false;
+    HistoryKeys m_keys;
+    QHash<int, Page> m_pages;
+    QSet<int> m_asked;
+    mutable quint64 m_uses = 0;
 };
-
-/// The outcome that an inspection had for the one who stood there.
-[[nodiscard]] InspectionOutcome outcomeOf(const InspectionRecord& record);
 
 } // namespace gripscope

@@ -1,114 +1,137 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/history_page.h"
 
-#include "ui/models/history_csv.h"
-#include "ui/models/history_delegate.h"
-#include "ui/models/history_model.h"
+#include "ui/models/history_words.h"
 #include "ui/pages/fit_page_open.h"
+#include "ui/pages/history_charts.h"
+#include "ui/pages/history_details.h"
+#include "ui/pages/history_export.h"
+#include "ui/pages/history_filter_bar.h"
 #include "ui/pages/history_page_examples.h"
+#include "ui/pages/history_table.h"
+#include "ui/pages/history_work.h"
+#include "ui/pages/reidentify_dialog.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/elided_label.h"
 #include "ui/widgets/number_format.h"
 #include "ui/workbench.h"
 
-#include <QComboBox>
+#include <QButtonGroup>
 #include <QFileDialog>
 #include <QHBoxLayout>
-#include <QHeaderView>
-#include <QLineEdit>
-#include <QSaveFile>
+#include <QMenu>
 #include <QStackedWidget>
-#include <QTableView>
-#include <QTimer>
+
+#include <utility>
 
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
-using namespace std::chrono_literals;
-
-struct HistoryPage::Private {
-    HistoryModel* model = nullptr;
-    QTableView* table = nullptr;
-    QStackedWidget* stack = nullptr;
-    QLineEdit* text = nullptr;
-    QComboBox* verdict = nullptr;
-    QPushButton* open = nullptr;
-    QPushButton* save = nullptr;
-    QLabel* counts = nullptr;
-    QLabel* emptyTitle = nullptr;
-    QLabel* emptyText = nullptr;
-    QTimer typing; ///< a filter is applied once a person stops typing
-    int generation = 0;
-    bool stale = true, loading = false;
-    ExampleInspections* examples = nullptr;
-};
 
 namespace {
 
+constexpr std::size_t mostPagesWaiting = 3; ///< while the list is scrolled fast, only the last are fetched
+
 /// What one visit to the library brings back.
 struct HistoryStart {
-    InspectionCounts counts;
-    qint64 matching = 0;
-    std::vector<InspectionRecord> page;
+    HistoryCounts counts;
+    bool empty = false; ///< the whole library
+    HistoryChoices choices;
+    HistoryKeys keys;
+    std::vector<HistoryEntry> first;
 };
 
-Expected<HistoryStart> fetchStart(Library& library, const HistoryFilter& filter)
+template <typename T>
+bool take(Expected<T> found, T& into, std::optional<Error>& error)
+{
+    if (found)
+        into = std::move(*found);
+    else
+        error = found.error();
+    return found.has_value();
+}
+
+Expected<HistoryStart> fetchStart(Library& library, const HistoryQuery& query)
 {
     HistoryStart start;
-    if (const auto counts = library.inspectionCounts())
-        start.counts = *counts;
-    else
-        return tl::unexpected<Error>(counts.error());
-    if (const auto matching = library.countInspections(filter))
-        start.matching = *matching;
-    else
-        return tl::unexpected<Error>(matching.error());
-    auto page = library.inspections(filter);
-    if (!page)
-        return tl::unexpected<Error>(page.error());
-    start.page = std::move(*page);
+    std::optional<Error> error;
+    const bool read =
+        take(library.historyCounts(query), start.counts, error) &&
+        take(library.historyChoices(), start.choices, error) &&
+        take(library.historyKeys(query), start.keys, error) &&
+        take(library.historyEntries(start.keys.part(0, HistoryModel::pageSize)), start.first, error);
+    if (!read)
+        return tl::unexpected<Error>(*error);
+    start.empty = start.keys.empty() && start.choices.operators.isEmpty() && query.everything();
     return start;
 }
 
+enum Shown { ListShown, ChartsShown, EmptyShown };
+
 } // namespace
+
+struct HistoryPage::Private {
+    HistoryModel* model = nullptr;
+    HistoryTable* table = nullptr;
+    HistoryCharts* charts = nullptr;
+    HistoryDetails* details = nullptr;
+    HistoryFilterBar* filters = nullptr;
+    HistoryWork* work = nullptr;
+    QStackedWidget* stack = nullptr;
+    QPushButton *list = nullptr, *trend = nullptr, *open = nullptr, *again = nullptr, *save = nullptr,
+                *columns = nullptr;
+    QAction* recordings = nullptr;
+    ElidedLabel* counts = nullptr;
+    QLabel *emptyTitle = nullptr, *emptyText = nullptr;
+    HistoryOrder order = HistoryOrder::Time;
+    bool descending = true;
+    std::vector<int> waiting; ///< pages that were asked for, the last first to be fetched
+    bool fetching = false;
+    int generation = 0; ///< of the list; answers to an older one do not count
+    int pointsGeneration = -1;
+    QString detailed; ///< whose details are shown or on their way
+    bool stale = true, loading = false;
+    bool choosesFirst = false; ///< of the next list
+    ExampleInspections* examples = nullptr;
+};
 
 HistoryPage::HistoryPage(Workbench& bench, QWidget* parent)
     : Page(bench, parent), d(std::make_unique<Private>())
 {
     d->model = new HistoryModel(this);
-    d->typing.setSingleShot(true);
-    d->typing.setInterval(250ms);
-    connect(&d->typing, &QTimer::timeout, this, [this] { reload(); });
+    d->filters = new HistoryFilterBar;
+    d->work = new HistoryWork(bench);
+    d->counts = new ElidedLabel;
+    setRole(d->counts, "second");
     auto* column = new QVBoxLayout(this);
-    setSpacing(column, 2 * metrics::step, metrics::step + 4);
-    column->addWidget(buildBar());
-    d->counts = makeLabel({}, "second");
+    setSpacing(column, 2 * metrics::step, metrics::step);
+    column->addWidget(d->filters);
+    column->addWidget(buildActions());
     column->addWidget(d->counts);
-    buildTable();
-    auto* empty = new QWidget;
-    auto* words = new QVBoxLayout(empty);
-    d->emptyTitle = makeLabel({}, "title");
-    d->emptyText = makeLabel({}, "second");
-    words->addStretch();
-    words->addWidget(d->emptyTitle, 0, Qt::AlignHCenter);
-    words->addWidget(d->emptyText, 0, Qt::AlignHCenter);
-    words->addStretch();
-    d->stack = new QStackedWidget;
-    d->stack->setStyleSheet(u"QStackedWidget { background: transparent; }"_s);
-    d->stack->addWidget(d->table);
-    d->stack->addWidget(empty);
-    auto* card = makeCard();
-    auto* cardLayout = new QVBoxLayout(card);
-    cardLayout->setContentsMargins(1, 1, 1, 1);
-    cardLayout->addWidget(d->stack);
-    column->addWidget(card, 1);
+    column->addWidget(d->work);
+    column->addWidget(buildContent(), 1);
+    buildExportMenu();
 
-    connect(d->model, &HistoryModel::pageAsked, this, [this](int offset) { fetch(offset); });
+    connect(d->filters, &HistoryFilterBar::changed, this, &HistoryPage::reload);
+    connect(d->model, &HistoryModel::sortAsked, this,
+            [this](HistoryModel::Column sorted, Qt::SortOrder direction) {
+                d->order = HistoryModel::order(sorted);
+                d->descending = direction == Qt::DescendingOrder;
+                if (!d->stale)
+                    reload();
+            });
+    connect(d->model, &HistoryModel::pageAsked, this, [this](int page) {
+        d->waiting.push_back(page);
+        fetchPage();
+    });
+    connect(d->work, &HistoryWork::busyChanged, this, &HistoryPage::refreshActions);
     connect(&bench, &Workbench::libraryChanged, this, [this] {
         d->stale = true;
         if (isVisible())
             reload();
     });
+    refreshActions();
 }
 
 HistoryPage::~HistoryPage() = default;
@@ -130,60 +153,100 @@ HistoryModel* HistoryPage::model() const
     return d->model;
 }
 
-QWidget* HistoryPage::buildBar()
+QWidget* HistoryPage::buildActions()
 {
     auto* bar = new QWidget;
     auto* line = new QHBoxLayout(bar);
     setSpacing(line, 0, metrics::step);
-    d->text = new QLineEdit;
-    d->text->setPlaceholderText(tr("Filter by type, operator or source"));
-    d->text->setAccessibleName(tr("Filter text"));
-    d->text->setClearButtonEnabled(true);
-    d->verdict = new QComboBox;
-    d->verdict->addItem(tr("All verdicts"));
-    d->verdict->addItem(tr("A type named"), int(VerdictKind::Type));
-    d->verdict->addItem(tr("Unknown"), int(VerdictKind::Unknown));
-    d->verdict->addItem(tr("Inconclusive"), int(VerdictKind::Inconclusive));
-    d->verdict->addItem(tr("Not valid"), int(VerdictKind::Invalid));
-    d->verdict->setAccessibleName(tr("Verdicts to show"));
+    d->list = makeButton(tr("List"), u"view-list-details"_s);
+    d->trend = makeButton(tr("Charts"), u"office-chart-line"_s);
+    d->trend->setObjectName("historyCharts");
+    auto* group = new QButtonGroup(this);
+    for (QPushButton* button : {d->list, d->trend}) {
+        button->setCheckable(true);
+        group->addButton(button);
+        line->addWidget(button);
+    }
+    d->list->setChecked(true);
+    line->addStretch();
     d->open = makeButton(tr("Open in Fit"), u"labplot-xy-fit-curve"_s);
-    d->open->setToolTip(tr("Identify the stored recording of the selected row again (Enter)"));
-    d->save = makeButton(tr("Export CSV…"), u"document-export"_s);
-    d->save->setToolTip(tr("Write all rows that match the filters to a file"));
-    line->addWidget(d->text, 1);
-    line->addWidget(d->verdict);
-    line->addWidget(d->open);
-    line->addWidget(d->save);
-    connect(d->text, &QLineEdit::textChanged, this, [this] { d->typing.start(); });
-    connect(d->verdict, &QComboBox::currentIndexChanged, this, [this] { reload(); });
-    connect(d->open, &QPushButton::clicked, this, [this] { openRow(d->table->currentIndex()); });
-    connect(d->save, &QPushButton::clicked, this, [this] { chooseExport(); });
+    d->open->setObjectName("historyOpen");
+    d->open->setToolTip(tr("Identify the recording of the chosen squeeze again and look at it (Enter)"));
+    d->again = makeButton(tr("Identify again…"), u"view-refresh"_s);
+    d->again->setObjectName("historyAgain");
+    d->again->setToolTip(tr("The selected squeezes with another estimator"));
+    d->save = makeButton(tr("Export"), u"document-export"_s);
+    d->save->setObjectName("historyExport");
+    d->columns = makeButton(tr("Columns"), u"view-file-columns"_s);
+    for (QPushButton* button : {d->open, d->again, d->save, d->columns})
+        line->addWidget(button);
+    connect(d->trend, &QPushButton::toggled, this, [this] {
+        showContent();
+        loadPoints();
+    });
+    connect(d->open, &QPushButton::clicked, this, &HistoryPage::openCurrent);
+    connect(d->again, &QPushButton::clicked, this, &HistoryPage::identifyAgain);
     return bar;
 }
 
-void HistoryPage::buildTable()
+QWidget* HistoryPage::buildContent()
 {
-    d->table = new QTableView;
-    d->table->setModel(d->model);
-    d->table->setItemDelegate(new HistoryDelegate(this));
-    d->table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    d->table->setSelectionMode(QAbstractItemView::SingleSelection);
-    d->table->setShowGrid(false);
-    d->table->setFrameShape(QFrame::NoFrame);
-    d->table->setTabKeyNavigation(false);
-    d->table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    d->table->verticalHeader()->hide();
-    d->table->verticalHeader()->setDefaultSectionSize(metrics::touchTarget);
-    d->table->setStyleSheet(u"QTableView::item { padding: 0 4px; }"_s);
-    QHeaderView* header = d->table->horizontalHeader();
-    header->setStyleSheet(u"QHeaderView::section { padding: 8px 6px; }"_s); // in line with the cells
-    header->setHighlightSections(false);
-    header->setSectionResizeMode(QHeaderView::ResizeToContents);
-    header->setStretchLastSection(true);
-    d->table->setAccessibleName(tr("Inspections, newest first"));
-    connect(d->table, &QTableView::activated, this, [this](const QModelIndex& index) { openRow(index); });
-    connect(d->table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-            [this](const QModelIndex& now) { d->open->setEnabled(now.isValid()); });
+    d->table = new HistoryTable(d->model);
+    d->charts = new HistoryCharts;
+    d->details = new HistoryDetails;
+    d->columns->setMenu(d->table->columnsMenu());
+    d->stack = new QStackedWidget;
+    d->stack->setStyleSheet(u"QStackedWidget { background: transparent; }"_s);
+    d->stack->addWidget(d->table);
+    d->stack->addWidget(d->charts);
+    d->stack->addWidget(buildEmpty());
+    auto* card = makeCard();
+    auto* inside = new QVBoxLayout(card);
+    inside->setContentsMargins(1, 1, 1, 1);
+    inside->addWidget(d->stack);
+    auto* content = new QWidget;
+    auto* line = new QHBoxLayout(content);
+    setSpacing(line, 0, metrics::step);
+    line->addWidget(card, 1);
+    line->addWidget(d->details);
+    connect(d->table, &HistoryTable::chosen, this, [this] {
+        refreshActions();
+        loadDetails();
+    });
+    connect(d->table, &QTableView::activated, this, &HistoryPage::openCurrent);
+    connect(d->charts, &HistoryCharts::chosen, d->table, &HistoryTable::select);
+    return content;
+}
+
+QWidget* HistoryPage::buildEmpty()
+{
+    auto* empty = new QWidget;
+    auto* words = new QVBoxLayout(empty);
+    d->emptyTitle = makeLabel({}, "title");
+    d->emptyText = makeLabel({}, "second");
+    words->addStretch();
+    words->addWidget(d->emptyTitle, 0, Qt::AlignHCenter);
+    words->addWidget(d->emptyText, 0, Qt::AlignHCenter);
+    words->addStretch();
+    return empty;
+}
+
+void HistoryPage::buildExportMenu()
+{
+    auto* menu = new QMenu(this);
+    menu->addAction(tr("All that is listed, as CSV…"), this, [this] {
+        chooseFile(tr("Export as CSV"), tr("CSV (*.csv)"), u"csv"_s, &HistoryPage::exportCsv);
+    });
+    menu->addAction(tr("All that is listed, as JSON…"), this, [this] {
+        chooseFile(tr("Export as JSON"), tr("JSON (*.json)"), u"json"_s, &HistoryPage::exportJson);
+    });
+    menu->addAction(tr("Report as PDF…"), this, [this] {
+        chooseFile(tr("Save the report"), tr("PDF (*.pdf)"), u"pdf"_s, &HistoryPage::reportTo);
+    });
+    menu->addSeparator();
+    d->recordings =
+        menu->addAction(tr("Recordings of the selected squeezes…"), this, &HistoryPage::chooseFolder);
+    d->save->setMenu(menu);
 }
 
 void HistoryPage::setActive(bool active)
@@ -192,14 +255,12 @@ void HistoryPage::setActive(bool active)
         reload();
 }
 
-HistoryFilter HistoryPage::filter() const
+HistoryQuery HistoryPage::query() const
 {
-    HistoryFilter result;
-    result.text = d->text->text().trimmed();
-    if (const QVariant verdict = d->verdict->currentData(); verdict.isValid())
-        result.verdict = VerdictKind(verdict.toInt());
-    result.limit = HistoryModel::pageSize;
-    return result;
+    HistoryQuery query = d->filters->query();
+    query.order = d->order;
+    query.descending = d->descending;
+    return query;
 }
 
 void HistoryPage::reload()
@@ -208,7 +269,7 @@ void HistoryPage::reload()
     d->stale = false;
     d->loading = true;
     workbench().ask<HistoryStart>(
-        this, [wanted = filter()](Library& library) { return fetchStart(library, wanted); },
+        this, [wanted = query()](Library& library) { return fetchStart(library, wanted); },
         [this, generation](Expected<HistoryStart> start) {
             if (generation != d->generation)
                 return;
@@ -217,91 +278,179 @@ void HistoryPage::reload()
                 workbench().report(start.error().describe());
                 return;
             }
-            d->model->restart(start->matching, std::move(start->page));
-            showCounts(start->counts, start->matching);
+            d->waiting.clear();
+            d->filters->setChoices(start->choices);
+            const QString summary = HistoryWords::summary(start->counts);
+            d->counts->setFullText(summary);
+            d->counts->setVisible(!summary.isEmpty());
+            d->emptyTitle->setText(start->empty ? tr("No squeezes yet") : tr("Nothing matches the filters"));
+            d->emptyText->setText(
+                start->empty
+                    ? tr("Squeeze a part on the Inspect page, or enroll a type: every squeeze is kept here.")
+                    : tr("Clear the search and the filters to see every squeeze."));
+            d->detailed.clear();
+            d->table->restart(std::move(start->keys), std::move(start->first));
+            if (std::exchange(d->choosesFirst, false))
+                d->table->selectRow(0);
+            showContent();
+            loadPoints();
         });
 }
 
-void HistoryPage::fetch(int offset)
+void HistoryPage::fetchPage()
 {
-    HistoryFilter wanted = filter();
-    wanted.offset = offset;
-    workbench().ask<std::vector<InspectionRecord>>(
-        this, [wanted](Library& library) { return library.inspections(wanted); },
-        [this, offset, generation = d->generation](Expected<std::vector<InspectionRecord>> page) {
+    if (d->fetching || d->waiting.empty())
+        return;
+    while (d->waiting.size() > mostPagesWaiting) {
+        d->model->forgetRequest(d->waiting.front());
+        d->waiting.erase(d->waiting.begin());
+    }
+    const int page = d->waiting.back();
+    d->waiting.pop_back();
+    d->fetching = true;
+    workbench().ask<std::vector<HistoryEntry>>(
+        this, [keys = d->model->pageKeys(page)](Library& library) { return library.historyEntries(keys); },
+        [this, page, generation = d->generation](Expected<std::vector<HistoryEntry>> entries) {
+            d->fetching = false;
+            if (!entries)
+                workbench().report(entries.error().describe());
+            if (generation == d->generation)
+                d->model->setPage(page, entries.value_or(std::vector<HistoryEntry>{}));
+            fetchPage();
+        });
+}
+
+void HistoryPage::loadPoints()
+{
+    if (!d->trend->isChecked() || d->pointsGeneration == d->generation)
+        return;
+    d->pointsGeneration = d->generation;
+    workbench().ask<HistoryPoints>(
+        this, [wanted = query()](Library& library) { return library.historyPoints(wanted); },
+        [this, generation = d->generation](Expected<HistoryPoints> points) {
             if (generation != d->generation)
                 return;
-            if (!page)
-                workbench().report(page.error().describe());
-            d->model->append(offset, page.value_or(std::vector<InspectionRecord>{}));
+            if (!points) {
+                workbench().report(points.error().describe());
+                return;
+            }
+            d->charts->setPoints(std::make_shared<HistoryPoints>(std::move(*points)),
+                                 workbench().inspection().models());
+            d->charts->select(d->table->currentKey());
         });
 }
 
-void HistoryPage::showCounts(const InspectionCounts& counts, qint64 matching)
+void HistoryPage::loadDetails()
 {
-    const auto share = [&](qint64 count, const QString& name) {
-        return count > 0 ? u" · "_s + u"%1 %2"_s.arg(formatCount(count), name) : QString();
-    };
-    QString text = tr("%1 inspected").arg(formatCount(counts.total));
-    if (counts.total > 0)
-        text +=
-            u" · "_s +
-            tr("%1 as expected").arg(formatPercent(100.0 * double(counts.asExpected) / double(counts.total)));
-    text += share(counts.otherType, tr("other type")) + share(counts.unknown, tr("unknown")) +
-            share(counts.inconclusive, tr("inconclusive")) + share(counts.invalid, tr("not valid"));
-    if (matching != counts.total)
-        text += u" · "_s + tr("%1 match the filters").arg(formatCount(matching));
-    d->counts->setText(text);
-    d->counts->setVisible(counts.total > 0);
-    d->stack->setCurrentIndex(matching > 0 ? 0 : 1);
-    d->open->setEnabled(d->table->currentIndex().isValid());
-    d->save->setEnabled(matching > 0);
-    d->emptyTitle->setText(counts.total > 0 ? tr("Nothing matches the filters") : tr("No inspections yet"));
-    d->emptyText->setText(counts.total > 0
-                              ? tr("Clear the text or choose all verdicts.")
-                              : tr("Squeeze a part on the Inspect page: every verdict is kept here."));
-}
-
-void HistoryPage::openRow(const QModelIndex& index)
-{
-    if (!index.isValid())
+    const QString key = d->table->currentKey();
+    d->charts->select(key);
+    if (key == d->detailed && !key.isEmpty())
         return;
-    const InspectionRecord& record = d->model->record(index.row());
-    openStoredSqueeze(workbench(), this, record.graspId, tr("Inspection %1").arg(record.number));
+    d->detailed = key;
+    if (key.isEmpty()) {
+        d->details->clear();
+        return;
+    }
+    workbench().ask<SqueezeDetails>(
+        this, [key](Library& library) { return library.squeezeDetails(key); },
+        [this, key](Expected<SqueezeDetails> details) {
+            if (key != d->detailed)
+                return; // another one was chosen meanwhile
+            if (details)
+                d->details->show(*details);
+            else
+                workbench().report(details.error().describe());
+        });
 }
 
-void HistoryPage::chooseExport()
+void HistoryPage::showContent()
 {
-    auto* dialog = new QFileDialog(this, tr("Export inspections"), QString(), tr("CSV (*.csv)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(u"csv"_s);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { exportTo(file); });
+    const bool any = d->model->rowCount() > 0;
+    d->stack->setCurrentIndex(!any ? EmptyShown : d->trend->isChecked() ? ChartsShown : ListShown);
+    d->details->setVisible(any);
+    refreshActions();
+}
+
+void HistoryPage::refreshActions()
+{
+    const bool any = d->model->rowCount() > 0;
+    const bool selected = d->table && d->table->selectionModel()->hasSelection();
+    d->open->setEnabled(d->table && d->table->currentIndex().isValid());
+    d->again->setEnabled(selected);
+    d->save->setEnabled(any && !d->work->busy());
+    if (d->recordings)
+        d->recordings->setEnabled(selected);
+    d->columns->setEnabled(any && d->list->isChecked());
+}
+
+void HistoryPage::openCurrent()
+{
+    const QModelIndex current = d->table->currentIndex();
+    if (const HistoryEntry* entry = current.isValid() ? d->model->entry(current.row()) : nullptr)
+        openStoredSqueeze(workbench(), this, entry->graspId, HistoryWords::title(*entry));
+}
+
+void HistoryPage::identifyAgain()
+{
+    std::vector<QString> keys = d->table->selectedKeys();
+    if (keys.empty())
+        return;
+    auto* dialog = new ReidentifyDialog(workbench(), std::move(keys), this);
+    connect(dialog, &ReidentifyDialog::kept, this, [this] {
+        d->detailed.clear(); // its estimates are read again
+        loadDetails();
+    });
     dialog->open();
 }
 
-void HistoryPage::exportTo(const QString& file)
+void HistoryPage::chooseFile(const QString& title, const QString& filter, const QString& suffix,
+                             void (HistoryPage::*write)(const QString&))
 {
-    workbench().ask<void>(
-        this,
-        [file, wanted = filter()](Library& library) -> Expected<void> {
-            const Expected<QByteArray> csv = historyCsv(library, wanted);
-            if (!csv)
-                return tl::unexpected<Error>(csv.error());
-            QSaveFile out(file);
-            if (!out.open(QIODevice::WriteOnly) || out.write(*csv) != csv->size() || !out.commit())
-                return failure(ErrorCode::FileUnwritable, {file, out.errorString()});
-            return {};
-        },
-        [this, file](Expected<void> done) {
-            workbench().report(done ? tr("Inspections written to %1").arg(file) : done.error().describe());
-        });
+    auto* dialog = new QFileDialog(this, title, QString(), filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(suffix);
+    dialog->selectFile(u"history."_s + suffix);
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this, write](const QString& file) { (this->*write)(file); });
+    dialog->open();
+}
+
+void HistoryPage::chooseFolder()
+{
+    auto* dialog = new QFileDialog(this, tr("Folder for the recordings"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this](const QString& folder) { exportRecordingsTo(folder); });
+    dialog->open();
+}
+
+void HistoryPage::exportTo(const QString& file, HistoryFormat format)
+{
+    d->work->run(historyExport(query(), format, file), tr("Writing %1").arg(QFileInfo(file).fileName()),
+                 tr("Squeezes written to %1").arg(file));
+}
+
+void HistoryPage::exportRecordingsTo(const QString& folder)
+{
+    d->work->run(recordingExport(d->table->selectedKeys(), folder), tr("Writing recordings"),
+                 tr("Recordings written to %1").arg(folder));
+}
+
+void HistoryPage::reportTo(const QString& file)
+{
+    d->work->writeReport(query(), file);
 }
 
 void HistoryPage::prepareTour()
 {
     d->examples = new ExampleInspections(workbench(), this);
-    connect(d->examples, &ExampleInspections::finished, this, [this] { reload(); });
+    connect(d->examples, &ExampleInspections::finished, this, [this] {
+        d->choosesFirst = true;
+        reload();
+    });
     d->examples->start();
 }
 

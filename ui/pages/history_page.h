@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/store/library.h"
+#include "core/session/history_document.h"
+#include "ui/models/history_model.h"
 #include "ui/pages/page.h"
 
 #include <memory>
 
-class QModelIndex;
-
 namespace gripscope {
 
-class HistoryModel;
-
-/// Every inspection of the library, newest first.
+/// Every squeeze of the library, inspected or enrolled: as a list or as charts, what is known of the one that
+/// is chosen, and what can be done with those that are selected or let through by the filters.
 class HistoryPage : public Page {
     Q_OBJECT
 public:
@@ -27,18 +25,31 @@ public:
     [[nodiscard]] bool tourReady() const override;
 
     [[nodiscard]] HistoryModel* model() const;
-    /// Writes the rows that match the filters, all of them, shown or not.
-    void exportTo(const QString& file);
+    /// Writes all squeezes that the filters let through, shown or not.
+    void exportTo(const QString& file, HistoryFormat format);
+    /// Writes the recordings of the selected squeezes into a folder.
+    void exportRecordingsTo(const QString& folder);
+    void reportTo(const QString& file);
 
 private:
-    [[nodiscard]] QWidget* buildBar();
-    void buildTable();
-    [[nodiscard]] HistoryFilter filter() const;
+    [[nodiscard]] QWidget* buildActions();
+    [[nodiscard]] QWidget* buildContent();
+    [[nodiscard]] QWidget* buildEmpty();
+    void buildExportMenu();
+    [[nodiscard]] HistoryQuery query() const;
     void reload();
-    void fetch(int offset);
-    void showCounts(const InspectionCounts& counts, qint64 matching);
-    void openRow(const QModelIndex& index);
-    void chooseExport();
+    void fetchPage();
+    void loadPoints();
+    void loadDetails();
+    void showContent();
+    void refreshActions();
+    void openCurrent();
+    void identifyAgain();
+    void chooseFile(const QString& title, const QString& filter, const QString& suffix,
+                    void (HistoryPage::*write)(const QString&));
+    void exportCsv(const QString& file) { exportTo(file, HistoryFormat::Csv); }
+    void exportJson(const QString& file) { exportTo(file, HistoryFormat::Json); }
+    void chooseFolder();
 
     struct Private;
     std::unique_ptr<Private> d;

@@ -34,10 +34,10 @@ ExampleInspections::ExampleInspections(Workbench& workbench, QObject* parent)
 void ExampleInspections::start()
 {
     m_busy = true;
-    m_workbench->ask<qint64>(
-        this, [](Library& library) { return library.countInspections({}); },
-        [this](Expected<qint64> count) {
-            if (!count || *count > 0) {
+    m_workbench->ask<InspectionCounts>(
+        this, [](Library& library) { return library.inspectionCounts(); },
+        [this](Expected<InspectionCounts> counts) {
+            if (!counts || counts->total > 0) {
                 finish();
                 return;
             }

@@ -3,28 +3,18 @@
 
 #include "ui/charts/calibration_plot.h"
 #include "ui/models/calibration_words.h"
+#include "ui/reports/pdf_document.h"
 #include "ui/widgets/number_format.h"
 
-#include <QBuffer>
 #include <QCoreApplication>
 #include <QImage>
 #include <QLocale>
-#include <QPdfWriter>
-#include <QSaveFile>
-#include <QTextDocument>
-#include <QUrl>
 
 using namespace Qt::StringLiterals;
 
 namespace gripscope {
 
 namespace {
-
-QString row(const QString& name, const QString& text)
-{
-    return u"<tr><td>%1</td><td>&nbsp;&nbsp;&nbsp;</td><td>%2</td></tr>"_s.arg(name.toHtmlEscaped(),
-                                                                               text.toHtmlEscaped());
-}
 
 struct CertificateWords {
     Q_DECLARE_TR_FUNCTIONS(gripscope::CalibrationCertificate)
@@ -38,19 +28,19 @@ QString identityTable(const CalibrationRecord& record)
         uncertainty +=
             u" + "_s + formatRate(reference.relativeUncertainty) + u' ' + CertificateWords::tr("of the load");
     return u"<table>"_s +
-           row(CertificateWords::tr("Gripper"), record.gripperName + u", "_s +
-                                                    CertificateWords::tr("serial number") + u' ' +
-                                                    record.gripperSerial) +
-           row(CertificateWords::tr("Channel"), CalibrationWords::channel(record.channel)) +
-           row(CertificateWords::tr("Reference"), reference.name) +
-           row(CertificateWords::tr("Its certificate"),
-               reference.certificate.isEmpty() ? u"–"_s : reference.certificate) +
-           row(CertificateWords::tr("Its standard uncertainty"), uncertainty) +
-           row(CertificateWords::tr("Taken"),
-               QLocale().toString(record.takenUtc.toLocalTime(), QLocale::ShortFormat)) +
-           row(CertificateWords::tr("By"), record.operatorName) +
-           row(CertificateWords::tr("Holds until"), CalibrationWords::date(record.due)) +
-           row(CertificateWords::tr("Note"), record.note.isEmpty() ? u"–"_s : record.note) + u"</table>"_s;
+           pdfRow(CertificateWords::tr("Gripper"), record.gripperName + u", "_s +
+                                                       CertificateWords::tr("serial number") + u' ' +
+                                                       record.gripperSerial) +
+           pdfRow(CertificateWords::tr("Channel"), CalibrationWords::channel(record.channel)) +
+           pdfRow(CertificateWords::tr("Reference"), reference.name) +
+           pdfRow(CertificateWords::tr("Its certificate"),
+                  reference.certificate.isEmpty() ? u"–"_s : reference.certificate) +
+           pdfRow(CertificateWords::tr("Its standard uncertainty"), uncertainty) +
+           pdfRow(CertificateWords::tr("Taken"),
+                  QLocale().toString(record.takenUtc.toLocalTime(), QLocale::ShortFormat)) +
+           pdfRow(CertificateWords::tr("By"), record.operatorName) +
+           pdfRow(CertificateWords::tr("Holds until"), CalibrationWords::date(record.due)) +
+           pdfRow(CertificateWords::tr("Note"), record.note.isEmpty() ? u"–"_s : record.note) + u"</table>"_s;
 }
 
 QString pointTable(const CalibrationRecord& record, const CalibrationEvaluation& evaluation)
@@ -77,7 +67,7 @@ QString certificateHtml(const CalibrationRecord& record, const CalibrationEvalua
 {
     QString figures;
     for (const Fact& fact : CalibrationWords::figures(record, evaluation))
-        figures += row(fact.name, fact.text);
+        figures += pdfRow(fact.name, fact.text);
     return u"<h1>%1</h1>"_s.arg(CertificateWords::tr("Calibration certificate")) + identityTable(record) +
            u"<h2>%1</h2><p>%2</p><table>%3</table>"_s.arg(CertificateWords::tr("Result"),
                                                           CalibrationWords::curve(evaluation), figures) +
@@ -108,28 +98,8 @@ Expected<void> writeCertificate(const CalibrationRecord& record, const QImage& r
     const Expected<CalibrationEvaluation> evaluation = evaluateCalibration(record);
     if (!evaluation)
         return tl::unexpected<Error>(evaluation.error());
-    QSaveFile out(file);
-    if (!out.open(QIODevice::WriteOnly))
-        return failure(ErrorCode::FileUnwritable, {file, out.errorString()});
-    QByteArray bytes;
-    {
-        QBuffer buffer(&bytes);
-        buffer.open(QIODevice::WriteOnly);
-        QPdfWriter pdf(&buffer);
-        pdf.setPageSize(QPageSize(QPageSize::A4));
-        pdf.setPageMargins(QMarginsF(20, 20, 20, 20), QPageLayout::Millimeter);
-        pdf.setTitle(CertificateWords::tr("Calibration certificate"));
-        pdf.setCreator(u"Gripscope "_s + QStringLiteral(GRIPSCOPE_VERSION));
-        QTextDocument document;
-        document.setDefaultStyleSheet(
-            u"h1 { font-size: 20pt; } h2 { font-size: 13pt; } body, td, th, p { font-size: 10pt; }"_s);
-        document.addResource(QTextDocument::ImageResource, QUrl(u"residuals"_s), residuals);
-        document.setHtml(certificateHtml(record, *evaluation));
-        document.print(&pdf);
-    }
-    if (out.write(bytes) != bytes.size() || !out.commit())
-        return failure(ErrorCode::FileUnwritable, {file, out.errorString()});
-    return {};
+    return writePdf(CertificateWords::tr("Calibration certificate"), certificateHtml(record, *evaluation),
+                    {{u"residuals"_s, residuals}}, file);
 }
 
 } // namespace gripscope

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+#include "app/cli/commands.h"
+#include "app/cli/library_squeezes.h"
+#include "app/cli/output.h"
+#include "app/cli/shared_options.h"
+#include "core/session/history_document.h"
+
+#include <cstdio>
+
+namespace gripscope::cli {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr std::size_t rowsAtOnce = 500;
+
+const QStringList& outcomeNames()
+{
+    static const QStringList names{u"any"_qs,     u"as_expected"_qs,  u"other_type"_qs,
+                                   u"unknown"_qs, u"inconclusive"_qs, u"not_valid"_qs};
+    return names;
+}
+
+void addFilters(CommandLine& line)
+{
+    line.option(u"text"_qs, u"TEXT"_qs, u"Contained in number, type, operator, gripper, source or part."_qs);
+    line.option(u"kind"_qs, u"KIND"_qs, u"any, inspection or enrollment."_qs, u"any"_qs);
+    line.option(u"outcome"_qs, u"OUTCOME"_qs, outcomeNames().join(u", "_qs) + u'.', u"any"_qs);
+    line.option(u"type"_qs, u"NAME"_qs, u"Named, or enrolled in."_qs);
+    line.option(u"expected"_qs, u"NAME"_qs, u"The type that was expected."_qs);
+    line.option(u"operator"_qs, u"NAME"_qs, u"Who squeezed."_qs);
+    line.option(u"from"_qs, u"DAY"_qs, u"From this day on, as 2024-05-31."_qs);
+    line.option(u"to"_qs, u"DAY"_qs, u"Up to this day."_qs);
+}
+
+QDateTime startOf(CommandLine& line, const QString& name, int later)
+{
+    if (!line.isSet(name))
+        return {};
+    const QDate day = QDate::fromString(line.text(name), Qt::ISODate);
+    if (!day.isValid())
+        line.reject(u"--%1 takes a day such as 2024-05-31, not \"%2\"."_qs.arg(name, line.text(name)));
+    return day.addDays(later).startOfDay().toUTC();
+}
+
+HistoryQuery queryOf(CommandLine& line)
+{
+    HistoryQuery query;
+    query.text = line.text(u"text"_qs);
+    const QStringList kinds{u"any"_qs, toString(SqueezeKind::Inspection), toString(SqueezeKind::Enrollment)};
+    if (const int kind = line.choice(u"kind"_qs, kinds); kind > 0)
+        query.kind = static_cast<SqueezeKind>(kind - 1);
+    if (const int outcome = line.choice(u"outcome"_qs, outcomeNames()); outcome > 0)
+        query.outcome = static_cast<InspectionOutcome>(outcome - 1);
+    query.type = line.text(u"type"_qs);
+    query.expected = line.text(u"expected"_qs);
+    query.operatorName = line.text(u"operator"_qs);
+    query.from = startOf(line, u"from"_qs, 0);
+    query.to = startOf(line, u"to"_qs, 1);
+    return query;
+}
+
+QString lineOf(const HistoryEntry& entry)
+{
+    const auto outcome = entry.outcome();
+    const auto& p = entry.parameters;
+    const auto value = [&](int i) {
+        return p ? withError(p->vector()(i),
+                             entry.standardErrors ? std::optional((*entry.standardErrors)(i)) : std::nullopt)
+                 : u"-"_qs;
+    };
+    return QStringList{entry.number > 0 ? QString::number(entry.number) : u"-"_qs,
+                       entry.time.toUTC().toString(Qt::ISODate),
+                       outcome ? toString(*outcome) : toString(entry.kind),
+                       entry.type.isEmpty() ? u"-"_qs : entry.type,
+                       value(0),
+                       value(1),
+                       value(2),
+                       entry.operatorName}
+        .join(u'\t');
+}
+
+Expected<void> printTable(Library& library, const HistoryQuery& query)
+{
+    const Expected<HistoryKeys> keys = library.historyKeys(query);
+    if (!keys)
+        return tl::unexpected<Error>(keys.error());
+    print(u"number\ttime (UTC)\toutcome\ttype\tm\tb\tk\toperator"_qs);
+    for (std::size_t first = 0; first < keys->size(); first += rowsAtOnce) {
+        const auto entries = library.historyEntries(keys->part(first, rowsAtOnce));
+        if (!entries)
+            return tl::unexpected<Error>(entries.error());
+        for (const HistoryEntry& entry : *entries)
+            print(lineOf(entry));
+    }
+    return {};
+}
+
+Expected<void> printDocument(Library& library, const HistoryQuery& query, HistoryFormat format)
+{
+    HistoryDocument document(query, format);
+    while (true) {
+        const Expected<QByteArray> piece = document.next(library);
+        if (!piece)
+            return tl::unexpected<Error>(piece.error());
+        if (piece->isEmpty())
+            return {};
+        std::fwrite(piece->constData(), 1, static_cast<std::size_t>(piece->size()), stdout);
+    }
+}
+
+} // namespace
+
+int runHistory(const QStringList& arguments)
+{
+    CommandLine line(u"history"_qs,
+                     u"Lists the squeezes of a library, inspected or enrolled, newest first."_qs);
+    addLibraryOption(line);
+    addFilters(line);
+    line.flag(u"csv"_qs, u"As CSV, with all that is known of each."_qs);
+    if (const std::optional<int> exit = line.parse(arguments))
+        return *exit;
+    const HistoryQuery query = queryOf(line);
+    const bool json = line.isSet(u"json"_qs);
+    const bool csv = line.isSet(u"csv"_qs);
+    if (json && csv)
+        line.reject(u"--csv and --json exclude each other."_qs);
+    if (const std::optional<int> exit = line.finish())
+        return *exit;
+    const Expected<std::unique_ptr<Library>> library = libraryFile(line).and_then(openExistingLibrary);
+    if (!library)
+        return fail(library.error(), json);
+    const Expected<void> done =
+        json || csv ? printDocument(**library, query, json ? HistoryFormat::Json : HistoryFormat::Csv)
+                    : printTable(**library, query);
+    return done ? 0 : fail(done.error(), json);
+}
+
+} // namespace gripscope::cli

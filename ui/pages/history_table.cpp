@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/history_table.h"
+
+#include "ui/models/history_delegate.h"
+#include "ui/theme/theme.h"
+
+#include <QHeaderView>
+#include <QMenu>
+#include <QScrollBar>
+#include <QSettings>
+
+#include <algorithm>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+using Column = HistoryModel::Column;
+
+namespace {
+
+/// A selection of more rows than these is not carried over to the next list: finding each takes its time.
+constexpr std::size_t mostKept = 200;
+constexpr auto columnsKey = "history/columns"_L1;
+
+const std::initializer_list<Column> firstColumns{Column::Number,    Column::Time,     Column::Outcome,
+                                                 Column::Type,      Column::Mass,     Column::Damping,
+                                                 Column::Stiffness, Column::Operator, Column::Device};
+
+QStringList storedColumns()
+{
+    QStringList shown;
+    for (const Column column : firstColumns)
+        shown << QString::number(int(column));
+    return QSettings().value(columnsKey, shown).toStringList();
+}
+
+} // namespace
+
+HistoryTable::HistoryTable(HistoryModel* model, QWidget* parent)
+    : QTableView(parent), m_model(model), m_columns(new QMenu(this))
+{
+    setObjectName("historyTable");
+    setModel(model);
+    setItemDelegate(new HistoryDelegate(this));
+    setSelectionBehavior(SelectRows);
+    setSelectionMode(ExtendedSelection);
+    setShowGrid(false);
+    setFrameShape(NoFrame);
+    setTabKeyNavigation(false);
+    setHorizontalScrollMode(ScrollPerPixel);
+    setWordWrap(false);
+    verticalHeader()->hide();
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed); // measured rows would be all of them
+    verticalHeader()->setDefaultSectionSize(metrics::touchTarget);
+    setStyleSheet(u"QTableView::item { padding: 0 4px; }"_s);
+    setAccessibleName(tr("Squeezes"));
+    buildHeader();
+    buildColumnsMenu();
+}
+
+void HistoryTable::buildHeader()
+{
+    QHeaderView* header = horizontalHeader();
+    header->setStyleSheet(u"QHeaderView::section { padding: 8px 6px; }"_s); // in line with the cells
+    header->setHighlightSections(false);
+    header->setSectionsMovable(true);
+    header->setStretchLastSection(true);
+    header->setSortIndicator(int(Column::Time), Qt::DescendingOrder);
+    header->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(header, &QHeaderView::customContextMenuRequested, this,
+            [this, header](const QPoint& at) { m_columns->popup(header->mapToGlobal(at)); });
+    // What counts most comes first where nobody sorted yet: the newest, the largest.
+    header->setSortIndicatorClearable(false);
+    setSortingEnabled(true);
+}
+
+void HistoryTable::buildColumnsMenu()
+{
+    const QStringList shown = storedColumns();
+    for (int i = 0; i < HistoryModel::columns; ++i) {
+        QAction* action = m_columns->addAction(HistoryModel::columnName(Column(i)));
+        action->setCheckable(true);
+        action->setChecked(shown.contains(QString::number(i)));
+        setColumnHidden(i, !action->isChecked());
+        connect(action, &QAction::toggled, this, [this, i](bool on) {
+            setColumnHidden(i, !on);
+            QStringList now;
+            for (int column = 0; column < HistoryModel::columns; ++column)
+                if (!isColumnHidden(column))
+                    now << QString::number(column);
+            QSettings().setValue(columnsKey, now);
+            fitColumns();
+        });
+    }
+}
+
+void HistoryTable::fitColumns()
+{
+    // By the rows in view: all of them would be asked for otherwise.
+    for (int column = 0; column < HistoryModel::columns; ++column)
+        if (!isColumnHidden(column))
+            setColumnWidth(column,
+                           std::max(sizeHintForColumn(column), horizontalHeader()->sectionSizeHint(column)));
+}
+
+std::vector<QString> HistoryTable::selectedKeys() const
+{
+    std::vector<int> rows;
+    for (const QItemSelectionRange& range : selectionModel()->selection())
+        for (int row = range.top(); row <= range.bottom(); ++row)
+            rows.push_back(row);
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    std::vector<QString> keys;
+    for (const int row : rows)
+        keys.push_back(m_model->key(row));
+    return keys;
+}
+
+QString HistoryTable::currentKey() const
+{
+    const QModelIndex current = currentIndex();
+    return current.isValid() ? m_model->key(current.row()) : QString();
+}
+
+void HistoryTable::select(const QString& key)
+{
+    const int row = m_model->rowOf(key);
+    if (row < 0)
+        return;
+    selectRow(row);
+    scrollTo(m_model->index(row, 0), PositionAtCenter);
+}
+
+void HistoryTable::restart(HistoryKeys keys, std::vector<HistoryEntry> first)
+{
+    std::vector<QString> selected = selectedKeys();
+    if (selected.size() > mostKept)
+        selected.clear();
+    const QString current = currentKey();
+    const int scrolled = verticalScrollBar()->value();
+    m_restarting = true;
+    m_model->restart(std::move(keys), std::move(first));
+    reselect(selected, current);
+    m_restarting = false;
+    if (!m_fitted && m_model->rowCount() > 0) {
+        fitColumns();
+        m_fitted = true;
+    }
+    verticalScrollBar()->setValue(scrolled);
+    emit chosen();
+}
+
+void HistoryTable::reselect(const std::vector<QString>& keys, const QString& current)
+{
+    QItemSelection selection;
+    for (const QString& key : keys)
+        if (const int row = m_model->rowOf(key); row >= 0)
+            selection.select(m_model->index(row, 0), m_model->index(row, HistoryModel::columns - 1));
+    selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+    if (const int row = current.isEmpty() ? -1 : m_model->rowOf(current); row >= 0)
+        selectionModel()->setCurrentIndex(m_model->index(row, 0), QItemSelectionModel::NoUpdate);
+}
+
+void HistoryTable::selectionChanged(const QItemSelection& selected, const QItemSelection& deselected)
+{
+    QTableView::selectionChanged(selected, deselected);
+    if (!m_restarting)
+        emit chosen();
+}
+
+void HistoryTable::currentChanged(const QModelIndex& current, const QModelIndex& previous)
+{
+    QTableView::currentChanged(current, previous);
+    if (!m_restarting)
+        emit chosen();
+}
+
+} // namespace gripscope

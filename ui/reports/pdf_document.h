@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/error.h"
+
+#include <QImage>
+#include <QString>
+
+#include <vector>
+
+namespace gripscope {
+
+/// A picture that the text names: <img src='name'>.
+struct PdfPicture {
+    QString name;
+    QImage image;
+};
+
+/// A report of the program on A4: `html` with its pictures, pages numbered. Written whole or not at all.
+/// FileUnwritable. On any thread.
+[[nodiscard]] Expected<void> writePdf(const QString& title, const QString& html,
+                                      const std::vector<PdfPicture>& pictures, const QString& file);
+
+/// A line of a table of facts: a name and a text.
+[[nodiscard]] QString pdfRow(const QString& name, const QString& text);
+
+} // namespace gripscope
