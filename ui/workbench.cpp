@@ -3,7 +3,9 @@
 
 #include "core/calibration/calibration_record.h"
 #include "core/session/stored_chain.h"
+#include "core/signal/units.h"
 #include "devices/replay/capture_folder.h"
+#include "ui/commanded_force.h"
 #include "ui/connection_words.h"
 #include "ui/models/reference_words.h"
 #include "ui/settings/settings.h"
@@ -80,6 +82,7 @@ struct Workbench::Private {
     InspectSession inspection;
     LiveHistory history;
     PlotTime plotTime;
+    CommandedForce commanded;
     LiveEstimate estimate;
     QThreadPool pool;
     QTimer timer;
@@ -96,14 +99,30 @@ struct Workbench::Private {
     int enrolledSqueezes = 0;
     EnrollSession::Step enrollmentStep = EnrollSession::Step::Name;
     qint64 lastInspection = 0;
+
+    /// In the unit of the force channel; none where that is no unit of force.
+    [[nodiscard]] std::vector<std::optional<double>> commandedForces(const std::vector<Sample>& samples);
 };
+
+std::vector<std::optional<double>> Workbench::Private::commandedForces(const std::vector<Sample>& samples)
+{
+    const SafetyGate* gate = connection.gate();
+    const std::optional<double> unit_N = newtonsPer(connection.identity().forceUnit);
+    if (!gate || !unit_N)
+        return {};
+    std::vector<std::optional<double>> forces = commanded.follow(samples, gate->lastStarted());
+    for (std::optional<double>& force : forces)
+        if (force)
+            *force /= *unit_N;
+    return forces;
+}
 
 Workbench::Workbench(const QString& libraryFile, const QString& settingsFile, QObject* parent)
     : QObject(parent), d(std::make_unique<Private>(libraryFile, settingsFile))
 {
     d->enrollment.keepDrafts(true);
     d->connection.addListener([this](const std::vector<Sample>& samples) {
-        d->history.append(d->plotTime.place(samples, d->history.newestTime_s()));
+        d->history.append(d->plotTime.place(samples, d->history.newestTime_s()), d->commandedForces(samples));
         d->estimate.append(samples);
     });
     // A display refreshes at 60 Hz; the sessions ask to be polled every 16 to 33 ms.
@@ -291,6 +310,7 @@ void Workbench::noticeConnection()
         const bool back = opened && now.reconnections > d->seen.reconnections;
         d->seen = now;
         if (opened) {
+            d->commanded.reset();
             const GripperIdentity identity = d->connection.identity();
             if (back) {
                 d->plotTime.noticeReturn();

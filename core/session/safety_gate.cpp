@@ -97,6 +97,8 @@ Expected<void> SafetyGate::start(const std::vector<double>& force_N)
     if (m_port->state() != LinkState::Armed)
         return failure(ErrorCode::NotArmed, {Words::tr("move")});
     m_port->startExcitation(*admitted);
+    m_started.force_N = admitted->force_N();
+    ++m_started.number;
     return {};
 }
 

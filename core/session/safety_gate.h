@@ -5,6 +5,7 @@
 
 #include <QString>
 
+#include <cstdint>
 #include <vector>
 
 namespace gripscope {
@@ -65,6 +66,12 @@ public:
     /// only listens).
     [[nodiscard]] Expected<void> arm(const QString& person);
     [[nodiscard]] Expected<void> start(const std::vector<double>& force_N);
+    /// What the gripper was asked for last.
+    struct Started {
+        std::vector<double> force_N;
+        std::uint64_t number = 0; ///< counted from 1; 0: nothing was started yet
+    };
+    [[nodiscard]] const Started& lastStarted() const { return m_started; }
     /// Ends a squeeze before its time: it only takes force away, so nothing is asked of it.
     void finish();
     void stop() noexcept;
@@ -75,6 +82,7 @@ public:
 private:
     GripperPort* m_port;
     JobLimits m_jobLimits{1e9, 1e9};
+    Started m_started;
 };
 
 } // namespace gripscope

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/squeeze_job.h"
 
+#include "core/session/described_recording.h"
 #include "core/session/limit_watch.h"
 #include "core/session/squeeze_notes.h"
 #include "core/session/squeeze_recorder.h"
-#include "core/signal/stream_account.h"
 #include "core/words.h"
-
-#include <QDateTime>
 
 #include <algorithm>
 #include <cmath>
@@ -106,38 +104,16 @@ Expected<void> SqueezeJob::Private::ready() const
 
 void SqueezeJob::Private::begin(std::size_t samples, QMap<QString, QString> provenance)
 {
-    const GripperIdentity identity = connection.identity();
-    provenance[u"device"_qs] = identity.name;
-    provenance[u"serial"_qs] = identity.serial;
-    provenance[u"address"_qs] = identity.address.isEmpty() ? connection.address() : identity.address;
-    provenance[u"firmware"_qs] = identity.firmware;
-    if (!identity.lossVisible)
-        provenance[unseenLossesKey()] =
-            Words::tr("cannot be seen: the gripper sends neither a number nor a clock");
-    if (!operatorName.isEmpty())
-        provenance[u"operator"_qs] = operatorName;
-    provenance[u"recorded_utc"_qs] = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs);
-
-    recording = {};
-    recording.sampleTime_s = identity.sampleTime_s;
-    recording.forceUnit = identity.forceUnit;
-    recording.positionUnit = identity.positionUnit;
-    recording.hold = identity.hold;
-    recording.forceLag_s = connection.forceLag_s();
-    recording.chain = connection.measuringChain();
-    recording.provenance = std::move(provenance);
-    connection.calibration().describe(recording, QDateTime::currentDateTime());
-    if (!identity.keptSession.isEmpty())
-        recording.provenance[u"capture"_qs] = identity.keptSession;
+    recording = describedRecording(connection, operatorName, std::move(provenance));
     const auto mode = listening ? SqueezeRecorder::Mode::Everything : SqueezeRecorder::Mode::Movement;
-    recorder.begin(mode, samples, identity.sampleTime_s);
+    recorder.begin(mode, samples, recording.sampleTime_s);
     connection.port()->note(toNote(SqueezeBegins{mode, samples, {}}));
     error.reset();
     finishing.reset();
     endedEarly = false;
     link = connection.reconnections();
     state = State::Starting;
-    seconds = static_cast<double>(samples) * identity.sampleTime_s;
+    seconds = static_cast<double>(samples) * recording.sampleTime_s;
     started = lastNews = clock();
     listener = connection.addListener([this](const std::vector<Sample>& batch) {
         recorder.take(batch);

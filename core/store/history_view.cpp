@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/history_view.h"
+
 #include "core/signal/units.h"
 #include "core/store/estimate_table.h"
 #include "core/store/history_selection.h"
 #include "core/store/inspection_table.h"
-#include "core/words.h"
 #include "core/words.h"
 
 #include <QHash>

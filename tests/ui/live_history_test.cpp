@@ -54,6 +54,11 @@ private slots:
     void keepsTenMinutesAndForgetsWhatIsOlder();
     void aDeviceThatStartsAgainStartsANewHistory();
     void columnsStandStillWhileTheTimeMovesOn();
+    void theNewestMinuteIsKeptSampleBySample();
+    void aPartOfWhatIsOlderCanBeLookedAt();
+    void theCommandedForceStandsWhereItIsKnown_data();
+    void theCommandedForceStandsWhereItIsKnown();
+    void aReadingIsOfTheNearestSample();
 };
 
 void LiveHistoryTest::startsEmpty()
@@ -188,6 +193,71 @@ void LiveHistoryTest::columnsStandStillWhileTheTimeMovesOn()
         });
         QVERIFY(same != after.end());
     }
+}
+
+void LiveHistoryTest::theNewestMinuteIsKeptSampleBySample()
+{
+    LiveHistory history;
+    history.append(ramp(0, 100));
+    QVERIFY(std::abs(history.oldestFullRateTime_s() - 40) < 0.002);
+    const std::vector<Sample> kept = history.samples(40.1, 99);
+    QCOMPARE(kept.size(), std::size_t(117801)); // both ends
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        QCOMPARE(kept[i].sequence, kept.front().sequence + i);
+    QVERIFY(history.samples(10, 39).empty());
+    QCOMPARE(history.sampleAt(50.0002)->sequence, std::uint64_t(100000));
+    QVERIFY(!history.sampleAt(30));
+}
+
+void LiveHistoryTest::aPartOfWhatIsOlderCanBeLookedAt()
+{
+    LiveHistory history;
+    const double peakAt_s = 20.5;
+    history.append(ramp(0, 620, peakAt_s));
+    QVERIFY(history.oldestTime_s() <= 20.5);
+    const auto stretches = history.columns(LiveHistory::Channel::Position, 21, 1, 700);
+    QCOMPARE(stretches.size(), std::size_t{1});
+    const auto top = std::max_element(stretches.front().begin(), stretches.front().end(),
+                                      [](const PlotPoint& a, const PlotPoint& b) { return a.y < b.y; });
+    QCOMPARE(top->y, 9.0);
+    QVERIFY(std::abs(top->x + 0.5) < 0.07); // the shortest bins that reach back 600 s are of 64 ms
+}
+
+void LiveHistoryTest::theCommandedForceStandsWhereItIsKnown_data()
+{
+    drawingCostsWhatTheWidthCosts_data();
+}
+
+void LiveHistoryTest::theCommandedForceStandsWhereItIsKnown()
+{
+    QFETCH(double, seconds);
+    LiveHistory history;
+    const std::vector<Sample> samples = ramp(0, 610);
+    std::vector<std::optional<double>> commanded(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        if (samples[i].time_s >= 608.5 && samples[i].time_s < 609.5)
+            commanded[i] = 25;
+    history.append(samples, commanded);
+    const double now = history.newestTime_s();
+    const auto found = history.columns(LiveHistory::Channel::CommandedForce, now, seconds, 800);
+    QCOMPARE(found.size(), std::size_t{1});
+    const double column_s = seconds / 800;
+    QVERIFY(std::abs(found[0].front().x - (608.5 - now)) <= 1.3 * column_s);
+    QVERIFY(std::abs(found[0].back().x - (609.5 - now)) <= 1.3 * column_s);
+    for (const PlotPoint& p : found[0])
+        QCOMPARE(p.y, 25.0);
+    QVERIFY(!history.reading(LiveHistory::Channel::CommandedForce, 608.4));
+    QCOMPARE(history.reading(LiveHistory::Channel::CommandedForce, 609)->middle(), 25.0);
+}
+
+void LiveHistoryTest::aReadingIsOfTheNearestSample()
+{
+    LiveHistory history;
+    history.append(ramp(0, 30, 20));
+    QCOMPARE(history.reading(LiveHistory::Channel::Position, 20.0002)->middle(), 9.0);
+    QCOMPARE(history.reading(LiveHistory::Channel::Position, 20.0003)->middle(), 1.0);
+    QVERIFY(!history.reading(LiveHistory::Channel::Force, 30.1));
+    QVERIFY(!LiveHistory().reading(LiveHistory::Channel::Force, 0));
 }
 
 GRIPSCOPE_TEST(LiveHistoryTest)

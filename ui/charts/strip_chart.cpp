@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/strip_chart.h"
 
+#include "ui/charts/strip_curve.h"
 #include "ui/theme/theme.h"
 
 #include <QPainter>
@@ -11,23 +12,30 @@
 namespace gripscope {
 
 namespace {
-constexpr int left = 64, right = 16, top = 10, bottom = 26;
-constexpr double gapSign = 8;  ///< a triangle on the upper edge
+constexpr int left = 64, right = 16, top = 10, bottom = 26, bottomBare = 10;
+constexpr double gapSign = 8; ///< a triangle on the upper edge
+constexpr double markSign = 18;
 constexpr int calmFrames = 60; ///< about a second: the range shrinks only after that
+constexpr double commandedWidth = 5;
 } // namespace
 
 StripChart::StripChart(LiveHistory::Channel channel, double leastSpan, QWidget* parent)
     : QWidget(parent), m_channel(channel), m_leastSpan(leastSpan), m_range{0, leastSpan}
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    connect(&Theme::instance(), &Theme::changed, this, [this] {
-        m_frameValid = false;
-        update();
-    });
+    connect(&Theme::instance(), &Theme::changed, this, &StripChart::repaintFrame);
+}
+
+void StripChart::repaintFrame()
+{
+    m_frameValid = false;
+    update();
 }
 
 void StripChart::setScale(double factor, double zero)
 {
+    if (factor == m_factor && zero == m_zero)
+        return;
     m_factor = factor;
     m_zero = zero;
     m_calm = calmFrames;
@@ -38,16 +46,24 @@ void StripChart::setUnit(const QString& unit)
     if (unit == m_unit)
         return;
     m_unit = unit;
-    m_frameValid = false;
-    update();
+    repaintFrame();
 }
 
-void StripChart::setSeconds(double seconds)
+void StripChart::setTime(double seconds, double end_s, const QString& zero)
 {
+    if (seconds == m_seconds && end_s == m_end_s && zero == m_zeroWord)
+        return;
     m_seconds = seconds;
-    m_frameValid = false;
+    m_end_s = end_s;
+    m_zeroWord = zero;
     m_calm = calmFrames;
-    update();
+    repaintFrame();
+}
+
+void StripChart::setTimeLabels(bool on)
+{
+    m_timeLabels = on;
+    repaintFrame();
 }
 
 void StripChart::setStretches(std::vector<LiveHistory::Stretch> stretches)
@@ -57,9 +73,21 @@ void StripChart::setStretches(std::vector<LiveHistory::Stretch> stretches)
     update();
 }
 
+void StripChart::setCommanded(std::vector<LiveHistory::Stretch> stretches)
+{
+    m_commanded = std::move(stretches);
+    update();
+}
+
 void StripChart::setGaps(std::vector<LiveHistory::Gap> gaps)
 {
     m_gaps = std::move(gaps);
+    update();
+}
+
+void StripChart::setMarks(std::vector<StripMark> marks)
+{
+    m_marks = std::move(marks);
     update();
 }
 
@@ -70,25 +98,46 @@ int StripChart::columns() const
 
 QRectF StripChart::plot() const
 {
-    return QRectF(rect()).adjusted(left, top, -right, -bottom);
+    return QRectF(rect()).adjusted(left, top, -right, m_timeLabels ? -bottom : -bottomBare);
+}
+
+double StripChart::shareAt(double pixel) const
+{
+    return (pixel - plot().left()) / std::max(1.0, plot().width());
+}
+
+double StripChart::pixelAt(double x) const
+{
+    return plot().right() + x / m_seconds * plot().width();
+}
+
+QColor StripChart::commandedColor()
+{
+    const ThemeTokens& t = Theme::instance().tokens();
+    return Theme::mix(t.surface, t.text, 0.5);
 }
 
 void StripChart::followRange()
 {
-    double low = INFINITY;
-    double high = -INFINITY;
-    for (const LiveHistory::Stretch& stretch : m_stretches)
-        for (const PlotPoint& p : stretch) {
-            low = std::min(low, p.y);
-            high = std::max(high, p.y);
-        }
+    const auto extremes = [](const std::vector<LiveHistory::Stretch>& stretches) {
+        AxisRange found{INFINITY, -INFINITY};
+        for (const LiveHistory::Stretch& stretch : stretches)
+            for (const PlotPoint& p : stretch) {
+                found.low = std::min(found.low, p.y);
+                found.high = std::max(found.high, p.y);
+            }
+        return found;
+    };
+    const AxisRange measured = extremes(m_stretches);
     m_seen.reset();
-    if (!(low <= high))
+    if (!(measured.low <= measured.high))
         return;
-    const double a = low * m_factor - m_zero;
-    const double b = high * m_factor - m_zero;
+    const double a = measured.low * m_factor - m_zero;
+    const double b = measured.high * m_factor - m_zero;
     m_seen = {std::min(a, b), std::max(a, b)};
-    const AxisRange wanted = roundRange(m_seen->low, m_seen->high, m_leastSpan);
+    const AxisRange asked = extremes(m_commanded);
+    const AxisRange wanted = roundRange(std::min(m_seen->low, asked.low * m_factor),
+                                        std::max(m_seen->high, asked.high * m_factor), m_leastSpan);
     const bool outside = wanted.low < m_range.low || wanted.high > m_range.high;
     const bool smaller = wanted.span() < m_range.span() * 0.999;
     m_calm = smaller && !outside ? m_calm + 1 : 0;
@@ -113,7 +162,13 @@ void StripChart::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_frame);
     paintGaps(painter);
-    paintCurve(painter);
+    paintCurves(painter);
+    paintMarks(painter);
+    if (hasFocus()) {
+        painter.setPen(QPen(Theme::instance().tokens().accent, 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(plot().adjusted(0, 0, 1, 1));
+    }
     emit painted();
 }
 
@@ -127,8 +182,8 @@ void StripChart::paintGaps(QPainter& painter) const
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     for (const LiveHistory::Gap& gap : m_gaps) {
-        const double from = std::max(area.left(), area.right() + gap.begin / m_seconds * area.width());
-        const double to = std::min(area.right(), area.right() + gap.end / m_seconds * area.width());
+        const double from = std::max(area.left(), pixelAt(gap.begin));
+        const double to = std::min(area.right(), pixelAt(gap.end));
         const double middle = (from + to) / 2;
         painter.setBrush(tint);
         painter.drawRect(
@@ -152,9 +207,16 @@ void StripChart::paintFrame()
     m_frame.fill(Qt::transparent);
     QPainter painter(&m_frame);
     const ThemeTokens& t = Theme::instance().tokens();
-    const QRectF area = plot();
     const QColor grid = t.kind == ThemeKind::HighContrast ? Theme::mix(t.surface, t.line, 0.3) : t.line;
     painter.setFont(Theme::font(metrics::fontSmall));
+    paintValueAxis(painter, grid);
+    paintTimeAxis(painter, grid);
+    m_frameValid = true;
+}
+
+void StripChart::paintValueAxis(QPainter& painter, const QColor& grid) const
+{
+    const QRectF area = plot();
     const AxisTicks y =
         roundTicks(m_range.low, m_range.high, std::clamp(static_cast<int>(area.height() / 30), 2, 8));
     for (const double value : y.values) {
@@ -162,61 +224,81 @@ void StripChart::paintFrame()
             std::round(area.bottom() - (value - m_range.low) / m_range.span() * area.height()) + 0.5;
         painter.setPen(QPen(grid, 1));
         painter.drawLine(QPointF(area.left(), at), QPointF(area.right(), at));
-        painter.setPen(t.secondText);
+        painter.setPen(Theme::instance().tokens().secondText);
         const bool highest = value == y.values.back();
         painter.drawText(QRectF(0, at - 9, left - 8, 18), Qt::AlignRight | Qt::AlignVCenter,
                          highest ? y.label(value) + QChar(0x00A0) + m_unit : y.label(value));
     }
+}
+
+void StripChart::paintTimeAxis(QPainter& painter, const QColor& grid) const
+{
+    const QRectF area = plot();
     const double unit = m_seconds > 120 ? 60 : 1;
-    const AxisTicks x =
-        roundTicks(-m_seconds / unit, 0, std::clamp(static_cast<int>(area.width() / 90), 2, 11));
+    const AxisTicks x = roundTicks((m_end_s - m_seconds) / unit, m_end_s / unit,
+                                   std::clamp(static_cast<int>(area.width() / 90), 2, 11));
     for (const double value : x.values) {
-        const double at = std::round(area.right() + value * unit / m_seconds * area.width()) + 0.5;
+        const double at = std::round(pixelAt(value * unit - m_end_s)) + 0.5;
         painter.setPen(QPen(grid, 1));
         painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
-        painter.setPen(t.secondText);
-        const QString text = value == 0 ? tr("now") : x.label(value) + (unit > 1 ? tr(" min") : tr(" s"));
+        if (!m_timeLabels)
+            continue;
+        painter.setPen(Theme::instance().tokens().secondText);
+        const QString number = x.label(value);
+        const bool zero = std::abs(value) < x.step / 2;
+        const QString text = zero ? m_zeroWord : unit > 1 ? tr("%1 min").arg(number) : tr("%1 s").arg(number);
         const double wide = painter.fontMetrics().horizontalAdvance(text) + 2;
         // At the left edge beside the line, so that it keeps clear of the other axis.
         const double from = at - area.left() < wide / 2 ? at : std::min(at - wide / 2, width() - wide);
         painter.drawText(QRectF(from, area.bottom() + 5, wide, 16), Qt::AlignHCenter | Qt::AlignTop, text);
     }
-    m_frameValid = true;
 }
 
-void StripChart::paintCurve(QPainter& painter) const
+void StripChart::paintCurves(QPainter& painter) const
 {
     const ThemeTokens& t = Theme::instance().tokens();
     const QRectF area = plot();
-    const double thick = t.curveWidth > 2 ? 2 : 1.5;
-    // One wide polyline over dense data would take Qt most of a second: it unites the outline of all its
-    // pieces. Tall pieces are upright bars, the others single lines; both are drawn in a few milliseconds.
-    QList<QRectF> bars;
-    QList<QLineF> lines;
-    for (const LiveHistory::Stretch& stretch : m_stretches) {
-        QPointF before;
-        for (std::size_t i = 0; i < stretch.size(); ++i) {
-            const PlotPoint& p = stretch[i];
-            const QPointF here(area.right() + p.x / m_seconds * area.width(),
-                               area.bottom() -
-                                   (p.y * m_factor - m_zero - m_range.low) / m_range.span() * area.height());
-            const QPointF from = i == 0 ? here : before;
-            if (std::abs(here.x() - from.x()) < 1.5 && std::abs(here.y() - from.y()) > 4)
-                bars << QRectF(here.x() - thick / 2, std::min(here.y(), from.y()), thick,
-                               std::abs(here.y() - from.y()));
-            else
-                lines << QLineF(from, here);
-            before = here;
-        }
-    }
-    const QColor color = m_channel == LiveHistory::Channel::Force ? t.force : t.position;
+    const auto place = [&](double zero) {
+        return [this, area, zero](const PlotPoint& p) {
+            return QPointF(pixelAt(p.x), area.bottom() - (p.y * m_factor - zero - m_range.low) /
+                                                             m_range.span() * area.height());
+        };
+    };
     painter.setClipRect(area.adjusted(0, -6, 1, 6)); // roundRange() lets noise stand a little outside
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(color);
-    painter.drawRects(bars);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(color, thick, Qt::SolidLine, Qt::SquareCap));
-    painter.drawLines(lines);
+    paintCommanded(painter, m_commanded, place(0), commandedColor(), commandedWidth);
+    const QColor color = m_channel == LiveHistory::Channel::Force ? t.force : t.position;
+    paintMeasured(painter, m_stretches, place(m_zero), color, t.curveWidth > 2 ? 2 : 1.5);
+    painter.setClipping(false);
+}
+
+void StripChart::paintMarks(QPainter& painter) const
+{
+    const ThemeTokens& t = Theme::instance().tokens();
+    const QRectF area = plot();
+    painter.setFont(Theme::font(metrics::fontSmall, true));
+    double labelledTo = -markSign;
+    for (const StripMark& mark : m_marks) {
+        const double at = std::round(pixelAt(mark.x)) + 0.5;
+        if (at < area.left() || at > area.right() + 1)
+            continue;
+        const bool cursor = mark.kind != StripMark::Kind::Marker;
+        const QColor color = cursor ? t.accent : t.text;
+        const bool dashed = mark.kind == StripMark::Kind::SecondCursor;
+        painter.setPen(QPen(color, cursor ? t.lineWidth + 1 : t.lineWidth,
+                            dashed   ? Qt::DashLine
+                            : cursor ? Qt::SolidLine
+                                     : Qt::DotLine));
+        painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
+        if (!cursor && at - labelledTo < markSign) // numbers over each other could not be read
+            continue;
+        labelledTo = cursor ? labelledTo : at;
+        const double wide = std::max(markSign, painter.fontMetrics().horizontalAdvance(mark.label) + 8.0);
+        const double from = std::clamp(at - wide / 2, area.left(), area.right() - wide);
+        const QRectF box(from, cursor ? area.bottom() - markSign : area.top(), wide, markSign);
+        painter.fillRect(box, color);
+        painter.setPen(Theme::onColor(color));
+        painter.drawText(box, Qt::AlignCenter, mark.label);
+    }
 }
 
 } // namespace gripscope

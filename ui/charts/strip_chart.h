@@ -11,8 +11,16 @@
 
 namespace gripscope {
 
-/// One channel over the last seconds, newest on the right. It is handed min/max columns, so a frame costs
-/// what its width costs. The vertical range follows the data between round numbers and gives way slowly.
+/// A moment marked in a strip chart; x as in the stretches.
+struct StripMark {
+    enum class Kind { Marker, FirstCursor, SecondCursor };
+    double x = 0;
+    QString label; ///< a letter or a number
+    Kind kind = Kind::Marker;
+};
+
+/// One channel over a stretch of time. It is handed min/max columns, so a frame costs what its width costs.
+/// The vertical range follows the data between round numbers and gives way slowly.
 class StripChart : public QWidget {
     Q_OBJECT
 public:
@@ -21,16 +29,30 @@ public:
     /// `factor` takes the device's unit to the one shown; `zero` (shown unit) is subtracted first: tare.
     void setScale(double factor, double zero);
     void setUnit(const QString& unit); ///< stands at the topmost tick
-    void setSeconds(double seconds);
+    /// Shows `seconds`; their end is `end_s` (<= 0) from what times are told from, which is `zero` in words.
+    void setTime(double seconds, double end_s, const QString& zero);
+    /// Without words at the time axis: they stand below another chart of the same time.
+    void setTimeLabels(bool on);
     void setStretches(std::vector<LiveHistory::Stretch> stretches);
+    /// What was asked for, to stand behind what was measured; it has no tare.
+    void setCommanded(std::vector<LiveHistory::Stretch> stretches);
     /// Where samples are missing: marked, and no line goes across.
     void setGaps(std::vector<LiveHistory::Gap> gaps);
+    void setMarks(std::vector<StripMark> marks);
+    [[nodiscard]] const std::vector<StripMark>& marks() const { return m_marks; }
     [[nodiscard]] int columns() const; ///< pixel columns of the plot
     [[nodiscard]] double seconds() const { return m_seconds; }
     [[nodiscard]] AxisRange range() const { return m_range; }
-    /// Lowest and highest value in view, in the unit shown; nothing while nothing is in view.
+    /// Lowest and highest measured value in view, in the unit shown; nothing while nothing is in view.
     [[nodiscard]] std::optional<AxisRange> seen() const { return m_seen; }
     [[nodiscard]] const std::vector<LiveHistory::Stretch>& stretches() const { return m_stretches; }
+    [[nodiscard]] const std::vector<LiveHistory::Stretch>& commanded() const { return m_commanded; }
+    [[nodiscard]] QRectF plot() const;
+    /// Which share of the time shown lies left of a pixel column, 0 to 1 within the plot; and back.
+    [[nodiscard]] double shareAt(double pixel) const;
+    [[nodiscard]] double pixelAt(double x) const;
+    /// The colour of what was commanded: 3 to 1 on the surface, behind the channel's own.
+    [[nodiscard]] static QColor commandedColor();
 
     [[nodiscard]] QSize sizeHint() const override { return {640, 220}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {280, 96}; }
@@ -43,17 +65,23 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    [[nodiscard]] QRectF plot() const;
     void followRange();
     void paintFrame();
-    void paintCurve(QPainter& painter) const;
+    void paintTimeAxis(QPainter& painter, const QColor& grid) const;
+    void paintValueAxis(QPainter& painter, const QColor& grid) const;
+    void paintCurves(QPainter& painter) const;
     void paintGaps(QPainter& painter) const;
+    void paintMarks(QPainter& painter) const;
+    void repaintFrame();
 
     LiveHistory::Channel m_channel;
     double m_leastSpan;
-    double m_factor = 1, m_zero = 0, m_seconds = 10;
-    std::vector<LiveHistory::Stretch> m_stretches;
+    double m_factor = 1, m_zero = 0, m_seconds = 10, m_end_s = 0;
+    QString m_zeroWord;
+    bool m_timeLabels = true;
+    std::vector<LiveHistory::Stretch> m_stretches, m_commanded;
     std::vector<LiveHistory::Gap> m_gaps;
+    std::vector<StripMark> m_marks;
     AxisRange m_range{0, 1};
     std::optional<AxisRange> m_seen;
     QString m_unit;

@@ -3,6 +3,7 @@
 
 #include "core/signal/units.h"
 #include "core/words.h"
+#include "ui/live_view.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -10,14 +11,30 @@
 #include <QVBoxLayout>
 
 #include <cmath>
+#include <functional>
 
 using namespace Qt::StringLiterals;
 
 namespace gripscope {
 
 namespace {
+
 constexpr double readingSeconds = 0.1;
+
+/// A piece of a line of the chart, for its legend: told apart by width as well as by colour.
+QFrame* makeSwatch(int height, const std::function<QColor()>& color, QWidget* parent)
+{
+    auto* swatch = new QFrame(parent);
+    swatch->setFixedSize(20, height);
+    const auto paint = [swatch, color] {
+        swatch->setStyleSheet(u"background: %1; border: none;"_s.arg(color().name()));
+    };
+    paint();
+    QObject::connect(&Theme::instance(), &Theme::changed, swatch, paint);
+    return swatch;
 }
+
+} // namespace
 
 LiveChannelCard::LiveChannelCard(LiveHistory::Channel channel, const QString& name, QWidget* parent)
     : QFrame(parent), m_channel(channel)
@@ -28,21 +45,21 @@ LiveChannelCard::LiveChannelCard(LiveHistory::Channel channel, const QString& na
     // The least span keeps sensor noise from filling the chart: 2 N, 0.2 mm.
     m_chart = new StripChart(channel, force ? 2.0 : 0.2, this);
     m_chart->setAccessibleName(tr("%1 over time").arg(name));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(4, 8, 16, 4);
+    row->setSpacing(8);
+    row->addWidget(m_chart, 1);
+    buildSide(name);
+}
 
-    auto* swatch = new QFrame(this);
-    swatch->setFixedSize(20, 4);
-    const auto paintSwatch = [swatch, force] {
-        const ThemeTokens& t = Theme::instance().tokens();
-        swatch->setStyleSheet(u"background: %1; border: none; border-radius: 2px;"_s.arg(
-            (force ? t.force : t.position).name()));
-    };
-    paintSwatch();
-    connect(&Theme::instance(), &Theme::changed, swatch, paintSwatch);
-
+void LiveChannelCard::buildSide(const QString& name)
+{
+    const bool force = m_channel == LiveHistory::Channel::Force;
     m_value = makeLabel(u"–"_s, "big-number", this);
     m_value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_value->setAccessibleName(name);
     m_unitLabel = makeLabel(force ? u"N"_s : u"mm"_s, "second", this);
+    m_unitLabel->setContentsMargins(0, 0, 0, 6);
     m_tared = makeLabel(tr("tared"), "caption", this);
     m_tared->setAlignment(Qt::AlignRight);
     m_tared->hide();
@@ -51,31 +68,42 @@ LiveChannelCard::LiveChannelCard(LiveHistory::Channel channel, const QString& na
 
     auto* head = new QHBoxLayout;
     head->setSpacing(8);
-    head->addWidget(swatch);
+    head->addWidget(makeSwatch(
+        2, [force] { return force ? Theme::instance().tokens().force : Theme::instance().tokens().position; },
+        this));
     head->addWidget(makeLabel(name, "strong", this));
     head->addStretch(1);
     auto* number = new QHBoxLayout;
     number->setSpacing(6);
     number->addWidget(m_value, 1);
     number->addWidget(m_unitLabel, 0, Qt::AlignBottom);
-    m_unitLabel->setContentsMargins(0, 0, 0, 6);
-    auto* side = new QVBoxLayout;
-    side->setSpacing(4);
+    auto* sideBox = new QWidget(this);
+    sideBox->setFixedWidth(184);
+    auto* side = new QVBoxLayout(sideBox);
+    setSpacing(side, 0, 4);
     side->addLayout(head);
     side->addLayout(number);
     side->addWidget(m_tared);
+    if (force) {
+        m_legend = new QWidget(this);
+        auto* legend = new QHBoxLayout(m_legend);
+        setSpacing(legend, 0, 8);
+        legend->addWidget(makeSwatch(6, &StripChart::commandedColor, this));
+        m_commanded = makeLabel({}, "caption", this);
+        m_commanded->setObjectName("commandedForce");
+        m_commanded->setToolTip(tr("What this program asks of the gripper while it squeezes; without tare"));
+        legend->addWidget(m_commanded, 1);
+        side->addWidget(m_legend);
+    }
     side->addStretch(1);
     side->addWidget(m_seen);
-    auto* sideBox = new QWidget(this);
-    sideBox->setFixedWidth(184);
-    side->setContentsMargins(0, 0, 0, 0);
-    sideBox->setLayout(side);
+    layout()->addWidget(sideBox);
+}
 
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(4, 8, 16, 4);
-    row->setSpacing(8);
-    row->addWidget(m_chart, 1);
-    row->addWidget(sideBox);
+void LiveChannelCard::setCommandable(bool on)
+{
+    if (m_legend)
+        m_legend->setVisible(on);
 }
 
 void LiveChannelCard::setDeviceUnit(const QString& unit)
@@ -87,12 +115,17 @@ void LiveChannelCard::setDeviceUnit(const QString& unit)
     m_chart->setUnit(m_unitLabel->text());
 }
 
-void LiveChannelCard::refreshChart(const LiveHistory& history, double until_s)
+void LiveChannelCard::refreshChart(const LiveHistory& history, const LiveView& view)
 {
+    const double until_s = view.until_s();
+    const auto columns = static_cast<std::size_t>(m_chart->columns());
     m_chart->setScale(m_factor, m_zero);
-    m_chart->setStretches(history.columns(m_channel, until_s, m_chart->seconds(),
-                                          static_cast<std::size_t>(m_chart->columns())));
-    m_chart->setGaps(history.gaps(until_s, m_chart->seconds()));
+    m_chart->setTime(view.seconds(), until_s - view.reference_s(), view.held() ? tr("0 s") : tr("now"));
+    if (m_channel == LiveHistory::Channel::Force)
+        m_chart->setCommanded(
+            history.columns(LiveHistory::Channel::CommandedForce, until_s, view.seconds(), columns));
+    m_chart->setStretches(history.columns(m_channel, until_s, view.seconds(), columns));
+    m_chart->setGaps(history.gaps(until_s, view.seconds()));
 }
 
 std::optional<double> LiveChannelCard::meanNow(const LiveHistory& history, double until_s) const
@@ -119,9 +152,42 @@ void LiveChannelCard::refreshValue(const LiveHistory& history, double until_s)
     const double shown = *mean - m_zero;
     m_value->setText(number(shown));
     m_tared->setVisible(m_zero != 0);
+    if (m_commanded)
+        showCommanded(history, until_s);
     if (const std::optional<AxisRange> seen = m_chart->seen())
-        m_seen->setText(tr("in view\nhighest %1 %3\nlowest %2 %3")
-                            .arg(number(seen->high), number(seen->low), m_unitLabel->text()));
+        m_seen->setText(
+            tr("in view\n%1 to %2 %3").arg(number(seen->low), number(seen->high), m_unitLabel->text()));
+}
+
+void LiveChannelCard::showCommanded(const LiveHistory& history, double until_s)
+{
+    const std::optional<LiveHistory::Reading> asked =
+        history.reading(LiveHistory::Channel::CommandedForce, until_s);
+    m_commanded->setText(
+        asked ? tr("commanded %1 %2").arg(number(asked->middle() * m_factor), m_unitLabel->text())
+              : tr("commanded"));
+}
+
+QString LiveChannelCard::readingText(const std::optional<ReadValue>& reading) const
+{
+    if (!reading)
+        return u"–"_s;
+    const auto shown = [&](double value) { return number(value * m_factor - m_zero); };
+    if (reading->range && shown(reading->value - reading->halfWidth) != shown(reading->value))
+        return tr("%1 to %2 %3")
+            .arg(shown(reading->value - reading->halfWidth), shown(reading->value + reading->halfWidth),
+                 m_unitLabel->text());
+    return u"%1 %2"_s.arg(shown(reading->value), m_unitLabel->text());
+}
+
+QString LiveChannelCard::changeText(const std::optional<ReadValue>& change) const
+{
+    if (!change)
+        return u"–"_s;
+    const double halfWidth = change->halfWidth * m_factor;
+    return formatNumber(change->value * m_factor, halfWidth > 0 ? std::optional(halfWidth) : std::nullopt,
+                        m_unitLabel->text())
+        .text();
 }
 
 QString LiveChannelCard::number(double shown) const
@@ -135,6 +201,8 @@ void LiveChannelCard::showNoValue()
 {
     m_value->setText(u"–"_s);
     m_seen->clear();
+    if (m_commanded)
+        m_commanded->setText(tr("commanded"));
 }
 
 } // namespace gripscope

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/live_page.h"
 
-#include "core/session/squeeze_job.h"
 #include "ui/connection_words.h"
+#include "ui/models/live_marker_model.h"
 #include "ui/page_state.h"
 #include "ui/pages/live_channel_card.h"
 #include "ui/pages/live_estimate_card.h"
 #include "ui/pages/live_link_panel.h"
+#include "ui/pages/live_measure_panel.h"
+#include "ui/pages/live_pause.h"
+#include "ui/pages/live_save.h"
+#include "ui/pages/live_trial.h"
 #include "ui/theme/theme.h"
 #include "ui/tour_script.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/tool_button.h"
 #include "ui/workbench.h"
 
 #include <QButtonGroup>
@@ -17,6 +22,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
@@ -28,22 +34,20 @@ constexpr int numbersEvery_ms = 200; ///< figures that change faster cannot be r
 }
 
 struct LivePage::Private {
-    explicit Private(Workbench& workbench) : trial(workbench.connection()) {}
-
-    SqueezeJob trial;
-    bool trialRunning = false;
-    bool openFit = true;
-    int trials = 0;
-    Recipe recipe;
-    bool active = false, paused = false;
-    double pausedAt_s = 0;
+    LiveMarkerModel markers;
+    int beginnings = 0; ///< of the history that the markers belong to
+    bool active = false;
     QElapsedTimer sinceNumbers;
+    LiveTrial* trial = nullptr;
+    LivePause* pause = nullptr;
+    LiveSave* save = nullptr;
     LiveChannelCard* force = nullptr;
     LiveChannelCard* position = nullptr;
     LiveEstimateCard* estimate = nullptr;
     QButtonGroup* spans = nullptr;
-    QPushButton* pause = nullptr;
+    QPushButton* hold = nullptr;
     QPushButton* tare = nullptr;
+    QToolButton* marker = nullptr;
     QPushButton* squeeze = nullptr;
     QProgressBar* progress = nullptr;
     QLabel* hint = nullptr;
@@ -51,21 +55,27 @@ struct LivePage::Private {
     TourScript tour;
 };
 
-LivePage::LivePage(Workbench& bench, QWidget* parent)
-    : Page(bench, parent), d(std::make_unique<Private>(bench))
+LivePage::LivePage(Workbench& bench, QWidget* parent) : Page(bench, parent), d(std::make_unique<Private>())
 {
+    d->trial = new LiveTrial(bench, d->markers, this);
     auto* column = new QVBoxLayout(this);
     setSpacing(column, 16, 8);
-    buildToolbar(column);
+    auto* toolbar = new QHBoxLayout;
+    toolbar->setSpacing(8);
+    column->addLayout(toolbar);
     buildCharts(column);
     d->link = new LiveLinkPanel(bench, this);
     connect(&d->force->chart(), &StripChart::painted, d->link, [this] {
-        if (!d->paused)
+        if (!d->pause->held())
             d->link->notePainted();
     });
     column->addWidget(d->link);
+    buildPause(column);
+    buildToolbar(toolbar);
+    makeShortcuts();
     setFocusPolicy(Qt::StrongFocus);
     d->sinceNumbers.start();
+    connect(d->trial, &LiveTrial::changed, this, &LivePage::refreshControls);
     connect(&bench, &Workbench::ticked, this, &LivePage::refresh);
     connect(&bench, &Workbench::connectionChanged, this, &LivePage::refreshControls);
     refreshControls();
@@ -88,45 +98,27 @@ QString LivePage::iconName() const
     return u"office-chart-line"_s;
 }
 
-void LivePage::buildToolbar(QBoxLayout* column)
+void LivePage::buildToolbar(QBoxLayout* row)
 {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(8);
-    d->spans = new QButtonGroup(this);
-    d->spans->setExclusive(true);
-    const std::pair<QString, int> choices[] = {
-        {tr("2 s"), 2}, {tr("10 s"), 10}, {tr("1 min"), 60}, {tr("10 min"), 600}};
-    for (const auto& [text, seconds] : choices) {
-        QPushButton* button = makeButton(text, {}, "", this);
-        button->setCheckable(true);
-        button->setChecked(seconds == 10);
-        button->setAccessibleName(tr("Show the last %1").arg(text));
-        button->setObjectName(u"span-%1"_s.arg(seconds));
-        rememberChoice(button);
-        d->spans->addButton(button, seconds);
-        row->addWidget(button);
-    }
-    connect(d->spans, &QButtonGroup::idClicked, this, [this](int seconds) {
-        d->force->chart().setSeconds(seconds);
-        d->position->chart().setSeconds(seconds);
-        refreshCharts();
-    });
+    addSpans(row);
     row->addSpacing(8);
-    d->pause = makeButton(tr("Pause"), u"media-playback-pause"_s, "", this);
-    d->pause->setObjectName("pauseButton");
-    d->pause->setCheckable(true);
-    connect(d->pause, &QPushButton::toggled, this, [this](bool on) {
-        d->paused = on;
-        d->pausedAt_s = workbench().liveHistory().newestTime_s();
-        d->pause->setText(on ? tr("Paused") : tr("Pause"));
-    });
+    d->hold = makeButton(tr("Pause"), u"media-playback-pause"_s, "", this);
+    d->hold->setObjectName("pauseButton");
+    d->hold->setCheckable(true);
+    d->hold->setToolTip(tr("Holds the charts, to zoom, move and measure in them; measuring goes on"));
+    connect(d->hold, &QPushButton::toggled, this, &LivePage::setHeld);
     d->tare = makeButton(tr("Tare"), {}, "", this);
     d->tare->setObjectName("tareButton");
     d->tare->setCheckable(true);
     d->tare->setToolTip(tr("Shows force and position from here on; what is recorded stays as it is"));
     connect(d->tare, &QPushButton::toggled, this, &LivePage::setTared);
-    row->addWidget(d->pause);
+    d->marker = makeToolButton({}, u"flag"_s,
+                               tr("Drop a marker (M): at the newest sample, or at the cursor moved last"));
+    d->marker->setObjectName("markerButton");
+    connect(d->marker, &QToolButton::clicked, this, &LivePage::dropMarker);
+    row->addWidget(d->hold);
     row->addWidget(d->tare);
+    row->addWidget(d->marker);
     d->hint = makeLabel({}, "caption", this);
     d->hint->setWordWrap(true);
     d->hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -141,25 +133,68 @@ void LivePage::buildToolbar(QBoxLayout* column)
     d->squeeze = makeButton(tr("Trial squeeze"), u"media-playback-start"_s, "primary", this);
     d->squeeze->setObjectName("trialButton");
     connect(d->squeeze, &QPushButton::clicked, this, [this] {
-        if (d->trialRunning)
-            d->trial.cancel();
+        if (d->trial->running())
+            d->trial->cancel();
         else if (workbench().connection().armed() || !workbench().connection().identity().commandable)
-            startTrial();
+            d->trial->start();
         else
             workbench().arm();
     });
     row->addWidget(d->squeeze);
-    column->addLayout(row);
+}
+
+void LivePage::addSpans(QBoxLayout* row)
+{
+    d->spans = new QButtonGroup(this);
+    d->spans->setExclusive(true);
+    const std::pair<QString, int> choices[] = {
+        {tr("2 s"), 2}, {tr("10 s"), 10}, {tr("1 min"), 60}, {tr("10 min"), 600}};
+    for (const auto& [text, seconds] : choices) {
+        QPushButton* button = makeButton(text, {}, "", this);
+        button->setCheckable(true);
+        button->setChecked(seconds == 10);
+        button->setAccessibleName(tr("Show the last %1").arg(text));
+        button->setObjectName(u"span-%1"_s.arg(seconds));
+        rememberChoice(button);
+        d->spans->addButton(button, seconds);
+        row->addWidget(button);
+    }
+    connect(d->spans, &QButtonGroup::idClicked, this, [this](int seconds) { d->pause->setSpan(seconds); });
 }
 
 void LivePage::buildCharts(QBoxLayout* column)
 {
     d->force = new LiveChannelCard(LiveHistory::Channel::Force, tr("Force"), this);
     d->position = new LiveChannelCard(LiveHistory::Channel::Position, tr("Position"), this);
+    d->force->chart().setTimeLabels(false); // the same time stands below the other chart
     column->addWidget(d->force, 1);
     column->addWidget(d->position, 1);
     d->estimate = new LiveEstimateCard(this);
     column->addWidget(d->estimate);
+}
+
+void LivePage::buildPause(QBoxLayout* column)
+{
+    d->pause = new LivePause(workbench(), *d->force, *d->position, d->markers, this);
+    d->save = new LiveSave(workbench(), this);
+    column->addWidget(&d->pause->panel());
+    connect(d->pause, &LivePause::saveAsked, this,
+            [this] { d->save->ask(d->pause->recordingInView(), d->pause->view().seconds()); });
+    connect(d->save, &LiveSave::writing, &d->pause->panel(), &LiveMeasurePanel::setSaving);
+}
+
+void LivePage::makeShortcuts()
+{
+    const auto add = [this](const QList<QKeySequence>& keys, auto action) {
+        auto* shortcut = new QShortcut(this);
+        shortcut->setKeys(keys);
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(shortcut, &QShortcut::activated, this, action);
+    };
+    add({Qt::Key_M}, [this] { dropMarker(); });
+    add({Qt::Key_Plus, Qt::Key_Equal}, [this] { d->pause->zoom(2); });
+    add({Qt::Key_Minus}, [this] { d->pause->zoom(0.5); });
+    add({Qt::Key_Home}, [this] { d->pause->reset(); });
 }
 
 void LivePage::setActive(bool active)
@@ -175,27 +210,43 @@ void LivePage::resizeEvent(QResizeEvent* event)
 {
     Page::resizeEvent(event);
     if (d->active)
-        refreshCharts();
+        d->pause->refreshCharts();
 }
 
 void LivePage::refresh()
 {
-    followTrial();
+    d->trial->follow();
+    d->progress->setValue(static_cast<int>(100 * d->trial->progress()));
+    if (!d->pause->held() && d->beginnings != workbench().liveHistory().beginnings()) {
+        d->beginnings = workbench().liveHistory().beginnings();
+        d->markers.clear(); // their times are those of another history
+    }
     if (!d->active)
         return;
-    refreshCharts();
+    if (!d->pause->held())
+        d->pause->refreshCharts();
     if (d->sinceNumbers.elapsed() >= numbersEvery_ms) {
         d->sinceNumbers.restart();
         refreshNumbers();
     }
 }
 
-void LivePage::refreshCharts()
+void LivePage::setHeld(bool on)
 {
-    const LiveHistory& history = workbench().liveHistory();
-    const double until_s = d->paused ? d->pausedAt_s : history.newestTime_s();
-    d->force->refreshChart(history, until_s);
-    d->position->refreshChart(history, until_s);
+    d->hold->setText(on ? tr("Paused") : tr("Pause"));
+    d->estimate->setVisible(!on);
+    d->link->setVisible(!on);
+    d->pause->setHeld(on);
+    if (on)
+        d->force->chart().setFocus(); // for the arrows
+}
+
+void LivePage::dropMarker()
+{
+    if (d->pause->history().empty())
+        workbench().report(tr("A marker needs something measured. Connect a gripper first."));
+    else
+        d->markers.add(d->pause->marker());
 }
 
 void LivePage::refreshNumbers()
@@ -221,6 +272,7 @@ void LivePage::refreshControls()
     const GripperIdentity identity = connection.identity();
     d->force->setDeviceUnit(identity.forceUnit);
     d->position->setDeviceUnit(identity.positionUnit);
+    d->force->setCommandable(identity.commandable);
     const bool ready = connection.armed() || !identity.commandable;
     d->squeeze->setEnabled(connected);
     const ThemeTokens& tokens = Theme::instance().tokens();
@@ -229,7 +281,7 @@ void LivePage::refreshControls()
         d->squeeze->setAccessibleName(text);
         d->squeeze->setIcon(Theme::instance().icon(icon, Theme::onColor(tokens.accent)));
     };
-    if (d->trialRunning)
+    if (d->trial->running())
         offer(tr("Cancel squeeze"), u"dialog-cancel"_s);
     else if (connected && !identity.commandable)
         offer(tr("Record 1 s"), u"media-playback-start"_s);
@@ -237,8 +289,8 @@ void LivePage::refreshControls()
         offer(tr("Arm"), u"object-unlocked"_s);
     else
         offer(tr("Trial squeeze"), u"media-playback-start"_s);
-    d->progress->setVisible(d->trialRunning);
-    d->hint->setVisible(!d->trialRunning);
+    d->progress->setVisible(d->trial->running());
+    d->hint->setVisible(!d->trial->running());
     if (!connected)
         d->hint->setText(
             u"%1. %2."_s.arg(missingWords(connection).headline, missingWords(connection).detail));
@@ -246,9 +298,9 @@ void LivePage::refreshControls()
         d->hint->setText(tr("This gripper only streams: squeeze by its own program, and record."));
     else if (!connection.armed())
         d->hint->setText(tr("Hands clear, then arm: a trial squeeze pushes with %1 ± %2 N for %3 s.")
-                             .arg(d->recipe.bias_N)
-                             .arg(d->recipe.peak_N)
-                             .arg(d->recipe.seconds));
+                             .arg(d->trial->recipe().bias_N)
+                             .arg(d->trial->recipe().peak_N)
+                             .arg(d->trial->recipe().seconds));
     else
         d->hint->setText(
             tr("Armed. The result of a trial squeeze opens on the Fit page; nothing is stored."));
@@ -263,68 +315,20 @@ void LivePage::setTared(bool on)
         card->refreshValue(history, history.newestTime_s());
     }
     d->tare->setText(on ? tr("Tared") : tr("Tare"));
-    refreshCharts();
-}
-
-void LivePage::startTrial()
-{
-    if (workbench().squeezing()) {
-        workbench().report(tr("Another squeeze is under way. Wait for its end, then try again."));
-        return;
-    }
-    d->trial.setOperator(workbench().operatorName());
-    const auto seed = static_cast<std::uint64_t>(d->trials + 1);
-    const Expected<void> started = workbench().connection().identity().commandable
-                                       ? d->trial.start(d->recipe, seed)
-                                       : d->trial.listen(d->recipe.seconds);
-    if (!started) {
-        workbench().report(started.error().describe());
-        return;
-    }
-    ++d->trials;
-    d->trialRunning = true;
-    workbench().setTrialRunning(true);
-    refreshControls();
-}
-
-void LivePage::followTrial()
-{
-    if (!d->trialRunning)
-        return;
-    d->trial.poll();
-    d->progress->setValue(static_cast<int>(100 * d->trial.progress()));
-    if (d->trial.state() != SqueezeJob::State::Done && d->trial.state() != SqueezeJob::State::Failed)
-        return;
-    d->trialRunning = false;
-    workbench().setTrialRunning(false);
-    refreshControls();
-    if (d->trial.state() == SqueezeJob::State::Failed) {
-        workbench().report(d->trial.error()->describe());
-        return;
-    }
-    const Recording recording = d->trial.recording();
-    const QString name = tr("Trial squeeze %1").arg(d->trials);
-    workbench().compute<Identification>(
-        this, [recording] { return identify(recording); },
-        [this, recording, name](const Identification& found) {
-            FitSubject subject{name, recording, found};
-            if (d->openFit)
-                workbench().showInFit(std::move(subject));
-            else
-                workbench().setFitSubject(std::move(subject));
-        });
+    d->pause->refreshCharts();
 }
 
 void LivePage::prepareTour()
 {
-    d->openFit = false;
+    d->trial->setOpenFit(false);
     TourScript& tour = d->tour;
     tour.connectTo(workbench(), u"virtual:?object=A&seed=11"_s);
     for (int i = 0; i < 2; ++i) {
-        tour.add([this] { startTrial(); }, [this] { return !d->trialRunning; });
+        tour.add([this] { d->trial->start(); }, [this] { return !d->trial->running(); });
         tour.wait(900);
     }
-    tour.add([this] { startTrial(); }, [this] { return d->trial.progress() > 0.6 || !d->trialRunning; });
+    tour.add([this] { d->trial->start(); },
+             [this] { return d->trial->progress() > 0.6 || !d->trial->running(); });
     tour.start(workbench());
 }
 

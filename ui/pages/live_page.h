@@ -7,8 +7,8 @@
 
 namespace gripscope {
 
-/// Force and position as they come, over 2 s to 10 min, with the link at a glance; and a trial squeeze whose
-/// result opens on the Fit page.
+/// Force and position as they come, over 2 s to 10 min, with the link at a glance; held, to be measured in;
+/// and a trial squeeze whose result opens on the Fit page.
 class LivePage : public Page {
     Q_OBJECT
 public:
@@ -26,15 +26,17 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void buildToolbar(class QBoxLayout* column);
+    void buildToolbar(class QBoxLayout* row);
+    void addSpans(QBoxLayout* row);
     void buildCharts(QBoxLayout* column);
+    void buildPause(QBoxLayout* column);
+    void makeShortcuts();
     void refresh();
-    void refreshCharts();
     void refreshNumbers();
     void refreshControls();
+    void setHeld(bool on);
     void setTared(bool on);
-    void startTrial();
-    void followTrial();
+    void dropMarker();
     struct Private;
     std::unique_ptr<Private> d;
 };

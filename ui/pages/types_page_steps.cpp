@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/types_page_steps.h"
 
-#include "ui/pages/types_page_tools.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/tool_button.h"
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QSlider>
-#include <QToolButton>
 
 namespace gripscope {
 

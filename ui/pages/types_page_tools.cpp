@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "ui/scene/scene_view.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/tool_button.h"
 
 #include <QAbstractItemView>
 #include <QClipboard>
@@ -11,27 +12,10 @@
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QToolButton>
 
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
-
-QToolButton* makeToolButton(const QString& text, const QString& icon, const QString& tip)
-{
-    auto* button = new QToolButton;
-    button->setAccessibleName(tip);
-    button->setToolTip(tip);
-    if (icon.isEmpty()) {
-        button->setText(text);
-        return button;
-    }
-    const auto paint = [button, icon] { button->setIcon(Theme::instance().icon(icon)); };
-    paint();
-    button->setIconSize({20, 20});
-    QObject::connect(&Theme::instance(), &Theme::changed, button, paint);
-    return button;
-}
 
 SceneToolBar::SceneToolBar(SceneView* view, QWidget* parent)
     : QWidget(parent), m_view(view), m_source(new QComboBox)

@@ -10,9 +10,6 @@ namespace gripscope {
 
 class SceneView;
 
-/// A square button with a sign (or a letter) and its meaning as tool tip and accessible name.
-[[nodiscard]] QToolButton* makeToolButton(const QString& text, const QString& icon, const QString& tip);
-
 /// Above the scene: which types, from where to look, the picture for elsewhere.
 class SceneToolBar : public QWidget {
     Q_OBJECT
