@@ -98,7 +98,8 @@ private slots:
             ++compared;
         }
         QCOMPARE(compared, 2000);
-        QVERIFY(std::any_of(recording.force.begin(), recording.force.end(), [](double f) { return f > 25; }));
+        QVERIFY(std::any_of(recording.force.begin(), recording.force.end(),
+                            [](double force_N) { return force_N > 25; }));
     }
 };
 
