@@ -50,6 +50,7 @@ constexpr FaultName faultNames[] = {
     {"hang-feature", Fault::HangFeature, longestFaultTime_s, true},
     {"hang-write", Fault::HangWrite, longestFaultTime_s, true},
     {"broken", Fault::Broken, longestFaultTime_s, true},
+    {"button", Fault::Button, longestFaultTime_s, true},
 };
 
 /// What a fault that is named with its time alone is set to.
@@ -62,6 +63,7 @@ std::optional<double> usualValue(Fault fault)
     case Fault::Deaf: // to all commands
         return 0;
     case Fault::Broken:
+    case Fault::Button:
         return 1;
     default:
         return {};
@@ -85,7 +87,7 @@ Expected<void> parseFault(const QString& text, VirtualAddress& address)
         return wrong(
             u"fault="_qs + text,
             Words::tr("a fault is loss:P, duplicate:P, crc:P, saturate:N, stall:S, unplug:S, replug:S, "
-                      "deaf:S, hang-feature:S, hang-write:S, broken:S, stuck or units"));
+                      "deaf:S, hang-feature:S, hang-write:S, broken:S, button:S, stuck or units"));
     const Expected<double> value = number(u"fault="_qs + name, text.section(u':', 1), 0, known->most);
     if (!value)
         return tl::unexpected<Error>(value.error());

@@ -45,8 +45,8 @@ using DeviceAddress = std::variant<VirtualAddress, HidAddress, ReplayAddress>;
 /// maker's gripper by that profile.
 ///
 /// Faults: loss:P, duplicate:P, crc:P, saturate:N, stuck and units from the beginning on; stall:S, unplug:S,
-/// deaf:S, hang-feature:S, hang-write:S and broken:S after so many seconds; replug:S so long after the
-/// unplug. A script (fault_script.h) says more; it is read when the gripper is opened.
+/// deaf:S, hang-feature:S, hang-write:S, broken:S and button:S after so many seconds; replug:S so long after
+/// the unplug. A script (fault_script.h) says more; it is read when the gripper is opened.
 [[nodiscard]] Expected<DeviceAddress> parseDeviceAddress(const QString& text);
 
 } // namespace gripscope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/connect_menu.h"
 
+#include "devices/virtual/virtual_button.h"
 #include "ui/access_dialog.h"
 #include "ui/inspector/device_inspector.h"
 #include "ui/lag_dialog.h"
@@ -76,6 +77,11 @@ void ConnectMenu::addActions()
     QAction* profile = addAction(tr("Profile of another maker's gripper…"));
     profile->setObjectName("gripperProfile");
     connect(profile, &QAction::triggered, this, [this] { openProfile(); });
+    QAction* button = addAction(tr("Press the virtual gripper's button"));
+    button->setObjectName("pressButton");
+    button->setVisible(m_workbench->connection().state() == ConnectSession::State::Connected &&
+                       m_workbench->connection().address().startsWith("virtual:"_L1));
+    connect(button, &QAction::triggered, this, [] { virtual_button::press(); });
     addKeeping();
     const bool awaiting = m_workbench->connection().awaiting();
     QAction* disconnect = addAction(awaiting ? tr("Do not wait for the gripper") : tr("Disconnect"));

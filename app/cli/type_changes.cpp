@@ -65,6 +65,24 @@ int renameType(const QStringList& arguments)
     });
 }
 
+int setTypeCode(const QStringList& arguments)
+{
+    CommandLine line(u"types code"_qs,
+                     u"Sets what a scanner reads on the parts of a type; without --code it has none."_qs);
+    addTypeOption(line);
+    line.option(u"code"_qs, u"TEXT"_qs, u"A GTIN, a part number."_qs);
+    addNoteOptions(line);
+    if (const auto exit = parseWith(line, arguments, {u"type"_qs, u"reason"_qs}))
+        return *exit;
+    if (const auto exit = line.finish())
+        return *exit;
+    return changeType(line, [&](Library& library, const TypeRecord& type) -> Expected<void> {
+        if (type.code == line.text(u"code"_qs).trimmed())
+            return failure(ErrorCode::Usage, {u"%1 has that code already."_qs.arg(type.name)});
+        return library.setTypeCode(type.id, line.text(u"code"_qs), note(line)).map(ignoreValue);
+    });
+}
+
 int mergeTypes(const QStringList& arguments)
 {
     CommandLine line(u"types merge"_qs,

@@ -12,6 +12,7 @@ int listVersions(const QStringList& arguments);
 int guideEnrollment(const QStringList& arguments);
 int showConfusion(const QStringList& arguments);
 int renameType(const QStringList& arguments);
+int setTypeCode(const QStringList& arguments);
 int mergeTypes(const QStringList& arguments);
 int splitType(const QStringList& arguments);
 int retireType(const QStringList& arguments);

@@ -46,6 +46,7 @@ void tell(const LibraryState& state, const CommandLine& line)
         types.append(QJsonObject{{u"name"_qs, type.name},
                                  {u"status"_qs, toString(type.status)},
                                  {u"squeezes"_qs, type.squeezes},
+                                 {u"code"_qs, type.code},
                                  {u"key"_qs, type.typeId}});
         if (!line.isSet(u"json"_qs))
             print(u"%1: %2, %3 squeezes"_qs.arg(type.name, toString(type.status)).arg(type.squeezes));

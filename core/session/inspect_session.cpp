@@ -2,73 +2,21 @@
 #include "core/session/inspect_session.h"
 
 #include "core/recognition/early_verdict.h"
-#include "core/session/comparable_units.h"
 #include "core/session/early_watch.h"
 #include "core/session/enrollment_storage.h"
-#include "core/session/hold_history.h"
-#include "core/session/library_answer.h"
+#include "core/session/inspection_archive.h"
+#include "core/session/inspection_judge.h"
 #include "core/session/squeeze_forecast.h"
 #include "core/signal/units.h"
 #include "core/words.h"
 
 #include <algorithm>
-#include <list>
 
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
 
 namespace {
-
-struct Loaded {
-    std::vector<TypeRecord> types;
-    ComparableTypes comparable;
-    InspectionCounts counts;
-};
-
-Expected<Loaded> load(Library& library)
-{
-    Expected<std::vector<TypeRecord>> types = library.types();
-    if (!types)
-        return tl::unexpected<Error>(types.error());
-    const Expected<std::vector<TypeSqueeze>> squeezes = library.enrolledSqueezes();
-    if (!squeezes)
-        return tl::unexpected<Error>(squeezes.error());
-    const Expected<InspectionCounts> counts = library.inspectionCounts();
-    if (!counts)
-        return tl::unexpected<Error>(counts.error());
-    ComparableTypes comparable(*types, *squeezes);
-    return Loaded{std::move(*types), std::move(comparable), *counts};
-}
-
-struct Stored {
-    qint64 number = 0;
-    InspectionCounts counts;
-};
-
-Expected<Stored> store(Library& library, const NewInspection& inspection)
-{
-    const Expected<InspectionRecord> added = library.addInspection(inspection);
-    if (!added)
-        return tl::unexpected<Error>(added.error());
-    const Expected<InspectionCounts> counts = library.inspectionCounts();
-    if (!counts)
-        return tl::unexpected<Error>(counts.error());
-    return Stored{added->number, *counts};
-}
-
-/// Answers to a reload and to a store may be told in another order than they were made; inspections only get
-/// more.
-const InspectionCounts& newer(const InspectionCounts& one, const InspectionCounts& other)
-{
-    return one.total >= other.total ? one : other;
-}
-
-/// An identification and the verdict on it, found together in the pool: a gate may take 50 ms.
-struct Judged {
-    Identification identification;
-    Verdict verdict;
-};
 
 double lengthOf(const Recording& recording)
 {
@@ -81,33 +29,24 @@ double lengthOf(const Recording& recording)
 
 struct InspectSession::Private {
     Private(ConnectSession& session, LibraryService& service)
-        : connection(session), library(service), job(session)
+        : connection(session), archive(service), job(session)
     {
     }
 
     ConnectSession& connection;
-    LibraryService& library;
+    InspectionArchive archive;
     SqueezeJob job;
-    PoolTask<Judged> task;
+    InspectionJudge judge;
     EarlyWatch watch;
     SqueezeForecast forecast;
     int listener = 0;
-    LibraryAnswer loading;
-    std::list<LibraryAnswer> storing; // in the order the inspections were made
-    IdentificationOptions options;
-    VerdictOptions rates;
-    std::optional<CommonShift> transfer;
     Recipe recipe;
     QString operatorName, expectedType;
     bool storeResults = true, endsEarly = true, forecasting = false;
 
     State state = State::Loading;
-    Loaded loaded;
-    Recording measured; // what is being identified
-    HoldHistory holds;
-    QString source, measuredExpectedType;
+    QString source, measuredExpectedType, measuredBatch; // as they were when the squeeze began
     std::optional<EarlyEnd> measuredEarlyEnd;
-    VerdictOptions measuredRates; // those in force then; they may be set anew while it is judged
     std::uint64_t squeezes = 0;
     std::optional<Result> result;
     std::optional<Error> error;
@@ -121,27 +60,28 @@ struct InspectSession::Private {
     bool pollForecast();
     void fail(const Error& reason);
     void identify(Recording recording, const QString& from);
-    void show(Judged judged);
-    void keep();
-    bool pollStoring();
+    void show(InspectionJudge::Judged judged);
+    void keep(const VerdictOptions& rates);
+    void noticeFailure(const Expected<void>& done);
 };
 
 void InspectSession::Private::reload()
 {
     if (state == State::Ready)
         state = State::Loading;
-    loading.await<Loaded>(library.run<Loaded>(load), [this](Expected<Loaded> answer) {
-        if (!answer) {
-            error = answer.error();
-            return;
-        }
-        answer->counts = newer(answer->counts, loaded.counts);
-        loaded = std::move(*answer);
-        if (state == State::Loading) {
+    archive.load([this](const Expected<void>& done) {
+        noticeFailure(done);
+        if (done && state == State::Loading) {
             state = State::Ready;
             error.reset();
         }
     });
+}
+
+void InspectSession::Private::noticeFailure(const Expected<void>& done)
+{
+    if (!done)
+        error = done.error();
 }
 
 Expected<void> InspectSession::Private::ready() const
@@ -160,9 +100,10 @@ Expected<void> InspectSession::Private::ready() const
 
 Recipe InspectSession::Private::wantedRecipe() const
 {
-    const auto type = std::find_if(loaded.types.begin(), loaded.types.end(),
+    const std::vector<TypeRecord>& types = archive.types();
+    const auto type = std::find_if(types.begin(), types.end(),
                                    [this](const TypeRecord& record) { return record.name == expectedType; });
-    return type == loaded.types.end() ? recipe : type->recipe;
+    return type == types.end() ? recipe : type->recipe;
 }
 
 void InspectSession::Private::begin(State next)
@@ -173,6 +114,8 @@ void InspectSession::Private::begin(State next)
     watch.end();
     measuredEarlyEnd.reset();
     measuredExpectedType = expectedType;
+    const std::optional<BatchRecord>& batch = archive.batch();
+    measuredBatch = batch && !batch->ended ? batch->id : QString();
 }
 
 void InspectSession::Private::fail(const Error& reason)
@@ -184,15 +127,16 @@ void InspectSession::Private::fail(const Error& reason)
 std::optional<EarlyStopSetup> InspectSession::Private::earlyStopSetup() const
 {
     const GripperIdentity identity = connection.identity();
-    if (!endsEarly || transfer || !identity.commandable)
+    if (!endsEarly || judge.transfer || !identity.commandable)
         return {};
     const Expected<ComparableTypes::Choice> choice =
-        loaded.comparable.modelsFor(identity.forceUnit, identity.positionUnit);
+        archive.comparable().modelsFor(identity.forceUnit, identity.positionUnit);
     if (!choice)
         return {};
-    EarlyStopSetup setup{choice->models, choice->factor, rates, {}, connection.measuringChain()};
+    EarlyStopSetup setup{choice->models, choice->factor, judge.rates, {}, connection.measuringChain()};
     setup.rates.siUnits = siFactor(identity.forceUnit, identity.positionUnit).has_value();
     setup.decision.sampleTime_s = identity.sampleTime_s;
+    const IdentificationOptions& options = judge.identification;
     setup.decision.hold = options.hold.value_or(identity.hold);
     setup.decision.lag_s = connection.forceLag_s();
     setup.decision.freeInitialState = options.initialState == InitialState::Free;
@@ -231,76 +175,48 @@ bool InspectSession::Private::pollForecast()
 
 void InspectSession::Private::identify(Recording recording, const QString& from)
 {
-    const Expected<ComparableTypes::Choice> choice =
-        loaded.comparable.modelsFor(recording.forceUnit, recording.positionUnit);
-    if (!choice)
-        return fail(choice.error());
-    state = State::Judging;
     source = from;
-    IdentificationOptions withEarlier = options;
-    withEarlier.earlierHold = holds.before(recording, options);
-    measuredRates = rates;
-    measuredRates.siUnits = siFactor(recording.forceUnit, recording.positionUnit).has_value();
-    measured = recording;
-    task.start([recording = std::move(recording), withEarlier, judging = measuredRates, other = transfer,
-                models = choice->models, factor = choice->factor] {
-        Judged judged{gripscope::identify(recording, withEarlier), {}};
-        judged.verdict = judge(*models, judged.identification, factor, judging, other);
-        return judged;
-    });
+    if (const Expected<void> started = judge.start(std::move(recording), archive.comparable()); !started)
+        return fail(started.error());
+    state = State::Judging;
 }
 
-void InspectSession::Private::show(Judged judged)
+void InspectSession::Private::show(InspectionJudge::Judged judged)
 {
-    holds.add(measured, judged.identification);
     Result found;
     found.verdict = std::move(judged.verdict);
     found.earlyEnd = measuredEarlyEnd;
     if (found.earlyEnd)
         found.verdict =
             verdictOnEarlyEnd(std::move(found.verdict), *found.earlyEnd,
-                              static_cast<double>(found.earlyEnd->samples) * measured.sampleTime_s);
+                              static_cast<double>(found.earlyEnd->samples) * judged.recording.sampleTime_s);
     found.outcome = inspectionOutcome(found.verdict.kind, found.verdict.type, measuredExpectedType);
     found.expectedType = measuredExpectedType;
-    found.seconds = lengthOf(measured);
+    found.seconds = lengthOf(judged.recording);
+    found.squeeze = squeezes;
     found.identification = std::move(judged.identification);
-    found.recording = std::move(measured);
+    found.recording = std::move(judged.recording);
     result = std::move(found);
     state = State::Ready;
     if (storeResults)
-        keep();
+        keep(judged.rates);
 }
 
-void InspectSession::Private::keep()
+void InspectSession::Private::keep(const VerdictOptions& rates)
 {
     NewInspection inspection;
     inspection.grasp = makeGrasp(result->recording, result->identification, source, operatorName);
     inspection.verdict = result->verdict;
-    inspection.rates = measuredRates;
+    inspection.rates = rates;
     inspection.expectedType = result->expectedType;
     inspection.seconds = result->seconds;
-    const std::uint64_t which = squeezes;
-    storing.emplace_back().await<Stored>(
-        library.run<Stored>([inspection](Library& store_) { return store(store_, inspection); }),
-        [this, which](Expected<Stored> stored) {
-            if (!stored) {
-                error = stored.error();
-                return;
-            }
-            loaded.counts = newer(stored->counts, loaded.counts);
-            if (result && which == squeezes)
-                result->number = stored->number;
-        });
-}
-
-bool InspectSession::Private::pollStoring()
-{
-    bool changed = false;
-    while (!storing.empty() && storing.front().poll()) {
-        storing.pop_front();
-        changed = true;
-    }
-    return changed;
+    inspection.batchId = measuredBatch;
+    archive.keep(inspection, [this, which = squeezes](const Expected<qint64>& number) {
+        if (!number)
+            error = number.error();
+        else if (result && result->squeeze == which)
+            result->number = *number;
+    });
 }
 
 InspectSession::InspectSession(ConnectSession& connection, LibraryService& library)
@@ -331,17 +247,17 @@ void InspectSession::setExpectedType(const QString& name)
 
 void InspectSession::setRates(const VerdictOptions& rates)
 {
-    d->rates = rates;
+    d->judge.rates = rates;
 }
 
 void InspectSession::setIdentificationOptions(const IdentificationOptions& options)
 {
-    d->options = options;
+    d->judge.identification = options;
 }
 
 void InspectSession::setTransfer(const std::optional<CommonShift>& error)
 {
-    d->transfer = error;
+    d->judge.transfer = error;
 }
 
 void InspectSession::setRecipe(const Recipe& recipe)
@@ -367,6 +283,18 @@ void InspectSession::setForecasting(bool on)
 void InspectSession::reload()
 {
     d->reload();
+}
+
+void InspectSession::beginBatch(const NewBatch& batch)
+{
+    NewBatch asked = batch;
+    asked.operatorName = d->operatorName;
+    d->archive.beginBatch(asked, [this](const Expected<void>& done) { d->noticeFailure(done); });
+}
+
+void InspectSession::endBatch()
+{
+    d->archive.endBatch(d->operatorName, [this](const Expected<void>& done) { d->noticeFailure(done); });
 }
 
 Expected<void> InspectSession::squeeze()
@@ -401,20 +329,19 @@ void InspectSession::cancel()
     if (d->state != State::Squeezing && d->state != State::Judging)
         return;
     d->job.cancel();
-    d->task.forget();
+    d->judge.forget();
     d->fail({ErrorCode::Cancelled, {Words::tr("The inspection")}});
 }
 
 bool InspectSession::poll()
 {
-    bool changed = d->pollStoring();
-    changed = d->loading.poll() || changed;
+    const bool changed = d->archive.poll();
     if (d->state == State::Squeezing) {
         d->followSqueeze();
         return true; // progress, at least
     }
     if (d->state == State::Judging) {
-        if (std::optional<Judged> judged = d->task.take()) {
+        if (std::optional<InspectionJudge::Judged> judged = d->judge.take()) {
             d->show(std::move(*judged));
             return true;
         }
@@ -459,27 +386,37 @@ bool InspectSession::earlyEnd() const
 
 const VerdictOptions& InspectSession::rates() const
 {
-    return d->rates;
+    return d->judge.rates;
 }
 
 InspectionCounts InspectSession::counts() const
 {
-    return d->loaded.counts;
+    return d->archive.counts();
+}
+
+const std::optional<BatchRecord>& InspectSession::batch() const
+{
+    return d->archive.batch();
+}
+
+bool InspectSession::changingBatch() const
+{
+    return d->archive.changingBatch();
 }
 
 const TypeModels& InspectSession::models() const
 {
-    return d->loaded.comparable.main();
+    return d->archive.comparable().main();
 }
 
 const std::vector<TypeRecord>& InspectSession::types() const
 {
-    return d->loaded.types;
+    return d->archive.types();
 }
 
 bool InspectSession::storing() const
 {
-    return !d->storing.empty();
+    return d->archive.storing();
 }
 
 std::optional<Error> InspectSession::lastError() const

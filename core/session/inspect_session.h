@@ -4,6 +4,7 @@
 #include "core/recognition/early_stop.h"
 #include "core/recognition/inspection_outcome.h"
 #include "core/session/squeeze_job.h"
+#include "core/store/batch.h"
 #include "core/store/library_service.h"
 
 #include <memory>
@@ -46,6 +47,11 @@ public:
     void setForecasting(bool on);
     void reload(); ///< the library changed
 
+    /// Inspections that begin from now on are counted for a batch, until it is whole (then it ends by itself)
+    /// or is ended. One that is under way goes on after a restart. Done behind; a failure is lastError().
+    void beginBatch(const NewBatch& batch);
+    void endBatch();
+
     [[nodiscard]] Expected<void> squeeze();
     [[nodiscard]] Expected<void> judgeRecording(Recording recording, const QString& source);
     void cancel();
@@ -59,6 +65,8 @@ public:
         InspectionOutcome outcome = InspectionOutcome::NotValid;
         QString expectedType;
         double seconds = 0;
+        /// Counts the squeezes of the session, so that two results are told apart before they are stored.
+        std::uint64_t squeeze = 0;
         /// What ended the squeeze before its time.
         std::optional<EarlyEnd> earlyEnd = {};
     };
@@ -72,7 +80,10 @@ public:
     [[nodiscard]] double longestSeconds() const; ///< of the next squeeze: the recipe's
     [[nodiscard]] bool earlyEnd() const;
     [[nodiscard]] const VerdictOptions& rates() const;
-    [[nodiscard]] InspectionCounts counts() const;
+    [[nodiscard]] InspectionCounts counts() const; ///< of all inspections
+    /// The batch under way, or the one that ended last while the program ran.
+    [[nodiscard]] const std::optional<BatchRecord>& batch() const;
+    [[nodiscard]] bool changingBatch() const;       ///< a begin or an end is on its way into the library
     [[nodiscard]] const TypeModels& models() const; ///< in SI where any type's units are known
     [[nodiscard]] const std::vector<TypeRecord>& types() const;
     [[nodiscard]] bool storing() const; ///< an inspection is on its way into the library

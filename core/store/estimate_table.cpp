@@ -2,6 +2,7 @@
 #include "core/store/estimate_table.h"
 
 #include "core/words.h"
+
 #include <cmath>
 
 namespace gripscope::estimate_table {
@@ -106,11 +107,12 @@ Expected<int> nextRank(Database& database, const QString& graspId)
 Expected<std::vector<StoredEstimate>> ofGrasp(Database& database, const QString& graspId)
 {
     std::vector<StoredEstimate> estimates;
-    Statement query(database, u"read the estimates"_s,
-                    u"SELECT e.rank, e.estimator, e.status, e.program, e.created_utc, e.m, e.b, e.k, e.var_m, "
-                    "e.var_b, e.var_k, e.simulation_fit_percent, r.id, r.force_hold, r.initial_state, "
-                    "r.free_offset, r.operator_name FROM estimates e LEFT JOIN reidentifications r ON "
-                    "r.estimate_id = e.id WHERE e.grasp_id = ? ORDER BY e.rank"_s);
+    Statement query(
+        database, u"read the estimates"_s,
+        u"SELECT e.rank, e.estimator, e.status, e.program, e.created_utc, e.m, e.b, e.k, e.var_m, "
+        "e.var_b, e.var_k, e.simulation_fit_percent, r.id, r.force_hold, r.initial_state, "
+        "r.free_offset, r.operator_name FROM estimates e LEFT JOIN reidentifications r ON "
+        "r.estimate_id = e.id WHERE e.grasp_id = ? ORDER BY e.rank"_s);
     auto done = query.bind(graspId).forEach([&](Statement& row) { estimates.push_back(take(row)); });
     if (!done)
         return tl::unexpected(done.error());

@@ -17,8 +17,8 @@ QString doing()
 }
 
 /// Where a squeeze belongs now, what its type is called, and its recommended estimate.
-const auto from = u"FROM grasps g "_s + typeJoins() +
-                  u"LEFT JOIN estimates e ON e.grasp_id = g.id AND e.rank = 0 "_s;
+const auto from =
+    u"FROM grasps g "_s + typeJoins() + u"LEFT JOIN estimates e ON e.grasp_id = g.id AND e.rank = 0 "_s;
 
 const auto select =
     u"SELECT g.id, COALESCE(p.type_id, g.type_id), s.name, g.type_id, g.part, g.source, g.operator_name, "

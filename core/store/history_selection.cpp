@@ -24,7 +24,8 @@ QString factorSql(const QString& column, const QStringList& units,
 /// The number of an InspectionOutcome; NULL for a squeeze that was not inspected.
 QString outcomeSql()
 {
-    return u"CASE i.verdict WHEN 'type' THEN CASE WHEN i.expected_type IN ('', i.type_name) THEN 0 ELSE 1 END "
+    return u"CASE i.verdict WHEN 'type' THEN CASE WHEN i.expected_type IN ('', i.type_name) THEN 0 ELSE 1 "
+           u"END "
            u"WHEN 'unknown' THEN 2 WHEN 'inconclusive' THEN 3 WHEN 'invalid' THEN 4 END"_s;
 }
 
@@ -92,8 +93,9 @@ QString historySiSql(const QString& column)
     static const QStringList forces{u"N"_s, u"mN"_s, u"kN"_s, u"uN"_s, u"\u00b5N"_s, u"\u03bcN"_s};
     static const QStringList positions{u"m"_s,  u"mm"_s,      u"cm"_s,     u"um"_s,
                                        u"nm"_s, u"\u00b5m"_s, u"\u03bcm"_s};
-    static const QString factor = u"COALESCE(%1 / %2, 1)"_s.arg(
-        factorSql(u"g.force_unit"_s, forces, newtonsPer), factorSql(u"g.position_unit"_s, positions, metresPer));
+    static const QString factor =
+        u"COALESCE(%1 / %2, 1)"_s.arg(factorSql(u"g.force_unit"_s, forces, newtonsPer),
+                                      factorSql(u"g.position_unit"_s, positions, metresPer));
     return u"%1 * %2"_s.arg(column, factor);
 }
 

@@ -24,8 +24,9 @@ QString doing()
 const auto select = u"SELECT i.id, i.grasp_id, i.expected_type, i.number, i.inspected_utc, i.verdict, "
                     u"i.type_name, i.nearest, i.reasons, "
                     "i.operator_name, i.posterior, i.distance, i.gate, e.m, e.b, e.k, g.force_unit, "
-                    "g.position_unit, i.seconds "
+                    "g.position_unit, i.seconds, COALESCE(o.name, '') "
                     "FROM inspections i JOIN grasps g ON g.id = i.grasp_id "
+                    "LEFT JOIN batches o ON o.id = i.batch_id "
                     "LEFT JOIN estimates e ON e.grasp_id = i.grasp_id AND e.rank = 0 "_s;
 
 template <typename Json>
@@ -69,6 +70,7 @@ InspectionRecord takeInspection(Statement& row)
     inspection.forceUnit = row.takeText();
     inspection.positionUnit = row.takeText();
     inspection.seconds = row.takeReal();
+    inspection.batch = row.takeText();
     return inspection;
 }
 
@@ -99,15 +101,16 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
         database, Words::tr("store the inspection"),
         u"INSERT INTO inspections (id, station, inspected_utc, number, grasp_id, expected_type, verdict, "
         "type_name, nearest, posterior, distance, gate, samples_used, false_reject, wrong_type, seconds, "
-        "operator_name, posteriors, reasons) VALUES (?, ?, ?, "
+        "operator_name, posteriors, reasons, batch_id) VALUES (?, ?, ?, "
         "(SELECT COALESCE(MAX(number), 0) + 1 FROM inspections), "
-        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(graspId).bind(inspection.expectedType);
     row.bind(toString(verdict.kind)).bind(verdict.type).bind(verdict.nearest);
     row.bind(leadingPosterior(verdict)).bind(verdict.distance).bind(verdict.gate);
     row.bind(qint64(verdict.samplesUsed)).bind(inspection.rates.falseReject).bind(inspection.rates.wrongType);
     row.bind(inspection.seconds).bind(inspection.grasp.operatorName).bind(compact(toJson(verdict.posterior)));
-    return row.bind(compact(QJsonArray::fromStringList(verdict.reasons))).run();
+    row.bind(compact(QJsonArray::fromStringList(verdict.reasons)));
+    return row.bindOrNull(inspection.batchId).run();
 }
 
 Expected<std::optional<InspectionRecord>> find(Database& database, const QString& id)
@@ -129,12 +132,15 @@ Expected<std::vector<InspectionRecord>> page(Database& database, const HistoryFi
     return read(query.bind(std::max(0, filter.limit)).bind(std::max(0, filter.offset)));
 }
 
-Expected<InspectionCounts> counts(Database& database)
+Expected<InspectionCounts> counts(Database& database, const QString& batchId)
 {
     InspectionCounts counts;
+    const QString batch = batchId.isEmpty() ? u""_s : u"WHERE batch_id = ? "_s;
     Statement query(database, doing(),
-                    u"SELECT verdict, expected_type, type_name, COUNT(*) FROM inspections "
-                    "GROUP BY verdict, expected_type, type_name"_s);
+                    u"SELECT verdict, expected_type, type_name, COUNT(*) FROM inspections "_s + batch +
+                        u"GROUP BY verdict, expected_type, type_name"_s);
+    if (!batchId.isEmpty())
+        query.bind(batchId);
     auto done = query.forEach([&](Statement& row) {
         const auto verdict = verdictKindFromString(row.takeText()).value_or(VerdictKind::Invalid);
         const QString expected = row.takeText();

@@ -14,6 +14,7 @@ namespace gripscope::inspection_table {
                                     const NewInspection& inspection);
 [[nodiscard]] Expected<std::optional<InspectionRecord>> find(Database& database, const QString& id);
 [[nodiscard]] Expected<std::vector<InspectionRecord>> page(Database& database, const HistoryFilter& filter);
-[[nodiscard]] Expected<InspectionCounts> counts(Database& database);
+/// Of one batch; of all where it is empty.
+[[nodiscard]] Expected<InspectionCounts> counts(Database& database, const QString& batchId = {});
 
 } // namespace gripscope::inspection_table

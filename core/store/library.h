@@ -37,6 +37,8 @@ enum class DraftEnd;
 struct ReferenceCheck;
 struct ReferenceCheckRecord;
 struct ReferenceObject;
+struct NewBatch;
+struct BatchRecord;
 
 /// How a part is squeezed. Forces in newtons.
 struct Recipe {
@@ -56,6 +58,7 @@ struct TypeRecord {
     bool approved = false;
     TypeStatus status = TypeStatus::Enrolled;
     int recipeVersion = 1; ///< its recipes are numbered from 1
+    QString code = {};     ///< what a scanner reads on its parts (a GTIN...); empty: none
 };
 
 struct NewGrasp {
@@ -89,6 +92,7 @@ struct NewInspection {
     VerdictOptions rates;
     QString expectedType; ///< name; empty when nothing was expected
     double seconds = 0;   ///< length of the squeeze
+    QString batchId = {}; ///< empty: of no batch
 };
 
 struct InspectionRecord {
@@ -101,6 +105,7 @@ struct InspectionRecord {
     std::optional<MassDampingStiffness> parameters;
     QString forceUnit, positionUnit;
     double seconds = 0;
+    QString batch = {}; ///< the name of its batch; empty: of none
 };
 
 struct HistoryFilter {
@@ -185,6 +190,9 @@ public:
     [[nodiscard]] Expected<void> retireType(const QString& typeId, const ChangeNote& note);
     /// A retired type is recognised again, and needs approval.
     [[nodiscard]] Expected<void> reinstateType(const QString& typeId, const ChangeNote& note);
+    /// What a scanner reads on its parts; empty: no longer any. Usage: another type has that code.
+    [[nodiscard]] Expected<TypeRecord> setTypeCode(const QString& typeId, const QString& code,
+                                                   const ChangeNote& note);
 
     // Versions
     [[nodiscard]] Expected<qint64> version() const;
@@ -240,6 +248,14 @@ public:
     /// stands for the squeeze nor a verdict changes. NotFound. Usage: a number that is not finite.
     [[nodiscard]] Expected<void> addReidentification(const QString& graspId, const Estimate& estimate,
                                                      const Reidentification& how);
+    // Batches: parts that are inspected and counted together
+    /// Usage: no name, a name or a number of parts out of range, or a batch is under way at this station.
+    [[nodiscard]] Expected<BatchRecord> beginBatch(const NewBatch& batch);
+    /// Ends it, whole or not; ending it again changes nothing. NotFound: there is no such batch.
+    [[nodiscard]] Expected<BatchRecord> endBatch(const QString& batchId, const QString& operatorName);
+    /// The one under way at this station.
+    [[nodiscard]] Expected<std::optional<BatchRecord>> batchUnderWay() const;
+    [[nodiscard]] Expected<std::vector<BatchRecord>> batches(int limit) const; ///< newest first
 
     // Grippers
     /// What is known of a gripper from now on. Usage: no serial number, or a number that is not finite.

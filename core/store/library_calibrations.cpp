@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/calibration_table.h"
 #include "core/store/library_private.h"
-#include "core/words.h"
 #include "core/store/reference_check_table.h"
 #include "core/store/reference_table.h"
+#include "core/words.h"
 
 #include <cmath>
 

@@ -27,6 +27,7 @@ constexpr std::array<KindName, 13> kindNames{{{ChangeKind::NewType, u"new_type"}
                                               {ChangeKind::Split, u"split"},
                                               {ChangeKind::Retire, u"retire"},
                                               {ChangeKind::Reinstate, u"reinstate"},
+                                              {ChangeKind::Code, u"code"},
                                               {ChangeKind::Restore, u"restore"},
                                               {ChangeKind::Examples, u"examples"}}};
 
@@ -107,6 +108,9 @@ QString inWords(const LibraryChange& change)
         return Words::tr("%1 was retired: it is no longer recognised.").arg(type);
     case ChangeKind::Reinstate:
         return Words::tr("%1 was put back into use.").arg(type);
+    case ChangeKind::Code:
+        return other.isEmpty() ? Words::tr("%1 no longer has a code for scanners.").arg(type)
+                               : Words::tr("%1 got the code %2 for scanners.").arg(type, other);
     case ChangeKind::Restore:
         return Words::tr("The library was put back to version %1.").arg(other);
     case ChangeKind::Examples:

@@ -23,6 +23,7 @@ enum class ChangeKind {
     Split,
     Retire,
     Reinstate,
+    Code,    ///< what a scanner reads on its parts
     Restore, ///< of an earlier version
     Examples
 };
@@ -40,7 +41,7 @@ struct LibraryChange {
     QString station;
     ChangeKind kind = ChangeKind::NewType;
     QString type;     ///< its name before the change; empty where all types are meant
-    QString other;    ///< the new name, the type it went into, the new type, the version that was restored
+    QString other;    ///< the new name, the type it went into, the new type, its code, the version restored
     int squeezes = 0; ///< as many were added, dropped or moved
     QString operatorName, reason;
 };
@@ -59,6 +60,7 @@ struct TypeState {
     TypeStatus status = TypeStatus::Enrolled;
     int recipeVersion = 1; ///< of this type's recipes
     int squeezes = 0;      ///< accepted ones
+    QString code = {};     ///< what a scanner reads on its parts; empty: none
 };
 
 /// The types of a library at one version, by name, without those that are gone.

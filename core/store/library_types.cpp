@@ -18,7 +18,7 @@ namespace {
 
 TypeState stateOf(const TypeRecord& type)
 {
-    return {type.id, type.name, type.status, type.recipeVersion, type.squeezes};
+    return {type.id, type.name, type.status, type.recipeVersion, type.squeezes, type.code};
 }
 
 /// Other squeezes in it than those that were approved: it needs approval again.
@@ -180,6 +180,38 @@ Expected<TypeRecord> split(Database& database, const QString& typeId, const QStr
     return requireType(database, added->id);
 }
 
+/// A scanned code must name one type, also when a retired one is put back into use.
+Expected<void> requireFreeCode(Database& database, const QString& typeId, const QString& code)
+{
+    const auto types = type_table::all(database);
+    if (!types)
+        return tl::unexpected(types.error());
+    for (const TypeRecord& other : *types)
+        if (other.id != typeId && other.code == code && !code.isEmpty())
+            return failure(ErrorCode::Usage, {u"%1 has the code %2 already."_s.arg(other.name, code)});
+    return {};
+}
+
+Expected<TypeRecord> setCode(Database& database, const QString& typeId, const QString& code,
+                             const ChangeNote& note)
+{
+    const auto type = requireType(database, typeId);
+    if (!type || type->code == code)
+        return type;
+    auto done = requireReason(note);
+    if (done)
+        done = requireFreeCode(database, typeId, code);
+    if (!done)
+        return tl::unexpected(done.error());
+    LibraryChange change = changeOf(ChangeKind::Code, *type, note);
+    change.other = code;
+    TypeState state = stateOf(*type);
+    state.code = code;
+    if (done = changeState(database, change, state); !done)
+        return tl::unexpected(done.error());
+    return requireType(database, typeId);
+}
+
 /// To a status that the type must not have already.
 Expected<void> changeStatus(Database& database, const TypeRecord& type, ChangeKind kind, TypeStatus status,
                             const ChangeNote& note)
@@ -305,6 +337,12 @@ Expected<void> Library::reinstateType(const QString& typeId, const ChangeNote& n
             return failure(ErrorCode::Usage, {Words::tr("%1 is in use already.").arg(type->name)});
         return changeStatus(*d->database, *type, ChangeKind::Reinstate, TypeStatus::Enrolled, note);
     });
+}
+
+Expected<TypeRecord> Library::setTypeCode(const QString& typeId, const QString& code, const ChangeNote& note)
+{
+    return d->write<TypeRecord>(u"store the code"_s,
+                                [&] { return setCode(*d->database, typeId, code.trimmed(), note); });
 }
 
 } // namespace gripscope

@@ -33,7 +33,8 @@ const TypeState* find(const std::vector<TypeState>& states, const QString& typeI
 
 bool isSame(const TypeState& one, const TypeState& other)
 {
-    return one.name == other.name && one.status == other.status && one.recipeVersion == other.recipeVersion;
+    return one.name == other.name && one.status == other.status && one.recipeVersion == other.recipeVersion &&
+           one.code == other.code;
 }
 
 /// What types and squeezes were like at two versions.

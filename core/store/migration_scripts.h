@@ -13,5 +13,6 @@ extern const char* const migrationScript5;
 extern const char* const migrationScript6;
 extern const char* const migrationScript7;
 extern const char* const migrationScript8;
+extern const char* const migrationScript9;
 
 } // namespace gripscope

@@ -16,7 +16,7 @@ const auto select =
     "(SELECT MAX(q.version) FROM placements q WHERE q.grasp_id = g.id) "
     "WHERE (g.type_id = t.id OR g.id IN (SELECT r.grasp_id FROM placements r WHERE r.type_id = t.id)) "
     "AND COALESCE(p.type_id, g.type_id) = t.id AND COALESCE(p.accepted, 1) = 1), "
-    "s.status, s.recipe_version "
+    "s.status, s.recipe_version, s.code "
     "FROM types t JOIN type_states s ON s.type_id = t.id AND s.version = "
     "(SELECT MAX(w.version) FROM type_states w WHERE w.type_id = t.id) "
     "JOIN type_versions v ON v.type_id = t.id AND v.version = s.recipe_version "_s;
@@ -40,6 +40,7 @@ TypeRecord takeType(Statement& row)
     type.status = typeStatusFromString(row.takeText()).value_or(TypeStatus::Gone);
     type.approved = type.status == TypeStatus::Approved;
     type.recipeVersion = int(row.takeInteger());
+    type.code = row.takeText();
     return type;
 }
 

@@ -56,7 +56,8 @@ enum {
     GRIPSCOPE_FORCE_SATURATED = 0x0010,
     GRIPSCOPE_POSITION_SATURATED = 0x0020,
     GRIPSCOPE_FAULT_PRESENT = 0x0040,
-    GRIPSCOPE_WATCHDOG = 0x0080
+    GRIPSCOPE_WATCHDOG = 0x0080,
+    GRIPSCOPE_BUTTON = 0x0100 /* held, debounced; at least 20 ms */
 };
 
 /* Results of commands. */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/gripper_profile.h"
 
+#include "core/session/device_button.h"
+
 #include <array>
 #include <utility>
 
@@ -10,13 +12,14 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr std::array<std::pair<const char16_t*, std::uint16_t>, 6> flags{
+constexpr std::array<std::pair<const char16_t*, std::uint16_t>, 7> flags{
     {{u"moving", StatusMoving},
      {u"force_limit", StatusForceLimit},
      {u"travel_limit", StatusTravelLimit},
      {u"force_saturated", StatusForceSaturated},
      {u"position_saturated", StatusPositionSaturated},
-     {u"fault", StatusFault}}};
+     {u"fault", StatusFault},
+     {u"button", statusButton}}};
 
 } // namespace
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/virtual_robot_transport.h"
 
+#include "core/session/device_button.h"
+#include "devices/virtual/virtual_button.h"
 #include "core/words.h"
 #include "devices/virtual/virtual_plug.h"
 
@@ -84,6 +86,8 @@ ProfileEncoder::Reading VirtualRobotTransport::takeSample()
     reading.position_m = m_stuckAt_m.value_or(reading.position_m);
     if (faults.broken)
         reading.status |= StatusFault;
+    if (faults.buttonDown || virtual_button::down())
+        reading.status |= statusButton;
     ++m_samples;
     return reading;
 }

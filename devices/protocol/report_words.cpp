@@ -164,10 +164,10 @@ void fill(ReportWords& out, const Decoded<Message>& message)
 
 QString statusWords(std::uint16_t status)
 {
-    const std::array names{Words::tr("armed"),           Words::tr("moving"),
-                           Words::tr("force limit"),     Words::tr("travel limit"),
-                           Words::tr("force saturated"), Words::tr("position saturated"),
-                           Words::tr("fault"),           Words::tr("watchdog")};
+    const std::array names{
+        Words::tr("armed"),        Words::tr("moving"),          Words::tr("force limit"),
+        Words::tr("travel limit"), Words::tr("force saturated"), Words::tr("position saturated"),
+        Words::tr("fault"),        Words::tr("watchdog"),        Words::tr("button")};
     QStringList set;
     for (std::size_t bit = 0; bit < 16; ++bit)
         if (status >> bit & 1)

@@ -41,6 +41,7 @@ constexpr Word words[] = {
     {"hang-write", Fault::HangWrite, Operand::Seconds},
     {"broken", Fault::Broken, Operand::Switch},
     {"load", Fault::Load, Operand::Newtons},
+    {"button", Fault::Button, Operand::Switch},
 };
 
 struct CommandName {
@@ -260,6 +261,9 @@ void FaultState::apply(const FaultEvent& event)
         return;
     case Fault::Broken:
         broken = event.value.has_value();
+        return;
+    case Fault::Button:
+        buttonDown = event.value.has_value();
         return;
     }
 }

@@ -29,6 +29,7 @@ enum class Fault {
     HangWrite,
     Broken,
     Load,
+    Button,
 };
 
 /// From `at_s` on. `value`: a share (Loss, Duplicate, Crc), newtons (Saturate, Load), seconds (Clock: the
@@ -50,6 +51,7 @@ struct FaultState {
     bool stalled = false; ///< nothing is sent
     bool unplugged = false;
     bool broken = false;       ///< the device finds a fault in itself
+    bool buttonDown = false;   ///< a person holds its button (no fault either)
     double clock_s = 0;        ///< its clock is ahead by so much
     std::uint32_t deafTo = 0;  ///< bit i: output report 0x20 + i does not arrive
     double featureHangs_s = 0; ///< a feature request blocks for so long, and fails

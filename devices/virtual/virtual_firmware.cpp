@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/virtual/virtual_firmware.h"
 
+#include "core/session/device_button.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -309,9 +311,9 @@ void VirtualFirmware::advancePhase()
 
 std::uint16_t VirtualFirmware::status() const
 {
-    return static_cast<std::uint16_t>(m_latched | (m_armed ? StatusArmed : 0) |
-                                      (m_phase == Phase::Moving ? StatusMoving : 0) |
-                                      (m_faults.broken ? StatusFault : 0));
+    return static_cast<std::uint16_t>(
+        m_latched | (m_armed ? StatusArmed : 0) | (m_phase == Phase::Moving ? StatusMoving : 0) |
+        (m_faults.broken ? StatusFault : 0) | (m_faults.buttonDown ? statusButton : 0));
 }
 
 VirtualFirmware::Reading VirtualFirmware::read(double force_N)

@@ -34,6 +34,7 @@ struct FirmwareFaults {
     bool broken = false;                   ///< it finds a fault in itself: stops, and does not arm
     double clock_s = 0;                    ///< its clock is ahead by so much
     double load_N = 0;                     ///< a weight hangs on the force sensor
+    bool buttonDown = false;               ///< a person holds its button
 };
 
 /// A gripper without hardware: what its firmware would do, sample for sample, in the bytes of

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/virtual/virtual_transport.h"
 
+#include "devices/virtual/virtual_button.h"
 #include "core/words.h"
 #include "devices/virtual/virtual_plug.h"
 
@@ -73,7 +74,8 @@ void VirtualTransport::followFaults()
 {
     m_timeline.advanceTo(faults_s());
     const FaultState& now = m_timeline.state();
-    m_firmware.setFaults({now.saturate_N, now.stuck, now.broken, now.clock_s, now.load_N});
+    m_firmware.setFaults({now.saturate_N, now.stuck, now.broken, now.clock_s, now.load_N,
+                          now.buttonDown || virtual_button::down()});
     if (now.unplugged && !m_unplugged) {
         m_unplugged = true;
         rememberUnplug();

@@ -26,7 +26,7 @@ private slots:
             u"virtual:?object=0.04,43,9990&seed=7&noise=20e-6&speed=0&capture=/tmp/x.gscap&script=/tmp/"
             u"faults.txt"
             "&fault=loss:0.01,duplicate:0.02,crc:0.03,stall:1.5,replug:0.5,unplug:2,saturate:25,stuck,units,"
-            "deaf:3,hang-feature:4,hang-write:5,broken:6"_qs));
+            "deaf:3,hang-feature:4,hang-write:5,broken:6,button:7"_qs));
         QCOMPARE(address.object, u"0.04,43,9990"_qs);
         QCOMPARE(address.seed, std::uint64_t(7));
         QCOMPARE(address.positionNoise_m, std::optional<double>(20e-6));
@@ -45,7 +45,8 @@ private slots:
                                              {3, Fault::Deaf, 0},
                                              {4, Fault::HangFeature, usualHang_s},
                                              {5, Fault::HangWrite, usualHang_s},
-                                             {6, Fault::Broken, 1}};
+                                             {6, Fault::Broken, 1},
+                                             {7, Fault::Button, 1}};
         QVERIFY(address.faults == faults);
     }
 

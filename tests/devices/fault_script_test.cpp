@@ -101,10 +101,11 @@ private slots:
 
     void faultsComeAndGo()
     {
-        FaultTimeline faults(parseFaultScript("1 loss 0.1\n1 clock 0.5\n2 stuck\n2 clock -0.2\n"
-                                              "3 loss 0\n3 stuck off\n4 unplug\n5 replug\n6 broken",
-                                              u"x"_qs)
-                                 .value());
+        FaultTimeline faults(
+            parseFaultScript("1 loss 0.1\n1 clock 0.5\n2 stuck\n2 clock -0.2\n"
+                             "3 loss 0\n3 stuck off\n3 button\n4 unplug\n4 button off\n5 replug\n6 broken",
+                             u"x"_qs)
+                .value());
         faults.advanceTo(0.999);
         QVERIFY(faults.state() == FaultState{});
         faults.advanceTo(1);
@@ -112,8 +113,10 @@ private slots:
         faults.advanceTo(2.5);
         QVERIFY(faults.state().stuck);
         QCOMPARE(faults.state().clock_s, 0.3);
+        faults.advanceTo(3);
+        QVERIFY(faults.state().buttonDown);
         faults.advanceTo(4);
-        QVERIFY(!faults.state().stuck && faults.state().unplugged);
+        QVERIFY(!faults.state().stuck && !faults.state().buttonDown && faults.state().unplugged);
         QCOMPARE(faults.nextReplug_s(), std::optional<double>(5));
         faults.advanceTo(10);
         QVERIFY(!faults.state().unplugged && faults.state().broken);

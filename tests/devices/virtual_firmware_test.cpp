@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/device_button.h"
 #include "devices/virtual/virtual_firmware.h"
 #include "tests/support/test_registry.h"
 
@@ -115,6 +116,25 @@ private slots:
         QCOMPARE(device.send(ArmCommand{}).result, CommandResult::Fault);
         device.firmware.setFaults({});
         QCOMPARE(device.send(ArmCommand{}).result, CommandResult::Done);
+    }
+
+    void itsButtonIsShownAndDoesNothingByItself()
+    {
+        Device device;
+        QCOMPARE(device.send(ArmCommand{}).result, CommandResult::Done);
+        QCOMPARE(device.upload(push, 1), CommandResult::Done);
+        FirmwareFaults person;
+        person.buttonDown = true;
+        device.run(100);
+        QVERIFY(!(device.lastStatus() & statusButton));
+        device.firmware.setFaults(person);
+        device.run(100);
+        QVERIFY(device.lastStatus() & statusButton);
+        QVERIFY(device.lastStatus() & StatusArmed);
+        device.firmware.setFaults({});
+        device.run(100);
+        QVERIFY(!(device.lastStatus() & statusButton));
+        QCOMPARE(device.pushedSamples(), std::size_t(0));
     }
 
     void nothingMovesItBeforeItIsArmed()

@@ -69,6 +69,19 @@ private slots:
         QCOMPARE(versions[0][u"operator"_s].toString(), u"Ada"_s);
         QCOMPARE(versions[6][u"change"_s].toString(), u"A was renamed Cola."_s);
     }
+    void aCodeIsSetAndListed()
+    {
+        const QStringList code{u"code"_s, u"--type"_s, u"A"_s, u"--code"_s, u"4006381333931"_s};
+        QCOMPARE(types(code + because()).json()[u"kind"_s].toString(), u"code"_s);
+        QCOMPARE(types({u"list"_s}).json()[u"types"_s][0][u"code"_s].toString(), u"4006381333931"_s);
+        QCOMPARE(types(code + because()).exit, 2); // it has it already
+        QCOMPARE(types({u"code"_s, u"--type"_s, u"B"_s, u"--code"_s, u"4006381333931"_s, u"--reason"_s,
+                        u"a mistake"_s})
+                     .exit,
+                 2); // A has it
+        QCOMPARE(types(QStringList{u"code"_s, u"--type"_s, u"A"_s} + because()).exit, 0);
+        QCOMPARE(types({u"list"_s}).json()[u"types"_s][0][u"code"_s].toString(), QString());
+    }
     void whatCannotBeDoneIsToldApart()
     {
         QCOMPARE(types({u"rename"_s, u"--type"_s, u"A"_s, u"--to"_s, u"X"_s}).exit, 2); // no reason

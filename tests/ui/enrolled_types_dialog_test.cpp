@@ -137,6 +137,23 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(d.row(0), u"A approved 10"_s, patience_ms);
         QCOMPARE(d.versions()->rowCount(), 4);
     }
+    void aScannedCodeIsKeptWithTheType()
+    {
+        const OpenDialog d;
+        d.types()->selectRow(1);
+        d.f.click(d.f.find<QPushButton>("codeButton"));
+        QTRY_VERIFY(d.form());
+        auto* code = d.form()->findChild<QLineEdit*>(u"codeField"_s);
+        QTest::keyClicks(code, u"4006381333931"_s);
+        QTest::keyClick(code, Qt::Key_Return); // as a scanner ends: nothing is accepted by it
+        QTest::qWait(50);
+        QVERIFY(d.form());
+        d.accept(u"from the order"_s);
+        QTRY_COMPARE_WITH_TIMEOUT(d.types()->item(1, 4)->text(), u"4006381333931"_s, patience_ms);
+        QCOMPARE(d.versions()->item(0, 3)->text(), u"B got the code 4006381333931 for scanners."_s);
+        QTRY_COMPARE_WITH_TIMEOUT(d.f.bench->inspection().types().at(1).code, u"4006381333931"_s,
+                                  patience_ms);
+    }
     void whatTheLibraryRefusesIsSaid()
     {
         const OpenDialog d;

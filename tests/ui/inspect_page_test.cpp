@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
-#include "tests/ui/workbench_fixture.h"
+#include "tests/ui/inspecting.h"
 #include "ui/rates_dialog.h"
 #include "ui/widgets/inspection_list.h"
 #include "ui/widgets/verdict_panel.h"
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -18,32 +17,7 @@
 using namespace Qt::StringLiterals;
 using namespace gripscope;
 using gripscope::test::WindowFixture;
-
-namespace {
-
-constexpr int patience_ms = 15000;
-
-void expectType(WindowFixture& f, const QString& name)
-{
-    auto* combo = f.find<QComboBox>("expectedCombo");
-    const int index = combo->findData(name);
-    QVERIFY(index >= 0);
-    combo->setCurrentIndex(index);
-    emit combo->activated(index);
-}
-
-/// Space on the page, until the verdict is in the library.
-void squeezeBySpace(WindowFixture& f)
-{
-    Page* page = f.page(u"inspect"_s);
-    page->setFocus();
-    QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("squeezeButton")->isEnabled(), patience_ms);
-    const qint64 before = f.bench->inspection().counts().total;
-    QTest::keyClick(page, Qt::Key_Space);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().counts().total, before + 1, patience_ms);
-}
-
-} // namespace
+using namespace gripscope::test::inspecting;
 
 /// The Inspect page by click and key, with the virtual gripper.
 class InspectPageTest : public QObject {
@@ -90,8 +64,9 @@ void InspectPageTest::squeezeIsOnlyThereWhenArmed()
     auto* arm = f.find<QPushButton>("inspectArmButton");
     QVERIFY(!squeeze->isEnabled());
     QVERIFY(arm->isVisible());
+    f.page(u"inspect"_s)->setFocus();
     QTest::keyClick(f.page(u"inspect"_s), Qt::Key_Space);
-    QTest::qWait(50);
+    QTest::qWait(200);
     QVERIFY(f.bench->inspection().state() == InspectSession::State::Ready);
     QVERIFY(!f.bench->connection().armed());
     f.click(arm);
@@ -162,11 +137,17 @@ void InspectPageTest::theListFollowsTheInspections()
     squeezeBySpace(f);
     QTRY_COMPARE_WITH_TIMEOUT(list->model()->rowCount(), 2, patience_ms);
     QCOMPARE(list->model()->index(0, 0).data(InspectionListModel::NumberRole).toLongLong(), 2);
-    // Enter on a line opens its squeeze, read back from the library, on the Fit page.
-    list->setCurrentIndex(list->model()->index(1, 0));
-    emit list->activated(list->currentIndex());
+    // A click on a line opens its squeeze, read back from the library, on the Fit page; so does Enter.
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                      list->visualRect(list->model()->index(1, 0)).center());
     QTRY_COMPARE_WITH_TIMEOUT(f.window->currentPage()->id(), u"fit"_s, patience_ms);
     QCOMPARE(f.bench->fitSubject()->title, u"Inspection 1"_s);
+    f.window->showPage(u"inspect"_s);
+    list->setFocus();
+    list->setCurrentIndex(list->model()->index(0, 0));
+    QTest::keyClick(list, Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(f.window->currentPage()->id(), u"fit"_s, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->fitSubject()->title, u"Inspection 2"_s, patience_ms);
 }
 
 void InspectPageTest::ratesAreSetByClickAndHold()

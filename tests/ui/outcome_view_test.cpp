@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
+#include "ui/sound/outcome_tones.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/outcome_view.h"
 #include "ui/widgets/parameter_text.h"
 #include "ui/widgets/type_map.h"
 #include "ui/widgets/verdict_panel.h"
 #include "ui/widgets/yield_strip.h"
+#include "ui/widgets/yield_text.h"
 
 #include <QPainter>
 #include <QTest>
@@ -54,7 +56,10 @@ private slots:
     void aLongNameStaysInsideThePanel();
     void parametersAreShownInSi();
     void anEllipseHoldsItsTypesSpread();
-    void theStripKeepsFifty();
+    void aLongNameIsStillReadFromAfar();
+    void theStripKeepsTwentyAndOpensTheOneThatIsClicked();
+    void theYieldLeavesOutWhatWasNotJudged();
+    void soundsAreToldApart();
 };
 
 void OutcomeViewTest::signsDifferWithoutColour()
@@ -150,11 +155,79 @@ void OutcomeViewTest::anEllipseHoldsItsTypesSpread()
     QVERIFY(std::abs(tallest / (0.02 * 2.4477) - 1) < 2e-3);
 }
 
-void OutcomeViewTest::theStripKeepsFifty()
+void OutcomeViewTest::aLongNameIsStillReadFromAfar()
+{
+    VerdictPanel panel;
+    panel.showOutcome(InspectionOutcome::AsExpected, u"A"_s, u"as expected"_s);
+    QCOMPARE(panel.fitted(400, 110).pixels, int(metrics::fontVerdict));
+    // Two lines as soon as one would be small, broken where the lines are of a length.
+    panel.showOutcome(InspectionOutcome::AsExpected, u"Sparkling water with elderflower"_s, u"as expected"_s);
+    const VerdictPanel::Headline two = panel.fitted(430, 110);
+    QCOMPARE(two.lines, QStringList({u"Sparkling water"_s, u"with elderflower"_s}));
+    QVERIFY(two.pixels >= 36);
+    // One word that is long gets as large as it can.
+    panel.showOutcome(InspectionOutcome::AsExpected, u"Holunderblütensprudel"_s, u"as expected"_s);
+    const VerdictPanel::Headline one = panel.fitted(430, 110);
+    QCOMPARE(one.lines.size(), 1);
+    QVERIFY(one.pixels > metrics::fontNumber);
+    QCOMPARE(one.lines[0], u"Holunderblütensprudel"_s);
+}
+
+void OutcomeViewTest::theStripKeepsTwentyAndOpensTheOneThatIsClicked()
 {
     YieldStrip strip;
-    strip.setOutcomes(std::deque<InspectionOutcome>(80, InspectionOutcome::AsExpected));
-    QVERIFY(strip.accessibleName().contains(u"50"_s));
+    std::deque<InspectionLine> lines;
+    for (int i = 1; i <= 80; ++i)
+        lines.push_back({i, u"g%1"_s.arg(i),
+                         i % 8 ? InspectionOutcome::AsExpected : InspectionOutcome::Unknown, u"A"_s, 1});
+    strip.setLines(lines);
+    strip.resize(272, 64);
+    QVERIFY(strip.accessibleName().contains(u"Last 20 inspections: 17"_s));
+    qint64 opened = 0;
+    QObject::connect(&strip, &YieldStrip::opened, &strip,
+                     [&](const QString&, qint64 number) { opened = number; });
+    QTest::mouseClick(&strip, Qt::LeftButton, {}, strip.cell(0).center());
+    QCOMPARE(opened, 61);
+    QTest::mouseClick(&strip, Qt::LeftButton, {}, strip.cell(19).center());
+    QCOMPARE(opened, 80);
+}
+
+void OutcomeViewTest::theYieldLeavesOutWhatWasNotJudged()
+{
+    InspectionCounts counts;
+    counts.total = 60;
+    counts.invalid = 12;
+    counts.inconclusive = 8;
+    QVERIFY(yieldText(counts).isEmpty()); // nothing was judged
+    counts.asExpected = 40;
+    // 40 of 40: the exact two-sided lower bound is 0.025^(1/40) = 0.9119.
+    QCOMPARE(yieldText(counts), u"100 % as expected (91.2 to 100 %)"_s);
+    counts.otherType = 1;
+    QVERIFY(!yieldText(counts).startsWith(u"100"_s));
+    QVERIFY(yieldExplained(counts).contains(u"40 of 41"_s));
+}
+
+void OutcomeViewTest::soundsAreToldApart()
+{
+    // By more than pitch: number of tones, length, or direction.
+    QSet<QByteArray> all;
+    for (const Sound sound : {Sound::AsExpected, Sound::OtherType, Sound::Unknown, Sound::Inconclusive,
+                              Sound::NotValid, Sound::BatchWhole, Sound::CodeUnknown}) {
+        const std::vector<Tone> tones = tonesOf(sound);
+        double seconds = 0;
+        for (const Tone& tone : tones)
+            seconds += tone.seconds;
+        QVERIFY(seconds > 0.05 && seconds <= 0.5);
+        QVERIFY((tones.size() == 1) == (sound == Sound::AsExpected || sound == Sound::NotValid));
+        const QByteArray samples = samplesOf(tones);
+        QVERIFY(std::abs(double(samples.size()) - 2 * seconds * soundRate_Hz) < 10);
+        const auto* first = reinterpret_cast<const std::int16_t*>(samples.constData());
+        QCOMPARE(int(first[0]), 0); // no click
+        QVERIFY(std::abs(int(first[samples.size() / 2 - 1])) < 400);
+        all << samples;
+    }
+    QCOMPARE(all.size(), 7);
+    QVERIFY(tonesOf(Sound::NotValid)[0].seconds > 2 * tonesOf(Sound::AsExpected)[0].seconds);
 }
 
 GRIPSCOPE_TEST(OutcomeViewTest)

@@ -88,6 +88,24 @@ void EnrolledTypesDialog::rename()
     form->open();
 }
 
+void EnrolledTypesDialog::editCode()
+{
+    const TypeRecord type = *selectedType();
+    auto* form = new TypeChangeForm(
+        tr("Code of %1").arg(type.name),
+        tr("What a scanner reads on its parts or on its order: a GTIN, a part number. Scanned on the Inspect "
+           "page, it makes %1 the expected type. Leave it empty to take the code away.")
+            .arg(type.name),
+        tr("Keep"), this);
+    form->askCode(tr("Code, scanned or typed"), type.code);
+    connect(form, &QDialog::accepted, this, [this, form, type] {
+        change([id = type.id, code = form->code(), why = note(*form)](Library& library) {
+            return library.setTypeCode(id, code, why).map(ignoreValue);
+        });
+    });
+    form->open();
+}
+
 void EnrolledTypesDialog::merge()
 {
     const TypeRecord type = *selectedType();

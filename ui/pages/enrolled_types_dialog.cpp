@@ -91,8 +91,9 @@ QPushButton* EnrolledTypesDialog::addAction(QBoxLayout* column, const QString& t
 QWidget* EnrolledTypesDialog::makeTypes()
 {
     auto* page = new QWidget(this);
-    m_types = makeTable({tr("Type"), tr("State"), tr("Squeezes"), tr("Recipe"), tr("Crush limit")},
-                        "typesTable", page);
+    m_types =
+        makeTable({tr("Type"), tr("State"), tr("Squeezes"), tr("Recipe"), tr("Crush limit"), tr("Code")},
+                  "typesTable", page);
     m_types->setIconSize({pictureSide, pictureSide});
     m_types->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_types->setAccessibleName(tr("Enrolled types"));
@@ -100,6 +101,7 @@ QWidget* EnrolledTypesDialog::makeTypes()
     actions->setSpacing(8);
     m_picture = addAction(actions, tr("Picture…"), "pictureButton", &EnrolledTypesDialog::choosePicture);
     m_rename = addAction(actions, tr("Rename…"), "renameButton", &EnrolledTypesDialog::rename);
+    m_code = addAction(actions, tr("Code…"), "codeButton", &EnrolledTypesDialog::editCode);
     m_merge = addAction(actions, tr("Merge…"), "mergeButton", &EnrolledTypesDialog::merge);
     m_split = addAction(actions, tr("Split…"), "splitButton", &EnrolledTypesDialog::split);
     m_approve = addAction(actions, tr("Approve"), "approveTypeButton", &EnrolledTypesDialog::approve);
@@ -185,7 +187,7 @@ void EnrolledTypesDialog::show(Contents contents)
                                                                     : tr("not approved");
         setRow(m_types, row,
                {type.name, state, QString::number(type.squeezes), type.recipe.name,
-                tr("%1 N").arg(type.recipe.maxForce_N)});
+                tr("%1 N").arg(type.recipe.maxForce_N), type.code});
         if (const QImage& picture = m_contents.pictures[static_cast<std::size_t>(row)]; !picture.isNull())
             m_types->item(row, 0)->setIcon(QPixmap::fromImage(picture));
     }
@@ -212,6 +214,7 @@ void EnrolledTypesDialog::refresh()
     const bool inUse = type && type->status != TypeStatus::Retired;
     m_picture->setEnabled(type);
     m_rename->setEnabled(type);
+    m_code->setEnabled(type);
     m_merge->setEnabled(inUse && m_contents.types.size() > 1);
     m_split->setEnabled(inUse && type->squeezes > 1);
     m_approve->setEnabled(inUse && type->status != TypeStatus::Approved);

@@ -48,6 +48,7 @@ private:
     [[nodiscard]] ChangeNote note(const TypeChangeForm& form) const;
     void choosePicture();
     void rename();
+    void editCode();
     void merge();
     void split();
     void approve();
@@ -60,8 +61,8 @@ private:
     Workbench* m_workbench;
     Contents m_contents;
     QTableWidget *m_types, *m_versions;
-    QPushButton *m_picture, *m_rename, *m_merge, *m_split, *m_approve, *m_retire, *m_putBack, *m_restore,
-        *m_undo;
+    QPushButton *m_picture, *m_rename, *m_code, *m_merge, *m_split, *m_approve, *m_retire, *m_putBack,
+        *m_restore, *m_undo;
     QLabel* m_state;
 };
 

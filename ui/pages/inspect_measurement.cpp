@@ -35,8 +35,15 @@ InspectMeasurement::InspectMeasurement(QWidget* parent) : QFrame(parent)
     m_b = add(tr("damping b (95 %)"));
     m_m = add(tr("moving mass m (95 %)"));
     m_map = new TypeMap(this);
+    m_note = makeLabel(tr("This says nothing about the part: it is neither good nor bad. The squeeze is kept "
+                          "under its number, but counts neither in the yield nor towards the batch."),
+                       "", this);
+    m_note->setObjectName("notJudgedNote");
+    m_note->setWordWrap(true);
+    m_note->hide();
     row->addLayout(numbers);
     row->addWidget(m_map, 1);
+    row->addWidget(m_note, 1);
 }
 
 void InspectMeasurement::setTypes(const TypeModels& models)
@@ -46,6 +53,9 @@ void InspectMeasurement::setTypes(const TypeModels& models)
 
 void InspectMeasurement::showResult(const std::optional<InspectSession::Result>& result)
 {
+    const bool invalid = result && result->outcome == InspectionOutcome::NotValid;
+    m_map->setVisible(!invalid);
+    m_note->setVisible(invalid);
     const std::optional<CorrectedParameters> object = result ? result->identification.object() : std::nullopt;
     if (object)
         return showObject(*result, *object);

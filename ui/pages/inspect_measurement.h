@@ -23,6 +23,7 @@ private:
     void showObject(const InspectSession::Result& result, const CorrectedParameters& object);
     QLabel *m_m, *m_b, *m_k;
     TypeMap* m_map;
+    QLabel* m_note; ///< in the map's place, where the measurement says nothing of the part
 };
 
 } // namespace gripscope

@@ -1,45 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/inspect_page.h"
 
+#include "core/session/device_button.h"
 #include "core/words.h"
-#include "ui/connection_words.h"
 #include "ui/example_types_button.h"
+#include "ui/pages/inspect_batch.h"
+#include "ui/pages/inspect_hint.h"
 #include "ui/pages/inspect_measurement.h"
+#include "ui/pages/inspect_reason.h"
 #include "ui/pages/inspect_summary.h"
+#include "ui/pages/inspect_tour.h"
 #include "ui/rates_dialog.h"
+#include "ui/scan_reader.h"
+#include "ui/sound/sound_player.h"
 #include "ui/theme/theme.h"
 #include "ui/tour_script.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/elided_label.h"
-#include "ui/widgets/number_format.h"
 #include "ui/widgets/outcome_view.h"
+#include "ui/widgets/sound_button.h"
+#include "ui/widgets/type_chooser.h"
 #include "ui/widgets/verdict_panel.h"
 #include "ui/workbench.h"
 
-#include <QComboBox>
+#include <QApplication>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include <cmath>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
 namespace gripscope {
 
 struct InspectPage::Private {
-    QComboBox* expected = nullptr;
+    TypeChooser* expected = nullptr;
+    SoundButton* soundSwitch = nullptr;
     ElidedLabel* recipe = nullptr;
     VerdictPanel* verdict = nullptr;
-    ElidedLabel *facts = nullptr, *rates = nullptr;
-    QLabel* reason = nullptr;
+    InspectReason* reason = nullptr;
     InspectMeasurement* measurement = nullptr;
+    QString expectedNow;
     QStringList shownTypes; ///< names and how many squeezes
     QPushButton *squeeze = nullptr, *arm = nullptr;
     InspectSummary* summary = nullptr;
+    ScanReader* scans = nullptr;
+    SoundPlayer* sounds = nullptr;
+    int listener = 0;
+    ButtonWatch button;
+    bool buttonPressed = false;
+    std::optional<InspectHint> notice; ///< of a code or a button; until something else happens
     bool active = false;
     qint64 shownNumber = 0;
+    std::uint64_t heard = 0; ///< the squeeze whose verdict was heard
     InspectSession::State shownState = InspectSession::State::Loading;
     TourScript tour;
 };
@@ -60,18 +74,65 @@ InspectPage::InspectPage(Workbench& bench, QWidget* parent)
     row->addLayout(left, 1);
     row->addWidget(d->summary);
     setFocusPolicy(Qt::StrongFocus);
-
+    d->sounds = new SoundPlayer(this);
+    d->sounds->setObjectName("inspectSounds");
+    listenToPeople();
     connect(&bench, &Workbench::inspectionChanged, this, &InspectPage::refresh);
     connect(&bench, &Workbench::connectionChanged, this, &InspectPage::refresh);
     connect(&bench, &Workbench::ratesChanged, this, &InspectPage::refresh);
-    connect(&bench, &Workbench::ticked, this, [this] {
-        if (d->active && d->shownState != workbench().inspection().state())
-            refresh();
-    });
+    connect(&bench, &Workbench::ticked, this, &InspectPage::followTick);
     refresh();
 }
 
-InspectPage::~InspectPage() = default;
+InspectPage::~InspectPage()
+{
+    workbench().connection().removeListener(d->listener);
+}
+
+void InspectPage::listenToPeople()
+{
+    d->scans = new ScanReader(this);
+    connect(d->scans, &ScanReader::scanned, d->expected, &TypeChooser::choose);
+    connect(d->scans, &ScanReader::spacePressed, this, [this] {
+        if (d->squeeze->isEnabled())
+            squeeze();
+    });
+    d->listener = workbench().connection().addListener([this](const std::vector<Sample>& samples) {
+        d->buttonPressed = d->button.pressedIn(samples) || d->buttonPressed;
+    });
+    connect(&workbench(), &Workbench::connectionChanged, this, [this] {
+        if (workbench().connection().state() != ConnectSession::State::Connected)
+            d->button.reset();
+        d->notice.reset();
+    });
+    connect(&d->summary->batch(), &InspectBatch::expects, this, [this](const QString& type) {
+        d->expected->setTypes(workbench().inspection().types()); // it may be told before this page knows them
+        d->expected->choose(type);
+    });
+    connect(&d->summary->batch(), &InspectBatch::whole, this, [this] { d->sounds->play(Sound::BatchWhole); });
+}
+
+void InspectPage::followTick()
+{
+    // Outside the samples' own listeners, and for this page alone.
+    if (std::exchange(d->buttonPressed, false) && d->active)
+        takeButton();
+    if (d->active && d->shownState != workbench().inspection().state())
+        refresh();
+}
+
+void InspectPage::takeButton()
+{
+    const bool attended = isVisible() && !window()->isMinimized() && !QApplication::activeModalWidget();
+    const bool busy =
+        workbench().squeezing() || workbench().inspection().state() != InspectSession::State::Ready;
+    if (!attended || busy) // one press, one squeeze: a press during it is not kept
+        return;
+    if (d->squeeze->isEnabled())
+        return squeeze();
+    d->notice = buttonHint();
+    refresh();
+}
 
 QString InspectPage::id() const
 {
@@ -93,17 +154,16 @@ void InspectPage::buildTop(QBoxLayout* column)
     auto* row = new QHBoxLayout;
     row->setSpacing(12);
     auto* label = makeLabel(tr("Expected"), "strong", this);
-    d->expected = new QComboBox(this);
+    d->expected = new TypeChooser(this);
     d->expected->setObjectName("expectedCombo");
-    d->expected->setAccessibleName(tr("Expected type"));
     d->expected->setMinimumWidth(200);
-    d->expected->addItem(tr("nothing expected"), QString());
     label->setBuddy(d->expected);
-    connect(d->expected, &QComboBox::activated, this, [this] {
-        workbench().inspection().setExpectedType(d->expected->currentData().toString());
-        d->summary->setExpected(d->expected->currentData().toString());
-        refreshExpected();
-        d->squeeze->setFocus();
+    connect(d->expected, &TypeChooser::chosen, this, &InspectPage::expect);
+    connect(d->expected, &TypeChooser::notFound, this, [this](const QString& text) {
+        d->notice = unknownCodeHint(text, d->expected->expected());
+        d->sounds->play(Sound::CodeUnknown);
+        refresh();
+        focusSqueeze();
     });
     d->recipe = new ElidedLabel({}, this);
     d->recipe->setObjectName("recipeLabel");
@@ -113,8 +173,12 @@ void InspectPage::buildTop(QBoxLayout* column)
     row->addWidget(d->recipe, 1);
     QPushButton* rates = makeButton(tr("Rates…"), {}, "quiet", this);
     rates->setObjectName("ratesButton");
+    rates->setFocusPolicy(Qt::TabFocus); // a click must not take Space from the squeeze
     connect(rates, &QPushButton::clicked, this, &InspectPage::editRates);
     row->addWidget(rates);
+    d->soundSwitch = new SoundButton(this);
+    d->soundSwitch->setObjectName("soundButton");
+    row->addWidget(d->soundSwitch);
     column->addLayout(row);
 }
 
@@ -124,23 +188,8 @@ void InspectPage::buildVerdict(QBoxLayout* column)
     d->verdict->setObjectName("verdictPanel");
     d->verdict->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     column->addWidget(d->verdict, 3);
-    d->facts = new ElidedLabel({}, this);
-    setRole(d->facts, "strong");
-    d->rates = new ElidedLabel({}, this);
-    d->rates->setObjectName("ratesLabel");
-    setRole(d->rates, "caption");
-    d->reason = makeLabel({}, "", this);
-    d->reason->setObjectName("reasonLabel");
-    d->reason->setWordWrap(true);
-    d->reason->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    d->facts->hide();
-    d->reason->hide();
-    auto* words = new QVBoxLayout;
-    words->setSpacing(2);
-    words->addWidget(d->facts);
-    words->addWidget(d->reason);
-    words->addWidget(d->rates);
-    column->addLayout(words);
+    d->reason = new InspectReason(this);
+    column->addWidget(d->reason);
 }
 
 void InspectPage::buildActions(QBoxLayout* column)
@@ -164,21 +213,37 @@ void InspectPage::buildActions(QBoxLayout* column)
 void InspectPage::setActive(bool active)
 {
     d->active = active;
+    d->scans->setActive(active);
     workbench().inspection().setForecasting(active);
     if (!active)
         return;
+    d->buttonPressed = false;
+    d->soundSwitch->refresh();
     refresh();
-    (d->squeeze->isEnabled() ? d->squeeze : d->arm)->setFocus();
+    focusSqueeze();
 }
 
-void InspectPage::keyPressEvent(QKeyEvent* event)
+void InspectPage::focusSqueeze()
 {
-    // A focused button, list or field takes Space for itself; here arrives what nothing else wanted.
-    if (event->key() == Qt::Key_Space && !event->isAutoRepeat() && d->squeeze->isEnabled()) {
-        squeeze();
-        return;
-    }
-    Page::keyPressEvent(event);
+    if (d->squeeze->isEnabled())
+        d->squeeze->setFocus();
+    else if (d->arm->isVisible() && d->arm->isEnabled())
+        d->arm->setFocus();
+    else
+        setFocus();
+}
+
+void InspectPage::expect(const QString& type)
+{
+    const bool isNew = type != d->expectedNow;
+    d->expectedNow = type;
+    workbench().inspection().setExpectedType(type);
+    d->summary->setExpected(type);
+    d->notice.reset();
+    if (isNew && workbench().inspection().result())
+        d->notice = expectedHint(type); // the verdict that is shown was held against another
+    refresh();
+    focusSqueeze();
 }
 
 void InspectPage::squeeze()
@@ -187,6 +252,7 @@ void InspectPage::squeeze()
         workbench().report(tr("Another squeeze is under way. Wait for its end, then try again."));
         return;
     }
+    d->notice.reset();
     if (const Expected<void> started = workbench().inspection().squeeze(); !started)
         workbench().report(started.error().describe());
     refresh();
@@ -198,37 +264,27 @@ void InspectPage::refresh()
     refreshExpected();
     refreshActions();
     refreshVerdict();
-    refreshRates();
+    d->reason->showRates(workbench().rates().rates);
 }
 
 void InspectPage::refreshExpected()
 {
-    QStringList wanted{QString()};
     const std::vector<TypeRecord>& types = workbench().inspection().types();
-    for (const TypeRecord& type : types)
-        wanted << type.name;
-    QStringList shown;
-    for (int i = 0; i < d->expected->count(); ++i)
-        shown << d->expected->itemData(i).toString();
-    if (wanted != shown) {
-        const QString kept = d->expected->currentData().toString();
-        d->expected->clear();
-        for (const QString& name : wanted)
-            d->expected->addItem(name.isEmpty() ? tr("nothing expected") : name, name);
-        d->expected->setCurrentIndex(std::max(0, d->expected->findData(kept)));
-    }
+    d->expected->setTypes(types);
+    if (d->expected->expected() != d->expectedNow &&
+        workbench().inspection().state() != InspectSession::State::Loading)
+        return expect(d->expected->expected()); // the type that was expected is gone
     QStringList enrolled;
-    for (const TypeRecord& type : types)
+    Recipe recipe;
+    for (const TypeRecord& type : types) {
         enrolled << u"%1 %2"_s.arg(type.squeezes).arg(type.name);
+        if (type.name == d->expectedNow)
+            recipe = type.recipe;
+    }
     if (enrolled != d->shownTypes) {
         d->shownTypes = enrolled;
         d->measurement->setTypes(workbench().inspection().models());
     }
-    const QString expected = d->expected->currentData().toString();
-    Recipe recipe;
-    for (const TypeRecord& type : types)
-        if (type.name == expected)
-            recipe = type.recipe;
     // The time first: it is what is looked for, and the end is cut where there is no room.
     d->recipe->setFullText(
         tr("%1 · %2, %3 ± %4 N").arg(timeText(), recipe.name).arg(recipe.bias_N).arg(recipe.peak_N));
@@ -240,6 +296,8 @@ void InspectPage::refreshActions()
     const bool connected = connection.state() == ConnectSession::State::Connected;
     const bool commandable = connection.identity().commandable;
     const bool ready = workbench().inspection().state() == InspectSession::State::Ready;
+    const bool wasEnabled = d->squeeze->isEnabled();
+    const bool keysAreOurs = isOurs(window()->focusWidget());
     d->arm->setVisible(!(connected && (connection.armed() || !commandable)));
     d->arm->setEnabled(connected);
     d->squeeze->setEnabled(connected && ready && (connection.armed() || !commandable));
@@ -252,12 +310,29 @@ void InspectPage::refreshActions()
         break;
     case InspectSession::State::Loading:
     case InspectSession::State::Ready:
-        d->squeeze->setText(commandable || !connected ? tr("Squeeze (Space)") : tr("Record (Space)"));
+        d->squeeze->setText(squeezeText(commandable || !connected));
         break;
     }
-    // Disabling the focused button hands the focus on: keep it here, so that Space works for the next part.
-    if (d->active && !d->squeeze->isEnabled() && !d->arm->isVisible())
-        setFocus();
+    // Hiding or disabling the focused button hands the focus on, to anything. It is kept here, and when the
+    // next squeeze can begin (who armed it may have clicked elsewhere) it comes back: Space is enough.
+    const bool nowEnabled = d->squeeze->isEnabled() && !wasEnabled;
+    if (d->active && (keysAreOurs || nowEnabled) && !d->expected->hasFocus())
+        focusSqueeze();
+}
+
+bool InspectPage::isOurs(const QWidget* focused) const
+{
+    return !focused || focused == this || focused == d->squeeze || focused == d->arm;
+}
+
+QString InspectPage::squeezeText(bool commandable) const
+{
+    if (!commandable)
+        return tr("Record (Space)");
+    const auto& result = workbench().inspection().result();
+    const bool again = result && (result->outcome == InspectionOutcome::NotValid ||
+                                  result->outcome == InspectionOutcome::Inconclusive);
+    return again ? tr("Squeeze again (Space)") : tr("Squeeze (Space)");
 }
 
 void InspectPage::refreshVerdict()
@@ -266,73 +341,34 @@ void InspectPage::refreshVerdict()
     const bool running = session.state() == InspectSession::State::Squeezing;
     d->verdict->setProgress(running ? session.progress() : -1);
     const auto& result = session.result();
-    if (!result) {
-        showHint();
-    } else {
+    if (d->notice) {
+        d->verdict->showHint(d->notice->headline, d->notice->words);
+    } else if (result) {
         const VerdictWords words = verdictWords(*result);
         d->verdict->showOutcome(result->outcome, words.headline, words.outcome);
-        if (result->number != 0 && result->number != d->shownNumber)
-            workbench().setFitSubject(
-                {tr("Inspection %1").arg(result->number), result->recording, result->identification});
-        d->shownNumber = result->number;
+    } else {
+        const InspectHint hint = inspectHint(workbench(), timeText());
+        d->verdict->showHint(hint.headline, hint.words);
     }
-    showFacts();
+    // What was found of the last part is not said beside something else.
+    static const std::optional<InspectSession::Result> none;
+    const std::optional<InspectSession::Result>& shown = d->notice ? none : result;
+    d->reason->showResult(shown ? &*shown : nullptr);
+    d->measurement->showResult(shown);
+    if (result)
+        tellResult(*result);
 }
 
-void InspectPage::showHint()
+void InspectPage::tellResult(const InspectSession::Result& result)
 {
-    ConnectSession& connection = workbench().connection();
-    InspectSession& session = workbench().inspection();
-    const bool connected = connection.state() == ConnectSession::State::Connected;
-    if (session.state() == InspectSession::State::Squeezing)
-        d->verdict->showHint(tr("Squeezing…"), tr("Esc or STOP ends it at once"));
-    else if (session.state() == InspectSession::State::Judging)
-        d->verdict->showHint(tr("Judging…"), {});
-    else if (session.state() == InspectSession::State::Loading)
-        d->verdict->showHint(tr("Reading the library…"), {});
-    else if (!connected)
-        d->verdict->showHint(missingWords(connection).headline, missingWords(connection).detail);
-    else if (session.types().empty())
-        d->verdict->showHint(tr("No types yet"), tr("Enroll at least one type (Ctrl+3), then inspect parts"));
-    else if (!connection.armed() && connection.identity().commandable)
-        d->verdict->showHint(tr("Not armed"), tr("Place the part, hands clear, then arm the gripper"));
-    else
-        d->verdict->showHint(tr("Ready"), tr("Place the part, then squeeze: %1").arg(timeText()));
-}
-
-void InspectPage::showFacts()
-{
-    const auto& result = workbench().inspection().result();
-    d->measurement->showResult(result);
-    if (!result) {
-        // Their room stays from the first verdict on, so that nothing jumps while the next squeeze runs.
-        d->facts->setFullText(u" "_s);
-        d->reason->clear();
-        return;
+    if (result.squeeze != d->heard) {
+        d->heard = result.squeeze;
+        d->sounds->play(soundOf(result.outcome));
     }
-    // What to do about a bad measurement may take two lines and has no facts beside it.
-    const bool valid = result->outcome != InspectionOutcome::NotValid;
-    d->facts->setVisible(valid);
-    d->reason->show();
-    const Verdict& verdict = result->verdict;
-    QStringList facts;
-    const QString of = verdict.type.isEmpty() ? verdict.nearest : verdict.type;
-    if (valid && !of.isEmpty()) {
-        if (verdict.posterior.contains(of) && result->outcome != InspectionOutcome::Unknown)
-            facts << tr("posterior of %1: %2").arg(of, formatProbability(verdict.posterior.value(of)));
-        if (verdict.distance && verdict.gate)
-            facts << tr("%1 sd from %2 (gate %3 sd)")
-                         .arg(Words::number(std::sqrt(*verdict.distance), 'f', 1), of,
-                              Words::number(std::sqrt(*verdict.gate), 'f', 1));
-    }
-    if (result->earlyEnd)
-        facts << tr("decided after %1 s")
-                     .arg(Words::number(static_cast<double>(result->earlyEnd->samples) *
-                                            result->recording.sampleTime_s,
-                                        'g', 2));
-    d->facts->setFullText(facts.isEmpty() ? u" "_s : facts.join(u"  ·  "_s));
-    d->reason->setText(verdictWords(*result).reason);
-    d->reason->setToolTip(verdict.reasons.join(u' '));
+    if (result.number != 0 && result.number != d->shownNumber)
+        workbench().setFitSubject(
+            {tr("Inspection %1").arg(result.number), result.recording, result.identification});
+    d->shownNumber = result.number;
 }
 
 void InspectPage::editRates()
@@ -358,53 +394,18 @@ QString InspectPage::timeText() const
     return tr("about %1 s, at most %2 s").arg(Words::number(forecast->mean_s, 'g', 2), longest);
 }
 
-void InspectPage::refreshRates()
-{
-    const VerdictOptions rates = workbench().rates().rates;
-    d->rates->setFullText(tr("Held to: false-reject %1 (%2), wrong-type %3, stranger-accept %4")
-                              .arg(formatRate(rates.falseReject),
-                                   rates.confidence
-                                       ? tr("with %1 confidence").arg(formatRate(*rates.confidence))
-                                       : tr("on average"),
-                                   formatRate(rates.wrongType), formatRate(rates.strangerAccept)));
-}
-
 void InspectPage::prepareTour()
 {
-    TourScript& tour = d->tour;
-    const auto inspect = [this, &tour](int times) {
-        for (int i = 0; i < times; ++i)
-            tour.add([this] { squeeze(); },
-                     [this] {
-                         const InspectSession& session = workbench().inspection();
-                         if (session.state() != InspectSession::State::Ready)
-                             return false;
-                         // A busy machine may have starved the gripper's heartbeat: as a person would, once
-                         // more.
-                         if (!session.result() && !workbench().connection().armed())
-                             workbench().arm();
-                         else if (!session.result())
-                             squeeze();
-                         return session.result() && session.result()->number != 0;
-                     });
-    };
-    tour.add(
+    // The batch of the picture, then parts for it.
+    d->tour.add(
         [this] {
-            workbench().inspection().setExpectedType(u"A"_s);
-            d->expected->setCurrentIndex(std::max(0, d->expected->findData(u"A"_s)));
+            d->expected->choose(u"A"_s);
+            workbench().inspection().beginBatch({u"4711"_s, 400, u"A"_s, {}});
         },
-        [this] { return workbench().inspection().state() == InspectSession::State::Ready; });
-    tour.connectTo(workbench(), u"virtual:?object=A&seed=21"_s);
-    inspect(3);
-    tour.connectTo(workbench(), u"virtual:?object=B&seed=22"_s);
-    inspect(1);
-    // A can that nobody enrolled: between the others in stiffness, with a damping of its own.
-    tour.connectTo(workbench(), u"virtual:?object=0.05,80,7000&seed=23"_s);
-    inspect(1);
-    tour.connectTo(workbench(), u"virtual:?object=A&seed=24"_s);
-    inspect(1);
-    tour.wait(300);
-    tour.start(workbench());
+        [this] { return workbench().inspection().batch().has_value(); });
+    addInspections(
+        d->tour, workbench(), [this] { d->expected->choose(u"A"_s); }, [this] { squeeze(); });
+    d->tour.start(workbench());
 }
 
 bool InspectPage::tourReady() const

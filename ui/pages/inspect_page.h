@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/inspect_session.h"
 #include "ui/pages/page.h"
 
 #include <memory>
@@ -9,7 +10,8 @@ class QBoxLayout;
 
 namespace gripscope {
 
-/// One part after another: squeeze, and read the verdict from 3 m. Space squeezes.
+/// One part after another: squeeze, and read the verdict from 3 m. Space squeezes, and so does the gripper's
+/// own button; a scanner chooses what is expected.
 class InspectPage : public Page {
     Q_OBJECT
 public:
@@ -23,22 +25,24 @@ public:
     void prepareTour() override;
     [[nodiscard]] bool tourReady() const override;
 
-protected:
-    void keyPressEvent(QKeyEvent* event) override;
-
 private:
     void buildTop(QBoxLayout* column);
     void buildVerdict(QBoxLayout* column);
     void buildActions(QBoxLayout* column);
+    void listenToPeople(); ///< to the scanner, the key and the gripper's button
+    void followTick();
+    void takeButton();
+    void expect(const QString& type);
+    void focusSqueeze();
+    [[nodiscard]] bool isOurs(const QWidget* focused) const; ///< the keys go where Space squeezes
     void squeeze();
     void refresh();
     void refreshExpected();
     void refreshActions();
     void refreshVerdict();
-    void showHint();
-    void showFacts();
-    void refreshRates();
+    void tellResult(const InspectSession::Result& result);
     void editRates();
+    [[nodiscard]] QString squeezeText(bool commandable) const;
     [[nodiscard]] QString timeText() const; ///< how long a squeeze takes
     struct Private;
     std::unique_ptr<Private> d;

@@ -2,11 +2,13 @@
 #include "ui/pages/inspect_summary.h"
 
 #include "core/recognition/binomial_evidence.h"
+#include "ui/pages/inspect_batch.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/inspection_list.h"
 #include "ui/widgets/number_format.h"
 #include "ui/widgets/outcome_view.h"
 #include "ui/widgets/yield_strip.h"
+#include "ui/widgets/yield_text.h"
 #include "ui/workbench.h"
 
 #include <QHBoxLayout>
@@ -26,7 +28,9 @@ InspectSummary::InspectSummary(Workbench& workbench, QWidget* parent)
     setFixedWidth(304);
     QFrame* card = makeCard(this);
     m_total = makeLabel({}, "big-number", card);
+    m_batch = new InspectBatch(workbench, card);
     m_share = makeLabel({}, "strong", card);
+    m_share->setObjectName("yieldLabel");
     m_split = makeLabel({}, "caption", card);
     m_split->setWordWrap(true);
     m_shown = makeLabel({}, "caption", card);
@@ -51,10 +55,12 @@ InspectSummary::InspectSummary(Workbench& workbench, QWidget* parent)
     auto* foot = new QVBoxLayout;
     foot->setContentsMargins(16, 8, 16, 12);
     foot->setSpacing(4);
-    foot->addWidget(makeLabel(tr("The last 50, newest on the right"), "caption", card));
+    foot->addWidget(makeLabel(tr("The last 20, the newest framed"), "caption", card));
     foot->addWidget(m_strip);
     auto* column = new QVBoxLayout(card);
     setSpacing(column, 2, 0);
+    column->addWidget(m_batch);
+    column->addWidget(makeRule(card));
     column->addLayout(head);
     column->addWidget(makeRule(card));
     column->addWidget(m_list, 1);
@@ -66,6 +72,7 @@ InspectSummary::InspectSummary(Workbench& workbench, QWidget* parent)
     outer->addWidget(card);
 
     connect(m_list, &InspectionList::opened, this, &InspectSummary::open);
+    connect(m_strip, &YieldStrip::opened, this, &InspectSummary::open);
     connect(&workbench, &Workbench::inspectionChanged, this, &InspectSummary::refreshCounts);
     connect(&workbench, &Workbench::libraryChanged, this, &InspectSummary::reload);
     connect(&workbench, &Workbench::ratesChanged, this, &InspectSummary::refreshCounts);
@@ -77,11 +84,10 @@ void InspectSummary::refreshCounts()
 {
     const InspectionCounts counts = m_workbench->inspection().counts();
     m_total->setText(tr("%1 inspected").arg(formatCount(counts.total)));
-    m_share->setVisible(counts.total > 0);
-    if (counts.total > 0)
-        m_share->setText(tr("%1 as expected")
-                             .arg(formatPercent(100.0 * static_cast<double>(counts.asExpected) /
-                                                static_cast<double>(counts.total))));
+    const QString yield = yieldText(counts);
+    m_share->setVisible(!yield.isEmpty());
+    m_share->setText(yield);
+    m_share->setToolTip(yieldExplained(counts));
     QStringList parts;
     const auto add = [&parts](qint64 count, InspectionOutcome outcome) {
         if (count > 0)
@@ -101,6 +107,7 @@ void InspectSummary::setExpected(const QString& type)
     if (m_expected == type)
         return;
     m_expected = type;
+    m_batch->setExpected(type);
     refreshCounts();
 }
 
@@ -144,15 +151,15 @@ void InspectSummary::reload()
             if (!found)
                 return; // the sessions report a library that cannot be read
             std::vector<InspectionLine> lines;
-            std::deque<InspectionOutcome> outcomes;
+            std::deque<InspectionLine> oldestFirst;
             for (const InspectionRecord& record : *found) {
                 lines.push_back(inspectionLine(record));
-                outcomes.push_front(lines.back().outcome);
+                oldestFirst.push_front(lines.back());
             }
             m_list->setVisible(!lines.empty());
             m_empty->setVisible(lines.empty());
             m_list->setLines(std::move(lines));
-            m_strip->setOutcomes(std::move(outcomes));
+            m_strip->setLines(std::move(oldestFirst));
             refreshCounts();
         });
 }

@@ -9,6 +9,7 @@ class QLabel;
 
 namespace gripscope {
 
+class InspectBatch;
 class InspectionList;
 class Workbench;
 class YieldStrip;
@@ -22,6 +23,7 @@ public:
 
     /// Whose record of right and wrong is shown; empty: that of all types together.
     void setExpected(const QString& type);
+    [[nodiscard]] InspectBatch& batch() const { return *m_batch; }
 
 private:
     void refreshCounts();
@@ -31,6 +33,7 @@ private:
     Workbench* m_workbench;
     QString m_expected;
     QLabel *m_total, *m_share, *m_split, *m_shown, *m_empty;
+    InspectBatch* m_batch;
     InspectionList* m_list;
     YieldStrip* m_strip;
 };

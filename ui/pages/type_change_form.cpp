@@ -71,6 +71,18 @@ void TypeChangeForm::askName(const QString& label, const QString& initial)
     m_name->setFocus();
 }
 
+void TypeChangeForm::askCode(const QString& label, const QString& initial)
+{
+    m_code = new QLineEdit(initial, this);
+    m_code->setObjectName("codeField");
+    m_code->setMaxLength(60);
+    m_code->selectAll();
+    // A scanner ends with Enter: that goes on to the reason, and accepts nothing.
+    connect(m_code, &QLineEdit::returnPressed, m_reason, qOverload<>(&QWidget::setFocus));
+    addField(label, m_code);
+    m_code->setFocus();
+}
+
 void TypeChangeForm::askType(const QString& label, const QStringList& names)
 {
     m_type = new QComboBox(this);
@@ -107,6 +119,11 @@ void TypeChangeForm::askSqueezes(const QString& label, const std::vector<GraspRe
 QString TypeChangeForm::name() const
 {
     return m_name ? m_name->text().trimmed() : QString();
+}
+
+QString TypeChangeForm::code() const
+{
+    return m_code ? m_code->text().trimmed() : QString();
 }
 
 QString TypeChangeForm::type() const

@@ -21,11 +21,13 @@ public:
     /// `verb`: what the button says.
     TypeChangeForm(const QString& title, const QString& consequence, const QString& verb, QWidget* parent);
     void askName(const QString& label, const QString& initial = {});
+    void askCode(const QString& label, const QString& initial); ///< may be left empty
     void askType(const QString& label, const QStringList& names);
     /// The accepted ones, some to be ticked; not all can be.
     void askSqueezes(const QString& label, const std::vector<GraspRecord>& grasps);
 
     [[nodiscard]] QString name() const;
+    [[nodiscard]] QString code() const;
     [[nodiscard]] QString type() const;
     [[nodiscard]] QStringList squeezes() const; ///< keys of those that are ticked
     [[nodiscard]] QString reason() const;
@@ -34,7 +36,7 @@ private:
     void refresh();
     void addField(const QString& label, QWidget* field);
     QVBoxLayout* m_fields;
-    QLineEdit* m_name = nullptr;
+    QLineEdit *m_name = nullptr, *m_code = nullptr;
     QComboBox* m_type = nullptr;
     QListWidget* m_squeezes = nullptr;
     QLineEdit* m_reason;

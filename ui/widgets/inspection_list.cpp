@@ -4,6 +4,8 @@
 #include "ui/theme/theme.h"
 #include "ui/widgets/outcome_view.h"
 
+#include <QCoreApplication>
+#include <QKeyEvent>
 #include <QPainter>
 #include <QStyledItemDelegate>
 
@@ -15,6 +17,14 @@ InspectionLine inspectionLine(const InspectionRecord& record)
 {
     return {record.number, record.graspId,
             inspectionOutcome(record.verdict, record.type, record.expectedType), record.type, record.seconds};
+}
+
+QString inWords(const InspectionLine& line)
+{
+    return QCoreApplication::translate("InspectionLine", "Inspection %1: %2 %3")
+        .arg(line.number)
+        .arg(line.type, outcomeWord(line.outcome))
+        .simplified();
 }
 
 void InspectionListModel::setLines(std::vector<InspectionLine> lines)
@@ -37,10 +47,7 @@ QVariant InspectionListModel::data(const QModelIndex& index, int role) const
     switch (role) {
     case Qt::DisplayRole:
     case Qt::AccessibleTextRole:
-        return tr("Inspection %1: %2 %3")
-            .arg(line.number)
-            .arg(line.type, outcomeWord(line.outcome))
-            .simplified();
+        return inWords(line);
     case NumberRole:
         return line.number;
     case OutcomeRole:
@@ -117,11 +124,23 @@ InspectionList::InspectionList(QWidget* parent) : QListView(parent)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     setAccessibleName(tr("Last inspections"));
-    setToolTip(tr("Press Enter or double-click to see a squeeze on the Fit page"));
-    connect(this, &QListView::activated, this, [this](const QModelIndex& index) {
-        emit opened(index.data(InspectionListModel::GraspRole).toString(),
-                    index.data(InspectionListModel::NumberRole).toLongLong());
-    });
+    setToolTip(tr("Click a line to see its squeeze on the Fit page"));
+    setFocusPolicy(Qt::TabFocus); // a click must not take Space from the squeeze
+    connect(this, &QListView::clicked, this, &InspectionList::open);
+}
+
+void InspectionList::open(const QModelIndex& index)
+{
+    emit opened(index.data(InspectionListModel::GraspRole).toString(),
+                index.data(InspectionListModel::NumberRole).toLongLong());
+}
+
+void InspectionList::keyPressEvent(QKeyEvent* event)
+{
+    if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && currentIndex().isValid())
+        open(currentIndex());
+    else
+        QListView::keyPressEvent(event);
 }
 
 } // namespace gripscope

@@ -19,6 +19,7 @@ struct InspectionLine {
     double seconds = 0;
 };
 [[nodiscard]] InspectionLine inspectionLine(const InspectionRecord& record);
+[[nodiscard]] QString inWords(const InspectionLine& line); ///< "Inspection 12: A as expected"
 
 class InspectionListModel : public QAbstractListModel {
     Q_OBJECT
@@ -43,9 +44,13 @@ public:
     [[nodiscard]] const InspectionListModel& lineModel() const { return m_model; }
 
 signals:
-    void opened(const QString& graspId, qint64 number);
+    void opened(const QString& graspId, qint64 number); ///< by a click or Enter
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    void open(const QModelIndex& index);
     InspectionListModel m_model;
 };
 

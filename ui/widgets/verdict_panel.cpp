@@ -14,6 +14,31 @@ namespace gripscope {
 namespace {
 constexpr double signSize = 88;
 constexpr double padding = 24;
+/// Below it one line is harder to read from afar than two larger ones.
+constexpr int leastOneLine = 44;
+
+/// The line box of a large font is taller than its letters: this brings lines together.
+double lineHeight(const QFontMetricsF& metrics)
+{
+    return metrics.ascent() * 0.92 + metrics.descent() * 0.7;
+}
+
+/// Broken at the space that leaves the longer line shortest; nothing where that does not fit.
+QStringList inTwoLines(const QString& text, const QFontMetricsF& metrics, double room)
+{
+    QStringList best;
+    double shortest = room;
+    for (qsizetype at = text.indexOf(u' '); at > 0; at = text.indexOf(u' ', at + 1)) {
+        const QStringList lines{text.left(at), text.mid(at + 1)};
+        const double longer =
+            std::max(metrics.horizontalAdvance(lines[0]), metrics.horizontalAdvance(lines[1]));
+        if (longer <= shortest) {
+            shortest = longer;
+            best = lines;
+        }
+    }
+    return best;
+}
 } // namespace
 
 VerdictPanel::VerdictPanel(QWidget* parent) : QWidget(parent)
@@ -80,35 +105,47 @@ void VerdictPanel::paintEvent(QPaintEvent*)
     }
 }
 
+VerdictPanel::Headline VerdictPanel::fitted(double room, double tall) const
+{
+    const int most = m_outcome ? metrics::fontVerdict : metrics::fontNumber;
+    for (int pixels = most; pixels >= metrics::fontNumber; pixels -= 2) {
+        const QFontMetricsF font(Theme::font(pixels, true));
+        const QStringList two = pixels < leastOneLine ? inTwoLines(m_headline, font, room) : QStringList();
+        if (font.horizontalAdvance(m_headline) <= room && lineHeight(font) <= tall)
+            return {{m_headline}, pixels};
+        if (!two.isEmpty() && 2 * lineHeight(font) <= tall)
+            return {two, pixels};
+    }
+    const QFontMetricsF least(Theme::font(metrics::fontNumber, true));
+    return {{least.elidedText(m_headline, Qt::ElideRight, room)}, metrics::fontNumber};
+}
+
 void VerdictPanel::paintWords(QPainter& painter, double left, const QColor& color) const
 {
     const ThemeTokens& t = Theme::instance().tokens();
     const double room = width() - left - padding;
-    int pixels = m_outcome ? metrics::fontVerdict : metrics::fontNumber;
-    const int least = std::min(pixels, static_cast<int>(metrics::fontNumber));
-    const double tall = height() - 44 - metrics::fontTitle; // what the line below and some air leave
-    while (pixels > least &&
-           (QFontMetricsF(Theme::font(pixels, true)).horizontalAdvance(m_headline) > room || pixels > tall))
-        pixels -= 2;
-    const QFont large = Theme::font(pixels, true);
     const QFont small = Theme::font(metrics::fontTitle, m_outcome.has_value());
-    const QFontMetricsF largeMetrics(large);
     const QFontMetricsF smallMetrics(small);
-    // The line box of the large font is taller than its letters: bring the two lines together.
-    const double largeHeight = largeMetrics.ascent() * 0.92 + largeMetrics.descent() * 0.7;
+    const Headline headline = fitted(room, height() - smallMetrics.height() - 16);
+    const QFont large = Theme::font(headline.pixels, true);
+    const QFontMetricsF largeMetrics(large);
+    const double each = lineHeight(largeMetrics);
+    const double largeHeight = each * static_cast<double>(headline.lines.size());
     const double top = (height() - largeHeight - smallMetrics.height()) / 2;
-    const QString headline = largeMetrics.elidedText(m_headline, Qt::ElideRight, room);
     const QString words = smallMetrics.elidedText(m_words, Qt::ElideRight, room);
-    if (m_outcome && t.kind == ThemeKind::HighContrast)
-        painter.fillRect(
-            QRectF(left - 8, top,
-                   std::max(largeMetrics.horizontalAdvance(headline), smallMetrics.horizontalAdvance(words)) +
-                       16,
-                   largeHeight + smallMetrics.height()),
-            t.surface);
+    if (m_outcome && t.kind == ThemeKind::HighContrast) {
+        double wide = smallMetrics.horizontalAdvance(words);
+        for (const QString& line : headline.lines)
+            wide = std::max(wide, largeMetrics.horizontalAdvance(line));
+        painter.fillRect(QRectF(left - 8, top, wide + 16, largeHeight + smallMetrics.height()), t.surface);
+    }
     painter.setPen(m_outcome ? color : t.text);
     painter.setFont(large);
-    painter.drawText(QPointF(left, top + largeMetrics.ascent() * 0.92), headline);
+    double baseline = top + largeMetrics.ascent() * 0.92;
+    for (const QString& line : headline.lines) {
+        painter.drawText(QPointF(left, baseline), line);
+        baseline += each;
+    }
     painter.setFont(small);
     painter.setPen(m_outcome ? color : t.secondText);
     painter.drawText(QPointF(left, top + largeHeight + smallMetrics.ascent()), words);

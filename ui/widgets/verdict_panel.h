@@ -10,7 +10,8 @@
 namespace gripscope {
 
 /// The verdict as it is read from 3 m: a sign, a headline of up to 72 px, and the outcome in words. The
-/// headline shrinks to its room, never below 28 px, and is then cut with an ellipsis.
+/// headline shrinks to its room, but not below 44 px: then it takes two lines, and only what no two lines of
+/// 28 px hold is cut with an ellipsis.
 class VerdictPanel : public QWidget {
     Q_OBJECT
 public:
@@ -22,6 +23,12 @@ public:
     void setProgress(double share);
     [[nodiscard]] std::optional<InspectionOutcome> outcome() const { return m_outcome; }
     [[nodiscard]] QString headline() const { return m_headline; }
+    /// The headline as it is painted in this room: its lines and their size.
+    struct Headline {
+        QStringList lines;
+        int pixels = 0;
+    };
+    [[nodiscard]] Headline fitted(double room, double tall) const;
     [[nodiscard]] QSize sizeHint() const override { return {560, 152}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {320, 116}; }
 

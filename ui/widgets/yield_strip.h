@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/inspect_session.h"
+#include "ui/widgets/inspection_list.h"
 
 #include <QWidget>
 
@@ -9,22 +9,29 @@
 
 namespace gripscope {
 
-/// The last fifty outcomes as one bar each, newest on the right: height and sign tell them apart as well as
-/// colour.
+/// The last twenty inspections as a sign each, in two rows like text: the newest is the last. Shape tells
+/// them apart as well as colour; a click on one opens its squeeze.
 class YieldStrip : public QWidget {
     Q_OBJECT
 public:
-    static constexpr std::size_t length = 50;
+    static constexpr std::size_t length = 20;
     explicit YieldStrip(QWidget* parent = nullptr);
-    void setOutcomes(std::deque<InspectionOutcome> outcomes); ///< oldest first; the last fifty are shown
-    [[nodiscard]] QSize sizeHint() const override { return {260, 48}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {160, 40}; }
+    void setLines(std::deque<InspectionLine> lines); ///< oldest first; the last twenty are shown
+    [[nodiscard]] QRect cell(int place) const;       ///< 0 to 19
+    [[nodiscard]] QSize sizeHint() const override { return {272, 64}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 64}; }
+
+signals:
+    void opened(const QString& graspId, qint64 number);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
-    std::deque<InspectionOutcome> m_outcomes;
+    [[nodiscard]] const InspectionLine* at(const QPoint& point) const;
+    std::deque<InspectionLine> m_lines;
 };
 
 } // namespace gripscope

@@ -248,6 +248,62 @@ private slots:
         QCOMPARE(run.connection.gripper().commanded_N.size(), std::size_t(800));
         QVERIFY(run.ready());
     }
+    void aBatchEndsByItselfWhenItIsWhole()
+    {
+        Run run(m_file);
+        QVERIFY(run.ready());
+        QVERIFY(!run.inspection.batch());
+        run.inspection.setOperator(QStringLiteral("Ada"));
+        run.inspection.setExpectedType(QStringLiteral("A"));
+        run.inspection.beginBatch({QStringLiteral("4711"), 2, QStringLiteral("A"), {}});
+        QVERIFY(run.inspection.changingBatch());
+        QVERIFY(run.until([&] { return !run.inspection.changingBatch(); }));
+        QCOMPARE(run.inspection.batch()->operatorName, QStringLiteral("Ada"));
+        const auto inspect = [&](const Recording& recording) {
+            QVERIFY(run.inspection.judgeRecording(recording, QStringLiteral("file.csv")));
+            QVERIFY(run.ready());
+            QVERIFY(!run.inspection.lastError());
+        };
+        inspect(squeezeOf(canA, 77));
+        inspect(squeezeOf(canC, 78)); // another type
+        inspect(constantForce());     // no measurement
+        inspect(squeezeOf(strangeCan, 79));
+        QCOMPARE(run.inspection.batch()->counts.asExpected, qint64(1));
+        QCOMPARE(run.inspection.batch()->counts.total, qint64(4));
+        QVERIFY(!run.inspection.batch()->ended);
+        inspect(squeezeOf(canA, 80));
+        QVERIFY(run.inspection.batch()->whole());
+        QVERIFY(run.inspection.batch()->ended);
+        // Parts after it belong to none, and its end stays in sight.
+        inspect(squeezeOf(canA, 81));
+        QCOMPARE(run.inspection.batch()->counts.total, qint64(5));
+        QCOMPARE(run.inspection.counts().total, qint64(6));
+        run.inspection.reload();
+        QVERIFY(run.ready());
+        QCOMPARE(run.inspection.batch()->name, QStringLiteral("4711"));
+    }
+    void aBatchGoesOnAfterARestartAndIsEndedByAPerson()
+    {
+        {
+            Run run(m_file);
+            QVERIFY(run.ready());
+            run.inspection.beginBatch({QStringLiteral("4711"), 10, {}, {}});
+            QVERIFY(run.until([&] { return !run.inspection.changingBatch(); }));
+            QVERIFY(run.inspection.judgeRecording(squeezeOf(canA, 77), QStringLiteral("file.csv")));
+            QVERIFY(run.ready());
+        }
+        Run run(m_file);
+        QVERIFY(run.ready());
+        QCOMPARE(run.inspection.batch()->counts.asExpected, qint64(1));
+        run.inspection.beginBatch({QStringLiteral("4712"), 10, {}, {}}); // one at a time
+        QVERIFY(run.until([&] { return !run.inspection.changingBatch(); }));
+        QCOMPARE(run.inspection.lastError()->code, ErrorCode::Usage);
+        QCOMPARE(run.inspection.batch()->name, QStringLiteral("4711"));
+        run.inspection.endBatch();
+        QVERIFY(run.until([&] { return !run.inspection.changingBatch(); }));
+        QVERIFY(run.inspection.batch()->ended);
+        QVERIFY(!run.inspection.batch()->whole());
+    }
     void goingAwayWhileWorkRunsDoesNoHarm()
     {
         {

@@ -47,7 +47,7 @@ private slots:
         QTest::newRow("placed in no type")
             << u"INSERT INTO placements SELECT 'p', '', '', id, 9, 'nobody', 1 FROM grasps"_s;
         QTest::newRow("unknown status")
-            << u"INSERT INTO type_states SELECT 's', '', '', id, 9, 'A', 'liked', 1 FROM types"_s;
+            << u"INSERT INTO type_states SELECT 's', '', '', id, 9, 'A', 'liked', 1, '' FROM types"_s;
         QTest::newRow("two changes with one version")
             << u"INSERT INTO library_changes SELECT 'c', '', '', version, kind, '', '', 0, '', '' FROM library_changes"_s;
     }

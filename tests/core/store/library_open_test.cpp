@@ -111,6 +111,8 @@ private slots:
         const auto inspections = valueOf(library->inspections({}));
         QCOMPARE(inspections.size(), std::size_t(1));
         QCOMPARE(inspections[0].reason, u"It was so."_s);
+        QCOMPARE(inspections[0].batch, QString());
+        QCOMPARE(type->code, QString());
         QCOMPARE(valueOf(library->addInspection(anInspection())).number, 8);
         // What was approved and dropped before versions were kept is told as versions, and can be undone.
         const auto changes = valueOf(library->changes(10));
@@ -156,6 +158,8 @@ private slots:
                  u"f7842ddc6ff44aaf6c12793077c3dd46143fa76204f9f993dba6a89c7f6c566c"_s);
         QCOMPARE(migrations()[7].checksum(),
                  u"517bb996476637705568edfda69712aa9be39162f767cf970caa259e29f09eac"_s);
+        QCOMPARE(migrations()[8].checksum(),
+                 u"3f2565d5ab259e5129148646da42fe3cc2fa526dba3245630a347515c0c0ead7"_s);
     }
     void furtherStepsAreAppliedInOrderAndOnce()
     {

@@ -238,6 +238,37 @@ private slots:
         QCOMPARE(valueOf(f.library->findType(u"A"_s))->squeezes, 3);
         QVERIFY(valueOf(f.library->findType(u"B"_s))->approved);
     }
+    void aCodeBelongsToOneTypeAndIsAVersion()
+    {
+        TwoTypes f;
+        const qint64 before = valueOf(f.library->version());
+        const TypeRecord coded = valueOf(f.library->setTypeCode(f.a.id, u" 4006381333931 "_s, because));
+        QCOMPARE(coded.code, u"4006381333931"_s);
+        QVERIFY(coded.approved);
+        QCOMPARE(inWords(f.newest()), u"A got the code 4006381333931 for scanners."_s);
+        QCOMPARE(f.newest().reason, because.reason);
+        // Another type cannot have it, not even while the first is retired.
+        valueOf(f.library->retireType(f.a.id, because));
+        const auto taken = f.library->setTypeCode(f.b.id, u"4006381333931"_s, because);
+        QCOMPARE(taken.error().code, ErrorCode::Usage);
+        QVERIFY(taken.error().describe().contains(u"A has the code"_s));
+        valueOf(f.library->reinstateType(f.a.id, because));
+        QCOMPARE(valueOf(f.library->findType(u"A"_s))->code, u"4006381333931"_s);
+        // A new name keeps it; the version before had none.
+        valueOf(f.library->renameType(f.a.id, u"Cola"_s, because));
+        QCOMPARE(valueOf(f.library->findType(u"Cola"_s))->code, u"4006381333931"_s);
+        valueOf(f.library->restoreVersion(before, because));
+        QCOMPARE(valueOf(f.library->findType(u"A"_s))->code, QString());
+    }
+    void aCodeIsTakenAwayAgain()
+    {
+        TwoTypes f;
+        valueOf(f.library->setTypeCode(f.a.id, u"12"_s, because));
+        QCOMPARE(f.library->setTypeCode(f.a.id, {}, {u"Ada"_s, {}}).error().code, ErrorCode::Usage); // why?
+        QCOMPARE(valueOf(f.library->setTypeCode(f.a.id, {}, because)).code, QString());
+        QCOMPARE(inWords(f.newest()), u"A no longer has a code for scanners."_s);
+        valueOf(f.library->setTypeCode(f.b.id, u"12"_s, because));
+    }
 };
 
 GRIPSCOPE_TEST(LibraryTypesTest)

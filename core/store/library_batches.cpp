@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/batch_table.h"
+#include "core/store/inspection_table.h"
+#include "core/store/library_private.h"
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+Expected<BatchRecord> withCounts(Database& database, BatchRecord batch)
+{
+    const auto counts = inspection_table::counts(database, batch.id);
+    if (!counts)
+        return tl::unexpected(counts.error());
+    batch.counts = *counts;
+    return batch;
+}
+
+Expected<BatchRecord> requireBatch(Database& database, const QString& id)
+{
+    const auto batch = batch_table::find(database, id);
+    if (!batch)
+        return tl::unexpected(batch.error());
+    if (!*batch)
+        return failure(ErrorCode::NotFound, {u"batch with the key %1"_s.arg(id)});
+    return withCounts(database, **batch);
+}
+
+Expected<void> check(const NewBatch& batch)
+{
+    if (batch.name.isEmpty() || batch.name.size() > longestBatchName)
+        return failure(ErrorCode::Usage,
+                       {u"A batch needs a name or number of at most %1 characters."_s.arg(longestBatchName)});
+    if (batch.target < 1 || batch.target > largestBatch)
+        return failure(ErrorCode::Usage, {u"A batch has 1 to %1 parts."_s.arg(largestBatch)});
+    return {};
+}
+
+} // namespace
+
+Expected<BatchRecord> Library::beginBatch(const NewBatch& batch)
+{
+    NewBatch asked = batch;
+    asked.name = batch.name.trimmed();
+    if (const auto fine = check(asked); !fine)
+        return tl::unexpected(fine.error());
+    return d->write<BatchRecord>(u"begin the batch"_s, [&]() -> Expected<BatchRecord> {
+        const RowStamp stamp = RowStamp::now();
+        const auto other = batch_table::underWay(*d->database, stamp.station);
+        if (!other)
+            return tl::unexpected(other.error());
+        if (*other)
+            return failure(ErrorCode::Usage,
+                           {u"Batch %1 is under way here. End it first."_s.arg((*other)->name)});
+        if (const auto done = batch_table::insert(*d->database, stamp, asked); !done)
+            return tl::unexpected(done.error());
+        return requireBatch(*d->database, stamp.id);
+    });
+}
+
+Expected<BatchRecord> Library::endBatch(const QString& batchId, const QString& operatorName)
+{
+    return d->write<BatchRecord>(u"end the batch"_s, [&]() -> Expected<BatchRecord> {
+        const auto batch = requireBatch(*d->database, batchId);
+        if (!batch || batch->ended)
+            return batch;
+        if (const auto done = batch_table::insertEnd(*d->database, batchId, operatorName); !done)
+            return tl::unexpected(done.error());
+        return requireBatch(*d->database, batchId);
+    });
+}
+
+Expected<std::optional<BatchRecord>> Library::batchUnderWay() const
+{
+    const auto batch = batch_table::underWay(*d->database, stationId());
+    if (!batch || !*batch)
+        return batch;
+    return withCounts(*d->database, **batch).map([](const BatchRecord& counted) {
+        return std::optional<BatchRecord>(counted);
+    });
+}
+
+Expected<std::vector<BatchRecord>> Library::batches(int limit) const
+{
+    auto batches = batch_table::newest(*d->database, limit);
+    if (!batches)
+        return batches;
+    for (BatchRecord& batch : *batches) {
+        auto counted = withCounts(*d->database, batch);
+        if (!counted)
+            return tl::unexpected(counted.error());
+        batch = std::move(*counted);
+    }
+    return batches;
+}
+
+} // namespace gripscope

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/ui/workbench_fixture.h"
+#include "ui/widgets/type_chooser.h"
+
+#include <QLineEdit>
+#include <QPushButton>
+
+// What a technician does on the Inspect page, by real events.
+namespace gripscope::test::inspecting {
+
+using namespace Qt::StringLiterals;
+
+inline constexpr int patience_ms = 15000;
+
+inline void expectType(WindowFixture& f, const QString& name)
+{
+    auto* chooser = f.find<TypeChooser>("expectedCombo");
+    QVERIFY(chooser->findData(name) >= 0);
+    chooser->setFocus();
+    chooser->lineEdit()->selectAll();
+    QTest::keyClicks(chooser, name);
+    QTest::keyClick(chooser, Qt::Key_Return);
+    QCOMPARE(chooser->expected(), name);
+}
+
+/// Where keys go.
+inline QWidget* focusOf(WindowFixture& f)
+{
+    return f.window->focusWidget();
+}
+
+/// Space wherever the focus is, until the verdict is in the library.
+inline void squeezeBySpace(WindowFixture& f)
+{
+    QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("squeezeButton")->isEnabled(), patience_ms);
+    const qint64 before = f.bench->inspection().counts().total;
+    QTest::keyClick(focusOf(f), Qt::Key_Space);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().counts().total, before + 1, patience_ms);
+}
+
+/// As a scanner does: fast, and Enter behind it.
+inline void scan(WindowFixture& f, const QString& text)
+{
+    QWidget* focus = focusOf(f);
+    QTest::keyClicks(focus, text);
+    QTest::keyClick(focus, Qt::Key_Return);
+}
+
+/// A window on the Inspect page, armed.
+struct Armed {
+    WindowFixture f;
+    explicit Armed(const QString& address = u"virtual:?object=A&seed=5"_s) : f(true, address)
+    {
+        f.window->showPage(u"inspect"_s);
+        f.click(f.find<QPushButton>("inspectArmButton"));
+        if (!QTest::qWaitFor([this] { return f.find<QPushButton>("squeezeButton")->isEnabled(); },
+                             patience_ms))
+            qFatal("the gripper was not armed");
+    }
+    void setCode(const QString& type, const QString& code)
+    {
+        bool done = false;
+        f.bench->ask<void>(
+            nullptr,
+            [type, code](Library& library) {
+                const auto found = library.findType(type);
+                return library.setTypeCode((*found)->id, code, {u"Mai"_s, u"a test"_s}).map([](const auto&) {
+                });
+            },
+            [&done](const Expected<void>& answer) { done = answer.has_value(); });
+        QTRY_VERIFY_WITH_TIMEOUT(done, patience_ms);
+        f.bench->tellLibraryChanged();
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->inspection().state() == InspectSession::State::Ready &&
+                                     !f.bench->inspection().types().at(1).code.isEmpty(),
+                                 patience_ms);
+    }
+    [[nodiscard]] bool squeezed() const
+    {
+        return f.bench->inspection().state() != InspectSession::State::Ready ||
+               f.bench->inspection().counts().total > 0;
+    }
+    [[nodiscard]] QString expected() const { return f.find<TypeChooser>("expectedCombo")->expected(); }
+};
+
+} // namespace gripscope::test::inspecting

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/sound_button.h"
+
+#include "ui/sound/sound_setting.h"
+#include "ui/theme/theme.h"
+#include "ui/widgets/controls.h"
+
+using namespace Qt::StringLiterals;
+
+namespace gripscope {
+
+SoundButton::SoundButton(QWidget* parent) : QPushButton(parent)
+{
+    setRole(this, "quiet");
+    setCheckable(true);
+    setIconSize({22, 22});
+    setFixedWidth(64);
+    setFocusPolicy(Qt::TabFocus); // a click must not take Space from the squeeze
+    connect(this, &QPushButton::clicked, this, [this](bool on) {
+        setSoundOn(on);
+        refresh();
+    });
+    connect(&Theme::instance(), &Theme::changed, this, &SoundButton::refresh);
+    refresh();
+}
+
+void SoundButton::refresh()
+{
+    const bool on = soundIsOn();
+    setChecked(on);
+    setIcon(Theme::instance().icon(on ? u"audio-volume-high"_s : u"audio-volume-muted"_s));
+    setAccessibleName(on ? tr("Sound on") : tr("Sound off"));
+    setToolTip(on ? tr("Each verdict is heard. Click to switch the sound off.")
+                  : tr("Verdicts are silent. Click to switch the sound on."));
+}
+
+} // namespace gripscope
