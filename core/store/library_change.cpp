@@ -16,7 +16,7 @@ struct KindName {
     const char16_t* name;
 };
 
-constexpr std::array<KindName, 13> kindNames{{{ChangeKind::NewType, u"new_type"},
+constexpr std::array<KindName, 14> kindNames{{{ChangeKind::NewType, u"new_type"},
                                               {ChangeKind::Squeeze, u"squeeze"},
                                               {ChangeKind::Drop, u"drop"},
                                               {ChangeKind::Undrop, u"undrop"},

@@ -4,8 +4,8 @@
 #include "tests/ui/inspecting.h"
 #include "ui/pages/batch_dialog.h"
 #include "ui/scan_reader.h"
+#include "ui/settings/settings.h"
 #include "ui/sound/sound_player.h"
-#include "ui/sound/sound_setting.h"
 #include "ui/widgets/verdict_panel.h"
 
 #include <QCompleter>
@@ -227,7 +227,6 @@ void InspectFlowTest::aBatchCountsPartsAsExpectedUntilItIsWhole()
     Armed armed;
     WindowFixture& f = armed.f;
     QSignalSpy heard(f.find<SoundPlayer>("inspectSounds"), &SoundPlayer::playing);
-    setSoundOn(true);
     expectType(f, u"A"_s);
     beginBatch(f, u"4711"_s, 2);
     QCOMPARE(f.find<QLabel>("batchCount")->text(), u"0 of 2"_s);
@@ -295,7 +294,6 @@ void InspectFlowTest::eachOutcomeIsHeardUnlessSwitchedOff()
 {
     Armed armed;
     WindowFixture& f = armed.f;
-    setSoundOn(true);
     QSignalSpy heard(f.find<SoundPlayer>("inspectSounds"), &SoundPlayer::playing);
     const auto last = [&heard] { return heard.last().at(0).value<Sound>(); };
     expectType(f, u"A"_s);
@@ -310,11 +308,10 @@ void InspectFlowTest::eachOutcomeIsHeardUnlessSwitchedOff()
     QCOMPARE(button->accessibleName(), u"Sound on"_s);
     f.click(button);
     QCOMPARE(button->accessibleName(), u"Sound off"_s);
-    QVERIFY(!soundIsOn());
+    QVERIFY(!f.bench->settings().get(setting::soundOnVerdict));
     const auto before = heard.size();
     squeezeBySpace(f);
     QCOMPARE(heard.size(), before);
-    setSoundOn(true);
 }
 
 void InspectFlowTest::whatIsNotValidIsNeitherGoodNorBad()

@@ -12,6 +12,7 @@
 #include "ui/pages/inspect_tour.h"
 #include "ui/rates_dialog.h"
 #include "ui/scan_reader.h"
+#include "ui/settings/settings.h"
 #include "ui/sound/sound_player.h"
 #include "ui/theme/theme.h"
 #include "ui/tour_script.h"
@@ -36,7 +37,6 @@ namespace gripscope {
 
 struct InspectPage::Private {
     TypeChooser* expected = nullptr;
-    SoundButton* soundSwitch = nullptr;
     ElidedLabel* recipe = nullptr;
     VerdictPanel* verdict = nullptr;
     InspectReason* reason = nullptr;
@@ -76,6 +76,11 @@ InspectPage::InspectPage(Workbench& bench, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     d->sounds = new SoundPlayer(this);
     d->sounds->setObjectName("inspectSounds");
+    const auto followSetting = [this] {
+        d->sounds->setOn(workbench().settings().get(setting::soundOnVerdict));
+    };
+    connect(&bench.settings(), &Settings::changed, this, followSetting);
+    followSetting();
     listenToPeople();
     connect(&bench, &Workbench::inspectionChanged, this, &InspectPage::refresh);
     connect(&bench, &Workbench::connectionChanged, this, &InspectPage::refresh);
@@ -176,9 +181,9 @@ void InspectPage::buildTop(QBoxLayout* column)
     rates->setFocusPolicy(Qt::TabFocus); // a click must not take Space from the squeeze
     connect(rates, &QPushButton::clicked, this, &InspectPage::editRates);
     row->addWidget(rates);
-    d->soundSwitch = new SoundButton(this);
-    d->soundSwitch->setObjectName("soundButton");
-    row->addWidget(d->soundSwitch);
+    auto* sound = new SoundButton(workbench().settings(), this);
+    sound->setObjectName("soundButton");
+    row->addWidget(sound);
     column->addLayout(row);
 }
 
@@ -218,7 +223,6 @@ void InspectPage::setActive(bool active)
     if (!active)
         return;
     d->buttonPressed = false;
-    d->soundSwitch->refresh();
     refresh();
     focusSqueeze();
 }

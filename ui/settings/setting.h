@@ -63,7 +63,6 @@ namespace setting {
 inline constexpr SettingKey<QString> theme{"theme"};       ///< light, dark, contrast
 inline constexpr SettingKey<QString> language{"language"}; ///< en, de
 inline constexpr SettingKey<QString> scale{"scale"};       ///< 100, 125, 150, 200 (percent)
-inline constexpr SettingKey<bool> reduceMotion{"reduceMotion"};
 inline constexpr SettingKey<bool> soundOnVerdict{"soundOnVerdict"};
 inline constexpr SettingKey<double> falseReject{"rates/falseReject"};       ///< share
 inline constexpr SettingKey<double> wrongType{"rates/wrongType"};           ///< share

@@ -62,10 +62,7 @@ std::vector<Setting> appearance()
                    {{"light", QT_TRANSLATE_NOOP("gripscope::Setting", "Light")},
                     {"dark", QT_TRANSLATE_NOOP("gripscope::Setting", "Dark")},
                     {"contrast", QT_TRANSLATE_NOOP("gripscope::Setting", "High contrast")}}),
-            language, scale,
-            toggle(setting::reduceMotion.key, false, SettingGroup::Appearance,
-                   QT_TRANSLATE_NOOP("gripscope::Setting", "Reduce motion"),
-                   QT_TRANSLATE_NOOP("gripscope::Setting", "Changes show at once, without movement."))};
+            language, scale};
 }
 
 std::vector<Setting> inspecting()

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sound/sound_player.h"
 
-#include "ui/sound/sound_setting.h"
-
 #include <QAudioDevice>
 #include <QAudioSink>
 #include <QBuffer>
@@ -53,9 +51,14 @@ SoundPlayer::~SoundPlayer()
         delete m_thread;
 }
 
+void SoundPlayer::setOn(bool on)
+{
+    m_on = on;
+}
+
 void SoundPlayer::play(Sound sound)
 {
-    if (!soundIsOn())
+    if (!m_on)
         return;
     if (!m_thread) {
         m_thread = new QThread;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/sound_button.h"
 
-#include "ui/sound/sound_setting.h"
+#include "ui/settings/settings.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -9,24 +9,23 @@ using namespace Qt::StringLiterals;
 
 namespace gripscope {
 
-SoundButton::SoundButton(QWidget* parent) : QPushButton(parent)
+SoundButton::SoundButton(Settings& settings, QWidget* parent) : QPushButton(parent), m_settings(&settings)
 {
     setRole(this, "quiet");
     setCheckable(true);
     setIconSize({22, 22});
     setFixedWidth(64);
     setFocusPolicy(Qt::TabFocus); // a click must not take Space from the squeeze
-    connect(this, &QPushButton::clicked, this, [this](bool on) {
-        setSoundOn(on);
-        refresh();
-    });
+    connect(this, &QPushButton::clicked, this,
+            [this](bool on) { m_settings->set(setting::soundOnVerdict, on); });
+    connect(m_settings, &Settings::changed, this, &SoundButton::refresh);
     connect(&Theme::instance(), &Theme::changed, this, &SoundButton::refresh);
     refresh();
 }
 
 void SoundButton::refresh()
 {
-    const bool on = soundIsOn();
+    const bool on = m_settings->get(setting::soundOnVerdict);
     setChecked(on);
     setIcon(Theme::instance().icon(on ? u"audio-volume-high"_s : u"audio-volume-muted"_s));
     setAccessibleName(on ? tr("Sound on") : tr("Sound off"));

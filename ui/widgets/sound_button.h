@@ -5,12 +5,17 @@
 
 namespace gripscope {
 
+class Settings;
+
 /// Switches the sound of verdicts on and off, for good.
 class SoundButton : public QPushButton {
     Q_OBJECT
 public:
-    explicit SoundButton(QWidget* parent = nullptr);
-    void refresh(); ///< the setting may have been changed elsewhere
+    explicit SoundButton(Settings& settings, QWidget* parent = nullptr);
+
+private:
+    void refresh();
+    Settings* m_settings;
 };
 
 } // namespace gripscope
