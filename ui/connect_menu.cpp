@@ -5,6 +5,7 @@
 #include "ui/access_dialog.h"
 #include "ui/inspector/device_inspector.h"
 #include "ui/lag_dialog.h"
+#include "ui/people/supervised_settings.h"
 #include "ui/profile_dialog.h"
 #include "ui/settings/settings.h"
 #include "ui/workbench.h"
@@ -96,13 +97,20 @@ void ConnectMenu::addKeeping()
     keep->setObjectName("keepSessions");
     keep->setCheckable(true);
     keep->setChecked(m_workbench->keepsSessions());
-    connect(keep, &QAction::triggered, m_workbench, [bench = m_workbench](bool on) {
-        bench->setKeeping(bench->keeping(), on);
-        bench->report(on ? tr("From the next connection on, the raw reports of grippers are kept in %1.")
-                               .arg(bench->keeping().folder)
-                         : tr("From the next connection on, raw reports are not kept. Squeezes cannot be "
-                              "replayed then."));
+    connect(keep, &QAction::triggered, m_workbench, [this](bool on) {
+        changeSettings(*m_workbench, parentWidget(),
+                       {{QString::fromLatin1(setting::keepSessions.key), !on, on}},
+                       [this, on] { keepSessions(on); });
     });
+}
+
+void ConnectMenu::keepSessions(bool on)
+{
+    m_workbench->setKeeping(m_workbench->keeping(), on);
+    m_workbench->report(on ? tr("From the next connection on, the raw reports of grippers are kept in %1.")
+                                 .arg(m_workbench->keeping().folder)
+                           : tr("From the next connection on, raw reports are not kept. Squeezes cannot be "
+                                "replayed then."));
 }
 
 void ConnectMenu::follow()

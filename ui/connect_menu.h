@@ -31,6 +31,7 @@ private:
     void addActions();
     void openProfile();
     void addKeeping();
+    void keepSessions(bool on);
 
     Workbench* m_workbench;
     std::unique_ptr<HidWatcher> m_watcher; ///< while the menu is open

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/example_types_button.h"
 
+#include "ui/people/authorize.h"
 #include "ui/workbench.h"
 
 namespace gripscope {
@@ -18,7 +19,9 @@ ExampleTypesButton::ExampleTypesButton(Workbench& workbench, QWidget* parent)
         setVisible(inspection.state() != InspectSession::State::Loading && inspection.types().empty());
     };
     connect(&workbench, &Workbench::inspectionChanged, this, refresh);
-    connect(this, &QPushButton::clicked, this, [&workbench] { loadExampleTypes(workbench); });
+    connect(this, &QPushButton::clicked, this, [this, &workbench] {
+        authorize(workbench, this, Permission::ApproveTypes, [&workbench] { loadExampleTypes(workbench); });
+    });
     refresh();
 }
 

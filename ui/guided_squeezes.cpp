@@ -2,6 +2,7 @@
 #include "ui/guided_squeezes.h"
 
 #include "core/session/series_session.h"
+#include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
 #include "ui/workbench.h"
 
@@ -82,7 +83,12 @@ void GuidedSqueezes::act()
     if (m_session->busy()) {
         m_session->cancel();
     } else if (mayUse()) {
-        answer = m_script.accept();
+        authorize(*m_workbench, this, Permission::AcceptCalibrations, [this] {
+            if (const Expected<void> accepted = m_script.accept(); !accepted)
+                m_workbench->report(accepted.error().describe());
+            refresh();
+            emit changed();
+        });
     } else if (!m_workbench->connection().armed()) {
         m_workbench->arm();
     } else if (m_workbench->squeezing()) {

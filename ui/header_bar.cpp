@@ -3,13 +3,13 @@
 
 #include "ui/connect_menu.h"
 #include "ui/connection_words.h"
+#include "ui/people/operator_box.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/device_chip.h"
 #include "ui/workbench.h"
 
 #include <QHBoxLayout>
-#include <QLineEdit>
 
 using namespace Qt::StringLiterals;
 
@@ -25,21 +25,6 @@ HeaderBar::HeaderBar(Workbench& workbench, QWidget* parent) : QFrame(parent), m_
     m_menu = new ConnectMenu(workbench, this);
     connect(m_chip, &DeviceChip::clicked, this,
             [this] { m_menu->popup(m_chip->mapToGlobal(QPoint(0, m_chip->height() + 4))); });
-
-    m_operator = new QLineEdit(this);
-    m_operator->setObjectName("operatorField");
-    m_operator->setPlaceholderText(tr("name"));
-    m_operator->setAccessibleName(tr("Operator"));
-    m_operator->setToolTip(tr("Who works here: kept with every squeeze"));
-    m_operator->setMaxLength(80);
-    m_operator->setFixedWidth(128);
-    m_operator->setText(workbench.operatorName());
-    connect(m_operator, &QLineEdit::textEdited, this,
-            [this](const QString& text) { m_workbench->setOperatorName(text.trimmed()); });
-    connect(&workbench, &Workbench::operatorChanged, this, [this] {
-        if (m_operator->text().trimmed() != m_workbench->operatorName())
-            m_operator->setText(m_workbench->operatorName());
-    });
 
     m_arm = makeButton(tr("Arm"), u"object-unlocked"_s, "", this);
     m_arm->setObjectName("armButton");
@@ -67,10 +52,7 @@ HeaderBar::HeaderBar(Workbench& workbench, QWidget* parent) : QFrame(parent), m_
     row->addWidget(m_title);
     row->addStretch(1);
     row->addWidget(m_chip, 0);
-    auto* who = makeLabel(tr("Operator"), "caption", this);
-    who->setBuddy(m_operator);
-    row->addWidget(who);
-    row->addWidget(m_operator);
+    row->addWidget(new OperatorBox(workbench, this));
     row->addWidget(m_arm);
     row->addWidget(m_stop);
 

@@ -4,7 +4,6 @@
 #include <QFrame>
 
 class QLabel;
-class QLineEdit;
 class QPushButton;
 
 namespace gripscope {
@@ -27,7 +26,6 @@ private:
     QLabel* m_title;
     DeviceChip* m_chip;
     ConnectMenu* m_menu;
-    QLineEdit* m_operator;
     QPushButton* m_arm;
     QPushButton* m_stop;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tour.h"
 
+#include "core/store/audit_witness.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/pages/page.h"
@@ -107,7 +108,8 @@ int runTour(const TourOptions& options)
     }
     bool good = true;
     {
-        Workbench bench(temporary.filePath(u"tour.gripscope"_s));
+        const PassingLibrary library(temporary.filePath(u"tour.gripscope"_s));
+        Workbench bench(library.file());
         bench.setOperatorName(u"Mai"_s);
         good = loadExamples(bench);
         bench.connectTo(u"virtual:"_s);

@@ -8,6 +8,7 @@
 #include "ui/commanded_force.h"
 #include "ui/connection_words.h"
 #include "ui/models/reference_words.h"
+#include "ui/people/sign_in.h"
 #include "ui/settings/settings.h"
 
 #include <QPointer>
@@ -87,6 +88,7 @@ struct Workbench::Private {
     QThreadPool pool;
     QTimer timer;
     QString operatorName;
+    SignIn* signIn = nullptr;
     bool trial = false;
     std::optional<FitSubject> fitSubject;
     std::vector<Waiting> waiting;
@@ -125,6 +127,7 @@ Workbench::Workbench(const QString& libraryFile, const QString& settingsFile, QO
         d->history.append(d->plotTime.place(samples, d->history.newestTime_s()), d->commandedForces(samples));
         d->estimate.append(samples);
     });
+    d->signIn = new SignIn(*this);
     // A display refreshes at 60 Hz; the sessions ask to be polled every 16 to 33 ms.
     d->timer.setInterval(16);
     d->timer.setTimerType(Qt::PreciseTimer);
@@ -174,6 +177,11 @@ const LiveHistory& Workbench::liveHistory() const
 const LiveEstimate& Workbench::liveEstimate() const
 {
     return d->estimate;
+}
+
+SignIn& Workbench::signIn()
+{
+    return *d->signIn;
 }
 
 QString Workbench::operatorName() const

@@ -22,6 +22,7 @@ class QTimer;
 namespace gripscope {
 
 class Settings;
+class SignIn;
 
 /// A squeeze with what was found in it: what the Fit page shows.
 struct FitSubject {
@@ -47,6 +48,7 @@ public:
     [[nodiscard]] Settings& settings();
     [[nodiscard]] const LiveHistory& liveHistory() const;
     [[nodiscard]] const LiveEstimate& liveEstimate() const;
+    [[nodiscard]] SignIn& signIn(); ///< who has shown who they are
     [[nodiscard]] QString operatorName() const;
     void setOperatorName(const QString& name);
 

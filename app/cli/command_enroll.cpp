@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/authorization.h"
 #include "app/cli/chain_library.h"
 #include "app/cli/commands.h"
 #include "app/cli/drive.h"
@@ -34,9 +35,11 @@ FileOutcome rejected(const Error& error)
 
 class Enrollment {
 public:
-    Enrollment(const QString& library, const IdentificationOptions& options)
+    Enrollment(const QString& library, const Acting& acting, const IdentificationOptions& options)
         : m_chains(library), m_library(library), m_connection(m_devices), m_session(m_connection, m_library)
     {
+        m_library.actAs(acting);
+        m_session.setOperator(acting.operatorName);
         m_session.setIdentificationOptions(options);
     }
 
@@ -135,6 +138,7 @@ int runEnroll(const QStringList& arguments)
         u"[FILE...]"_qs);
     addLibraryOption(line);
     line.option(u"type"_qs, u"NAME"_qs, u"Name of the type."_qs);
+    line.option(u"operator"_qs, u"NAME"_qs, u"Who; kept with the squeezes."_qs);
     addReadingOptions(line);
     addTableOptions(line);
     if (const std::optional<int> exit = line.parse(arguments))
@@ -142,7 +146,7 @@ int runEnroll(const QStringList& arguments)
     const CsvReadOptions reading = csvReadOptions(line);
     const IdentificationOptions options = identificationOptions(line);
     const bool isTable = line.isSet(u"table"_qs);
-    const TableEnrollment table = isTable ? tableEnrollment(line) : TableEnrollment{};
+    TableEnrollment table = isTable ? tableEnrollment(line) : TableEnrollment{};
     if (line.text(u"type"_qs).trimmed().isEmpty() && !(isTable && line.isSet(u"type-column"_qs)))
         line.reject(isTable ? u"--type NAME or --type-column NAME is missing."_qs
                             : u"--type NAME is missing."_qs);
@@ -154,10 +158,15 @@ int runEnroll(const QStringList& arguments)
     const Expected<QString> library = libraryFile(line);
     if (!library)
         return fail(library.error(), json);
+    const Expected<Acting> acting =
+        authorization(*library, line.text(u"operator"_qs), Permission::EnrollFiles);
+    if (!acting)
+        return fail(acting.error(), json);
+    table.acting = *acting;
     if (isTable)
         return enrollTable(table, *library, json);
 
-    Enrollment enrollment(*library, options);
+    Enrollment enrollment(*library, *acting, options);
     if (const std::optional<Error> error = enrollment.begin(line.text(u"type"_qs)))
         return fail(*error, json);
     ExitCode exit;

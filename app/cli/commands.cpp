@@ -23,6 +23,7 @@ const std::vector<Command>& commands()
         {u"types"_qs, u"renames, merges, splits, retires and rolls back enrolled types"_qs, runTypes},
         {u"history"_qs, u"lists the squeezes of a library, inspected or enrolled, as a table, CSV or JSON"_qs,
          runHistory},
+        {u"audit"_qs, u"lists and verifies who did what, when and why"_qs, runAudit},
         {u"drift"_qs, u"says whether inspected parts have moved since the enrolment, and what moved"_qs,
          runDrift},
         {u"transfer"_qs, u"compares two grippers by squeezes of the same types"_qs, runTransfer},

@@ -4,6 +4,7 @@
 #include "app/cli/drive.h"
 #include "core/session/enroll_session.h"
 #include "core/session/inspect_session.h"
+#include "core/store/audit_witness.h"
 #include "devices/gripper_factory.h"
 
 #include <QTemporaryDir>
@@ -206,7 +207,8 @@ Expected<DemoCounts> runDemonstration(std::uint64_t seed, const std::function<vo
     const QTemporaryDir folder;
     if (!folder.isValid())
         return failure(ErrorCode::FileUnwritable, {folder.path(), folder.errorString()});
-    Demonstration demonstration(seed, folder.filePath(u"demo.gripscope"_qs));
+    const PassingLibrary library(folder.filePath(u"demo.gripscope"_qs));
+    Demonstration demonstration(seed, library.file());
     DemoCounts counts;
     for (const QString& type : {u"A"_qs, u"B"_qs, u"C"_qs, u"D"_qs}) {
         progress(u"enrolling %1"_qs.arg(type));

@@ -29,6 +29,7 @@ NewGrasp graspOf(const SqueezeRow& row, const TableEnrollment& task, const QStri
     grasp.forceUnit = task.forceUnit;
     grasp.positionUnit = task.positionUnit;
     grasp.source = source;
+    grasp.operatorName = task.acting.operatorName;
     return grasp;
 }
 
@@ -112,6 +113,7 @@ int enrollTable(const TableEnrollment& task, const QString& libraryFile, bool js
     const Expected<std::unique_ptr<Library>> library = Library::open(libraryFile);
     if (!library)
         return fail(library.error(), json);
+    (*library)->actAs(task.acting);
     TableWriter writer(**library, task);
     QJsonArray added, refused;
     for (const SqueezeRow& row : *rows) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/people/acting.h"
 #include "core/recognition/squeeze_table.h"
 
 #include <QString>
@@ -12,6 +13,7 @@ struct TableEnrollment {
     QString table; ///< file
     SqueezeColumns columns;
     QString forceUnit = QStringLiteral("1"), positionUnit = QStringLiteral("1");
+    Acting acting = {}; ///< who adds them
 };
 
 /// Adds every row that is a squeeze; a row that is refused, by itself or by the library (units that cannot be

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The actions of `types` that change a library.
+#include "app/cli/authorization.h"
 #include "app/cli/type_commands.h"
 #include "app/cli/type_library.h"
 
@@ -11,24 +12,33 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// Changes the library and tells what was done.
-int change(const CommandLine& line, const std::function<Expected<void>(Library&)>& work)
+/// Changes the library, where roles are in force with a supervisor's consent, and tells what was done.
+int change(const CommandLine& line, const std::function<Expected<void>(Library&)>& work,
+           Permission permission = Permission::ChangeTypes)
 {
-    return withLibrary(line, [&](Library& library) {
+    return withLibrary(line, [&](Library& library) -> Expected<void> {
+        const auto acting = authorization(library, line.text(u"operator"_qs), permission);
+        if (!acting)
+            return tl::unexpected<Error>(acting.error());
+        library.actAs(*acting);
         return work(library).and_then([&] { return tellChange(library, line.isSet(u"json"_qs)); });
     });
 }
 
 /// The same for what is done to the type of --type.
 int changeType(const CommandLine& line,
-               const std::function<Expected<void>(Library&, const TypeRecord&)>& work)
+               const std::function<Expected<void>(Library&, const TypeRecord&)>& work,
+               Permission permission = Permission::ChangeTypes)
 {
-    return change(line, [&](Library& library) -> Expected<void> {
-        const auto type = requireNamed(library, line.text(u"type"_qs));
-        if (!type)
-            return tl::unexpected<Error>(type.error());
-        return work(library, *type);
-    });
+    return change(
+        line,
+        [&](Library& library) -> Expected<void> {
+            const auto type = requireNamed(library, line.text(u"type"_qs));
+            if (!type)
+                return tl::unexpected<Error>(type.error());
+            return work(library, *type);
+        },
+        permission);
 }
 
 /// What asks for a type and a reason, and no more.
@@ -142,9 +152,12 @@ int approveType(const QStringList& arguments)
         return *exit;
     if (const auto exit = line.finish())
         return *exit;
-    return changeType(line, [&](Library& library, const TypeRecord& type) {
-        return library.approveType(type.id, line.text(u"operator"_qs));
-    });
+    return changeType(
+        line,
+        [&](Library& library, const TypeRecord& type) {
+            return library.approveType(type.id, line.text(u"operator"_qs));
+        },
+        Permission::ApproveTypes);
 }
 
 int restoreVersion(const QStringList& arguments)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/change_table.h"
 
+#include "core/store/audit_table.h"
 #include "core/words.h"
 
 #include <algorithm>
@@ -14,6 +15,22 @@ namespace {
 QString reading()
 {
     return Words::tr("read its versions");
+}
+
+/// Every version is an entry of the audit trail, too.
+Expected<void> audit(Database& database, const LibraryChange& change, qint64 version)
+{
+    NewAuditEntry entry;
+    entry.action = QString::fromUtf16(audit_action::typePrefix) + toString(change.kind);
+    entry.subject = change.type;
+    entry.reason = change.reason;
+    entry.operatorName = change.operatorName;
+    entry.details = {{u"version"_s, version}};
+    if (!change.other.isEmpty())
+        entry.details.insert(u"other"_s, change.other);
+    if (change.squeezes != 0)
+        entry.details.insert(u"squeezes"_s, change.squeezes);
+    return audit_table::append(database, entry);
 }
 
 } // namespace
@@ -30,6 +47,8 @@ Expected<qint64> insert(Database& database, const LibraryChange& change)
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(*newest + 1).bind(toString(change.kind));
     row.bind(change.type).bind(change.other).bind(change.squeezes);
     if (auto done = row.bind(change.operatorName).bind(change.reason).run(); !done)
+        return tl::unexpected(done.error());
+    if (auto done = audit(database, change, *newest + 1); !done)
         return tl::unexpected(done.error());
     return *newest + 1;
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/error.h"
+#include "core/people/acting.h"
+#include "core/people/audit_chain.h"
 
 #include <QSqlDatabase>
 #include <QString>
@@ -39,10 +41,20 @@ public:
     [[nodiscard]] const QSqlDatabase& connection() const { return m_connection; }
     [[nodiscard]] QString file() const { return m_file; }
 
+    /// Who works through this connection.
+    void actAs(const Acting& acting) { m_acting = acting; }
+    [[nodiscard]] const Acting& acting() const { return m_acting; }
+    /// Where the audit trail ends by what was written in the open transaction; nothing where it was not
+    /// continued.
+    void setNewAuditHead(std::optional<AuditHead> head) { m_newAuditHead = std::move(head); }
+    [[nodiscard]] const std::optional<AuditHead>& newAuditHead() const { return m_newAuditHead; }
+
 private:
     Database(QString file, const QString& name);
     QString m_file;
     QSqlDatabase m_connection;
+    Acting m_acting;
+    std::optional<AuditHead> m_newAuditHead;
 };
 
 /// A write transaction that takes its lock at once: one that starts as a reader and then wants to write fails

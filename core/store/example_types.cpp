@@ -74,6 +74,8 @@ Expected<void> Library::loadExampleTypes()
             if (*present)
                 continue;
             if (version == 0) {
+                if (auto may = requirePermission(*d->database, Permission::ApproveTypes); !may)
+                    return may;
                 const auto begun = change_table::insert(*d->database, exampleChange());
                 if (!begun)
                     return tl::unexpected(begun.error());

@@ -6,7 +6,8 @@
 
 namespace gripscope::grasp_table {
 
-/// Joins to squeezes `g` where they belong now (`p`) and what that type is called (`s`); none for inspections.
+/// Joins to squeezes `g` where they belong now (`p`) and what that type is called (`s`); none for
+/// inspections.
 [[nodiscard]] QString typeJoins();
 /// The squeeze's own row, without recording and estimates. `version`: of the library, with which it came.
 [[nodiscard]] Expected<void> insert(Database& database, const RowStamp& stamp, const NewGrasp& grasp,

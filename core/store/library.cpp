@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/library.h"
 
+#include "core/store/audit_table.h"
+#include "core/store/audit_trail.h"
 #include "core/store/change_table.h"
 #include "core/store/document_table.h"
 #include "core/store/grasp_table.h"
@@ -9,6 +11,7 @@
 #include "core/store/library_private.h"
 #include "core/store/measuring_chain_table.h"
 #include "core/store/migration.h"
+#include "core/store/people_register.h"
 #include "core/store/placement_table.h"
 #include "core/store/recording_table.h"
 #include "core/store/type_table.h"
@@ -67,6 +70,21 @@ QString Library::file() const
     return d->database->file();
 }
 
+void Library::actAs(const Acting& acting)
+{
+    d->database->actAs(acting);
+}
+
+PeopleRegister Library::people()
+{
+    return PeopleRegister(*d->database);
+}
+
+AuditTrail Library::auditTrail()
+{
+    return AuditTrail(*d->database);
+}
+
 int Library::schemaVersion() const
 {
     return migrations().back().version; // open() brought it there
@@ -96,7 +114,8 @@ Expected<void> Library::Private::place(const QString& graspId, ChangeKind kind, 
                                        const QString& operatorName)
 {
     const bool accepted = kind == ChangeKind::Undrop;
-    return write<void>(
+    return writeIf<void>(
+        Permission::DropSqueezes,
         accepted ? Words::tr("put the squeeze back") : Words::tr("drop the squeeze"),
         [&]() -> Expected<void> {
             const auto grasp = requireGrasp(*database, graspId);
@@ -197,9 +216,17 @@ Expected<void> Library::addMeasuringChain(const NewMeasuringChain& measured)
     if (!std::all_of(numbers.begin(), numbers.end(), [](double value) { return std::isfinite(value); }))
         return failure(ErrorCode::Usage,
                        {Words::tr("A number that was measured of the gripper is not finite.")});
-    return d->write<void>(Words::tr("store what was measured of the gripper"), [&] {
-        return measuring_chain_table::insert(*d->database, RowStamp::now(), measured);
-    });
+    return d->writeIf<void>(
+        Permission::AcceptCalibrations, Words::tr("store what was measured of the gripper"),
+        [&]() -> Expected<void> {
+            if (auto done = measuring_chain_table::insert(*d->database, RowStamp::now(), measured); !done)
+                return done;
+            return audit_table::append(*d->database, {QString::fromUtf16(audit_action::chainMeasured),
+                                                      measured.gripperSerial,
+                                                      measured.basis,
+                                                      {{u"force_lag_s"_s, measured.forceLag_s}},
+                                                      measured.operatorName});
+        });
 }
 
 Expected<std::optional<MeasuringChainRecord>> Library::measuringChain(const QString& gripperSerial) const

@@ -19,6 +19,7 @@
 
 namespace gripscope {
 
+struct Acting;
 struct SensorCalibration;
 class HistoryKeys;
 struct HistoryQuery;
@@ -39,6 +40,8 @@ struct ReferenceCheckRecord;
 struct ReferenceObject;
 struct NewBatch;
 struct BatchRecord;
+class AuditTrail;
+class PeopleRegister;
 
 /// How a part is squeezed. Forces in newtons.
 struct Recipe {
@@ -144,6 +147,9 @@ struct MeasuringChainRecord : NewMeasuringChain {
 /// Whatever changes the types is one version of the library, with who, when and why; any earlier version can
 /// be looked at and restored, which is a new version again, so that nothing is ever lost.
 ///
+/// Once people are in it (people_register.h), what needs a supervisor fails with Usage unless one acts
+/// or has consented, and nothing is changed then; see permission.h. What was done is in the audit trail.
+///
 /// Every function may fail with StorageFailed (locked, disk full) or StorageCorrupt; nothing is changed then.
 class Library {
 public:
@@ -160,6 +166,11 @@ public:
     [[nodiscard]] int schemaVersion() const;
     /// All that `work` asks of this library is one transaction: when it fails, nothing of it is stored.
     [[nodiscard]] Expected<void> atOnce(const std::function<Expected<void>()>& work);
+
+    /// Who works through this object from now on: what may be done, and whom the audit trail names.
+    void actAs(const Acting& acting);
+    [[nodiscard]] PeopleRegister people(); ///< lives no longer than the library
+    [[nodiscard]] AuditTrail auditTrail(); ///< lives no longer than the library
 
     // Types. NotFound: there is no such type. Usage: what is asked for makes no sense; says why.
     /// Usage: no name, or one that is taken. UnitsDiffer: not comparable with the types that are there.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/audit_table.h"
 #include "core/store/calibration_table.h"
 #include "core/store/library_private.h"
 #include "core/store/reference_check_table.h"
@@ -11,6 +12,25 @@ namespace gripscope {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+NewAuditEntry auditEntryOf(const SensorCalibration& calibration)
+{
+    NewAuditEntry entry;
+    entry.action = QString::fromUtf16(audit_action::calibrationAccepted);
+    entry.subject = calibration.gripperSerial;
+    entry.reason = calibration.note;
+    entry.operatorName = calibration.operatorName;
+    entry.details = {{u"channel"_s, toString(calibration.channel)},
+                     {u"points"_s, int(calibration.points.size())},
+                     {u"degree"_s, calibration.degree},
+                     {u"due"_s, calibration.due.toString(Qt::ISODate)},
+                     {u"reference"_s, calibration.reference.name}};
+    return entry;
+}
+
+} // namespace
+
 Expected<void> Library::addCalibration(const SensorCalibration& calibration)
 {
     const auto missing = [](const QString& what) { return failure(ErrorCode::Usage, {what}); };
@@ -22,9 +42,12 @@ Expected<void> Library::addCalibration(const SensorCalibration& calibration)
         return missing(Words::tr("A calibration needs a date until which it holds."));
     if (const auto evaluation = evaluateCalibration(calibration); !evaluation)
         return tl::unexpected<Error>(evaluation.error());
-    return d->write<void>(Words::tr("store the calibration"), [&] {
-        return calibration_table::insert(*d->database, RowStamp::now(), calibration);
-    });
+    return d->writeIf<void>(
+        Permission::AcceptCalibrations, Words::tr("store the calibration"), [&]() -> Expected<void> {
+            if (auto done = calibration_table::insert(*d->database, RowStamp::now(), calibration); !done)
+                return done;
+            return audit_table::append(*d->database, auditEntryOf(calibration));
+        });
 }
 
 Expected<std::vector<CalibrationRecord>> Library::calibrations(const QString& gripperSerial, int limit) const
@@ -56,8 +79,16 @@ Expected<void> Library::addReferenceObject(const ReferenceObject& reference)
                        {u"This gripper has no serial number to keep its reference object under."_s});
     if (const QString problem = problemOf(reference); !problem.isEmpty())
         return failure(ErrorCode::Usage, {problem});
-    return d->write<void>(u"store the reference object"_s,
-                          [&] { return reference_table::insert(*d->database, RowStamp::now(), reference); });
+    return d->writeIf<void>(
+        Permission::AcceptCalibrations, u"store the reference object"_s, [&]() -> Expected<void> {
+            if (auto done = reference_table::insert(*d->database, RowStamp::now(), reference); !done)
+                return done;
+            return audit_table::append(*d->database, {QString::fromUtf16(audit_action::referenceStated),
+                                                      reference.gripperSerial,
+                                                      {},
+                                                      {{u"reference"_s, reference.name}},
+                                                      reference.operatorName});
+        });
 }
 
 Expected<void> Library::addReferenceCheck(const ReferenceCheck& check)

@@ -3,6 +3,8 @@
 
 #include "core/store/database.h"
 #include "core/store/library.h"
+#include "core/store/permission_check.h"
+#include "core/store/write_transaction.h"
 
 namespace gripscope {
 
@@ -18,15 +20,17 @@ struct Library::Private {
     {
         if (atOnce)
             return work();
-        auto transaction = Transaction::begin(*database, doing);
-        if (!transaction)
-            return tl::unexpected(transaction.error());
-        Expected<T> result = work();
-        if (!result)
-            return result;
-        if (auto done = (*transaction)->commit(); !done)
-            return tl::unexpected(done.error());
-        return result;
+        return writeTo<T>(*database, doing, work);
+    }
+    /// The same for what not everybody may do.
+    template <typename T, typename Work>
+    Expected<T> writeIf(Permission permission, const QString& doing, const Work& work)
+    {
+        return write<T>(doing, [&]() -> Expected<T> {
+            if (auto may = requirePermission(*database, permission); !may)
+                return tl::unexpected(may.error());
+            return work();
+        });
     }
 
     /// Whether a squeeze counts in its type: ChangeKind::Drop or Undrop. Nothing where it is so already.

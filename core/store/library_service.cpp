@@ -9,14 +9,20 @@
 namespace gripscope {
 
 namespace {
-using Job = std::function<void(Expected<Library*>)>;
-}
+
+struct Job {
+    Acting acting; ///< who asked for it
+    std::function<void(Expected<Library*>)> work;
+};
+
+} // namespace
 
 struct LibraryService::Private {
     QString file;
-    std::mutex mutex; ///< guards jobs and ending
+    mutable std::mutex mutex; ///< guards jobs, acting and ending
     std::condition_variable wake;
     std::deque<Job> jobs;
+    Acting acting;
     bool ending = false;
     std::thread thread;
 
@@ -40,12 +46,13 @@ struct LibraryService::Private {
             if (!library) {
                 auto opened = Library::open(file);
                 if (!opened) {
-                    (*job)(tl::unexpected(opened.error()));
+                    job->work(tl::unexpected(opened.error()));
                     continue;
                 }
                 library = std::move(*opened);
             }
-            (*job)(library.get());
+            library->actAs(job->acting);
+            job->work(library.get());
         }
     }
 };
@@ -71,11 +78,23 @@ QString LibraryService::file() const
     return d->file;
 }
 
+void LibraryService::actAs(const Acting& acting)
+{
+    const std::lock_guard lock(d->mutex);
+    d->acting = acting;
+}
+
+Acting LibraryService::acting() const
+{
+    const std::lock_guard lock(d->mutex);
+    return d->acting;
+}
+
 void LibraryService::post(std::function<void(Expected<Library*>)> job)
 {
     {
         const std::lock_guard lock(d->mutex);
-        d->jobs.push_back(std::move(job));
+        d->jobs.push_back({d->acting, std::move(job)});
     }
     d->wake.notify_one();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/people/acting.h"
 #include "core/store/library.h"
 
 #include <functional>
@@ -33,6 +34,10 @@ public:
     }
 
     [[nodiscard]] QString file() const;
+
+    /// Who asks for what is asked for from now on.
+    void actAs(const Acting& acting);
+    [[nodiscard]] Acting acting() const;
 
 private:
     void post(std::function<void(Expected<Library*>)> job);

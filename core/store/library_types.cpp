@@ -253,24 +253,25 @@ Expected<TypeRecord> Library::addType(const QString& name, const Recipe& recipe,
 
 Expected<TypeRecord> Library::reviseType(const QString& typeId, const Recipe& recipe)
 {
-    return d->write<TypeRecord>(Words::tr("store the recipe"), [&]() -> Expected<TypeRecord> {
-        const auto type = requireType(*d->database, typeId);
-        if (!type || type->recipe == recipe)
-            return type;
-        const auto number = appendRecipe(*d->database, *type, recipe);
-        if (!number)
-            return tl::unexpected(number.error());
-        TypeState state = stateOf(*type);
-        state.recipeVersion = *number;
-        if (auto done = changeState(*d->database, changeOf(ChangeKind::Recipe, *type, {}), state); !done)
-            return tl::unexpected(done.error());
-        return requireType(*d->database, typeId);
-    });
+    return d->writeIf<TypeRecord>(
+        Permission::ChangeLimits, Words::tr("store the recipe"), [&]() -> Expected<TypeRecord> {
+            const auto type = requireType(*d->database, typeId);
+            if (!type || type->recipe == recipe)
+                return type;
+            const auto number = appendRecipe(*d->database, *type, recipe);
+            if (!number)
+                return tl::unexpected(number.error());
+            TypeState state = stateOf(*type);
+            state.recipeVersion = *number;
+            if (auto done = changeState(*d->database, changeOf(ChangeKind::Recipe, *type, {}), state); !done)
+                return tl::unexpected(done.error());
+            return requireType(*d->database, typeId);
+        });
 }
 
 Expected<void> Library::approveType(const QString& typeId, const QString& operatorName)
 {
-    return d->write<void>(Words::tr("approve the type"), [&]() -> Expected<void> {
+    return d->writeIf<void>(Permission::ApproveTypes, Words::tr("approve the type"), [&]() -> Expected<void> {
         const auto type = requireTypeInUse(*d->database, typeId);
         if (!type)
             return tl::unexpected(type.error());
@@ -296,26 +297,27 @@ Expected<std::optional<TypeRecord>> Library::findType(const QString& name) const
 
 Expected<TypeRecord> Library::renameType(const QString& typeId, const QString& name, const ChangeNote& note)
 {
-    return d->write<TypeRecord>(Words::tr("rename the type"),
-                                [&] { return rename(*d->database, typeId, name.trimmed(), note); });
+    return d->writeIf<TypeRecord>(Permission::ChangeTypes, Words::tr("rename the type"),
+                                  [&] { return rename(*d->database, typeId, name.trimmed(), note); });
 }
 
 Expected<TypeRecord> Library::mergeTypes(const QString& typeId, const QString& intoId, const ChangeNote& note)
 {
-    return d->write<TypeRecord>(Words::tr("merge the types"),
-                                [&] { return merge(*d->database, typeId, intoId, note); });
+    return d->writeIf<TypeRecord>(Permission::ChangeTypes, Words::tr("merge the types"),
+                                  [&] { return merge(*d->database, typeId, intoId, note); });
 }
 
 Expected<TypeRecord> Library::splitType(const QString& typeId, const QStringList& graspIds,
                                         const QString& name, const ChangeNote& note)
 {
-    return d->write<TypeRecord>(Words::tr("split the type"),
-                                [&] { return split(*d->database, typeId, graspIds, name.trimmed(), note); });
+    return d->writeIf<TypeRecord>(Permission::ChangeTypes, Words::tr("split the type"), [&] {
+        return split(*d->database, typeId, graspIds, name.trimmed(), note);
+    });
 }
 
 Expected<void> Library::retireType(const QString& typeId, const ChangeNote& note)
 {
-    return d->write<void>(Words::tr("retire the type"), [&]() -> Expected<void> {
+    return d->writeIf<void>(Permission::ChangeTypes, Words::tr("retire the type"), [&]() -> Expected<void> {
         const auto type = requireTypeInUse(*d->database, typeId);
         if (!type)
             return tl::unexpected(type.error());
@@ -327,22 +329,23 @@ Expected<void> Library::retireType(const QString& typeId, const ChangeNote& note
 
 Expected<void> Library::reinstateType(const QString& typeId, const ChangeNote& note)
 {
-    return d->write<void>(Words::tr("put the type back into use"), [&]() -> Expected<void> {
-        const auto type = requireType(*d->database, typeId);
-        if (!type)
-            return tl::unexpected(type.error());
-        if (auto fine = requireReason(note); !fine)
-            return fine;
-        if (type->status != TypeStatus::Retired)
-            return failure(ErrorCode::Usage, {Words::tr("%1 is in use already.").arg(type->name)});
-        return changeStatus(*d->database, *type, ChangeKind::Reinstate, TypeStatus::Enrolled, note);
-    });
+    return d->writeIf<void>(
+        Permission::ChangeTypes, Words::tr("put the type back into use"), [&]() -> Expected<void> {
+            const auto type = requireType(*d->database, typeId);
+            if (!type)
+                return tl::unexpected(type.error());
+            if (auto fine = requireReason(note); !fine)
+                return fine;
+            if (type->status != TypeStatus::Retired)
+                return failure(ErrorCode::Usage, {Words::tr("%1 is in use already.").arg(type->name)});
+            return changeStatus(*d->database, *type, ChangeKind::Reinstate, TypeStatus::Enrolled, note);
+        });
 }
 
 Expected<TypeRecord> Library::setTypeCode(const QString& typeId, const QString& code, const ChangeNote& note)
 {
-    return d->write<TypeRecord>(u"store the code"_s,
-                                [&] { return setCode(*d->database, typeId, code.trimmed(), note); });
+    return d->writeIf<TypeRecord>(Permission::ChangeTypes, u"store the code"_s,
+                                  [&] { return setCode(*d->database, typeId, code.trimmed(), note); });
 }
 
 } // namespace gripscope

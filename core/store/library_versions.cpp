@@ -143,8 +143,8 @@ Expected<LibraryState> Library::stateAt(qint64 version) const
 
 Expected<qint64> Library::restoreVersion(qint64 version, const ChangeNote& note)
 {
-    return d->write<qint64>(Words::tr("restore version %1").arg(version),
-                            [&] { return restore(*d->database, version, note); });
+    return d->writeIf<qint64>(Permission::ChangeTypes, Words::tr("restore version %1").arg(version),
+                              [&] { return restore(*d->database, version, note); });
 }
 
 } // namespace gripscope

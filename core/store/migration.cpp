@@ -99,6 +99,7 @@ const std::vector<Migration>& migrations()
         {7, u"checks on a reference object"_s, statementsOf(QString::fromUtf8(migrationScript7))},
         {8, u"what the history shows of squeezes"_s, statementsOf(QString::fromUtf8(migrationScript8))},
         {9, u"batches, and codes of types"_s, statementsOf(QString::fromUtf8(migrationScript9))},
+        {10, u"people and the audit trail"_s, statementsOf(QString::fromUtf8(migrationScript10))},
     };
     return steps;
 }

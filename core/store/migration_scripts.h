@@ -14,5 +14,6 @@ extern const char* const migrationScript6;
 extern const char* const migrationScript7;
 extern const char* const migrationScript8;
 extern const char* const migrationScript9;
+extern const char* const migrationScript10;
 
 } // namespace gripscope

@@ -7,6 +7,10 @@
 #include "ui/inspector/device_inspector.h"
 #include "ui/lag_dialog.h"
 #include "ui/pages/enrolled_types_dialog.h"
+#include "ui/people/audit_dialog.h"
+#include "ui/people/people_dialog.h"
+#include "ui/people/person_form.h"
+#include "ui/people/sign_in_dialog.h"
 #include "ui/profile_dialog.h"
 #include "ui/settings/settings_dialog.h"
 
@@ -52,7 +56,8 @@ private slots:
     void aDialog_data()
     {
         QTest::addColumn<QString>("name");
-        for (const char* name : {"about", "lag", "manual", "profile", "inspector", "types", "settings"})
+        for (const char* name : {"about", "lag", "manual", "profile", "inspector", "types", "settings",
+                                 "sign in", "supervisor", "people", "person", "audit"})
             QTest::newRow(name) << QString::fromLatin1(name);
     }
     void aDialog()
@@ -72,6 +77,16 @@ private slots:
             dialog = new DeviceInspector(*f.bench, f.window.get());
         else if (name == QLatin1String("settings"))
             dialog = new SettingsDialog(*f.bench, f.window.get());
+        else if (name == QLatin1String("sign in"))
+            dialog = new SignInDialog(*f.bench, std::nullopt, f.window.get());
+        else if (name == QLatin1String("supervisor"))
+            dialog = new SignInDialog(*f.bench, Permission::ChangeLimits, f.window.get());
+        else if (name == QLatin1String("people"))
+            dialog = new PeopleDialog(*f.bench, f.window.get());
+        else if (name == QLatin1String("person"))
+            dialog = PersonForm::forNew(true, f.window.get());
+        else if (name == QLatin1String("audit"))
+            dialog = new AuditDialog(*f.bench, f.window.get());
         else
             dialog = new EnrolledTypesDialog(*f.bench, f.window.get());
         dialog->show();

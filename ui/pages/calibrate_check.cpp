@@ -9,6 +9,7 @@
 #include "ui/pages/calibrate_table.h"
 #include "ui/pages/fit_page_facts.h"
 #include "ui/pages/reference_dialog.h"
+#include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
 #include "ui/workbench.h"
 
@@ -248,19 +249,21 @@ void CalibrateCheck::keepReference(const ReferenceObject& reference)
 {
     ReferenceObject stated = reference;
     stated.operatorName = d->bench.operatorName();
-    d->bench.ask<CalibrationsInForce>(
-        this,
-        [stated](Library& library) {
-            return library.addReferenceObject(stated).and_then(
-                [&] { return library.calibrationsInForce(stated.gripperSerial); });
-        },
-        [this, stated](const Expected<CalibrationsInForce>& standing) {
-            if (!standing)
-                return d->bench.report(standing.error().describe());
-            if (serial() == stated.gripperSerial)
-                d->bench.connection().setCalibrations(*standing);
-            d->bench.tellCalibrationChanged();
-        });
+    authorize(d->bench, this, Permission::AcceptCalibrations, [this, stated] {
+        d->bench.ask<CalibrationsInForce>(
+            this,
+            [stated](Library& library) {
+                return library.addReferenceObject(stated).and_then(
+                    [&] { return library.calibrationsInForce(stated.gripperSerial); });
+            },
+            [this, stated](const Expected<CalibrationsInForce>& standing) {
+                if (!standing)
+                    return d->bench.report(standing.error().describe());
+                if (serial() == stated.gripperSerial)
+                    d->bench.connection().setCalibrations(*standing);
+                d->bench.tellCalibrationChanged();
+            });
+    });
 }
 
 } // namespace gripscope

@@ -7,6 +7,7 @@
 #include "ui/models/calibration_words.h"
 #include "ui/pages/calibrate_table.h"
 #include "ui/pages/fit_page_facts.h"
+#include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_format.h"
 #include "ui/workbench.h"
@@ -200,10 +201,12 @@ void CalibrateTaking::undo()
 
 void CalibrateTaking::accept()
 {
-    m_session->setOperator(m_workbench->operatorName());
-    if (const Expected<void> begun = m_session->accept(m_due->date(), m_note->text().trimmed()); !begun)
-        m_workbench->report(begun.error().describe());
-    refresh();
+    authorize(*m_workbench, this, Permission::AcceptCalibrations, [this] {
+        m_session->setOperator(m_workbench->operatorName());
+        if (const Expected<void> begun = m_session->accept(m_due->date(), m_note->text().trimmed()); !begun)
+            m_workbench->report(begun.error().describe());
+        refresh();
+    });
 }
 
 void CalibrateTaking::takeOrAccept()

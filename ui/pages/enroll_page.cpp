@@ -7,6 +7,7 @@
 #include "ui/pages/enroll_review_panel.h"
 #include "ui/pages/enroll_squeeze_panel.h"
 #include "ui/pages/part_picture_view.h"
+#include "ui/people/authorize.h"
 #include "ui/tour_script.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/step_line.h"
@@ -230,13 +231,24 @@ void EnrollPage::undo()
     if (workbench().enrollment().step() == EnrollSession::Step::Name)
         return d->name->drafts().bringBack();
     d->squeezes->leaveToPerson();
-    tell(workbench().enrollment().undo());
+    supervised(workbench().enrollment().undoable(), [this] { tell(workbench().enrollment().undo()); });
+}
+
+void EnrollPage::supervised(const std::optional<EnrollSession::Act>& act, std::function<void()> then)
+{
+    // What takes a squeeze out of its type, or back into it.
+    const bool counts =
+        act && (act->kind == EnrollSession::Act::Kind::Accept || act->kind == EnrollSession::Act::Kind::Drop);
+    if (counts)
+        authorize(workbench(), this, Permission::DropSqueezes, std::move(then));
+    else
+        then();
 }
 
 void EnrollPage::redo()
 {
     d->squeezes->leaveToPerson();
-    tell(workbench().enrollment().redo());
+    supervised(workbench().enrollment().redoable(), [this] { tell(workbench().enrollment().redo()); });
 }
 
 void EnrollPage::refresh()

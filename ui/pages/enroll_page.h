@@ -37,6 +37,8 @@ private:
     void submitName(const QString& name);
     void submitRecipe();
     void undo();
+    /// With a supervisor's consent where undoing or redoing this needs it.
+    void supervised(const std::optional<EnrollSession::Act>& act, std::function<void()> then);
     void redo();
     void startAnew(); ///< what was begun stays as a draft
     void tell(const Expected<void>& done);

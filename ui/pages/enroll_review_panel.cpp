@@ -4,6 +4,7 @@
 #include "core/session/comparable_units.h"
 #include "ui/pages/enroll_check.h"
 #include "ui/pages/part_picture_view.h"
+#include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_format.h"
 #include "ui/widgets/parameter_text.h"
@@ -214,8 +215,10 @@ EnrollReviewPanel::EnrollReviewPanel(Workbench& workbench, QWidget* parent)
         emit changed();
     };
     connect(back, &QPushButton::clicked, this, [this, tell] { tell(m_workbench->enrollment().back()); });
-    connect(m_approve, &QPushButton::clicked, this,
-            [this, tell] { tell(m_workbench->enrollment().approve()); });
+    connect(m_approve, &QPushButton::clicked, this, [this, tell] {
+        authorize(*m_workbench, this, Permission::ApproveTypes,
+                  [this, tell] { tell(m_workbench->enrollment().approve()); });
+    });
 }
 
 void EnrollReviewPanel::load()

@@ -5,6 +5,7 @@
 #include "ui/page_state.h"
 #include "ui/pages/enroll_live_words.h"
 #include "ui/pages/part_picture_view.h"
+#include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/parameter_text.h"
 #include "ui/widgets/progress_ring.h"
@@ -426,8 +427,9 @@ void EnrollSqueezePanel::askDrop()
     dialog->setOkButtonText(tr("Drop"));
     dialog->resize(440, 160);
     connect(dialog, &QInputDialog::textValueSelected, this, [this, row](const QString& reason) {
-        tell(m_workbench->enrollment().drop(row, reason.trimmed().isEmpty() ? tr("by the operator")
-                                                                            : reason.trimmed()));
+        const QString why = reason.trimmed().isEmpty() ? tr("by the operator") : reason.trimmed();
+        authorize(*m_workbench, this, Permission::DropSqueezes,
+                  [this, row, why] { tell(m_workbench->enrollment().drop(row, why)); });
     });
     dialog->open();
 }

@@ -4,6 +4,7 @@
 #include "ui/pages/enroll_picture_field.h"
 #include "ui/pages/enrolled_types_dialog.h"
 #include "ui/pages/type_change_form.h"
+#include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
 #include "ui/workbench.h"
 
@@ -34,6 +35,11 @@ void EnrolledTypesDialog::change(Change work)
         m_workbench->tellLibraryChanged();
         load();
     });
+}
+
+void EnrolledTypesDialog::changeSupervised(Change work, Permission permission)
+{
+    authorize(*m_workbench, this, permission, [this, work = std::move(work)] { change(work); });
 }
 
 void EnrolledTypesDialog::choosePicture()
@@ -81,7 +87,7 @@ void EnrolledTypesDialog::rename()
         tr("Rename"), this);
     form->askName(tr("New name"), type.name);
     connect(form, &QDialog::accepted, this, [this, form, type] {
-        change([id = type.id, name = form->name(), why = note(*form)](Library& library) {
+        changeSupervised([id = type.id, name = form->name(), why = note(*form)](Library& library) {
             return library.renameType(id, name, why).map(ignoreValue);
         });
     });
@@ -99,7 +105,7 @@ void EnrolledTypesDialog::editCode()
         tr("Keep"), this);
     form->askCode(tr("Code, scanned or typed"), type.code);
     connect(form, &QDialog::accepted, this, [this, form, type] {
-        change([id = type.id, code = form->code(), why = note(*form)](Library& library) {
+        changeSupervised([id = type.id, code = form->code(), why = note(*form)](Library& library) {
             return library.setTypeCode(id, code, why).map(ignoreValue);
         });
     });
@@ -127,7 +133,7 @@ void EnrolledTypesDialog::merge()
         for (const TypeRecord& other : m_contents.types)
             if (other.name == form->type())
                 into = other.id;
-        change([id = type.id, into, why = note(*form)](Library& library) {
+        changeSupervised([id = type.id, into, why = note(*form)](Library& library) {
             return library.mergeTypes(id, into, why).map(ignoreValue);
         });
     });
@@ -153,8 +159,8 @@ void EnrolledTypesDialog::split()
             form->askName(tr("Name of the new type"));
             form->askSqueezes(tr("Squeezes of the new type"), *grasps);
             connect(form, &QDialog::accepted, this, [this, form, type] {
-                change([id = type.id, name = form->name(), squeezes = form->squeezes(),
-                        why = note(*form)](Library& library) {
+                changeSupervised([id = type.id, name = form->name(), squeezes = form->squeezes(),
+                                  why = note(*form)](Library& library) {
                     return library.splitType(id, squeezes, name, why).map(ignoreValue);
                 });
             });
@@ -164,9 +170,9 @@ void EnrolledTypesDialog::split()
 
 void EnrolledTypesDialog::approve()
 {
-    change([id = selectedType()->id, who = m_workbench->operatorName()](Library& library) {
-        return library.approveType(id, who);
-    });
+    changeSupervised([id = selectedType()->id, who = m_workbench->operatorName()](
+                         Library& library) { return library.approveType(id, who); },
+                     Permission::ApproveTypes);
 }
 
 void EnrolledTypesDialog::retire()
@@ -180,7 +186,8 @@ void EnrolledTypesDialog::retire()
                                         .arg(type.squeezes),
                                     tr("Retire"), this);
     connect(form, &QDialog::accepted, this, [this, form, type] {
-        change([id = type.id, why = note(*form)](Library& library) { return library.retireType(id, why); });
+        changeSupervised(
+            [id = type.id, why = note(*form)](Library& library) { return library.retireType(id, why); });
     });
     form->open();
 }
@@ -193,7 +200,7 @@ void EnrolledTypesDialog::putBack()
         tr("Parts of %1 are recognised again. The type then needs approval.").arg(type.name), tr("Put back"),
         this);
     connect(form, &QDialog::accepted, this, [this, form, type] {
-        change(
+        changeSupervised(
             [id = type.id, why = note(*form)](Library& library) { return library.reinstateType(id, why); });
     });
     form->open();
@@ -223,7 +230,7 @@ void EnrolledTypesDialog::restore(qint64 version)
             .arg(version),
         tr("Restore"), this);
     connect(form, &QDialog::accepted, this, [this, form, version] {
-        change([version, why = note(*form)](Library& library) {
+        changeSupervised([version, why = note(*form)](Library& library) {
             return library.restoreVersion(version, why).map(ignoreValue);
         });
     });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/people/permission.h"
 #include "core/store/library.h"
 
 #include <QDialog>
@@ -43,6 +44,8 @@ private:
     void show(Contents contents);
     void refresh();
     void change(Change work); ///< on the library's thread; then everything is read again
+    /// The same with a supervisor\'s consent where that is needed.
+    void changeSupervised(Change work, Permission permission = Permission::ChangeTypes);
     [[nodiscard]] const TypeRecord* selectedType() const;
     [[nodiscard]] const LibraryChange* selectedVersion() const;
     [[nodiscard]] ChangeNote note(const TypeChangeForm& form) const;

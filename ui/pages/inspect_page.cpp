@@ -10,6 +10,7 @@
 #include "ui/pages/inspect_reason.h"
 #include "ui/pages/inspect_summary.h"
 #include "ui/pages/inspect_tour.h"
+#include "ui/people/change_rates.h"
 #include "ui/rates_dialog.h"
 #include "ui/scan_reader.h"
 #include "ui/settings/settings.h"
@@ -381,7 +382,7 @@ void InspectPage::editRates()
     auto* dialog = new RatesDialog(now.rates, now.earlyEnd, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
-        workbench().setRates({dialog->rates(), dialog->earlyEnd()});
+        changeRates(workbench(), this, {dialog->rates(), dialog->earlyEnd()});
     });
     dialog->open();
 }

@@ -11,6 +11,7 @@
 #include "ui/pages/types_page_side.h"
 #include "ui/pages/types_page_steps.h"
 #include "ui/pages/types_page_tools.h"
+#include "ui/people/authorize.h"
 #include "ui/scene/scene_view.h"
 #include "ui/scene/type_scene.h"
 #include "ui/theme/theme.h"
@@ -172,7 +173,9 @@ QWidget* TypesPage::buildEmpty()
     text->setWordWrap(true);
     text->setAlignment(Qt::AlignCenter);
     auto* load = makeButton(tr("Load four example types"), {}, "primary");
-    connect(load, &QPushButton::clicked, this, [this] { loadExampleTypes(workbench()); });
+    connect(load, &QPushButton::clicked, this, [this] {
+        authorize(workbench(), this, Permission::ApproveTypes, [this] { loadExampleTypes(workbench()); });
+    });
     column->addStretch();
     column->addWidget(makeLabel(tr("No types in this library yet"), "title"), 0, Qt::AlignHCenter);
     column->addWidget(text);

@@ -51,7 +51,8 @@ SettingRow::SettingRow(Settings& settings, const Setting& setting, QWidget* pare
     m_reset->setToolTip(tr("Back to the default: %1").arg(setting.shownValue(setting.fallback)));
     m_reset->setFixedWidth(48);
     m_reset->setAutoDefault(false);
-    connect(m_reset, &QPushButton::clicked, this, [this] { m_settings->reset(m_key); });
+    connect(m_reset, &QPushButton::clicked, this,
+            [this] { guarded(m_setting->fallback, [this] { m_settings->reset(m_key); }); });
 
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 8, 0, 8);
@@ -164,8 +165,17 @@ QWidget* SettingRow::makeFolderButton()
 
 void SettingRow::store(const QVariant& value)
 {
-    if (!m_settings->setValue(m_key, value))
-        refresh(); // the control shows again what is in force
+    guarded(value, [this, value] { (void)m_settings->setValue(m_key, value); });
+    refresh(); // what is in force, which may still be what it was
+}
+
+void SettingRow::guarded(const QVariant& after, std::function<void()> apply)
+{
+    const QVariant before = m_settings->value(m_key);
+    if (!m_guard || after == before)
+        apply();
+    else
+        m_guard({m_key, before, after}, std::move(apply));
 }
 
 void SettingRow::refresh()

@@ -155,7 +155,7 @@ std::vector<Setting> start()
         one->shown = one->portable = false;
     Setting idle{setting::idleMinutes.key,
                  SettingKind::Number,
-                 10.0,
+                 15.0,
                  SettingGroup::People,
                  QT_TRANSLATE_NOOP("gripscope::Setting", "Sign out when nobody works"),
                  QT_TRANSLATE_NOOP("gripscope::Setting", "After so many minutes without a key or a click.")};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/settings/settings_dialog.h"
 
+#include "ui/people/supervised_settings.h"
 #include "ui/settings/import_dialog.h"
 #include "ui/settings/setting_row.h"
 #include "ui/settings/settings_exchange.h"
@@ -81,8 +82,12 @@ void SettingsDialog::addRows(QVBoxLayout* column)
             rows->addWidget(heading);
             m_groups.push_back({heading, {}});
         }
-        m_groups.back().rows.push_back(new SettingRow(m_workbench->settings(), one, card));
-        rows->addWidget(m_groups.back().rows.back());
+        auto* row = new SettingRow(m_workbench->settings(), one, card);
+        row->setGuard([this](const SettingChange& change, std::function<void()> apply) {
+            changeSettings(*m_workbench, this, {change}, std::move(apply));
+        });
+        m_groups.back().rows.push_back(row);
+        rows->addWidget(row);
     }
     m_nothing = makeLabel(tr("No setting has these words."), "second", card);
     m_nothing->hide();
@@ -172,9 +177,11 @@ void SettingsDialog::importFile(const QString& file)
             }
             auto* dialog = new ImportDialog(*import, this);
             connect(dialog, &QDialog::accepted, this, [this, file, import = *import] {
-                m_told->setText(tr("The settings were taken from %1.").arg(file));
-                m_told->show();
-                applyImport(m_workbench->settings(), import);
+                changeSettings(*m_workbench, this, import.changes, [this, file, import] {
+                    m_told->setText(tr("The settings were taken from %1.").arg(file));
+                    m_told->show();
+                    applyImport(m_workbench->settings(), import);
+                });
             });
             dialog->open();
         });
@@ -188,7 +195,10 @@ void SettingsDialog::askForReset()
                                 QMessageBox::Cancel, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
     QPushButton* reset = box->addButton(tr("Reset all"), QMessageBox::AcceptRole);
-    connect(reset, &QPushButton::clicked, this, [this] { m_workbench->settings().resetAll(); });
+    connect(reset, &QPushButton::clicked, this, [this] {
+        Settings& settings = m_workbench->settings();
+        changeSettings(*m_workbench, this, changesOfReset(settings), [&settings] { settings.resetAll(); });
+    });
     box->setDefaultButton(QMessageBox::Cancel);
     box->open();
 }

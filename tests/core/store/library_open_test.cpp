@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_record.h"
+#include "core/store/audit_trail.h"
 #include "core/store/enrollment_draft.h"
 #include "core/store/migration.h"
+#include "core/store/people_register.h"
 #include "tests/core/store/library_fixture.h"
 #include "tests/core/store/raw_database.h"
 #include "tests/support/test_registry.h"
@@ -138,6 +140,12 @@ private slots:
         QCOMPARE(valueOf(library->calibrationsInForce(u"0001"_s)).reference.has_value(), version > 6);
         const auto checks = valueOf(library->referenceChecks(u"0001"_s, 10));
         QCOMPARE(checks.size(), std::size_t(version > 6 ? 1 : 0));
+        // Nobody has to sign in, and the trail begins with what is done from now on.
+        QVERIFY(!valueOf(library->people().inForce()));
+        const auto trail = valueOf(library->auditTrail().verify());
+        QVERIFY(trail.whole());
+        QCOMPARE(trail.head.entries, 1);
+        QCOMPARE(valueOf(library->auditTrail().entries({})).front().reason, u"it had not slipped"_s);
     }
     void migrationsAreNeverEdited()
     {
@@ -160,6 +168,8 @@ private slots:
                  u"517bb996476637705568edfda69712aa9be39162f767cf970caa259e29f09eac"_s);
         QCOMPARE(migrations()[8].checksum(),
                  u"3f2565d5ab259e5129148646da42fe3cc2fa526dba3245630a347515c0c0ead7"_s);
+        QCOMPARE(migrations()[9].checksum(),
+                 u"f7301b5a84b65eae0bdcbc682b302de2919f6f30d755ae64ae7d072027c0c453"_s);
     }
     void furtherStepsAreAppliedInOrderAndOnce()
     {

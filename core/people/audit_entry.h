@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QDateTime>
+#include <QJsonObject>
+#include <QString>
+
+#include <optional>
+
+namespace gripscope {
+
+/// What the audit trail tells of. Changes of types are "type." and the kind of LibraryChange.
+namespace audit_action {
+inline constexpr char16_t signIn[] = u"sign_in";
+inline constexpr char16_t signOut[] = u"sign_out";
+inline constexpr char16_t signInFailed[] = u"sign_in.failed";
+inline constexpr char16_t authorised[] = u"authorised"; ///< a supervisor's consent to one action of another
+inline constexpr char16_t personAdded[] = u"person.added";
+inline constexpr char16_t personRole[] = u"person.role";
+inline constexpr char16_t personSecret[] = u"person.secret";
+inline constexpr char16_t personDeactivated[] = u"person.deactivated";
+inline constexpr char16_t personReactivated[] = u"person.reactivated";
+inline constexpr char16_t ratesChanged[] = u"rates.changed";
+inline constexpr char16_t settingChanged[] = u"setting.changed";
+inline constexpr char16_t calibrationAccepted[] = u"calibration.accepted";
+inline constexpr char16_t referenceStated[] = u"calibration.reference"; ///< what checks are made on
+inline constexpr char16_t chainMeasured[] = u"chain.measured";
+inline constexpr char16_t typePrefix[] = u"type.";
+} // namespace audit_action
+
+/// Who did what, when, to what and why.
+///
+/// The entries are a chain: each carries the SHA-256 of the one before and its own, in lower-case
+/// hexadecimal. The bytes that are hashed are these texts in UTF-8, each behind its length in bytes as eight
+/// bytes, the highest first: "gripscope-audit-1", previousHash, number (decimal), utc, station, person, role,
+/// action, subject, reason, details. An entry that was changed has another hash, and one that was removed,
+/// put in or exchanged breaks the link. There is no key: whoever can write the file can also make a new chain
+/// from some entry on, which is seen only where the number and hash of a later entry are known from
+/// elsewhere.
+struct AuditEntry {
+    qint64 number = 0;    ///< 1, 2, 3... in this library
+    QString utc;          ///< "2024-05-31T12:00:00.000Z"
+    QString station;      ///< where
+    QString person;       ///< who signed in, or what was typed as the operator's name
+    QString role;         ///< "operator", "supervisor"; empty: nobody had signed in
+    QString action;       ///< see audit_action
+    QString subject;      ///< the type, person, gripper...
+    QString reason;       ///< as it was given
+    QString details;      ///< a JSON object, byte for byte as it is hashed; or empty
+    QString previousHash; ///< 64 zeros for the first
+    QString hash;
+    friend bool operator==(const AuditEntry&, const AuditEntry&) = default;
+};
+
+[[nodiscard]] QString firstPreviousHash(); ///< 64 zeros
+/// The hash that belongs to the entry's other fields.
+[[nodiscard]] QString auditHash(const AuditEntry& entry);
+
+/// "Type approved"; the action itself where this program does not know it.
+[[nodiscard]] QString actionInWords(const QString& action);
+/// The details as text for a person: "falseReject 0.01, 0.02"; empty when there are none.
+[[nodiscard]] QString detailsInWords(const AuditEntry& entry);
+
+} // namespace gripscope

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/people/permission.h"
+
+#include "core/words.h"
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+bool mayDo(Role role, Permission)
+{
+    return role == Role::Supervisor;
+}
+
+QString inWords(Permission permission)
+{
+    switch (permission) {
+    case Permission::ChangeRates:
+        return Words::tr("Changing the rates of verdicts");
+    case Permission::ChangeLimits:
+        return Words::tr("Changing a recipe and its limits");
+    case Permission::ApproveTypes:
+        return Words::tr("Approving a type");
+    case Permission::ChangeTypes:
+        return Words::tr("Changing enrolled types");
+    case Permission::DropSqueezes:
+        return Words::tr("Dropping a squeeze");
+    case Permission::EnrollFiles:
+        return Words::tr("Enrolling squeezes from files");
+    case Permission::AcceptCalibrations:
+        return Words::tr("Accepting a calibration");
+    case Permission::ManagePeople:
+        return Words::tr("Managing people");
+    case Permission::ChangeSettings:
+        return Words::tr("Changing settings");
+    }
+    return {};
+}
+
+QString toString(Permission permission)
+{
+    switch (permission) {
+    case Permission::ChangeRates:
+        return u"change_rates"_s;
+    case Permission::ChangeLimits:
+        return u"change_limits"_s;
+    case Permission::ApproveTypes:
+        return u"approve_types"_s;
+    case Permission::ChangeTypes:
+        return u"change_types"_s;
+    case Permission::DropSqueezes:
+        return u"drop_squeezes"_s;
+    case Permission::EnrollFiles:
+        return u"enroll_files"_s;
+    case Permission::AcceptCalibrations:
+        return u"accept_calibrations"_s;
+    case Permission::ManagePeople:
+        return u"manage_people"_s;
+    case Permission::ChangeSettings:
+        return u"change_settings"_s;
+    }
+    return {};
+}
+
+} // namespace gripscope

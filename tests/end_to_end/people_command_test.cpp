@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/audit_trail.h"
+#include "core/store/library.h"
+#include "core/store/people_register.h"
+#include "tests/end_to_end/program_run.h"
+#include "tests/support/test_registry.h"
+
+#include <QDir>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+using namespace gripscope;
+using namespace gripscope::test;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const QByteArray pin = "2468135790";
+
+/// A terminal of the test's own, for a program to ask on.
+class Terminal {
+public:
+    Terminal() : m_own(posix_openpt(O_RDWR | O_NOCTTY))
+    {
+        if (m_own < 0 || grantpt(m_own) != 0 || unlockpt(m_own) != 0)
+            qFatal("no terminal");
+        m_name = ptsname(m_own);
+        m_far =
+            open(m_name.constData(), O_RDWR | O_NOCTTY); // so that it is not closed before the program comes
+    }
+    ~Terminal()
+    {
+        close(m_far);
+        close(m_own);
+    }
+    Terminal(const Terminal&) = delete;
+    Terminal& operator=(const Terminal&) = delete;
+
+    [[nodiscard]] const char* name() const { return m_name.constData(); }
+    /// What a person types when asked; what was asked.
+    [[nodiscard]] QByteArray answer(const QByteArray& line) const
+    {
+        pollfd waiting{m_own, POLLIN, 0};
+        poll(&waiting, 1, 60'000);
+        QByteArray asked(1024, '\0');
+        asked.resize(qMax<qsizetype>(0, read(m_own, asked.data(), 1024)));
+        const QByteArray typed = line + '\n';
+        if (write(m_own, typed.constData(), std::size_t(typed.size())) != typed.size())
+            qFatal("the terminal is closed");
+        return asked;
+    }
+    /// What was shown since.
+    [[nodiscard]] QByteArray rest() const
+    {
+        fcntl(m_own, F_SETFL, O_NONBLOCK);
+        QByteArray shown(4096, '\0');
+        shown.resize(qMax<qsizetype>(0, read(m_own, shown.data(), 4096)));
+        return shown;
+    }
+
+private:
+    int m_own;
+    int m_far = -1;
+    QByteArray m_name;
+};
+
+} // namespace
+
+/// The command line where roles are in force, and `gripscope-cli audit`.
+class PeopleCommandTest : public QObject {
+    Q_OBJECT
+    Workplace m_work;
+
+    [[nodiscard]] QString file() const { return m_work.path(u"lib.db"_s); }
+
+    /// As `person` (none: not named), on a terminal where `secret` is typed (none: without a terminal).
+    ProgramRun run(const QStringList& arguments, const QString& person = {},
+                   const std::optional<QByteArray>& secret = {}, QByteArray* shown = nullptr) const
+    {
+        QProcess process;
+        m_work.prepare(process, arguments + QStringList{u"--library"_s, u"lib.db"_s, u"--json"_s});
+        QProcessEnvironment environment = process.processEnvironment();
+        environment.insert(u"GRIPSCOPE_PERSON"_s, person);
+        process.setProcessEnvironment(environment);
+        const Terminal terminal;
+        const char* name = secret ? terminal.name() : nullptr;
+        process.setChildProcessModifier([name] {
+            setsid(); // off the terminal that the test runs on
+            if (name)
+                open(name, O_RDWR); // the first one a session opens becomes its own
+        });
+        process.start();
+        QByteArray onTerminal;
+        if (secret)
+            onTerminal = terminal.answer(*secret);
+        const bool ended = process.waitForFinished(120'000) && process.exitStatus() == QProcess::NormalExit;
+        if (shown)
+            *shown = onTerminal + (secret ? terminal.rest() : QByteArray());
+        return {ended ? process.exitCode() : -1, process.readAllStandardOutput(),
+                process.readAllStandardError()};
+    }
+
+private slots:
+    void init()
+    {
+        QFile::remove(file());
+        QDir(m_work.path(u"gripscope"_s)).removeRecursively(); // what is known of the one before
+        auto library = Library::open(file());
+        QVERIFY(library && (*library)->loadExampleTypes());
+        QVERIFY((*library)->people().add(u"Sam"_s, Role::Supervisor, Secret(QString::fromLatin1(pin))));
+    }
+    void changesNeedASupervisorAndReadingDoesNot()
+    {
+        const QStringList retire{u"types"_s,    u"retire"_s, u"--type"_s,     u"A"_s,
+                                 u"--reason"_s, u"asked"_s,  u"--operator"_s, u"Mai"_s};
+        const ProgramRun unnamed = run(retire);
+        QCOMPARE(unnamed.exit, 2);
+        QVERIFY(unnamed.json()[u"error"_s][u"message"_s].toString().contains(u"GRIPSCOPE_PERSON"_s));
+        QCOMPARE(run(retire, u"Sam"_s).exit, 2); // no terminal to ask on
+        QCOMPARE(run(retire, u"Nobody"_s).exit, 3);
+        QByteArray shown;
+        QCOMPARE(run(retire, u"Sam"_s, "wrong one", &shown).exit, 2);
+        QVERIFY2(shown.contains("PIN or password of Sam"), shown.constData());
+        QVERIFY2(!shown.contains("wrong one"), shown.constData()); // it is not shown
+        QCOMPARE(run({u"types"_s, u"list"_s}).json()[u"types"_s].toArray().size(), 4);
+        const ProgramRun done = run(retire, u"Sam"_s, pin);
+        QVERIFY2(done.exit == 0, done.err.constData());
+        const QJsonArray entries = run({u"audit"_s}).json()[u"entries"_s].toArray();
+        QCOMPARE(entries[0][u"action"_s].toString(), u"type.retire"_s);
+        QCOMPARE(entries[0][u"person"_s].toString(), u"Sam"_s);
+        QCOMPARE(entries[0][u"role"_s].toString(), u"supervisor"_s);
+        QCOMPARE(entries[0][u"reason"_s].toString(), u"asked"_s);
+        QCOMPARE(entries[0][u"details"_s][u"operator"_s].toString(), u"Mai"_s);
+        QCOMPARE(entries[1][u"action"_s].toString(), u"authorised"_s);
+        QCOMPARE(entries[2][u"action"_s].toString(), u"sign_in.failed"_s);
+    }
+    void enrollingFilesNeedsASupervisorAndClassifyingDoesNot()
+    {
+        QCOMPARE(m_work
+                     .cli({u"simulate"_s, u"--object"_s, u"0.04,43,9990"_s, u"--sample-time"_s, u"0.0005"_s,
+                           u"--bit"_s, u"0.005"_s, u"--samples"_s, u"2000"_s, u"--noise-sd"_s, u"1e-5"_s,
+                           u"--excitation"_s, u"prbs"_s, u"-o"_s, u"a.csv"_s})
+                     .exit,
+                 0);
+        const QStringList units{u"--force-unit"_s, u"N"_s, u"--position-unit"_s, u"m"_s};
+        const QStringList enroll = QStringList{u"enroll"_s, u"--type"_s, u"A"_s, u"a.csv"_s} + units;
+        QCOMPARE(run(enroll).exit, 2);
+        const auto classified = run(QStringList{u"classify"_s, u"a.csv"_s} + units);
+        QVERIFY(classified.exit == 0 || classified.exit == 6);
+        const ProgramRun done = run(enroll + QStringList{u"--operator"_s, u"Mai"_s}, u"Sam"_s, pin);
+        QVERIFY2(done.exit == 0, done.out + done.err);
+        QCOMPARE(done.json()[u"squeezes"_s].toInt(), 11);
+    }
+    void theTrailIsListedAndVerified()
+    {
+        const ProgramRun listed = run({u"audit"_s, u"--limit"_s, u"1"_s});
+        QCOMPARE(listed.exit, 0);
+        QCOMPARE(listed.json()[u"total"_s].toInt(), 2);
+        QCOMPARE(listed.json()[u"entries"_s].toArray().size(), 1);
+        QCOMPARE(run({u"audit"_s, u"--text"_s, u"nobody"_s}).json()[u"total"_s].toInt(), 0);
+        const ProgramRun whole = run({u"audit"_s, u"--verify"_s});
+        QCOMPARE(whole.exit, 0);
+        QVERIFY(whole.json()[u"whole"_s].toBool() && whole.json()[u"fault"_s].isNull());
+        QCOMPARE(whole.json()[u"entries"_s].toInt(), 2);
+        QCOMPARE(whole.json()[u"head"_s].toString().size(), 64);
+    }
+    void aTrailThatIsNotInOrderEndsWithFive()
+    {
+        // One byte of the first entry's text: its station.
+        QFile raw(file());
+        {
+            auto library = Library::open(file());
+            QVERIFY(library); // closing it brings the log into the file
+        }
+        QVERIFY(raw.open(QIODevice::ReadWrite));
+        QByteArray bytes = raw.readAll();
+        const qsizetype place = bytes.indexOf("type.examples");
+        QVERIFY(place > 0);
+        raw.seek(place);
+        raw.write("type.exampled");
+        raw.close();
+        const ProgramRun broken = run({u"audit"_s, u"--verify"_s});
+        QCOMPARE(broken.exit, 5);
+        QCOMPARE(broken.json()[u"fault"_s].toString(), u"changed"_s);
+        QCOMPARE(broken.json()[u"at"_s].toInt(), 1);
+        QVERIFY(broken.json()[u"message"_s].toString().contains(u"Entry 1 was changed"_s));
+    }
+};
+
+GRIPSCOPE_TEST(PeopleCommandTest)
+#include "people_command_test.moc"

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/people/audit_dialog.h"
+
+#include "core/store/library.h"
+#include "ui/models/audit_csv.h"
+#include "ui/models/audit_model.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/number_format.h"
+#include "ui/workbench.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QSaveFile>
+#include <QTableView>
+#include <QVBoxLayout>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// What one visit to the library brings back.
+struct TrailStart {
+    qint64 matching = 0;
+    std::vector<AuditEntry> page;
+};
+
+} // namespace
+
+AuditDialog::AuditDialog(Workbench& workbench, QWidget* parent)
+    : QDialog(parent), m_workbench(&workbench), m_model(new AuditModel(this)), m_table(new QTableView(this)),
+      m_text(new QLineEdit(this)), m_action(new QComboBox(this)),
+      m_verify(makeButton(tr("Verify"), u"checkmark"_s, "", this)), m_counts(makeLabel({}, "second", this)),
+      m_result(makeLabel({}, "", this))
+{
+    setObjectName("auditDialog");
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(tr("Audit trail"));
+    m_typing.setSingleShot(true);
+    m_typing.setInterval(250ms);
+    m_result->setObjectName("auditResult");
+    m_result->setWordWrap(true);
+    m_result->hide();
+    makeTable();
+    QFrame* card = makeCard(this);
+    auto* inside = new QVBoxLayout(card);
+    setSpacing(inside, 1, 0);
+    inside->addWidget(m_table);
+    QPushButton* save = makeButton(tr("Export…"), u"document-save"_s, "", this);
+    save->setObjectName("auditExport");
+    save->setAutoDefault(false);
+    QPushButton* close = makeButton(tr("Close"), {}, "primary", this);
+    close->setAutoDefault(false);
+    auto* foot = new QHBoxLayout;
+    foot->setSpacing(8);
+    foot->addWidget(m_counts, 1);
+    foot->addWidget(save);
+    foot->addWidget(close);
+    auto* column = new QVBoxLayout(this);
+    setSpacing(column, 16, 12);
+    column->addWidget(makeBar());
+    column->addWidget(m_result);
+    column->addWidget(card, 1);
+    column->addLayout(foot);
+    connect(&m_typing, &QTimer::timeout, this, &AuditDialog::reload);
+    connect(m_model, &AuditModel::pageAsked, this, &AuditDialog::fetch);
+    connect(save, &QPushButton::clicked, this, &AuditDialog::chooseExport);
+    connect(close, &QPushButton::clicked, this, &QDialog::accept);
+    resize(960, 560);
+    reload();
+}
+
+QWidget* AuditDialog::makeBar()
+{
+    auto* bar = new QWidget(this);
+    auto* line = new QHBoxLayout(bar);
+    setSpacing(line, 0, 8);
+    m_text->setObjectName("auditText");
+    m_text->setPlaceholderText(tr("Filter by person, type, reason or station"));
+    m_text->setAccessibleName(tr("Filter text"));
+    m_text->setClearButtonEnabled(true);
+    m_action->setObjectName("auditAction");
+    m_action->setAccessibleName(tr("What"));
+    m_action->addItem(tr("Everything"), QString());
+    m_action->addItem(tr("Signing in and out"), u"sign_"_s);
+    m_action->addItem(tr("Authorisations"), QString::fromUtf16(audit_action::authorised));
+    m_action->addItem(tr("People"), u"person."_s);
+    m_action->addItem(tr("Types"), QString::fromUtf16(audit_action::typePrefix));
+    m_action->addItem(tr("Rates"), u"rates."_s);
+    m_action->addItem(tr("Calibrations"), u"calibration."_s);
+    m_action->addItem(tr("Settings"), u"setting."_s);
+    m_verify->setObjectName("auditVerify");
+    m_verify->setAutoDefault(false);
+    m_verify->setToolTip(tr("Read every entry and check that none was changed, removed or put in"));
+    line->addWidget(m_text, 1);
+    line->addWidget(m_action);
+    line->addWidget(m_verify);
+    connect(m_text, &QLineEdit::textChanged, &m_typing, qOverload<>(&QTimer::start));
+    connect(m_action, &QComboBox::currentIndexChanged, this, &AuditDialog::reload);
+    connect(m_verify, &QPushButton::clicked, this, &AuditDialog::verify);
+    return bar;
+}
+
+void AuditDialog::makeTable()
+{
+    m_table->setObjectName("auditTable");
+    m_table->setAccessibleName(tr("Audit trail"));
+    m_table->setModel(m_model);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setShowGrid(false);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(32);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    // Of fixed widths: to measure the texts of a long trail would take the screen's time.
+    const int widths[AuditModel::columns] = {64, 136, 152, 152, 120, 160, 240, 160};
+    for (int column = 0; column < AuditModel::columns; ++column)
+        m_table->setColumnWidth(column, widths[column]);
+}
+
+AuditFilter AuditDialog::filter(int offset) const
+{
+    return {m_text->text(), m_action->currentData().toString(), AuditModel::pageSize, offset};
+}
+
+void AuditDialog::reload()
+{
+    m_workbench->ask<TrailStart>(
+        this,
+        [wanted = filter()](Library& library) -> Expected<TrailStart> {
+            const auto matching = library.auditTrail().count(wanted);
+            if (!matching)
+                return tl::unexpected<Error>(matching.error());
+            auto page = library.auditTrail().entries(wanted);
+            if (!page)
+                return tl::unexpected<Error>(page.error());
+            return TrailStart{*matching, std::move(*page)};
+        },
+        [this, generation = ++m_generation](Expected<TrailStart> start) {
+            if (generation != m_generation)
+                return;
+            if (!start)
+                return m_counts->setText(start.error().describe());
+            m_model->restart(start->matching, std::move(start->page));
+            const bool all = m_text->text().trimmed().isEmpty() && m_action->currentIndex() == 0;
+            m_counts->setText(
+                start->matching > 0 ? tr("Entries: %1").arg(formatCount(start->matching))
+                : all ? tr("Nothing yet: changes of types, rates and calibrations, and who signs in, "
+                           "will be here.")
+                      : tr("Nothing matches the filters."));
+        });
+}
+
+void AuditDialog::fetch(int offset)
+{
+    using Page = std::vector<AuditEntry>;
+    m_workbench->ask<Page>(
+        this, [wanted = filter(offset)](Library& library) { return library.auditTrail().entries(wanted); },
+        [this, offset, generation = m_generation](const Expected<Page>& page) {
+            if (generation == m_generation)
+                m_model->append(offset, page.value_or(Page{}));
+        });
+}
+
+void AuditDialog::verify()
+{
+    m_verify->setEnabled(false);
+    m_workbench->ask<AuditVerification>(
+        this, [](Library& library) { return library.auditTrail().verify(); },
+        [this](const Expected<AuditVerification>& found) {
+            const bool whole = found && found->whole();
+            setRole(m_result, whole ? "strong" : "error");
+            m_result->setText(found ? inWords(*found) : found.error().describe());
+            m_result->show();
+            m_verify->setEnabled(true);
+        });
+}
+
+void AuditDialog::chooseExport()
+{
+    auto* dialog =
+        new QFileDialog(this, tr("Export the audit trail"), u"audit-trail.csv"_s, tr("CSV (*.csv)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(u"csv"_s);
+    connect(dialog, &QFileDialog::fileSelected, this, &AuditDialog::exportTo);
+    dialog->open();
+}
+
+void AuditDialog::exportTo(const QString& file)
+{
+    m_workbench->ask<void>(
+        this,
+        [file](Library& library) -> Expected<void> {
+            const Expected<QByteArray> csv = auditCsv(library);
+            if (!csv)
+                return tl::unexpected<Error>(csv.error());
+            QSaveFile out(file);
+            if (!out.open(QIODevice::WriteOnly) || out.write(*csv) != csv->size() || !out.commit())
+                return failure(ErrorCode::FileUnwritable, {file, out.errorString()});
+            return {};
+        },
+        [this, file](const Expected<void>& done) {
+            m_counts->setText(done ? tr("Audit trail written to %1").arg(file) : done.error().describe());
+        });
+}
+
+} // namespace gripscope
