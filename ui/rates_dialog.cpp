@@ -35,6 +35,7 @@ RatesDialog::RatesDialog(const VerdictOptions& rates, bool earlyEnd, QWidget* pa
     setFixedWidth(560);
     build();
     fill(rates, earlyEnd);
+    setMinimumHeight(layout()->totalHeightForWidth(width())); // what is explained may take two lines
 }
 
 QDoubleSpinBox* RatesDialog::addRate(QFormLayout* form, const QString& name, const QString& meaning)

@@ -29,7 +29,8 @@ QString words(const char* text)
 
 QString withUnit(double value, const Setting& setting)
 {
-    return Words::number(value * setting.factor, 'g', 8) + QChar(QChar::Nbsp) + words(setting.unit);
+    return Words::number(value * setting.factor, 'g', 8) + QChar(QChar::Nbsp) +
+           QString::fromLatin1(setting.unit);
 }
 
 std::optional<QVariant> asSwitch(const QVariant& value)
@@ -97,7 +98,7 @@ QString Setting::shownValue(const QVariant& value) const
     case SettingKind::Choice:
         for (const SettingChoice& choice : choices)
             if (value.toString() == QLatin1String(choice.value))
-                return words(choice.words);
+                return choicesAreNames ? QString::fromLatin1(choice.words) : words(choice.words);
         break;
     case SettingKind::Number:
         return value.toDouble() == 0 && zeroMeans ? words(zeroMeans) : withUnit(value.toDouble(), *this);

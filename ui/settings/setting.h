@@ -16,7 +16,7 @@ enum class SettingApplies { AtOnce, NextConnection, NextStart };
 /// One of what a Choice may be: its stored word and what a person reads.
 struct SettingChoice {
     const char* value;
-    const char* words; ///< to be translated, but for names of languages
+    const char* words; ///< to be translated, unless Setting::choicesAreNames
 };
 
 /// One setting, declared once (setting_table.cpp). Typed access, the limits that are held, the Settings
@@ -36,9 +36,10 @@ struct Setting {
     // Of numbers: limits as stored; `factor` leads to the unit that is shown.
     double least = 0, most = 0, factor = 1;
     int decimals = 0;
-    const char* unit = "";                   ///< to be translated
+    const char* unit = "";                   ///< the same in every language
     const char* zeroMeans = nullptr;         ///< to be translated: shown in place of 0
     std::vector<SettingChoice> choices = {}; ///< of a Choice
+    bool choicesAreNames = false;            ///< or numbers: the same in every language
 
     [[nodiscard]] QString shownName() const;
     [[nodiscard]] QString shownExplanation() const;                ///< and when it takes effect

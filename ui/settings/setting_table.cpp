@@ -54,6 +54,7 @@ std::vector<Setting> appearance()
                            QT_TRANSLATE_NOOP("gripscope::Setting", "Text and control size"),
                            QT_TRANSLATE_NOOP("gripscope::Setting", "Enlarges everything in the window."),
                            {{"100", "100 %"}, {"125", "125 %"}, {"150", "150 %"}, {"200", "200 %"}});
+    language.choicesAreNames = scale.choicesAreNames = true;
     scale.applies = SettingApplies::NextStart;
     scale.portable = false; // it goes with the screen
     return {choice(setting::theme.key, "light", SettingGroup::Appearance,
