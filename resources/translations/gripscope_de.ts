@@ -67,6 +67,52 @@
         <source>The curve does not follow the points as closely as they repeat: try a higher degree, or look for a point that is wrong.</source>
         <translation>Die Kurve folgt den Punkten nicht so eng, wie sich diese wiederholen: höheren Grad versuchen oder einen falschen Punkt suchen.</translation>
     </message>
+    <message>
+        <source>force not calibrated</source>
+        <translation>Kraft nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>position not calibrated</source>
+        <translation>Weg nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>force cal. overdue since %1</source>
+        <translation>Kraftkal. überfällig seit %1</translation>
+    </message>
+    <message>
+        <source>position cal. overdue since %1</source>
+        <translation>Wegkal. überfällig seit %1</translation>
+    </message>
+    <message>
+        <source>today</source>
+        <translation>heute</translation>
+    </message>
+    <message>
+        <source>tomorrow</source>
+        <translation>morgen</translation>
+    </message>
+    <message>
+        <source>force cal. due %1</source>
+        <translation>Kraftkal. fällig: %1</translation>
+    </message>
+    <message>
+        <source>position cal. due %1</source>
+        <translation>Wegkal. fällig: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>force cal. due in %n days</source>
+        <translation>
+            <numerusform>Kraftkal. in %n Tag fällig</numerusform>
+            <numerusform>Kraftkal. in %n Tagen fällig</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>position cal. due in %n days</source>
+        <translation>
+            <numerusform>Wegkal. in %n Tag fällig</numerusform>
+            <numerusform>Wegkal. in %n Tagen fällig</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -152,6 +198,88 @@
     </message>
 </context>
 <context>
+    <name>InspectHint</name>
+    <message>
+        <source>Squeezing…</source>
+        <translation>Drückt…</translation>
+    </message>
+    <message>
+        <source>Esc or STOP ends it at once</source>
+        <translation>Esc oder STOPP beendet ihn sofort</translation>
+    </message>
+    <message>
+        <source>Judging…</source>
+        <translation>Urteilt…</translation>
+    </message>
+    <message>
+        <source>Reading the library…</source>
+        <translation>Die Bibliothek wird gelesen…</translation>
+    </message>
+    <message>
+        <source>No types yet</source>
+        <translation>Noch keine Typen</translation>
+    </message>
+    <message>
+        <source>Enroll at least one type (Ctrl+3), then inspect parts</source>
+        <translation>Mindestens einen Typ einlernen (Strg+3), dann Teile prüfen</translation>
+    </message>
+    <message>
+        <source>Not armed</source>
+        <translation>Nicht scharf</translation>
+    </message>
+    <message>
+        <source>Place the part, hands clear, then arm the gripper</source>
+        <translation>Teil einlegen, Hände weg, dann den Greifer scharf schalten</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Place the part, then squeeze: %1</source>
+        <translation>Teil einlegen, dann drücken: %1</translation>
+    </message>
+    <message>
+        <source>No type is called or coded “%1”</source>
+        <translation>Kein Typ heißt oder hat den Code „%1“</translation>
+    </message>
+    <message>
+        <source>Nothing is expected, as before</source>
+        <translation>Nichts wird erwartet, wie zuvor</translation>
+    </message>
+    <message>
+        <source>%1 is expected, as before</source>
+        <translation>%1 wird erwartet, wie zuvor</translation>
+    </message>
+    <message>
+        <source>Nothing expected</source>
+        <translation>Nichts erwartet</translation>
+    </message>
+    <message>
+        <source>The next part may be any enrolled type</source>
+        <translation>Das nächste Teil darf jeder eingelernte Typ sein</translation>
+    </message>
+    <message>
+        <source>is expected from the next part on</source>
+        <translation>wird ab dem nächsten Teil erwartet</translation>
+    </message>
+    <message>
+        <source>Not ready to squeeze</source>
+        <translation>Nicht bereit zum Drücken</translation>
+    </message>
+    <message>
+        <source>The gripper&apos;s button squeezes once a gripper is connected and armed here</source>
+        <translation>Der Knopf des Greifers drückt, sobald ein Greifer verbunden und hier scharf ist</translation>
+    </message>
+</context>
+<context>
+    <name>InspectionLine</name>
+    <message>
+        <source>Inspection %1: %2 %3</source>
+        <translation>Prüfung %1: %2 %3</translation>
+    </message>
+</context>
+<context>
     <name>LiveSqueezeWords</name>
     <message>
         <source>k  %1
@@ -203,6 +331,147 @@ m  %3</translation>
     <message>
         <source>There is no picture to paste. Copy one first, or choose a file.</source>
         <translation>Es gibt kein Bild zum Einfügen. Erst eines kopieren oder eine Datei wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>ReferenceWords</name>
+    <message>
+        <source>Mass m</source>
+        <translation>Masse m</translation>
+    </message>
+    <message>
+        <source>Damping b</source>
+        <translation>Dämpfung b</translation>
+    </message>
+    <message>
+        <source>Stiffness k</source>
+        <translation>Steifigkeit k</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>durchgefallen</translation>
+    </message>
+    <message>
+        <source>measurement not valid</source>
+        <translation>Messung ungültig</translation>
+    </message>
+    <message>
+        <source>No reference object yet.</source>
+        <translation>Noch kein Referenzobjekt.</translation>
+    </message>
+    <message>
+        <source>No check was made yet, and none is asked for.</source>
+        <translation>Noch keine Kontrolle gemacht, und keine wird verlangt.</translation>
+    </message>
+    <message>
+        <source>Failed on %1: measurements are marked as suspect.</source>
+        <translation>Am %1 nicht bestanden: Messungen werden als fraglich markiert.</translation>
+    </message>
+    <message>
+        <source>Due since %1: measurements are marked as suspect.</source>
+        <translation>Fällig seit %1: Messungen werden als fraglich markiert.</translation>
+    </message>
+    <message>
+        <source>Due, it was never made: measurements are marked as suspect.</source>
+        <translation>Fällig, noch nie gemacht: Messungen werden als fraglich markiert.</translation>
+    </message>
+    <message>
+        <source>Passed, and holds until %1.</source>
+        <translation>Bestanden, gilt bis %1.</translation>
+    </message>
+    <message>
+        <source>Passed on %1.</source>
+        <translation>Bestanden am %1.</translation>
+    </message>
+    <message>
+        <source>spring check failed</source>
+        <translation>Federkontrolle nicht bestanden</translation>
+    </message>
+    <message>
+        <source>spring check due</source>
+        <translation>Federkontrolle fällig</translation>
+    </message>
+    <message>
+        <source>spring check this hour</source>
+        <translation>Federkontrolle in dieser Stunde</translation>
+    </message>
+    <message>
+        <source>spring check %1 h ago</source>
+        <translation>Federkontrolle vor %1 h</translation>
+    </message>
+    <message>
+        <source>spring check %1 days ago</source>
+        <translation>Federkontrolle vor %1 Tagen</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Its certificate</source>
+        <translation>Ihr Zertifikat</translation>
+    </message>
+    <message>
+        <source>%1, within %2 %</source>
+        <translation>%1, innerhalb %2 %</translation>
+    </message>
+    <message>
+        <source>A check</source>
+        <translation>Eine Kontrolle</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n squeezes of %1 ± %2 N</source>
+        <translation>
+            <numerusform>%n Druckversuch mit %1 ± %2 N</numerusform>
+            <numerusform>%n Druckversuche mit %1 ± %2 N</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Holds for</source>
+        <translation>Gilt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hours</source>
+        <translation>
+            <numerusform>%n Stunde</numerusform>
+            <numerusform>%n Stunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no check is asked for</source>
+        <translation>keine Kontrolle verlangt</translation>
+    </message>
+    <message>
+        <source>%1, En %2</source>
+        <translation>%1, En %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3)</source>
+        <translation>%1: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>Passed: within the tolerance, but off by more than the uncertainties explain. Calibrate soon.</source>
+        <translation>Bestanden: innerhalb der Toleranz, aber weiter daneben, als die Unsicherheiten erklären. Bald kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Passed.</source>
+        <translation>Bestanden.</translation>
+    </message>
+    <message>
+        <source>Failed: off by more than the tolerance. See that the object sits well and nothing rubs, and check again; then calibrate.</source>
+        <translation>Nicht bestanden: weiter daneben als die Toleranz. Prüfen, ob das Objekt gut sitzt und nichts reibt, und erneut kontrollieren; dann kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Not valid: the squeezes do not tell m, b and k well enough for the tolerance. Take more squeezes, or more force.</source>
+        <translation>Ungültig: Die Druckversuche bestimmen m, b und k nicht gut genug für die Toleranz. Mehr Druckversuche oder mehr Kraft nehmen.</translation>
+    </message>
+    <message>
+        <source>Not valid, so nothing is said of the gripper: %1</source>
+        <translation>Ungültig, also sagt das nichts über den Greifer: %1</translation>
     </message>
 </context>
 <context>
@@ -1664,14 +1933,6 @@ m  %3</translation>
         <translation>Die Prüfung</translation>
     </message>
     <message>
-        <source>The lag is being measured. Wait for its end or stop it.</source>
-        <translation>Der Zeitversatz wird gemessen. Das Ende abwarten oder anhalten.</translation>
-    </message>
-    <message>
-        <source>The measurement of the lag</source>
-        <translation>Die Messung des Zeitversatzes</translation>
-    </message>
-    <message>
         <source>There is no lag that was measured well enough to be used.</source>
         <translation>Kein Zeitversatz wurde gut genug gemessen, um ihn zu verwenden.</translation>
     </message>
@@ -2128,10 +2389,6 @@ m  %3</translation>
         <translation>Druckversuche lesen</translation>
     </message>
     <message>
-        <source>An estimate holds a number that is not finite.</source>
-        <translation>Eine Schätzung enthält eine Zahl, die nicht endlich ist.</translation>
-    </message>
-    <message>
         <source>A squeeze of a type needs an estimate.</source>
         <translation>Ein Druckversuch eines Typs braucht eine Schätzung.</translation>
     </message>
@@ -2438,10 +2695,6 @@ m  %3</translation>
     <message>
         <source>%1 is a number from %2 to %3</source>
         <translation>%1 ist eine Zahl von %2 bis %3</translation>
-    </message>
-    <message>
-        <source>a fault is loss:P, duplicate:P, crc:P, saturate:N, stall:S, unplug:S, replug:S, deaf:S, hang-feature:S, hang-write:S, broken:S, stuck or units</source>
-        <translation>ein Fehler ist loss:P, duplicate:P, crc:P, saturate:N, stall:S, unplug:S, replug:S, deaf:S, hang-feature:S, hang-write:S, broken:S, stuck oder units</translation>
     </message>
     <message>
         <source>replug:S needs unplug:S beside it</source>
@@ -3277,6 +3530,49 @@ m  %3</translation>
         <source>read the type&apos;s picture</source>
         <translation>das Bild des Typs lesen</translation>
     </message>
+    <message>
+        <source>the gripper failed its check on the reference object (%1). Find out why and check it again, then squeeze again.</source>
+        <translation>der Greifer hat die Kontrolle am Referenzobjekt nicht bestanden (%1). Die Ursache suchen und erneut kontrollieren, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>the check of the gripper on its reference object was due (%1). Check it, then squeeze again.</source>
+        <translation>die Kontrolle des Greifers am Referenzobjekt war fällig (%1). Kontrollieren, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>The load that was put on must be a number.</source>
+        <translation>Die aufgelegte Last muss eine Zahl sein.</translation>
+    </message>
+    <message>
+        <source>read the history</source>
+        <translation>Verlauf lesen</translation>
+    </message>
+    <message>
+        <source>%1 no longer has a code for scanners.</source>
+        <translation>%1 hat keinen Scannercode mehr.</translation>
+    </message>
+    <message>
+        <source>%1 got the code %2 for scanners.</source>
+        <translation>%1 bekam den Scannercode %2.</translation>
+    </message>
+    <message>
+        <source>a fault is loss:P, duplicate:P, crc:P, saturate:N, stall:S, unplug:S, replug:S, deaf:S, hang-feature:S, hang-write:S, broken:S, button:S, stuck or units</source>
+        <translation>ein Fehler ist loss:P, duplicate:P, crc:P, saturate:N, stall:S, unplug:S, replug:S, deaf:S, hang-feature:S, hang-write:S, broken:S, button:S, stuck oder units</translation>
+    </message>
+    <message>
+        <source>button</source>
+        <translation>Knopf</translation>
+    </message>
+</context>
+<context>
+    <name>Yield</name>
+    <message>
+        <source>%1 as expected (%2 to %3)</source>
+        <translation>%1 wie erwartet (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts that were judged were as expected. In brackets: where the rate itself lies with 95 % confidence (exact bounds). Squeezes that were not valid or inconclusive judged nothing, and are left out.</source>
+        <translation>%1 von %2 beurteilten Teilen waren wie erwartet. In Klammern: wo die Rate selbst mit 95 % Vertrauen liegt (exakte Grenzen). Ungültige oder unentschiedene Druckversuche haben nichts beurteilt und zählen nicht mit.</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::AboutDialog</name>
@@ -3466,6 +3762,45 @@ m  %3</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::BatchDialog</name>
+    <message>
+        <source>Begin the batch</source>
+        <translation>Los beginnen</translation>
+    </message>
+    <message>
+        <source>Begin a batch</source>
+        <translation>Ein Los beginnen</translation>
+    </message>
+    <message>
+        <source>Name or number of the batch</source>
+        <translation>Name oder Nummer des Loses</translation>
+    </message>
+    <message>
+        <source>Parts wanted</source>
+        <translation>Gewünschte Teile</translation>
+    </message>
+    <message>
+        <source>Each part that is one of the enrolled types counts, since no type is expected. Other parts and measurements that are not valid do not count. The batch ends by itself.</source>
+        <translation>Jedes Teil eines eingelernten Typs zählt, da kein Typ erwartet wird. Andere Teile und ungültige Messungen zählen nicht. Das Los endet von selbst.</translation>
+    </message>
+    <message>
+        <source>Parts that are %1 count. Other parts and measurements that are not valid do not count. The batch ends by itself.</source>
+        <translation>Teile vom Typ %1 zählen. Andere Teile und ungültige Messungen zählen nicht. Das Los endet von selbst.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Name or number</source>
+        <translation>Name oder Nummer</translation>
+    </message>
+    <message>
+        <source>Parts wanted, as expected</source>
+        <translation>Gewünschte Teile, wie erwartet</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::BudgetPanel</name>
     <message>
         <source>Uncertainty budget</source>
@@ -3579,11 +3914,131 @@ m  %3</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::CalibrateBaseline</name>
+    <message>
+        <source>The empty gripper</source>
+        <translation>Der leere Greifer</translation>
+    </message>
+    <message numerus="yes">
+        <source>Fingers and drive have a mass, a damping and a stiffness of their own, which add to the part&apos;s. Take everything out of the gripper and measure it with the force that the parts are squeezed with: it squeezes nothing, %n times.</source>
+        <translation>
+            <numerusform>Finger und Antrieb haben eigene Masse, Dämpfung und Steifigkeit, die zu denen des Teils hinzukommen. Alles aus dem Greifer nehmen und ihn mit der Kraft messen, mit der die Teile gedrückt werden: Er drückt %n-mal ins Leere.</numerusform>
+            <numerusform>Finger und Antrieb haben eigene Masse, Dämpfung und Steifigkeit, die zu denen des Teils hinzukommen. Alles aus dem Greifer nehmen und ihn mit der Kraft messen, mit der die Teile gedrückt werden: Er drückt %n-mal ins Leere.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Squeeze nothing (Space)</source>
+        <translation>Leer drücken (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Measure again (Space)</source>
+        <translation>Neu messen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Change the forces above first.</source>
+        <translation>Erst die Kräfte oben ändern.</translation>
+    </message>
+    <message>
+        <source>Take it off from now on</source>
+        <translation>Ab jetzt abziehen</translation>
+    </message>
+    <message>
+        <source>Taken off now</source>
+        <translation>Wird jetzt abgezogen</translation>
+    </message>
+    <message>
+        <source>Take nothing off any more</source>
+        <translation>Nichts mehr abziehen</translation>
+    </message>
+    <message>
+        <source>k %1</source>
+        <translation>k %1</translation>
+    </message>
+    <message>
+        <source>Not valid, so nothing changes: %1</source>
+        <translation>Ungültig, also ändert sich nichts: %1</translation>
+    </message>
+    <message>
+        <source>m %1, b %2, k %3 (95 %)</source>
+        <translation>m %1, b %2, k %3 (95 %)</translation>
+    </message>
+    <message>
+        <source>In use for gripper %1: %2.</source>
+        <translation>In Gebrauch für Greifer %1: %2.</translation>
+    </message>
+    <message>
+        <source>The empty gripper: %1.</source>
+        <translation>Der leere Greifer: %1.</translation>
+    </message>
+    <message>
+        <source>These are taken off every later squeeze before it is shown, enrolled or judged, and their uncertainty goes into its error bars. Types that were enrolled without this include the fingers: enroll them again. Measure anew when the fingers are changed.</source>
+        <translation>Diese werden von jedem späteren Druckversuch abgezogen, bevor er gezeigt, eingelernt oder beurteilt wird, und ihre Unsicherheit geht in seine Fehlerbalken ein. Ohne dies eingelernte Typen enthalten die Finger: neu einlernen. Nach einem Wechsel der Finger neu messen.</translation>
+    </message>
+    <message>
+        <source>Nothing. The m, b and k of a part include those of the fingers, in enrolled types and in inspections alike, so that they still compare on this gripper.</source>
+        <translation>Nichts. m, b und k eines Teils enthalten die der Finger, in eingelernten Typen wie in Prüfungen, sodass sie auf diesem Greifer vergleichbar bleiben.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CalibrateCheck</name>
+    <message>
+        <source>Check on a reference spring</source>
+        <translation>Kontrolle an einer Referenzfeder</translation>
+    </message>
+    <message>
+        <source>Check now (Space)</source>
+        <translation>Kontrollieren (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Check again (Space)</source>
+        <translation>Erneut (Leertaste)</translation>
+    </message>
+    <message>
+        <source>State first what the gripper is to be checked on: a spring whose stiffness is known better than you need it.</source>
+        <translation>Zuerst angeben, woran der Greifer zu kontrollieren ist: eine Feder, deren Steifigkeit besser bekannt ist als nötig.</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Checks</translation>
+    </message>
+    <message>
+        <source>None yet. Grip the spring, arm, and check: the errors found are kept here, so that a drift shows before it matters.</source>
+        <translation>Noch keine. Die Feder greifen, scharf schalten und kontrollieren: Die gefundenen Fehler bleiben hier, sodass sich eine Drift zeigt, bevor sie schadet.</translation>
+    </message>
+    <message>
+        <source>Change it…</source>
+        <translation>Ändern…</translation>
+    </message>
+    <message>
+        <source>State it…</source>
+        <translation>Angeben…</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::CalibratePage</name>
     <message>
         <source>Calibrate</source>
         <translation>Kalibrieren</translation>
     </message>
+    <message>
+        <source>Parts of this page</source>
+        <translation>Teile dieser Seite</translation>
+    </message>
+    <message>
+        <source>Sensors</source>
+        <translation>Sensoren</translation>
+    </message>
+    <message>
+        <source>Spring check</source>
+        <translation>Federkontrolle</translation>
+    </message>
+    <message>
+        <source>Empty gripper</source>
+        <translation>Leerer Greifer</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CalibrateSensors</name>
     <message>
         <source>Force</source>
         <translation>Kraft</translation>
@@ -3593,16 +4048,20 @@ m  %3</translation>
         <translation>Weg</translation>
     </message>
     <message>
-        <source>Calibrations</source>
-        <translation>Kalibrierungen</translation>
-    </message>
-    <message>
         <source>None yet. Choose a channel and its loads on the left, put on one after the other, and look at what is left beside the curve before you accept it.</source>
         <translation>Noch keine. Links Kanal und Lasten wählen, eine nach der anderen auflegen und vor dem Annehmen ansehen, was neben der Kurve übrig bleibt.</translation>
     </message>
     <message>
+        <source>Calibrations</source>
+        <translation>Kalibrierungen</translation>
+    </message>
+    <message>
         <source>Certificate…</source>
         <translation>Zertifikat…</translation>
+    </message>
+    <message>
+        <source>Gripper %1, by %2</source>
+        <translation>Greifer %1, von %2</translation>
     </message>
     <message>
         <source>Save the certificate</source>
@@ -3622,10 +4081,6 @@ m  %3</translation>
     <message>
         <source>Begin</source>
         <translation>Beginnen</translation>
-    </message>
-    <message>
-        <source>Force, with reference weights or a load cell</source>
-        <translation>Kraft, mit Gewichten oder einer Kraftmessdose</translation>
     </message>
     <message>
         <source>Position, with gauge blocks</source>
@@ -3699,13 +4154,17 @@ m  %3</translation>
         <source>%1 points, about a second each. The gripper does not move.</source>
         <translation>%1 Punkte, je etwa eine Sekunde. Der Greifer bewegt sich nicht.</translation>
     </message>
+    <message>
+        <source>Force, with reference weights</source>
+        <translation>Kraft, mit Gewichten</translation>
+    </message>
+    <message>
+        <source>Force, with a load cell</source>
+        <translation>Kraft, mit einer Kraftmessdose</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::CalibrateTaking</name>
-    <message>
-        <source>Undo the last point</source>
-        <translation>Letzten Punkt zurück</translation>
-    </message>
     <message>
         <source>Leave it</source>
         <translation>Verlassen</translation>
@@ -3751,16 +4210,56 @@ m  %3</translation>
         <translation>Punkt %1 von %2</translation>
     </message>
     <message>
-        <source>Put it on from below, and let it rest.</source>
-        <translation>Von unten auflegen und ruhen lassen.</translation>
-    </message>
-    <message>
-        <source>Come down to it from above, and let it rest.</source>
-        <translation>Von oben herunterkommen und ruhen lassen.</translation>
-    </message>
-    <message>
         <source>No curve</source>
         <translation>Keine Kurve</translation>
+    </message>
+    <message>
+        <source>Undo the last point (Backspace)</source>
+        <translation>Letzten Punkt zurück (Rücktaste)</translation>
+    </message>
+    <message>
+        <source>The load cell shows</source>
+        <translation>Die Messdose zeigt</translation>
+    </message>
+    <message>
+        <source>Coming from less: set the fingers on this block, and let them rest.</source>
+        <translation>Von weniger kommend: die Finger auf dieses Endmaß setzen und ruhen lassen.</translation>
+    </message>
+    <message>
+        <source>Coming from more: set the fingers on this block, and let them rest.</source>
+        <translation>Von mehr kommend: die Finger auf dieses Endmaß setzen und ruhen lassen.</translation>
+    </message>
+    <message>
+        <source>Take everything off, and let it rest.</source>
+        <translation>Alles abnehmen und ruhen lassen.</translation>
+    </message>
+    <message>
+        <source>Press up to about this, not beyond, hold it, and type what the cell shows.</source>
+        <translation>Bis etwa hierher drücken, nicht darüber, halten und eingeben, was die Messdose zeigt.</translation>
+    </message>
+    <message>
+        <source>Give way down to about this, hold it, and type what the cell shows.</source>
+        <translation>Bis etwa hierher nachgeben, halten und eingeben, was die Messdose zeigt.</translation>
+    </message>
+    <message>
+        <source>Add weights up to this, never beyond, and let them rest.</source>
+        <translation>Gewichte bis hierher auflegen, nie darüber, und ruhen lassen.</translation>
+    </message>
+    <message>
+        <source>Take weights off down to this, never below, and let them rest.</source>
+        <translation>Gewichte bis hierher abnehmen, nie darunter, und ruhen lassen.</translation>
+    </message>
+    <message>
+        <source>● rests: it can be taken</source>
+        <translation>● ruht: kann aufgenommen werden</translation>
+    </message>
+    <message>
+        <source>◌ still moves: wait</source>
+        <translation>◌ bewegt sich noch: warten</translation>
+    </message>
+    <message>
+        <source>◌ not enough samples yet</source>
+        <translation>◌ noch zu wenige Abtastwerte</translation>
     </message>
 </context>
 <context>
@@ -3982,6 +4481,45 @@ m  %3</translation>
     <message>
         <source>failed</source>
         <translation>durchgefallen</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CheckTrendPlot</name>
+    <message>
+        <source>Error (% of tolerance)</source>
+        <translation>Fehler (% der Toleranz)</translation>
+    </message>
+    <message>
+        <source>Days</source>
+        <translation>Tage</translation>
+    </message>
+    <message>
+        <source>Checks on the reference object</source>
+        <translation>Kontrollen am Referenzobjekt</translation>
+    </message>
+    <message>
+        <source>The errors of the checks over time appear here.</source>
+        <translation>Die Fehler der Kontrollen über der Zeit erscheinen hier.</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>%1 (% of tolerance)</source>
+        <translation>%1 (% der Toleranz)</translation>
+    </message>
+    <message>
+        <source>▲ m</source>
+        <translation>▲ m</translation>
+    </message>
+    <message>
+        <source>■ b</source>
+        <translation>■ b</translation>
+    </message>
+    <message>
+        <source>● k</source>
+        <translation>● k</translation>
     </message>
 </context>
 <context>
@@ -4322,6 +4860,10 @@ sd</translation>
     <message>
         <source>Connect</source>
         <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Press the virtual gripper&apos;s button</source>
+        <translation>Knopf des virtuellen Greifers drücken</translation>
     </message>
 </context>
 <context>
@@ -5580,6 +6122,30 @@ Fit</translation>
         <source>%1 N</source>
         <translation>%L1 N</translation>
     </message>
+    <message>
+        <source>Code of %1</source>
+        <translation>Code von %1</translation>
+    </message>
+    <message>
+        <source>What a scanner reads on its parts or on its order: a GTIN, a part number. Scanned on the Inspect page, it makes %1 the expected type. Leave it empty to take the code away.</source>
+        <translation>Was ein Scanner auf den Teilen oder dem Auftrag liest: eine GTIN, eine Teilenummer. Auf der Seite Prüfen gescannt, wird %1 der erwartete Typ. Leer lassen, um den Code zu entfernen.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Code, scanned or typed</source>
+        <translation>Code, gescannt oder getippt</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Code…</source>
+        <translation>Code…</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::EstimateRegion</name>
@@ -6106,6 +6672,37 @@ Vorh. %</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::GuidedSqueezes</name>
+    <message>
+        <source>Squeezes</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Another squeeze is under way. Wait for its end, then try again.</source>
+        <translation>Ein anderer Druckversuch läuft. Das Ende abwarten, dann erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>No gripper is connected. Choose one at the top.</source>
+        <translation>Kein Greifer ist verbunden. Oben einen wählen.</translation>
+    </message>
+    <message>
+        <source>This gripper only streams, so that it cannot be measured from here.</source>
+        <translation>Dieser Greifer sendet nur und lässt sich von hier nicht messen.</translation>
+    </message>
+    <message>
+        <source>Hands clear, then arm.</source>
+        <translation>Hände weg, dann scharf schalten.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Scharf schalten</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::HeaderBar</name>
     <message>
         <source>name</source>
@@ -6168,6 +6765,191 @@ Vorh. %</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::HistoryCharts</name>
+    <message>
+        <source>of no type</source>
+        <translation>ohne Typ</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>Über der Zeit</translation>
+    </message>
+    <message>
+        <source>One after another</source>
+        <translation>Der Reihe nach</translation>
+    </message>
+    <message>
+        <source>Bands: where 95 % of the squeezes of an enrolled type lie. Bars: 95 % intervals of the squeeze. Drag to zoom, double click to see everything.</source>
+        <translation>Bänder: wo 95 % der Druckversuche eines eingelernten Typs liegen. Balken: 95-%-Intervalle des Druckversuchs. Ziehen zum Vergrößern, Doppelklick zeigt alles.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::HistoryDetails</name>
+    <message>
+        <source>The squeeze that is chosen</source>
+        <translation>Der gewählte Druckversuch</translation>
+    </message>
+    <message>
+        <source>Choose a squeeze to see all that is known of it.</source>
+        <translation>Einen Druckversuch wählen, um alles über ihn zu sehen.</translation>
+    </message>
+    <message>
+        <source>Where it comes from</source>
+        <translation>Woher er kommt</translation>
+    </message>
+    <message>
+        <source>Identified again: %1</source>
+        <translation>Neu identifiziert: %1</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Fit</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Wie</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Software</source>
+        <translation>Software</translation>
+    </message>
+    <message>
+        <source>The verdict stays the one of its day; later estimates stand beside it.</source>
+        <translation>Das Urteil bleibt das seines Tages; spätere Schätzungen stehen daneben.</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 %</source>
+        <translation>%1, %2, %3 %</translation>
+    </message>
+    <message>
+        <source>Uncertainty of m, b, k comes from</source>
+        <translation>Unsicherheit von m, b, k kommt von</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::HistoryFilterBar</name>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>In number, type, operator, gripper, source or part</source>
+        <translation>In Nummer, Typ, Bediener, Greifer, Quelle oder Teil</translation>
+    </message>
+    <message>
+        <source>Search the history</source>
+        <translation>Den Verlauf durchsuchen</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>Alle Arten</translation>
+    </message>
+    <message>
+        <source>Inspected or enrolled</source>
+        <translation>Geprüft oder eingelernt</translation>
+    </message>
+    <message>
+        <source>Inspections</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Enrolments</source>
+        <translation>Einlernungen</translation>
+    </message>
+    <message>
+        <source>All outcomes</source>
+        <translation>Alle Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>All types</source>
+        <translation>Alle Typen</translation>
+    </message>
+    <message>
+        <source>Type named, or enrolled in</source>
+        <translation>Benannter oder eingelernter Typ</translation>
+    </message>
+    <message>
+        <source>More filters</source>
+        <translation>Mehr Filter</translation>
+    </message>
+    <message>
+        <source>Any expected</source>
+        <translation>Jeder erwartete</translation>
+    </message>
+    <message>
+        <source>Expected type</source>
+        <translation>Erwarteter Typ</translation>
+    </message>
+    <message>
+        <source>All operators</source>
+        <translation>Alle Bediener</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>All grippers</source>
+        <translation>Alle Greifer</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>Any time</source>
+        <translation>Jederzeit</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Heute</translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation>Letzte 7 Tage</translation>
+    </message>
+    <message>
+        <source>Last 30 days</source>
+        <translation>Letzte 30 Tage</translation>
+    </message>
+    <message>
+        <source>From … to …</source>
+        <translation>Von … bis …</translation>
+    </message>
+    <message>
+        <source>First day</source>
+        <translation>Erster Tag</translation>
+    </message>
+    <message>
+        <source>Last day</source>
+        <translation>Letzter Tag</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>More filters (%1)</source>
+        <translation>Mehr Filter (%1)</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::HistoryModel</name>
     <message>
         <source>No.</source>
@@ -6206,12 +6988,48 @@ Vorh. %</translation>
         <translation>k</translation>
     </message>
     <message>
-        <source>Squeeze</source>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Mass m</source>
+        <translation>Masse m</translation>
+    </message>
+    <message>
+        <source>Damping b</source>
+        <translation>Dämpfung b</translation>
+    </message>
+    <message>
+        <source>Stiffness k</source>
+        <translation>Steifigkeit k</translation>
+    </message>
+    <message>
+        <source>Simulation fit</source>
+        <translation>Simulationsfit</translation>
+    </message>
+    <message>
+        <source>Length</source>
         <translation>Dauer</translation>
     </message>
     <message>
-        <source>Operator</source>
-        <translation>Bediener</translation>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>Estimator</source>
+        <translation>Schätzer</translation>
+    </message>
+    <message>
+        <source>Software</source>
+        <translation>Software</translation>
     </message>
 </context>
 <context>
@@ -6221,20 +7039,131 @@ Vorh. %</translation>
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>Filter by type, operator or source</source>
-        <translation>Nach Typ, Bediener oder Quelle filtern</translation>
+        <source>Open in Fit</source>
+        <translation>Im Fit öffnen</translation>
     </message>
     <message>
-        <source>Filter text</source>
-        <translation>Filtertext</translation>
+        <source>Nothing matches the filters</source>
+        <translation>Nichts passt zu den Filtern</translation>
     </message>
     <message>
-        <source>All verdicts</source>
-        <translation>Alle Urteile</translation>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
     </message>
     <message>
-        <source>A type named</source>
-        <translation>Ein Typ benannt</translation>
+        <source>List</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Identify the recording of the chosen squeeze again and look at it (Enter)</source>
+        <translation>Die Aufnahme des gewählten Druckversuchs neu identifizieren und ansehen (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Identify again…</source>
+        <translation>Neu bestimmen…</translation>
+    </message>
+    <message>
+        <source>The selected squeezes with another estimator</source>
+        <translation>Die gewählten Druckversuche mit einem anderen Schätzer</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>All that is listed, as CSV…</source>
+        <translation>Alles Gelistete als CSV…</translation>
+    </message>
+    <message>
+        <source>Export as CSV</source>
+        <translation>Als CSV exportieren</translation>
+    </message>
+    <message>
+        <source>All that is listed, as JSON…</source>
+        <translation>Alles Gelistete als JSON…</translation>
+    </message>
+    <message>
+        <source>Export as JSON</source>
+        <translation>Als JSON exportieren</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Report as PDF…</source>
+        <translation>Bericht als PDF…</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Recordings of the selected squeezes…</source>
+        <translation>Aufnahmen der gewählten Druckversuche…</translation>
+    </message>
+    <message>
+        <source>No squeezes yet</source>
+        <translation>Noch keine Druckversuche</translation>
+    </message>
+    <message>
+        <source>Squeeze a part on the Inspect page, or enroll a type: every squeeze is kept here.</source>
+        <translation>Auf der Seite Prüfen ein Teil drücken oder einen Typ einlernen: Jeder Druckversuch wird hier aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Clear the search and the filters to see every squeeze.</source>
+        <translation>Suche und Filter leeren, um alle Druckversuche zu sehen.</translation>
+    </message>
+    <message>
+        <source>Folder for the recordings</source>
+        <translation>Ordner für die Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Squeezes written to %1</source>
+        <translation>Druckversuche nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing recordings</source>
+        <translation>Aufnahmen werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Recordings written to %1</source>
+        <translation>Aufnahmen nach %1 geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::HistoryReport</name>
+    <message>
+        <source>%1 of %2 (%3); with 95 % confidence each at least %4, at most %5</source>
+        <translation>%1 von %2 (%3); mit je 95 % Vertrauen mindestens %4, höchstens %5</translation>
+    </message>
+    <message>
+        <source>Inspected</source>
+        <translation>Geprüft</translation>
+    </message>
+    <message>
+        <source>As expected</source>
+        <translation>Wie erwartet</translation>
+    </message>
+    <message>
+        <source>Other type</source>
+        <translation>Anderer Typ</translation>
     </message>
     <message>
         <source>Unknown</source>
@@ -6245,32 +7174,186 @@ Vorh. %</translation>
         <translation>Unentschieden</translation>
     </message>
     <message>
-        <source>Not valid</source>
-        <translation>Ungültig</translation>
+        <source>Measurement not valid</source>
+        <translation>Messung ungültig</translation>
     </message>
     <message>
-        <source>Verdicts to show</source>
-        <translation>Zu zeigende Urteile</translation>
+        <source>Enrolled</source>
+        <translation>Eingelernt</translation>
     </message>
     <message>
-        <source>Open in Fit</source>
-        <translation>Im Fit öffnen</translation>
+        <source>Squeezes</source>
+        <translation>Versuche</translation>
     </message>
     <message>
-        <source>Identify the stored recording of the selected row again (Enter)</source>
-        <translation>Die gespeicherte Aufnahme der gewählten Zeile neu identifizieren (Eingabetaste)</translation>
+        <source>all</source>
+        <translation>alle</translation>
     </message>
     <message>
-        <source>Export CSV…</source>
-        <translation>CSV-Export…</translation>
+        <source>From, to</source>
+        <translation>Von, bis</translation>
     </message>
     <message>
-        <source>Write all rows that match the filters to a file</source>
-        <translation>Alle Zeilen, die zu den Filtern passen, in eine Datei schreiben</translation>
+        <source>not named</source>
+        <translation>nicht genannt</translation>
     </message>
     <message>
-        <source>Inspections, newest first</source>
-        <translation>Prüfungen, neueste zuerst</translation>
+        <source>not calibrated here: its own scale is taken</source>
+        <translation>hier nicht kalibriert: Es gilt die eigene Skala</translation>
+    </message>
+    <message>
+        <source>taken %1 by %2 against %3, holds until %4</source>
+        <translation>aufgenommen am %1 von %2 gegen %3, gilt bis %4</translation>
+    </message>
+    <message>
+        <source>Operators</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>Force, in force now</source>
+        <translation>Kraft, jetzt gültig</translation>
+    </message>
+    <message>
+        <source>Position, in force now</source>
+        <translation>Weg, jetzt gültig</translation>
+    </message>
+    <message>
+        <source>Types as they are enrolled</source>
+        <translation>Typen, wie sie eingelernt sind</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>95 % of squeezes</source>
+        <translation>95 % der Druckversuche</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Software</source>
+        <translation>Software</translation>
+    </message>
+    <message>
+        <source>Report of squeezes</source>
+        <translation>Bericht über Druckversuche</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>Zählungen</translation>
+    </message>
+    <message>
+        <source>Who and with what</source>
+        <translation>Wer und womit</translation>
+    </message>
+    <message>
+        <source>Made %1 by %2 with Gripscope %3 from %4. Each squeeze keeps the version it was identified with.</source>
+        <translation>Erstellt am %1 von %2 mit Gripscope %3 aus %4. Jeder Druckversuch behält die Version, mit der er identifiziert wurde.</translation>
+    </message>
+    <message>
+        <source>somebody not named</source>
+        <translation>jemand Ungenanntem</translation>
+    </message>
+    <message>
+        <source>m, b and k over time</source>
+        <translation>m, b und k über der Zeit</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2; an export as CSV or JSON holds all.</source>
+        <translation>Die ersten %1 von %2; ein Export als CSV oder JSON enthält alle.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::HistoryTable</name>
+    <message>
+        <source>Squeezes</source>
+        <translation>Versuche</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::HistoryWords</name>
+    <message>
+        <source>inspection</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>enrolment</source>
+        <translation>Einlernung</translation>
+    </message>
+    <message>
+        <source>Inspection %1</source>
+        <translation>Prüfung %1</translation>
+    </message>
+    <message>
+        <source>%1, part %2</source>
+        <translation>%1, Teil %2</translation>
+    </message>
+    <message>
+        <source>%1, enrolled %2</source>
+        <translation>%1, Einlernung %2</translation>
+    </message>
+    <message>
+        <source>hold as recorded</source>
+        <translation>Kraftverlauf wie aufgenommen</translation>
+    </message>
+    <message>
+        <source>force held between samples</source>
+        <translation>Kraft gehalten</translation>
+    </message>
+    <message>
+        <source>force straight between samples</source>
+        <translation>Kraft gerade</translation>
+    </message>
+    <message>
+        <source>free start</source>
+        <translation>freier Anfang</translation>
+    </message>
+    <message>
+        <source>starts at rest</source>
+        <translation>beginnt in Ruhe</translation>
+    </message>
+    <message>
+        <source>free offset</source>
+        <translation>freier Nullpunkt</translation>
+    </message>
+    <message>
+        <source>no offset</source>
+        <translation>kein Nullpunkt</translation>
     </message>
     <message>
         <source>%1 inspected</source>
@@ -6281,56 +7364,147 @@ Vorh. %</translation>
         <translation>%1 wie erwartet</translation>
     </message>
     <message>
-        <source>other type</source>
-        <translation>anderer Typ</translation>
+        <source>%1 other type</source>
+        <translation>%1 anderer Typ</translation>
     </message>
     <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
+        <source>%1 unknown</source>
+        <translation>%1 unbekannt</translation>
     </message>
     <message>
-        <source>inconclusive</source>
-        <translation>unentschieden</translation>
+        <source>%1 inconclusive</source>
+        <translation>%1 unentschieden</translation>
     </message>
     <message>
-        <source>not valid</source>
-        <translation>ungültig</translation>
+        <source>%1 not valid</source>
+        <translation>%1 ungültig</translation>
     </message>
     <message>
-        <source>%1 match the filters</source>
-        <translation>%1 passen zu den Filtern</translation>
+        <source>%1 enrolled</source>
+        <translation>%1 eingelernt</translation>
     </message>
     <message>
-        <source>Nothing matches the filters</source>
-        <translation>Nichts passt zu den Filtern</translation>
+        <source>Text</source>
+        <translation>Text</translation>
     </message>
     <message>
-        <source>No inspections yet</source>
-        <translation>Noch keine Prüfungen</translation>
+        <source>Kind</source>
+        <translation>Art</translation>
     </message>
     <message>
-        <source>Clear the text or choose all verdicts.</source>
-        <translation>Den Text löschen oder alle Urteile wählen.</translation>
+        <source>Outcome</source>
+        <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>Squeeze a part on the Inspect page: every verdict is kept here.</source>
-        <translation>Auf der Seite Prüfen ein Teil drücken: Jedes Urteil wird hier aufbewahrt.</translation>
+        <source>Type</source>
+        <translation>Typ</translation>
     </message>
     <message>
-        <source>Inspection %1</source>
-        <translation>Prüfung %1</translation>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
     </message>
     <message>
-        <source>Export inspections</source>
-        <translation>Prüfungen exportieren</translation>
+        <source>Operator</source>
+        <translation>Bediener</translation>
     </message>
     <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
     </message>
     <message>
-        <source>Inspections written to %1</source>
-        <translation>Prüfungen nach %1 geschrieben</translation>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>enrolment, dropped</source>
+        <translation>Einlernung, verworfen</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>Wahrsch.</translation>
+    </message>
+    <message>
+        <source>Distance, gate</source>
+        <translation>Abstand, Grenze</translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation>Raten</translation>
+    </message>
+    <message>
+        <source>false reject %1, wrong type %2</source>
+        <translation>Fehlrückweisung %1, Verwechslung %2</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Abtastwerte</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Calibration, %1</source>
+        <translation>Kalibrierung, %1</translation>
+    </message>
+    <message>
+        <source>Software</source>
+        <translation>Software</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::HistoryWork</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1: %2 von %3</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Report written to %1</source>
+        <translation>Bericht nach %1 geschrieben</translation>
     </message>
 </context>
 <context>
@@ -6452,6 +7626,57 @@ Vorh. %</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::InspectBatch</name>
+    <message>
+        <source>Progress of the batch</source>
+        <translation>Fortschritt des Loses</translation>
+    </message>
+    <message>
+        <source>End…</source>
+        <translation>Ende…</translation>
+    </message>
+    <message>
+        <source>End the batch</source>
+        <translation>Los beenden</translation>
+    </message>
+    <message>
+        <source>Begin a batch…</source>
+        <translation>Los beginnen…</translation>
+    </message>
+    <message>
+        <source>Batch %1 is complete</source>
+        <translation>Los %1 ist vollständig</translation>
+    </message>
+    <message>
+        <source>Batch %1 was ended</source>
+        <translation>Los %1 wurde beendet</translation>
+    </message>
+    <message>
+        <source>Batch %1</source>
+        <translation>Los %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>End batch %1 at %2 of %3?</source>
+        <translation>Los %1 bei %2 von %3 beenden?</translation>
+    </message>
+    <message>
+        <source>What was inspected is kept. A batch that was ended cannot go on.</source>
+        <translation>Das Geprüfte bleibt erhalten. Ein beendetes Los kann nicht weitergehen.</translation>
+    </message>
+    <message>
+        <source>End it</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Go on inspecting</source>
+        <translation>Weiter prüfen</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::InspectMeasurement</name>
     <message>
         <source>stiffness k (95 %)</source>
@@ -6465,6 +7690,10 @@ Vorh. %</translation>
         <source>moving mass m (95 %)</source>
         <translation>bewegte Masse m (95 %)</translation>
     </message>
+    <message>
+        <source>This says nothing about the part: it is neither good nor bad. The squeeze is kept under its number, but counts neither in the yield nor towards the batch.</source>
+        <translation>Das sagt nichts über das Teil: Es ist weder gut noch schlecht. Der Druckversuch bleibt unter seiner Nummer erhalten, zählt aber weder zur Ausbeute noch zum Los.</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::InspectPage</name>
@@ -6475,14 +7704,6 @@ Vorh. %</translation>
     <message>
         <source>Expected</source>
         <translation>Erwartet</translation>
-    </message>
-    <message>
-        <source>Expected type</source>
-        <translation>Erwarteter Typ</translation>
-    </message>
-    <message>
-        <source>nothing expected</source>
-        <translation>nichts erwartet</translation>
     </message>
     <message>
         <source>Rates…</source>
@@ -6521,37 +7742,24 @@ Vorh. %</translation>
         <translation>Prüfung %1</translation>
     </message>
     <message>
-        <source>Esc or STOP ends it at once</source>
-        <translation>Esc oder STOPP beendet ihn sofort</translation>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
     <message>
-        <source>Reading the library…</source>
-        <translation>Die Bibliothek wird gelesen…</translation>
+        <source>at most %1 s</source>
+        <translation>höchstens %1 s</translation>
     </message>
     <message>
-        <source>No types yet</source>
-        <translation>Noch keine Typen</translation>
+        <source>about %1 s, at most %2 s</source>
+        <translation>etwa %1 s, höchstens %2 s</translation>
     </message>
     <message>
-        <source>Enroll at least one type (Ctrl+3), then inspect parts</source>
-        <translation>Mindestens einen Typ einlernen (Strg+3), dann Teile prüfen</translation>
+        <source>Squeeze again (Space)</source>
+        <translation>Erneut drücken (Leertaste)</translation>
     </message>
-    <message>
-        <source>Not armed</source>
-        <translation>Nicht scharf</translation>
-    </message>
-    <message>
-        <source>Place the part, hands clear, then arm the gripper</source>
-        <translation>Teil einlegen, Hände weg, dann den Greifer scharf schalten</translation>
-    </message>
-    <message>
-        <source>Ready</source>
-        <translation>Bereit</translation>
-    </message>
-    <message>
-        <source>Place the part, then squeeze: %1</source>
-        <translation>Teil einlegen, dann drücken: %1</translation>
-    </message>
+</context>
+<context>
+    <name>gripscope::InspectReason</name>
     <message>
         <source>posterior of %1: %2</source>
         <translation>P(%1) = %2</translation>
@@ -6563,18 +7771,6 @@ Vorh. %</translation>
     <message>
         <source>decided after %1 s</source>
         <translation>entschieden nach %1 s</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>at most %1 s</source>
-        <translation>höchstens %1 s</translation>
-    </message>
-    <message>
-        <source>about %1 s, at most %2 s</source>
-        <translation>etwa %1 s, höchstens %2 s</translation>
     </message>
     <message>
         <source>Held to: false-reject %1 (%2), wrong-type %3, stranger-accept %4</source>
@@ -6596,16 +7792,8 @@ Vorh. %</translation>
         <translation>Noch wurde kein Teil geprüft. Jeder Druckversuch steht dann hier mit seinem Urteil.</translation>
     </message>
     <message>
-        <source>The last 50, newest on the right</source>
-        <translation>Die letzten 50, das neueste rechts</translation>
-    </message>
-    <message>
         <source>%1 inspected</source>
         <translation>%1 geprüft</translation>
-    </message>
-    <message>
-        <source>%1 as expected</source>
-        <translation>%1 wie erwartet</translation>
     </message>
     <message>
         <source>%1: %2 of %3, so at most %4</source>
@@ -6635,6 +7823,10 @@ Vorh. %</translation>
         <source>Inspection %1</source>
         <translation>Prüfung %1</translation>
     </message>
+    <message>
+        <source>The last 20, the newest framed</source>
+        <translation>Die letzten 20, das neueste umrahmt</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::InspectionList</name>
@@ -6647,15 +7839,8 @@ Vorh. %</translation>
         <translation>Letzte Prüfungen</translation>
     </message>
     <message>
-        <source>Press Enter or double-click to see a squeeze on the Fit page</source>
-        <translation>Eingabetaste oder Doppelklick zeigt einen Druckversuch auf der Seite Fit</translation>
-    </message>
-</context>
-<context>
-    <name>gripscope::InspectionListModel</name>
-    <message>
-        <source>Inspection %1: %2 %3</source>
-        <translation>Prüfung %1: %2 %3</translation>
+        <source>Click a line to see its squeeze on the Fit page</source>
+        <translation>Eine Zeile anklicken, um den Druckversuch auf der Seite Fit zu sehen</translation>
     </message>
 </context>
 <context>
@@ -6680,16 +7865,8 @@ Vorh. %</translation>
         <translation>Ein Greifer tastet den Weg etwas später ab als die Kraft. Ein unbekannter Zeitversatz von 100 µs ändert die Masse einer Dose um ein Zehntel. Etwas Festes greifen, eine Feder oder eine Dose beliebigen Typs, und dort lassen: Der Greifer drückt sie %1-mal, mit %2 ± %3 N, je %4 s lang.</translation>
     </message>
     <message>
-        <source>Squeezes</source>
-        <translation>Druckversuche</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Another squeeze is under way. Wait for its end, then try again.</source>
-        <translation>Ein anderer Druckversuch läuft. Das Ende abwarten, dann erneut versuchen.</translation>
     </message>
     <message>
         <source>The position is sampled %1 (95 %) later than the force.</source>
@@ -6698,26 +7875,6 @@ Vorh. %</translation>
     <message>
         <source>In use: %1. It is kept for gripper %2, and its uncertainty goes into every error bar.</source>
         <translation>In Gebrauch: %1. Er gilt für Greifer %2, und seine Unsicherheit geht in jeden Fehlerbalken ein.</translation>
-    </message>
-    <message>
-        <source>No gripper is connected. Close this, and choose one at the top.</source>
-        <translation>Kein Greifer ist verbunden. Dies schließen und oben einen wählen.</translation>
-    </message>
-    <message>
-        <source>This gripper only streams, so that it cannot be measured from here.</source>
-        <translation>Dieser Greifer sendet nur und lässt sich von hier nicht messen.</translation>
-    </message>
-    <message>
-        <source>Hands clear, then arm.</source>
-        <translation>Hände weg, dann scharf schalten.</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Arm</source>
-        <translation>Scharf schalten</translation>
     </message>
     <message>
         <source>Use this lag</source>
@@ -6838,12 +7995,34 @@ Vorh. %</translation>
         <translation>tariert</translation>
     </message>
     <message>
+        <source>What this program asks of the gripper while it squeezes; without tare</source>
+        <translation>Was dieses Programm vom Greifer verlangt, während er drückt; ohne Tara</translation>
+    </message>
+    <message>
+        <source>0 s</source>
+        <translation>0 s</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
         <source>in view
-highest %1 %3
-lowest %2 %3</source>
+%1 to %2 %3</source>
         <translation>im Bild
-höchste %1 %3
-kleinste %2 %3</translation>
+%1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>commanded %1 %2</source>
+        <translation>verlangt %1 %2</translation>
+    </message>
+    <message>
+        <source>commanded</source>
+        <translation>verlangt</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>%1 bis %2 %3</translation>
     </message>
 </context>
 <context>
@@ -6941,6 +8120,144 @@ kleinste %2 %3</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::LiveMarkerModel</name>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Worte</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::LiveMeasurePanel</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Time from A to B</source>
+        <translation>Zeit von A bis B</translation>
+    </message>
+    <message>
+        <source>Change of force from A to B</source>
+        <translation>Änderung der Kraft von A bis B</translation>
+    </message>
+    <message>
+        <source>Change of position from A to B</source>
+        <translation>Änderung des Wegs von A bis B</translation>
+    </message>
+    <message>
+        <source>Slope: change of force over change of position</source>
+        <translation>Steigung: Kraftänderung durch Wegänderung</translation>
+    </message>
+    <message>
+        <source>The stiffness, where the part is at rest at A and at B; while it moves, mass and damping are in it too</source>
+        <translation>Die Steifigkeit, wenn das Teil bei A und bei B ruht; in Bewegung stecken auch Masse und Dämpfung darin</translation>
+    </message>
+    <message>
+        <source>Slope dF/dx</source>
+        <translation>Steigung dF/dx</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Time of cursor %1, seconds</source>
+        <translation>Zeit des Cursors %1, Sekunden</translation>
+    </message>
+    <message>
+        <source>Cursor A: drag it, or Shift and the arrows in a chart</source>
+        <translation>Cursor A: ziehen, oder Umschalt und Pfeiltasten im Diagramm</translation>
+    </message>
+    <message>
+        <source>Cursor B: drag it, or Ctrl and the arrows in a chart</source>
+        <translation>Cursor B: ziehen, oder Strg und Pfeiltasten im Diagramm</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Force at cursor %1</source>
+        <translation>Kraft am Cursor %1</translation>
+    </message>
+    <message>
+        <source>Position at cursor %1</source>
+        <translation>Weg am Cursor %1</translation>
+    </message>
+    <message>
+        <source>Show less time (+)</source>
+        <translation>Weniger Zeit zeigen (+)</translation>
+    </message>
+    <message>
+        <source>Show more time (−)</source>
+        <translation>Mehr Zeit zeigen (−)</translation>
+    </message>
+    <message>
+        <source>Earlier (left arrow)</source>
+        <translation>Früher (Pfeil links)</translation>
+    </message>
+    <message>
+        <source>Later (right arrow)</source>
+        <translation>Später (Pfeil rechts)</translation>
+    </message>
+    <message>
+        <source>All as it was paused (Home)</source>
+        <translation>Alles wie angehalten (Pos1)</translation>
+    </message>
+    <message>
+        <source>Cursors into view</source>
+        <translation>Cursor ins Bild</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Saves what is in view as a recording (CSV), as far as it is kept sample by sample: the last minute</source>
+        <translation>Speichert das Sichtbare als Aufnahme (CSV), soweit es Wert für Wert aufbewahrt ist: die letzte Minute</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Markers (M drops one); a double click on the words changes them</source>
+        <translation>Marken (M setzt eine); Doppelklick auf die Worte ändert sie</translation>
+    </message>
+    <message>
+        <source>Remove the selected markers</source>
+        <translation>Gewählte Marken entfernen</translation>
+    </message>
+    <message>
+        <source>Saving…</source>
+        <translation>Speichert…</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::LivePage</name>
     <message>
         <source>Live</source>
@@ -7022,6 +8339,61 @@ kleinste %2 %3</translation>
         <source>Tared</source>
         <translation>Tariert</translation>
     </message>
+    <message>
+        <source>Holds the charts, to zoom, move and measure in them; measuring goes on</source>
+        <translation>Hält die Diagramme an, um darin zu vergrößern, zu verschieben und zu messen; das Messen geht weiter</translation>
+    </message>
+    <message>
+        <source>Drop a marker (M): at the newest sample, or at the cursor moved last</source>
+        <translation>Eine Marke setzen (M): beim neuesten Abtastwert oder am zuletzt bewegten Cursor</translation>
+    </message>
+    <message>
+        <source>A marker needs something measured. Connect a gripper first.</source>
+        <translation>Eine Marke braucht etwas Gemessenes. Erst einen Greifer verbinden.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::LivePause</name>
+    <message>
+        <source>A</source>
+        <comment>first cursor</comment>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <comment>second cursor</comment>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>position does not change</source>
+        <translation>Weg ändert sich nicht</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::LiveSave</name>
+    <message>
+        <source>Nothing in view is kept sample by sample any more: that is done for the last minute. Show a later time, then save again.</source>
+        <translation>Nichts Sichtbares ist noch Wert für Wert aufbewahrt: Das geschieht für die letzte Minute. Eine spätere Zeit zeigen, dann erneut speichern.</translation>
+    </message>
+    <message>
+        <source>Save what is in view</source>
+        <translation>Sichtbares speichern</translation>
+    </message>
+    <message>
+        <source>Recording (*.csv)</source>
+        <translation>Aufnahme (*.csv)</translation>
+    </message>
+    <message>
+        <source>Saved as %1: the last %2 s of what is in view. What was before is no longer kept sample by sample.</source>
+        <translation>Gespeichert als %1: die letzten %2 s des Sichtbaren. Das davor ist nicht mehr Wert für Wert aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Saved as %1: %2 s.</source>
+        <translation>Gespeichert als %1: %2 s.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::LiveTrial</name>
     <message>
         <source>Another squeeze is under way. Wait for its end, then try again.</source>
         <translation>Ein anderer Druckversuch läuft. Das Ende abwarten, dann erneut versuchen.</translation>
@@ -7605,6 +8977,120 @@ kleinste %2 %3</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::ReferenceCheckModel</name>
+    <message>
+        <source>Made</source>
+        <translation>Gemacht</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>k, error</source>
+        <translation>k, Fehler</translation>
+    </message>
+    <message>
+        <source>b, error</source>
+        <translation>b, Fehler</translation>
+    </message>
+    <message>
+        <source>m, error</source>
+        <translation>m, Fehler</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Von</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ReferenceDialog</name>
+    <message>
+        <source>Use this object</source>
+        <translation>Dieses Objekt nehmen</translation>
+    </message>
+    <message>
+        <source>Reference object</source>
+        <translation>Referenzobjekt</translation>
+    </message>
+    <message>
+        <source>for instance Spring S-12</source>
+        <translation>zum Beispiel Feder S-12</translation>
+    </message>
+    <message>
+        <source>number, if it has one</source>
+        <translation>Nummer, falls vorhanden</translation>
+    </message>
+    <message>
+        <source>4 hours</source>
+        <translation>4 Stunden</translation>
+    </message>
+    <message>
+        <source>8 hours (a shift)</source>
+        <translation>8 Stunden (eine Schicht)</translation>
+    </message>
+    <message>
+        <source>24 hours</source>
+        <translation>24 Stunden</translation>
+    </message>
+    <message>
+        <source>a week</source>
+        <translation>eine Woche</translation>
+    </message>
+    <message>
+        <source>no check is asked for</source>
+        <translation>keine Kontrolle verlangt</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Its certificate</source>
+        <translation>Ihr Zertifikat</translation>
+    </message>
+    <message>
+        <source>Stated</source>
+        <translation>Angegeben</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty</source>
+        <translation>Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>May differ by</source>
+        <translation>Darf abweichen um</translation>
+    </message>
+    <message>
+        <source>Preload</source>
+        <translation>Vorlast</translation>
+    </message>
+    <message>
+        <source>Push and release</source>
+        <translation>Drücken und Nachlassen</translation>
+    </message>
+    <message>
+        <source>Squeezes</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>A check holds for</source>
+        <translation>Eine Kontrolle gilt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>%1, standard uncertainty</source>
+        <translation>%1, Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>%1, may differ by</source>
+        <translation>%1, darf abweichen um</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::RegionPlot</name>
     <message>
         <source>95 % joint region of m, b and k</source>
@@ -7637,6 +9123,125 @@ kleinste %2 %3</translation>
     <message>
         <source>%1: m, b, k (%)</source>
         <translation>%1: m, b, k (%)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ReidentifyDialog</name>
+    <message>
+        <source>Identify again</source>
+        <translation>Neu bestimmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n squeeze(s) with another estimator. Nothing that was stored changes: what you keep is stored beside it, with your name, and verdicts stay as they were.</source>
+        <translation>
+            <numerusform>%n Druckversuch mit einem anderen Schätzer. Nichts Gespeichertes ändert sich: Was behalten wird, steht mit Namen daneben, und Urteile bleiben.</numerusform>
+            <numerusform>%n Druckversuche mit einem anderen Schätzer. Nichts Gespeichertes ändert sich: Was behalten wird, steht mit Namen daneben, und Urteile bleiben.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stored and found now</source>
+        <translation>Gespeichert und jetzt gefunden</translation>
+    </message>
+    <message>
+        <source>Squeezes done</source>
+        <translation>Erledigte Druckversuche</translation>
+    </message>
+    <message>
+        <source>Estimator</source>
+        <translation>Schätzer</translation>
+    </message>
+    <message>
+        <source>Force between samples</source>
+        <translation>Kraftverlauf</translation>
+    </message>
+    <message>
+        <source>Hold as recorded</source>
+        <translation>Kraftverlauf wie aufgenommen</translation>
+    </message>
+    <message>
+        <source>Force held</source>
+        <translation>Kraft gehalten</translation>
+    </message>
+    <message>
+        <source>Force straight</source>
+        <translation>Kraft gerade</translation>
+    </message>
+    <message>
+        <source>Start of the squeeze</source>
+        <translation>Anfang des Druckversuchs</translation>
+    </message>
+    <message>
+        <source>Free start</source>
+        <translation>Freier Anfang</translation>
+    </message>
+    <message>
+        <source>Starts at rest</source>
+        <translation>Beginnt in Ruhe</translation>
+    </message>
+    <message>
+        <source>Free offset</source>
+        <translation>Freier Nullpunkt</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Keep these estimates</source>
+        <translation>Schätzungen behalten</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>Identifizieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n estimate(s) stored beside the first ones.</source>
+        <translation>
+            <numerusform>%n Schätzung neben den ersten gespeichert.</numerusform>
+            <numerusform>%n Schätzungen neben den ersten gespeichert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 done, m, b and k found in %3.</source>
+        <translation>%1 von %2 erledigt, m, b und k in %3 gefunden.</translation>
+    </message>
+    <message>
+        <source>The first line of a cell is what is stored, the second what is found now.</source>
+        <translation>Die erste Zeile einer Zelle ist das Gespeicherte, die zweite das jetzt Gefundene.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ReidentifyJob</name>
+    <message>
+        <source>no recording was stored with it</source>
+        <translation>ohne gespeicherte Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ReidentifyModel</name>
+    <message>
+        <source>Squeeze</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>m: stored, now</source>
+        <translation>m: alt, neu</translation>
+    </message>
+    <message>
+        <source>b: stored, now</source>
+        <translation>b: alt, neu</translation>
+    </message>
+    <message>
+        <source>k: stored, now</source>
+        <translation>k: alt, neu</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Fit</translation>
     </message>
 </context>
 <context>
@@ -8267,6 +9872,25 @@ kleinste %2 %3</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::SoundButton</name>
+    <message>
+        <source>Sound on</source>
+        <translation>Ton an</translation>
+    </message>
+    <message>
+        <source>Sound off</source>
+        <translation>Ton aus</translation>
+    </message>
+    <message>
+        <source>Each verdict is heard. Click to switch the sound off.</source>
+        <translation>Jedes Urteil ist zu hören. Klicken schaltet den Ton aus.</translation>
+    </message>
+    <message>
+        <source>Verdicts are silent. Click to switch the sound on.</source>
+        <translation>Urteile sind stumm. Klicken schaltet den Ton an.</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::SpaceClustering</name>
     <message>
         <source>Clusters need at least two squeezes. Enrol some more.</source>
@@ -8342,6 +9966,10 @@ kleinste %2 %3</translation>
         <source>%1 inspected</source>
         <translation>%1 geprüft</translation>
     </message>
+    <message>
+        <source>library %1 v%2</source>
+        <translation>Bibliothek %1 v%2</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::StepBar</name>
@@ -8400,16 +10028,12 @@ kleinste %2 %3</translation>
 <context>
     <name>gripscope::StripChart</name>
     <message>
-        <source>now</source>
-        <translation>jetzt</translation>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
     </message>
     <message>
-        <source> min</source>
-        <translation> min</translation>
-    </message>
-    <message>
-        <source> s</source>
-        <translation> s</translation>
+        <source>%1 s</source>
+        <translation>%L1 s</translation>
     </message>
 </context>
 <context>
@@ -8417,6 +10041,28 @@ kleinste %2 %3</translation>
     <message>
         <source>Time (s)</source>
         <translation>Zeit (s)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::TrendPlot</name>
+    <message>
+        <source>Mass m</source>
+        <translation>Masse m</translation>
+    </message>
+    <message>
+        <source>Damping b</source>
+        <translation>Dämpfung b</translation>
+    </message>
+    <message>
+        <source>Stiffness k</source>
+        <translation>Steifigkeit k</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::TrendView</name>
+    <message>
+        <source>Mass, damping and stiffness of the squeezes</source>
+        <translation>Masse, Dämpfung und Steifigkeit der Druckversuche</translation>
     </message>
 </context>
 <context>
@@ -8440,6 +10086,21 @@ kleinste %2 %3</translation>
     <message>
         <source>   part %1</source>
         <translation>   Teil %1</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::TypeChooser</name>
+    <message>
+        <source>Expected type</source>
+        <translation>Erwarteter Typ</translation>
+    </message>
+    <message>
+        <source>Choose a type, type part of its name, or scan its code anywhere on this page</source>
+        <translation>Einen Typ wählen, einen Teil seines Namens tippen oder seinen Code irgendwo auf dieser Seite scannen</translation>
+    </message>
+    <message>
+        <source>nothing expected</source>
+        <translation>nichts erwartet</translation>
     </message>
 </context>
 <context>
@@ -8853,6 +10514,10 @@ kleinste %2 %3</translation>
             <numerusform>Der Datenträger ist zu langsam: %n Report dieser Sitzung wird nicht aufbewahrt. Das Messen geht weiter.</numerusform>
             <numerusform>Der Datenträger ist zu langsam: %n Reports dieser Sitzung werden nicht aufbewahrt. Das Messen geht weiter.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Check on the reference spring: %1 Make it on the Calibrate page.</source>
+        <translation>Kontrolle an der Referenzfeder: %1 Auf der Seite Kalibrieren machen.</translation>
     </message>
 </context>
 <context>
