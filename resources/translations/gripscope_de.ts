@@ -3562,6 +3562,310 @@ m  %3</translation>
         <source>button</source>
         <translation>Knopf</translation>
     </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>Before entry %1 at least one entry was removed.</source>
+        <translation>Vor Eintrag %1 wurde mindestens ein Eintrag entfernt.</translation>
+    </message>
+    <message>
+        <source>Entry %1 does not follow from the one before it: an entry was removed, put in or exchanged.</source>
+        <translation>Eintrag %1 folgt nicht aus dem davor: Ein Eintrag wurde entfernt, eingefügt oder vertauscht.</translation>
+    </message>
+    <message>
+        <source>Entry %1 was changed after it was written.</source>
+        <translation>Eintrag %1 wurde geändert, nachdem er geschrieben war.</translation>
+    </message>
+    <message>
+        <source>From entry %1 on entries are missing at the end: this computer has seen more of them.</source>
+        <translation>Ab Eintrag %1 fehlen Einträge am Ende: Dieser Rechner hat schon mehr davon gesehen.</translation>
+    </message>
+    <message>
+        <source>Entry %1 is not the one that this computer has seen: the trail was written anew, or another library was put in its place.</source>
+        <translation>Eintrag %1 ist nicht der, den dieser Rechner gesehen hat: Das Protokoll wurde neu geschrieben, oder eine andere Bibliothek liegt an ihrer Stelle.</translation>
+    </message>
+    <message>
+        <source>The audit trail is not in order. %1 Keep the library as it is, compare it with a copy, and tell whoever answers for quality.</source>
+        <translation>Das Änderungsprotokoll ist nicht in Ordnung. %1 Die Bibliothek lassen, wie sie ist, mit einer Kopie vergleichen und die Qualitätsverantwortlichen verständigen.</translation>
+    </message>
+    <message>
+        <source>The audit trail is empty.</source>
+        <translation>Das Änderungsprotokoll ist leer.</translation>
+    </message>
+    <message>
+        <source>All %1 entries are as they were written, in order and without a gap.</source>
+        <translation>Alle %1 Einträge sind, wie sie geschrieben wurden, in der richtigen Folge und ohne Lücke.</translation>
+    </message>
+    <message>
+        <source>%1 The end agrees with what this computer has seen.</source>
+        <translation>%1 Das Ende stimmt mit dem überein, was dieser Rechner gesehen hat.</translation>
+    </message>
+    <message>
+        <source>%1 This computer has not seen this library before: whether entries are missing at the end cannot be told here.</source>
+        <translation>%1 Dieser Rechner hat diese Bibliothek noch nicht gesehen: Ob am Ende Einträge fehlen, ist hier nicht zu erkennen.</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>Signed in</source>
+        <translation>Angemeldet</translation>
+    </message>
+    <message>
+        <source>Signed out</source>
+        <translation>Abgemeldet</translation>
+    </message>
+    <message>
+        <source>Wrong PIN or password</source>
+        <translation>Falsche PIN oder falsches Passwort</translation>
+    </message>
+    <message>
+        <source>Authorised</source>
+        <translation>Genehmigt</translation>
+    </message>
+    <message>
+        <source>Person added</source>
+        <translation>Person hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Role changed</source>
+        <translation>Rolle geändert</translation>
+    </message>
+    <message>
+        <source>PIN or password changed</source>
+        <translation>PIN oder Passwort geändert</translation>
+    </message>
+    <message>
+        <source>Person deactivated</source>
+        <translation>Person gesperrt</translation>
+    </message>
+    <message>
+        <source>Person reactivated</source>
+        <translation>Person entsperrt</translation>
+    </message>
+    <message>
+        <source>Rates changed</source>
+        <translation>Raten geändert</translation>
+    </message>
+    <message>
+        <source>Setting changed</source>
+        <translation>Einstellung geändert</translation>
+    </message>
+    <message>
+        <source>Calibration accepted</source>
+        <translation>Kalibrierung übernommen</translation>
+    </message>
+    <message>
+        <source>Reference object stated</source>
+        <translation>Referenzteil angegeben</translation>
+    </message>
+    <message>
+        <source>Gripper&apos;s channels measured</source>
+        <translation>Kanäle des Greifers vermessen</translation>
+    </message>
+    <message>
+        <source>Type added</source>
+        <translation>Typ hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Squeeze enrolled</source>
+        <translation>Druckversuch eingelernt</translation>
+    </message>
+    <message>
+        <source>Squeeze dropped</source>
+        <translation>Druckversuch verworfen</translation>
+    </message>
+    <message>
+        <source>Squeeze put back</source>
+        <translation>Druckversuch zurückgeholt</translation>
+    </message>
+    <message>
+        <source>Recipe changed</source>
+        <translation>Rezept geändert</translation>
+    </message>
+    <message>
+        <source>Type approved</source>
+        <translation>Typ freigegeben</translation>
+    </message>
+    <message>
+        <source>Type renamed</source>
+        <translation>Typ umbenannt</translation>
+    </message>
+    <message>
+        <source>Types merged</source>
+        <translation>Typen zusammengelegt</translation>
+    </message>
+    <message>
+        <source>Type split</source>
+        <translation>Typ geteilt</translation>
+    </message>
+    <message>
+        <source>Type retired</source>
+        <translation>Typ außer Gebrauch genommen</translation>
+    </message>
+    <message>
+        <source>Type put back</source>
+        <translation>Typ wieder in Gebrauch genommen</translation>
+    </message>
+    <message>
+        <source>Version restored</source>
+        <translation>Stand wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Example types added</source>
+        <translation>Beispieltypen hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Changing the rates of verdicts</source>
+        <translation>Raten der Urteile ändern</translation>
+    </message>
+    <message>
+        <source>Changing a recipe and its limits</source>
+        <translation>Rezept und Grenzen ändern</translation>
+    </message>
+    <message>
+        <source>Approving a type</source>
+        <translation>Typ freigeben</translation>
+    </message>
+    <message>
+        <source>Changing enrolled types</source>
+        <translation>Eingelernte Typen ändern</translation>
+    </message>
+    <message>
+        <source>Dropping a squeeze</source>
+        <translation>Druckversuch verwerfen oder zurückholen</translation>
+    </message>
+    <message>
+        <source>Enrolling squeezes from files</source>
+        <translation>Druckversuche aus Dateien einlernen</translation>
+    </message>
+    <message>
+        <source>Accepting a calibration</source>
+        <translation>Kalibrierung übernehmen</translation>
+    </message>
+    <message>
+        <source>Managing people</source>
+        <translation>Personen verwalten</translation>
+    </message>
+    <message>
+        <source>Changing settings</source>
+        <translation>Einstellungen ändern</translation>
+    </message>
+    <message>
+        <source>supervisor</source>
+        <translation>Aufsicht</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>Bedienung</translation>
+    </message>
+    <message>
+        <source>That is too long: at most %1 characters.</source>
+        <translation>Das ist zu lang: höchstens %1 Zeichen.</translation>
+    </message>
+    <message>
+        <source>That is too short: a PIN has %1 digits or more, a password %2 characters or more.</source>
+        <translation>Das ist zu kurz: Eine PIN hat mindestens %1 Ziffern, ein Passwort mindestens %2 Zeichen.</translation>
+    </message>
+    <message>
+        <source>store the PIN or password</source>
+        <translation>PIN oder Passwort speichern</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>der Arbeitsspeicher reicht nicht</translation>
+    </message>
+    <message>
+        <source>read its audit trail</source>
+        <translation>das Änderungsprotokoll lesen</translation>
+    </message>
+    <message>
+        <source>continue the audit trail</source>
+        <translation>das Änderungsprotokoll fortschreiben</translation>
+    </message>
+    <message>
+        <source>change its people</source>
+        <translation>die Personen ändern</translation>
+    </message>
+    <message>
+        <source>such person</source>
+        <translation>solche Person</translation>
+    </message>
+    <message>
+        <source>There is already somebody called %1. Add a second name or a number.</source>
+        <translation>%1 gibt es schon. Einen zweiten Namen oder eine Nummer dazusetzen.</translation>
+    </message>
+    <message>
+        <source>%1 is the last supervisor. Make somebody else a supervisor first.</source>
+        <translation>%1 ist die letzte Aufsicht. Erst jemand anderen zur Aufsicht machen.</translation>
+    </message>
+    <message>
+        <source>There were too many wrong tries for %1. Wait %2, then try again, or ask a supervisor for a new PIN or password.</source>
+        <translation>Zu viele falsche Versuche für %1. %2 warten, dann noch einmal versuchen, oder von einer Aufsicht eine neue PIN oder ein neues Passwort geben lassen.</translation>
+    </message>
+    <message>
+        <source>That is not the PIN or password of %1.</source>
+        <translation>Das ist nicht die PIN oder das Passwort von %1.</translation>
+    </message>
+    <message>
+        <source>%1 Wait %2 before the next try.</source>
+        <translation>%1 Vor dem nächsten Versuch %2 warten.</translation>
+    </message>
+    <message>
+        <source>%1 Tries left before there is a wait: %2.</source>
+        <translation>%1 Versuche, bis gewartet werden muss: %2.</translation>
+    </message>
+    <message>
+        <source>person called %1 in the library</source>
+        <translation>Person namens %1 in der Bibliothek</translation>
+    </message>
+    <message>
+        <source>The person needs a name.</source>
+        <translation>Die Person braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>The first person must be a supervisor: from then on only a supervisor can add others.</source>
+        <translation>Die erste Person muss Aufsicht sein: Danach kann nur eine Aufsicht weitere hinzufügen.</translation>
+    </message>
+    <message>
+        <source>note the try to sign in</source>
+        <translation>den Anmeldeversuch festhalten</translation>
+    </message>
+    <message>
+        <source>%1 is not active in this library any more.</source>
+        <translation>%1 ist in dieser Bibliothek gesperrt.</translation>
+    </message>
+    <message>
+        <source>%1 is an operator. A supervisor is needed.</source>
+        <translation>%1 gehört zur Bedienung. Nötig ist eine Aufsicht.</translation>
+    </message>
+    <message>
+        <source>note that somebody signed out</source>
+        <translation>die Abmeldung festhalten</translation>
+    </message>
+    <message>
+        <source>%1 needs a supervisor. Nothing was changed; ask one to authorise it.</source>
+        <translation>%1: Das braucht eine Aufsicht. Nichts wurde geändert; eine Aufsicht um Genehmigung bitten.</translation>
+    </message>
+    <message>
+        <source>read its people</source>
+        <translation>die Personen lesen</translation>
+    </message>
+    <message>
+        <source>store the person</source>
+        <translation>die Person speichern</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>
@@ -3752,6 +4056,136 @@ m  %3</translation>
     <message>
         <source>Bayesian information criterion of Gaussian mixtures, the better of tied and full. Low is good.</source>
         <translation>Bayes&apos;sches Informationskriterium von Gauß-Mischungen, das bessere von gemeinsam und frei. Niedrig ist gut.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::AuditDialog</name>
+    <message>
+        <source>Verify</source>
+        <translation>Nachprüfen</translation>
+    </message>
+    <message>
+        <source>Audit trail</source>
+        <translation>Änderungsprotokoll</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Filter by person, type, reason or station</source>
+        <translation>Nach Person, Typ, Grund oder Station filtern</translation>
+    </message>
+    <message>
+        <source>Filter text</source>
+        <translation>Filtertext</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Signing in and out</source>
+        <translation>An- und Abmeldungen</translation>
+    </message>
+    <message>
+        <source>Authorisations</source>
+        <translation>Genehmigungen</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Types</source>
+        <translation>Typen</translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation>Raten</translation>
+    </message>
+    <message>
+        <source>Calibrations</source>
+        <translation>Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Read every entry and check that none was changed, removed or put in</source>
+        <translation>Alle Einträge lesen und prüfen, dass keiner geändert, entfernt oder eingefügt wurde</translation>
+    </message>
+    <message>
+        <source>Entries: %1</source>
+        <translation>Einträge: %1</translation>
+    </message>
+    <message>
+        <source>Nothing yet: changes of types, rates and calibrations, and who signs in, will be here.</source>
+        <translation>Noch nichts: Hier stehen Änderungen an Typen, Raten und Kalibrierungen, und wer sich anmeldet.</translation>
+    </message>
+    <message>
+        <source>Nothing matches the filters.</source>
+        <translation>Nichts passt zu den Filtern.</translation>
+    </message>
+    <message>
+        <source>Export the audit trail</source>
+        <translation>Änderungsprotokoll exportieren</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Audit trail written to %1</source>
+        <translation>Änderungsprotokoll geschrieben: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::AuditModel</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Wer</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>To what</source>
+        <translation>Woran</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
     </message>
 </context>
 <context>
@@ -6705,18 +7139,6 @@ Vorh. %</translation>
 <context>
     <name>gripscope::HeaderBar</name>
     <message>
-        <source>name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Operator</source>
-        <translation>Bediener</translation>
-    </message>
-    <message>
-        <source>Who works here: kept with every squeeze</source>
-        <translation>Wer hier arbeitet: wird mit jedem Druckversuch aufbewahrt</translation>
-    </message>
-    <message>
         <source>Arm</source>
         <translation>Schärfen</translation>
     </message>
@@ -8565,6 +8987,61 @@ Vorh. %</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::OperatorBox</name>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Who works here: kept with every squeeze</source>
+        <translation>Wer hier arbeitet: steht bei jedem Druckversuch</translation>
+    </message>
+    <message>
+        <source>Sign in</source>
+        <translation>Anmelden</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Nobody has signed in</source>
+        <translation>Niemand ist angemeldet</translation>
+    </message>
+    <message>
+        <source>People and the audit trail</source>
+        <translation>Personen und Änderungsprotokoll</translation>
+    </message>
+    <message>
+        <source>Sign in as somebody else…</source>
+        <translation>Als jemand anders anmelden…</translation>
+    </message>
+    <message>
+        <source>Sign in…</source>
+        <translation>Anmelden…</translation>
+    </message>
+    <message>
+        <source>Sign out</source>
+        <translation>Abmelden</translation>
+    </message>
+    <message>
+        <source>People…</source>
+        <translation>Personen…</translation>
+    </message>
+    <message>
+        <source>Audit trail…</source>
+        <translation>Änderungsprotokoll…</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::Outcome</name>
     <message>
         <source>as expected</source>
@@ -8655,6 +9132,140 @@ Vorh. %</translation>
     <message>
         <source>Picture of the part</source>
         <translation>Bild des Teils</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::PeopleDialog</name>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Seit</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Make supervisor</source>
+        <translation>Zur Aufsicht</translation>
+    </message>
+    <message>
+        <source>New PIN…</source>
+        <translation>Neue PIN…</translation>
+    </message>
+    <message>
+        <source>New PIN or password</source>
+        <translation>Neue PIN oder neues Passwort</translation>
+    </message>
+    <message>
+        <source>Deactivate</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Nobody is in this library yet, so everything is allowed to everybody, and the operator&apos;s name is what somebody typed. Add the first person, who must be a supervisor, and roles are in force from then on.</source>
+        <translation>Noch ist niemand in dieser Bibliothek: Alle dürfen alles, und als Bediener gilt, was jemand eintippt. Mit der ersten Person, die Aufsicht sein muss, gelten von da an Rollen.</translation>
+    </message>
+    <message>
+        <source>Roles are in force. Who leaves is deactivated, not deleted: what they did stays in the audit trail.</source>
+        <translation>Rollen gelten. Wer geht, wird gesperrt, nicht gelöscht: Was diese Person getan hat, bleibt im Änderungsprotokoll.</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>aktiv</translation>
+    </message>
+    <message>
+        <source>deactivated</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>Make operator</source>
+        <translation>Zur Bedienung</translation>
+    </message>
+    <message>
+        <source>Reactivate</source>
+        <translation>Entsperren</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::PersonForm</name>
+    <message>
+        <source>Add the first supervisor</source>
+        <translation>Erste Aufsicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a person</source>
+        <translation>Person hinzufügen</translation>
+    </message>
+    <message>
+        <source>From now on roles are in force in this library: changing rates, limits, types, calibrations, settings and people needs a supervisor. This cannot be taken back, and nobody can read or reset a lost PIN or password but another supervisor: add a second one soon.</source>
+        <translation>Von jetzt an gelten in dieser Bibliothek Rollen: Raten, Grenzen, Typen, Kalibrierungen, Einstellungen und Personen ändert nur eine Aufsicht. Das lässt sich nicht zurücknehmen. Eine verlorene PIN kann niemand lesen und nur eine andere Aufsicht ersetzen: bald eine zweite hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Operators squeeze, inspect and enroll. Supervisors also change rates, limits, types, calibrations, settings and people.</source>
+        <translation>Die Bedienung drückt, prüft und lernt ein. Die Aufsicht ändert auch Raten, Grenzen, Typen, Kalibrierungen, Einstellungen und Personen.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Name, as it is to stand in the audit trail</source>
+        <translation>Name, wie er im Änderungsprotokoll stehen soll</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>New PIN or password</source>
+        <translation>Neue PIN oder neues Passwort</translation>
+    </message>
+    <message>
+        <source>For %1. The old one no longer counts, and a wait after wrong tries ends.</source>
+        <translation>Für %1. Das alte gilt nicht mehr, und eine Wartezeit nach falschen Versuchen endet.</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>PIN of %1 digits or more, or password of %2 characters or more</source>
+        <translation>PIN ab %1 Ziffern oder Passwort ab %2 Zeichen</translation>
+    </message>
+    <message>
+        <source>The same again</source>
+        <translation>Noch einmal dasselbe</translation>
+    </message>
+    <message>
+        <source>The person needs a name.</source>
+        <translation>Die Person braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>The two are not the same. Type the second one again.</source>
+        <translation>Die beiden stimmen nicht überein. Das zweite noch einmal eintippen.</translation>
     </message>
 </context>
 <context>
@@ -9595,14 +10206,6 @@ Vorh. %</translation>
         <translation>Hoher Kontrast</translation>
     </message>
     <message>
-        <source>Reduce motion</source>
-        <translation>Weniger Bewegung</translation>
-    </message>
-    <message>
-        <source>Changes show at once, without movement.</source>
-        <translation>Änderungen erscheinen sofort, ohne Bewegung.</translation>
-    </message>
-    <message>
         <source>Sound on a verdict</source>
         <translation>Ton beim Urteil</translation>
     </message>
@@ -9869,6 +10472,48 @@ Vorh. %</translation>
     <message>
         <source>expected version %1; a newer Gripscope reads newer ones</source>
         <translation>erwartet: Version %1; ein neueres Gripscope liest neuere</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::SignIn</name>
+    <message>
+        <source>%1 was signed out: nobody has done anything here for a while.</source>
+        <translation>%1 wurde abgemeldet: Hier hat eine Weile niemand etwas getan.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::SignInDialog</name>
+    <message>
+        <source>PIN or password</source>
+        <translation>PIN oder Passwort</translation>
+    </message>
+    <message>
+        <source>Authorise</source>
+        <translation>Genehmigen</translation>
+    </message>
+    <message>
+        <source>Sign in</source>
+        <translation>Anmelden</translation>
+    </message>
+    <message>
+        <source>Supervisor needed</source>
+        <translation>Aufsicht nötig</translation>
+    </message>
+    <message>
+        <source>Supervisor</source>
+        <translation>Aufsicht</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>A supervisor allows this one time. It is kept with both names.</source>
+        <translation>Eine Aufsicht erlaubt dies ein Mal. Beide Namen werden festgehalten.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
