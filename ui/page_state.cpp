@@ -40,7 +40,8 @@ QHeaderView* headerOf(const QWidget& view)
     return nullptr;
 }
 
-/// Widths of the columns that a person can pull, and how the table is sorted.
+/// Widths of the columns that a person can pull, those that are hidden by choice, and how the table is
+/// sorted.
 QJsonObject stateOf(const QHeaderView& header)
 {
     QJsonArray widths;
@@ -49,6 +50,12 @@ QJsonObject stateOf(const QHeaderView& header)
                           ? header.sectionSize(i)
                           : 0);
     QJsonObject state{{u"widths"_s, widths}};
+    if (header.property(remembered).toBool()) {
+        QJsonArray hidden;
+        for (int i = 0; i < header.count(); ++i)
+            hidden.append(header.isSectionHidden(i));
+        state.insert(u"hidden"_s, hidden);
+    }
     if (header.isSortIndicatorShown()) {
         state.insert(u"sorted"_s, header.sortIndicatorSection());
         state.insert(u"descending"_s, header.sortIndicatorOrder() == Qt::DescendingOrder);
@@ -61,6 +68,10 @@ void restore(QHeaderView& header, const QJsonObject& state, bool withWidths)
     const QJsonArray widths = state[u"widths"_s].toArray();
     if (widths.size() != header.count())
         return; // of another version of the table
+    const QJsonArray hidden = state[u"hidden"_s].toArray();
+    if (header.property(remembered).toBool() && hidden.size() == header.count() && hidden.contains(false))
+        for (int i = 0; i < header.count(); ++i)
+            header.setSectionHidden(i, hidden[i].toBool());
     for (int i = 0; i < header.count(); ++i) {
         const int width = widths[i].toInt();
         if (withWidths && width > 0 && header.sectionResizeMode(i) == QHeaderView::Interactive)
@@ -130,6 +141,11 @@ void setText(QLineEdit& field, const QString& text)
 void rememberChoice(QWidget* widget)
 {
     widget->setProperty(remembered, true);
+}
+
+void rememberColumns(QHeaderView* header)
+{
+    header->setProperty(remembered, true);
 }
 
 QJsonObject arrangementOf(const QWidget& page)

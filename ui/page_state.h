@@ -3,6 +3,7 @@
 
 #include <QJsonObject>
 
+class QHeaderView;
 class QWidget;
 
 namespace gripscope {
@@ -10,6 +11,9 @@ namespace gripscope {
 /// Marks a combo box, a check box or a checkable button whose choice belongs to how a person arranged the
 /// page: it is found again at the next start. It needs an object name.
 void rememberChoice(QWidget* widget);
+
+/// Marks a table whose columns a person chooses: which are hidden is found again, too.
+void rememberColumns(QHeaderView* header);
 
 /// How a person arranged a page: splitters, widths and sorting of its tables (of those with an object name)
 /// and marked choices.

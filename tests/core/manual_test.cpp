@@ -43,9 +43,18 @@ private slots:
                      qPrintable(name));
         }
     }
+    void everyScreenHasAPageWithItsPicture()
+    {
+        for (const char* screen : {"live", "inspect", "enroll", "types", "fit", "calibrate", "history"}) {
+            const QString name = QString::fromLatin1(screen);
+            const QString picture = u"pictures/%1.png"_s.arg(name);
+            QVERIFY2(page(name + u".md"_s).contains(u'(' + picture + u')'), screen);
+            QVERIFY2(QFile::exists(QStringLiteral(GRIPSCOPE_SOURCE_DIR "/resources/manual/") + picture), screen);
+        }
+    }
     void everyLinkLeadsSomewhere()
     {
-        static const QRegularExpression link(u"\\]\\(([^)]+)\\)"_s);
+        static const QRegularExpression link(u"(?<!!)\\[[^\\]]*\\]\\(([^)]+)\\)"_s); // not pictures
         for (const QString& name : QDir(u":/manual"_s).entryList({u"*.md"_s})) {
             auto found = link.globalMatch(page(name));
             while (found.hasNext()) {

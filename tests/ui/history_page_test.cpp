@@ -4,6 +4,7 @@
 #include "tests/ui/science_pages.h"
 #include "ui/charts/trend_view.h"
 #include "ui/models/history_model.h"
+#include "ui/page_state.h"
 #include "ui/pages/history_details.h"
 #include "ui/pages/history_page.h"
 #include "ui/pages/reidentify_dialog.h"
@@ -19,7 +20,6 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
-#include <QSettings>
 #include <QTableView>
 
 using namespace gripscope;
@@ -27,8 +27,6 @@ using namespace Qt::StringLiterals;
 
 class HistoryPageTest : public QObject {
     Q_OBJECT
-
-    QTemporaryDir m_settings;
 
     /// A page with the forty squeezes of the paper's types and eight inspections, one of a stranger.
     struct Filled {
@@ -83,12 +81,7 @@ class HistoryPageTest : public QObject {
     }
 
 private slots:
-    void initTestCase()
-    {
-        Theme::instance().apply(ThemeKind::Light);
-        QCoreApplication::setOrganizationName(u"gripscope-test"_s);
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
-    }
+    void initTestCase() { Theme::instance().apply(ThemeKind::Light); }
     void anEmptyLibrarySaysWhatToDo()
     {
         test::PageFixture fixture;
@@ -148,6 +141,7 @@ private slots:
     void columnsAreChosenAndRemembered()
     {
         const int column = int(HistoryModel::Column::Fit);
+        QJsonObject arrangement;
         {
             Filled f;
             QVERIFY(f.table()->isColumnHidden(column));
@@ -155,9 +149,11 @@ private slots:
                 if (action->text() == u"Simulation fit"_s)
                     action->trigger();
             QVERIFY(!f.table()->isColumnHidden(column));
+            arrangement = arrangementOf(f.page);
         }
         test::PageFixture fixture;
-        const HistoryPage page(fixture.bench);
+        HistoryPage page(fixture.bench);
+        restoreArrangement(page, arrangement);
         QVERIFY(!page.findChild<QTableView*>(u"historyTable"_s)->isColumnHidden(column));
     }
     void enterOpensTheRecordingOnFit()

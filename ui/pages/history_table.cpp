@@ -2,12 +2,12 @@
 #include "ui/pages/history_table.h"
 
 #include "ui/models/history_delegate.h"
+#include "ui/page_state.h"
 #include "ui/theme/theme.h"
 
 #include <QHeaderView>
 #include <QMenu>
 #include <QScrollBar>
-#include <QSettings>
 
 #include <algorithm>
 
@@ -20,19 +20,10 @@ namespace {
 
 /// A selection of more rows than these is not carried over to the next list: finding each takes its time.
 constexpr std::size_t mostKept = 200;
-constexpr auto columnsKey = "history/columns"_L1;
 
 const std::initializer_list<Column> firstColumns{Column::Number,    Column::Time,     Column::Outcome,
                                                  Column::Type,      Column::Mass,     Column::Damping,
                                                  Column::Stiffness, Column::Operator, Column::Device};
-
-QStringList storedColumns()
-{
-    QStringList shown;
-    for (const Column column : firstColumns)
-        shown << QString::number(int(column));
-    return QSettings().value(columnsKey, shown).toStringList();
-}
 
 } // namespace
 
@@ -76,22 +67,23 @@ void HistoryTable::buildHeader()
 
 void HistoryTable::buildColumnsMenu()
 {
-    const QStringList shown = storedColumns();
+    rememberColumns(horizontalHeader());
     for (int i = 0; i < HistoryModel::columns; ++i) {
         QAction* action = m_columns->addAction(HistoryModel::columnName(Column(i)));
         action->setCheckable(true);
-        action->setChecked(shown.contains(QString::number(i)));
-        setColumnHidden(i, !action->isChecked());
-        connect(action, &QAction::toggled, this, [this, i](bool on) {
+        setColumnHidden(i,
+                        std::find(firstColumns.begin(), firstColumns.end(), Column(i)) == firstColumns.end());
+        action->setChecked(!isColumnHidden(i));
+        connect(action, &QAction::triggered, this, [this, i](bool on) {
             setColumnHidden(i, !on);
-            QStringList now;
-            for (int column = 0; column < HistoryModel::columns; ++column)
-                if (!isColumnHidden(column))
-                    now << QString::number(column);
-            QSettings().setValue(columnsKey, now);
             fitColumns();
         });
     }
+    // They may have been chosen in an earlier run.
+    connect(m_columns, &QMenu::aboutToShow, this, [this] {
+        for (int i = 0; i < HistoryModel::columns; ++i)
+            m_columns->actions()[i]->setChecked(!isColumnHidden(i));
+    });
 }
 
 void HistoryTable::fitColumns()
