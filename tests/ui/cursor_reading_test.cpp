@@ -93,10 +93,10 @@ private slots:
         QTest::addColumn<QString>("force");
         QTest::addColumn<QString>("position");
         QTest::addColumn<QString>("text");
-        QTest::newRow("SI") << u"N"_s << u"m"_s << u"12.5 ± 0.2 N/m"_s;
-        QTest::newRow("millimetres") << u"N"_s << u"mm"_s << u"12.5 ± 0.2 kN/m"_s;
+        QTest::newRow("SI") << u"N"_s << u"m"_s << u"12.5 ± 0.2\u00A0N/m"_s;
+        QTest::newRow("millimetres") << u"N"_s << u"mm"_s << u"12.5 ± 0.2\u00A0kN/m"_s;
         QTest::newRow("as printed") << u"1"_s << u"1"_s << u"12.5 ± 0.2"_s;
-        QTest::newRow("not known") << u"V"_s << u"mm"_s << u"12.5 ± 0.2 V/mm"_s;
+        QTest::newRow("not known") << u"V"_s << u"mm"_s << u"12.5 ± 0.2\u00A0V/mm"_s;
     }
     void unitsOfTheSlopeAreHonest()
     {

@@ -218,7 +218,7 @@ void StripChart::paintValueAxis(QPainter& painter, const QColor& grid) const
 {
     const QRectF area = plot();
     const AxisTicks y =
-        roundTicks(m_range.low, m_range.high, std::clamp(static_cast<int>(area.height() / 30), 2, 8));
+        roundTicks(m_range.low, m_range.high, std::clamp(static_cast<int>(area.height() / 22), 2, 8));
     for (const double value : y.values) {
         const double at =
             std::round(area.bottom() - (value - m_range.low) / m_range.span() * area.height()) + 0.5;
@@ -275,30 +275,45 @@ void StripChart::paintMarks(QPainter& painter) const
 {
     const ThemeTokens& t = Theme::instance().tokens();
     const QRectF area = plot();
-    painter.setFont(Theme::font(metrics::fontSmall, true));
-    double labelledTo = -markSign;
+    const auto inView = [&](const StripMark& mark) {
+        return pixelAt(mark.x) >= area.left() && pixelAt(mark.x) <= area.right() + 1;
+    };
     for (const StripMark& mark : m_marks) {
-        const double at = std::round(pixelAt(mark.x)) + 0.5;
-        if (at < area.left() || at > area.right() + 1)
+        if (!inView(mark))
             continue;
+        const double at = std::round(pixelAt(mark.x)) + 0.5;
         const bool cursor = mark.kind != StripMark::Kind::Marker;
-        const QColor color = cursor ? t.accent : t.text;
         const bool dashed = mark.kind == StripMark::Kind::SecondCursor;
-        painter.setPen(QPen(color, cursor ? t.lineWidth + 1 : t.lineWidth,
+        painter.setPen(QPen(cursor ? t.accent : t.text, cursor ? t.lineWidth + 1 : t.lineWidth,
                             dashed   ? Qt::DashLine
                             : cursor ? Qt::SolidLine
                                      : Qt::DotLine));
         painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
-        if (!cursor && at - labelledTo < markSign) // numbers over each other could not be read
+    }
+    // The signs after all lines: no line goes through a number.
+    double labelledTo = -markSign;
+    for (const StripMark& mark : m_marks) {
+        const double at = pixelAt(mark.x);
+        const bool cursor = mark.kind != StripMark::Kind::Marker;
+        if (!inView(mark) || (!cursor && at - labelledTo < markSign)) // nor one number over another
             continue;
         labelledTo = cursor ? labelledTo : at;
-        const double wide = std::max(markSign, painter.fontMetrics().horizontalAdvance(mark.label) + 8.0);
-        const double from = std::clamp(at - wide / 2, area.left(), area.right() - wide);
-        const QRectF box(from, cursor ? area.bottom() - markSign : area.top(), wide, markSign);
-        painter.fillRect(box, color);
-        painter.setPen(Theme::onColor(color));
-        painter.drawText(box, Qt::AlignCenter, mark.label);
+        paintSign(painter, mark.label, at, cursor);
     }
+}
+
+void StripChart::paintSign(QPainter& painter, const QString& label, double at, bool cursor) const
+{
+    const ThemeTokens& t = Theme::instance().tokens();
+    const QRectF area = plot();
+    const QColor color = cursor ? t.accent : t.text;
+    painter.setFont(Theme::font(metrics::fontSmall, true));
+    const double wide = std::max(markSign, painter.fontMetrics().horizontalAdvance(label) + 8.0);
+    const double from = std::clamp(at - wide / 2, area.left(), area.right() - wide);
+    const QRectF box(from, cursor ? area.bottom() - markSign : area.top(), wide, markSign);
+    painter.fillRect(box, color);
+    painter.setPen(Theme::onColor(color));
+    painter.drawText(box, Qt::AlignCenter, label);
 }
 
 } // namespace gripscope

@@ -72,6 +72,7 @@ private:
     void paintCurves(QPainter& painter) const;
     void paintGaps(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
+    void paintSign(QPainter& painter, const QString& label, double at, bool cursor) const;
     void repaintFrame();
 
     LiveHistory::Channel m_channel;

@@ -177,7 +177,7 @@ QString LiveChannelCard::readingText(const std::optional<ReadValue>& reading) co
         return tr("%1 to %2 %3")
             .arg(shown(reading->value - reading->halfWidth), shown(reading->value + reading->halfWidth),
                  m_unitLabel->text());
-    return u"%1 %2"_s.arg(shown(reading->value), m_unitLabel->text());
+    return shown(reading->value) + QChar(0x00A0) + m_unitLabel->text();
 }
 
 QString LiveChannelCard::changeText(const std::optional<ReadValue>& change) const

@@ -115,6 +115,7 @@ void LivePage::buildToolbar(QBoxLayout* row)
     d->marker = makeToolButton({}, u"flag"_s,
                                tr("Drop a marker (M): at the newest sample, or at the cursor moved last"));
     d->marker->setObjectName("markerButton");
+    d->marker->setFixedHeight(metrics::touchTarget);
     connect(d->marker, &QToolButton::clicked, this, &LivePage::dropMarker);
     row->addWidget(d->hold);
     row->addWidget(d->tare);
