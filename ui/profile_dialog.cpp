@@ -174,7 +174,7 @@ QWidget* ProfileDialog::buildProfile()
     auto* charts = new QHBoxLayout;
     charts->setSpacing(8);
     for (StripChart* chart : {d->force, d->position}) {
-        chart->setSeconds(shownSeconds);
+        chart->setTime(shownSeconds, 0, tr("now"));
         chart->setFixedHeight(96);
         charts->addWidget(chart, 1);
     }

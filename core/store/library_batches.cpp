@@ -2,10 +2,9 @@
 #include "core/store/batch_table.h"
 #include "core/store/inspection_table.h"
 #include "core/store/library_private.h"
+#include "core/words.h"
 
 namespace gripscope {
-
-using namespace Qt::StringLiterals;
 
 namespace {
 
@@ -24,17 +23,18 @@ Expected<BatchRecord> requireBatch(Database& database, const QString& id)
     if (!batch)
         return tl::unexpected(batch.error());
     if (!*batch)
-        return failure(ErrorCode::NotFound, {u"batch with the key %1"_s.arg(id)});
+        return failure(ErrorCode::NotFound, {Words::tr("batch with the key %1").arg(id)});
     return withCounts(database, **batch);
 }
 
 Expected<void> check(const NewBatch& batch)
 {
     if (batch.name.isEmpty() || batch.name.size() > longestBatchName)
-        return failure(ErrorCode::Usage,
-                       {u"A batch needs a name or number of at most %1 characters."_s.arg(longestBatchName)});
+        return failure(
+            ErrorCode::Usage,
+            {Words::tr("A batch needs a name or number of at most %1 characters.").arg(longestBatchName)});
     if (batch.target < 1 || batch.target > largestBatch)
-        return failure(ErrorCode::Usage, {u"A batch has 1 to %1 parts."_s.arg(largestBatch)});
+        return failure(ErrorCode::Usage, {Words::tr("A batch has 1 to %1 parts.").arg(largestBatch)});
     return {};
 }
 
@@ -46,14 +46,14 @@ Expected<BatchRecord> Library::beginBatch(const NewBatch& batch)
     asked.name = batch.name.trimmed();
     if (const auto fine = check(asked); !fine)
         return tl::unexpected(fine.error());
-    return d->write<BatchRecord>(u"begin the batch"_s, [&]() -> Expected<BatchRecord> {
+    return d->write<BatchRecord>(Words::tr("begin the batch"), [&]() -> Expected<BatchRecord> {
         const RowStamp stamp = RowStamp::now();
         const auto other = batch_table::underWay(*d->database, stamp.station);
         if (!other)
             return tl::unexpected(other.error());
         if (*other)
             return failure(ErrorCode::Usage,
-                           {u"Batch %1 is under way here. End it first."_s.arg((*other)->name)});
+                           {Words::tr("Batch %1 is under way here. End it first.").arg((*other)->name)});
         if (const auto done = batch_table::insert(*d->database, stamp, asked); !done)
             return tl::unexpected(done.error());
         return requireBatch(*d->database, stamp.id);
@@ -62,7 +62,7 @@ Expected<BatchRecord> Library::beginBatch(const NewBatch& batch)
 
 Expected<BatchRecord> Library::endBatch(const QString& batchId, const QString& operatorName)
 {
-    return d->write<BatchRecord>(u"end the batch"_s, [&]() -> Expected<BatchRecord> {
+    return d->write<BatchRecord>(Words::tr("end the batch"), [&]() -> Expected<BatchRecord> {
         const auto batch = requireBatch(*d->database, batchId);
         if (!batch || batch->ended)
             return batch;

@@ -188,7 +188,8 @@ Expected<void> requireFreeCode(Database& database, const QString& typeId, const 
         return tl::unexpected(types.error());
     for (const TypeRecord& other : *types)
         if (other.id != typeId && other.code == code && !code.isEmpty())
-            return failure(ErrorCode::Usage, {u"%1 has the code %2 already."_s.arg(other.name, code)});
+            return failure(ErrorCode::Usage,
+                           {Words::tr("%1 has the code %2 already.").arg(other.name, code)});
     return {};
 }
 
@@ -344,7 +345,7 @@ Expected<void> Library::reinstateType(const QString& typeId, const ChangeNote& n
 
 Expected<TypeRecord> Library::setTypeCode(const QString& typeId, const QString& code, const ChangeNote& note)
 {
-    return d->writeIf<TypeRecord>(Permission::ChangeTypes, u"store the code"_s,
+    return d->writeIf<TypeRecord>(Permission::ChangeTypes, Words::tr("store the code"),
                                   [&] { return setCode(*d->database, typeId, code.trimmed(), note); });
 }
 

@@ -10,7 +10,7 @@ namespace gripscope {
 
 namespace {
 
-struct Words {
+struct Hint {
     Q_DECLARE_TR_FUNCTIONS(InspectHint)
 };
 
@@ -22,42 +22,41 @@ InspectHint inspectHint(Workbench& workbench, const QString& time)
     const InspectSession& session = workbench.inspection();
     switch (session.state()) {
     case InspectSession::State::Squeezing:
-        return {Words::tr("Squeezing…"), Words::tr("Esc or STOP ends it at once")};
+        return {Hint::tr("Squeezing…"), Hint::tr("Esc or STOP ends it at once")};
     case InspectSession::State::Judging:
-        return {Words::tr("Judging…"), {}};
+        return {Hint::tr("Judging…"), {}};
     case InspectSession::State::Loading:
-        return {Words::tr("Reading the library…"), {}};
+        return {Hint::tr("Reading the library…"), {}};
     case InspectSession::State::Ready:
         break;
     }
     if (connection.state() != ConnectSession::State::Connected)
         return {missingWords(connection).headline, missingWords(connection).detail};
     if (session.types().empty())
-        return {Words::tr("No types yet"),
-                Words::tr("Enroll at least one type (Ctrl+3), then inspect parts")};
+        return {Hint::tr("No types yet"), Hint::tr("Enroll at least one type (Ctrl+3), then inspect parts")};
     if (!connection.armed() && connection.identity().commandable)
-        return {Words::tr("Not armed"), Words::tr("Place the part, hands clear, then arm the gripper")};
-    return {Words::tr("Ready"), Words::tr("Place the part, then squeeze: %1").arg(time)};
+        return {Hint::tr("Not armed"), Hint::tr("Place the part, hands clear, then arm the gripper")};
+    return {Hint::tr("Ready"), Hint::tr("Place the part, then squeeze: %1").arg(time)};
 }
 
 InspectHint unknownCodeHint(const QString& code, const QString& expected)
 {
-    return {Words::tr("No type is called or coded “%1”").arg(code),
-            expected.isEmpty() ? Words::tr("Nothing is expected, as before")
-                               : Words::tr("%1 is expected, as before").arg(expected)};
+    return {Hint::tr("No type is called or coded “%1”").arg(code),
+            expected.isEmpty() ? Hint::tr("Nothing is expected, as before")
+                               : Hint::tr("%1 is expected, as before").arg(expected)};
 }
 
 InspectHint expectedHint(const QString& expected)
 {
-    return {expected.isEmpty() ? Words::tr("Nothing expected") : expected,
-            expected.isEmpty() ? Words::tr("The next part may be any enrolled type")
-                               : Words::tr("is expected from the next part on")};
+    return {expected.isEmpty() ? Hint::tr("Nothing expected") : expected,
+            expected.isEmpty() ? Hint::tr("The next part may be any enrolled type")
+                               : Hint::tr("is expected from the next part on")};
 }
 
 InspectHint buttonHint()
 {
-    return {Words::tr("Not ready to squeeze"),
-            Words::tr("The gripper's button squeezes once a gripper is connected and armed here")};
+    return {Hint::tr("Not ready to squeeze"),
+            Hint::tr("The gripper's button squeezes once a gripper is connected and armed here")};
 }
 
 } // namespace gripscope

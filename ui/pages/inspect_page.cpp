@@ -77,11 +77,6 @@ InspectPage::InspectPage(Workbench& bench, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     d->sounds = new SoundPlayer(this);
     d->sounds->setObjectName("inspectSounds");
-    const auto followSetting = [this] {
-        d->sounds->setOn(workbench().settings().get(setting::soundOnVerdict));
-    };
-    connect(&bench.settings(), &Settings::changed, this, followSetting);
-    followSetting();
     listenToPeople();
     connect(&bench, &Workbench::inspectionChanged, this, &InspectPage::refresh);
     connect(&bench, &Workbench::connectionChanged, this, &InspectPage::refresh);
@@ -115,7 +110,7 @@ void InspectPage::listenToPeople()
         d->expected->setTypes(workbench().inspection().types()); // it may be told before this page knows them
         d->expected->choose(type);
     });
-    connect(&d->summary->batch(), &InspectBatch::whole, this, [this] { d->sounds->play(Sound::BatchWhole); });
+    connect(&d->summary->batch(), &InspectBatch::whole, this, [this] { play(Sound::BatchWhole); });
 }
 
 void InspectPage::followTick()
@@ -167,7 +162,7 @@ void InspectPage::buildTop(QBoxLayout* column)
     connect(d->expected, &TypeChooser::chosen, this, &InspectPage::expect);
     connect(d->expected, &TypeChooser::notFound, this, [this](const QString& text) {
         d->notice = unknownCodeHint(text, d->expected->expected());
-        d->sounds->play(Sound::CodeUnknown);
+        play(Sound::CodeUnknown);
         refresh();
         focusSqueeze();
     });
@@ -364,11 +359,17 @@ void InspectPage::refreshVerdict()
         tellResult(*result);
 }
 
+void InspectPage::play(Sound sound)
+{
+    if (workbench().settings().get(setting::soundOnVerdict))
+        d->sounds->play(sound);
+}
+
 void InspectPage::tellResult(const InspectSession::Result& result)
 {
     if (result.squeeze != d->heard) {
         d->heard = result.squeeze;
-        d->sounds->play(soundOf(result.outcome));
+        play(soundOf(result.outcome));
     }
     if (result.number != 0 && result.number != d->shownNumber)
         workbench().setFitSubject(

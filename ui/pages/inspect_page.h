@@ -3,6 +3,7 @@
 
 #include "core/session/inspect_session.h"
 #include "ui/pages/page.h"
+#include "ui/sound/outcome_tones.h"
 
 #include <memory>
 
@@ -40,6 +41,7 @@ private:
     void refreshExpected();
     void refreshActions();
     void refreshVerdict();
+    void play(Sound sound); ///< unless it was switched off
     void tellResult(const InspectSession::Result& result);
     void editRates();
     [[nodiscard]] QString squeezeText(bool commandable) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/inspect_reason.h"
 
+#include "core/words.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/number_format.h"
@@ -46,14 +47,14 @@ QStringList factsOf(const InspectSession::Result& result)
                          .arg(of, formatProbability(verdict.posterior.value(of)));
         if (verdict.distance && verdict.gate)
             facts << InspectReason::tr("%1 sd from %2 (gate %3 sd)")
-                         .arg(QString::number(std::sqrt(*verdict.distance), 'f', 1), of,
-                              QString::number(std::sqrt(*verdict.gate), 'f', 1));
+                         .arg(Words::number(std::sqrt(*verdict.distance), 'f', 1), of,
+                              Words::number(std::sqrt(*verdict.gate), 'f', 1));
     }
     if (result.earlyEnd)
         facts << InspectReason::tr("decided after %1 s")
-                     .arg(QString::number(static_cast<double>(result.earlyEnd->samples) *
-                                              result.recording.sampleTime_s,
-                                          'g', 2));
+                     .arg(Words::number(static_cast<double>(result.earlyEnd->samples) *
+                                            result.recording.sampleTime_s,
+                                        'g', 2));
     return facts;
 }
 

@@ -51,15 +51,8 @@ SoundPlayer::~SoundPlayer()
         delete m_thread;
 }
 
-void SoundPlayer::setOn(bool on)
-{
-    m_on = on;
-}
-
 void SoundPlayer::play(Sound sound)
 {
-    if (!m_on)
-        return;
     if (!m_thread) {
         m_thread = new QThread;
         m_output = new Output;

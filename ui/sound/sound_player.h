@@ -9,7 +9,7 @@ class QThread;
 
 namespace gripscope {
 
-/// Lets sounds be heard while it is on. The audio system is asked on a thread of its own, at the
+/// Lets sounds be heard. The audio system is asked on a thread of its own, at the
 /// first sound: it may be slow, hang, or not be there at all, and the screen never waits for it. Without an
 /// audio device there is silence. A new sound ends the one before.
 class SoundPlayer : public QObject {
@@ -17,7 +17,6 @@ class SoundPlayer : public QObject {
 public:
     explicit SoundPlayer(QObject* parent = nullptr);
     ~SoundPlayer() override;
-    void setOn(bool on);
     void play(Sound sound);
 
 signals:
@@ -25,7 +24,6 @@ signals:
 
 private:
     class Output;
-    bool m_on = true;
     QThread* m_thread = nullptr;
     Output* m_output = nullptr; ///< lives on the thread
 };

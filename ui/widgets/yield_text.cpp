@@ -2,6 +2,7 @@
 #include "ui/widgets/yield_text.h"
 
 #include "core/recognition/binomial_evidence.h"
+#include "core/words.h"
 #include "ui/widgets/number_format.h"
 
 #include <QCoreApplication>
@@ -10,7 +11,7 @@ namespace gripscope {
 
 namespace {
 
-struct Words {
+struct Yield {
     Q_DECLARE_TR_FUNCTIONS(Yield)
 };
 
@@ -29,14 +30,14 @@ QString yieldText(const InspectionCounts& counts)
     if (parts == 0)
         return {};
     const BinomialEvidence bounds = binomialEvidence(counts.asExpected, parts, eachSide);
-    return Words::tr("%1 as expected (%2 to %3)")
+    return Yield::tr("%1 as expected (%2 to %3)")
         .arg(formatPercent(100.0 * static_cast<double>(counts.asExpected) / static_cast<double>(parts)),
-             QString::number(100 * bounds.lowest, 'f', 1), formatPercent(100 * bounds.highest));
+             Words::number(100 * bounds.lowest, 'f', 1), formatPercent(100 * bounds.highest));
 }
 
 QString yieldExplained(const InspectionCounts& counts)
 {
-    return Words::tr("%1 of %2 parts that were judged were as expected. In brackets: where the rate itself "
+    return Yield::tr("%1 of %2 parts that were judged were as expected. In brackets: where the rate itself "
                      "lies with 95 % confidence (exact bounds). Squeezes that were not valid or inconclusive "
                      "judged nothing, and are left out.")
         .arg(formatCount(counts.asExpected), formatCount(judged(counts)));
