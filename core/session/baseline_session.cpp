@@ -2,6 +2,7 @@
 #include "core/session/baseline_session.h"
 
 #include "core/session/squeeze_obstacle.h"
+#include "core/words.h"
 
 namespace gripscope {
 
@@ -62,7 +63,7 @@ Expected<void> BaselineSession::accept()
 {
     if (state() != State::Measured || !m_baseline)
         return failure(ErrorCode::Usage,
-                       {u"There is no baseline that was measured well enough to be used."_s});
+                       {Words::tr("There is no baseline that was measured well enough to be used.")});
     MeasuringChain chain = connection().measuringChain();
     chain.baseline = m_baseline;
     return storeChain({serial(), connection().forceLag_s(), chain, operatorName(),
@@ -72,7 +73,7 @@ Expected<void> BaselineSession::accept()
 Expected<void> BaselineSession::remove()
 {
     if (busy() || !connection().measuringChain().baseline)
-        return failure(ErrorCode::Usage, {u"There is no baseline that could be taken away now."_s});
+        return failure(ErrorCode::Usage, {Words::tr("There is no baseline that could be taken away now.")});
     clear();
     MeasuringChain chain = connection().measuringChain();
     chain.baseline.reset();

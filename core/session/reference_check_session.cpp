@@ -3,6 +3,7 @@
 
 #include "core/session/squeeze_obstacle.h"
 #include "core/signal/units.h"
+#include "core/words.h"
 
 namespace gripscope {
 
@@ -42,7 +43,7 @@ Expected<void> ReferenceCheckSession::start()
 {
     const std::optional<ReferenceStanding>& standing = connection().calibration().reference();
     if (!standing)
-        return failure(ErrorCode::Usage, {u"This gripper has no reference object yet."_s});
+        return failure(ErrorCode::Usage, {Words::tr("This gripper has no reference object yet.")});
     const GripperIdentity identity = connection().identity();
     const std::optional<double> toSi = siFactor(identity.forceUnit, identity.positionUnit);
     if (!toSi)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/series_session.h"
 
+#include "core/words.h"
+
 #include <algorithm>
 
 namespace gripscope {
@@ -40,7 +42,8 @@ void SeriesSession::setOperator(const QString& name)
 Expected<void> SeriesSession::begin(const Recipe& recipe, int squeezes)
 {
     if (busy())
-        return failure(ErrorCode::Usage, {u"Squeezes are under way. Wait for their end or stop them."_s});
+        return failure(ErrorCode::Usage,
+                       {Words::tr("Squeezes are under way. Wait for their end or stop them.")});
     d->recipe = recipe;
     d->wanted = squeezes;
     d->judged = 0;
@@ -64,7 +67,7 @@ void SeriesSession::cancel()
     d->job.cancel();
     forgetJudging();
     if (d->state == State::Squeezing || d->state == State::Judging)
-        fail({ErrorCode::Cancelled, {u"The measurement"_s}});
+        fail({ErrorCode::Cancelled, {Words::tr("The measurement")}});
 }
 
 void SeriesSession::fail(const Error& reason)
@@ -76,9 +79,11 @@ void SeriesSession::fail(const Error& reason)
 Expected<void> SeriesSession::storeChain(const NewMeasuringChain& measured)
 {
     if (measured.gripperSerial != d->connection.identity().serial)
-        return failure(ErrorCode::Usage,
-                       {u"Another gripper is connected than the one that was measured. Connect gripper %1, "
-                        "then try again."_s.arg(measured.gripperSerial)});
+        return failure(
+            ErrorCode::Usage,
+            {Words::tr("Another gripper is connected than the one that was measured. Connect gripper %1, "
+                       "then try again.")
+                 .arg(measured.gripperSerial)});
     store<NewMeasuringChain>(
         [measured](Library& library) {
             return library.addMeasuringChain(measured).map([&] { return measured; });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/batch_table.h"
 
+#include "core/words.h"
+
 #include <algorithm>
 
 namespace gripscope::batch_table {
@@ -50,7 +52,7 @@ Expected<std::optional<BatchRecord>> readOne(Statement& query)
 
 Expected<void> insert(Database& database, const RowStamp& stamp, const NewBatch& batch)
 {
-    Statement row(database, u"begin the batch"_s,
+    Statement row(database, Words::tr("begin the batch"),
                   u"INSERT INTO batches (id, station, begun_utc, name, target, expected_type, operator_name) "
                   "VALUES (?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(batch.name).bind(batch.target);
@@ -60,7 +62,7 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const NewBatch&
 Expected<void> insertEnd(Database& database, const QString& batchId, const QString& operatorName)
 {
     const RowStamp stamp = RowStamp::now();
-    Statement row(database, u"end the batch"_s,
+    Statement row(database, Words::tr("end the batch"),
                   u"INSERT INTO batch_ends (id, station, ended_utc, batch_id, operator_name) "
                   "VALUES (?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(batchId);

@@ -96,7 +96,7 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
 Expected<int> nextRank(Database& database, const QString& graspId)
 {
     int rank = 1;
-    Statement query(database, u"store the estimate"_s,
+    Statement query(database, Words::tr("store the estimate"),
                     u"SELECT COALESCE(MAX(rank), 0) + 1 FROM estimates WHERE grasp_id = ?"_s);
     auto done = query.bind(graspId).forEach([&](Statement& row) { rank = int(row.takeInteger()); });
     if (!done)
@@ -108,7 +108,7 @@ Expected<std::vector<StoredEstimate>> ofGrasp(Database& database, const QString&
 {
     std::vector<StoredEstimate> estimates;
     Statement query(
-        database, u"read the estimates"_s,
+        database, Words::tr("read the estimates"),
         u"SELECT e.rank, e.estimator, e.status, e.program, e.created_utc, e.m, e.b, e.k, e.var_m, "
         "e.var_b, e.var_k, e.simulation_fit_percent, r.id, r.force_hold, r.initial_state, "
         "r.free_offset, r.operator_name FROM estimates e LEFT JOIN reidentifications r ON "

@@ -5,6 +5,7 @@
 #include "core/store/library_private.h"
 #include "core/store/type_table.h"
 #include "core/store/type_writer.h"
+#include "core/words.h"
 
 #include <algorithm>
 
@@ -63,7 +64,7 @@ Expected<void> addExampleType(Database& database, const QString& name, qint64 ve
 
 Expected<void> Library::loadExampleTypes()
 {
-    return d->write<void>(u"add the example types"_s, [&]() -> Expected<void> {
+    return d->write<void>(Words::tr("add the example types"), [&]() -> Expected<void> {
         QStringList names = paperAppendix().object;
         names.removeDuplicates();
         qint64 version = 0;

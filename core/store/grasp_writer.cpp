@@ -35,7 +35,7 @@ Expected<void> requireFinite(const Estimate& estimate)
 {
     if ((estimate.parameters && !estimate.parameters->vector().allFinite()) ||
         (estimate.covariance && !estimate.covariance->allFinite()))
-        return failure(ErrorCode::Usage, {u"An estimate holds a number that is not finite."_s});
+        return failure(ErrorCode::Usage, {Words::tr("An estimate holds a number that is not finite.")});
     return {};
 }
 

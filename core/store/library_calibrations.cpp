@@ -80,7 +80,7 @@ Expected<void> Library::addReferenceObject(const ReferenceObject& reference)
     if (const QString problem = problemOf(reference); !problem.isEmpty())
         return failure(ErrorCode::Usage, {problem});
     return d->writeIf<void>(
-        Permission::AcceptCalibrations, u"store the reference object"_s, [&]() -> Expected<void> {
+        Permission::AcceptCalibrations, Words::tr("store the reference object"), [&]() -> Expected<void> {
             if (auto done = reference_table::insert(*d->database, RowStamp::now(), reference); !done)
                 return done;
             return audit_table::append(*d->database, {QString::fromUtf16(audit_action::referenceStated),
@@ -95,13 +95,14 @@ Expected<void> Library::addReferenceCheck(const ReferenceCheck& check)
 {
     for (const std::optional<MeasuredQuantity>& measured : check.measured)
         if (measured && !(std::isfinite(measured->value) && std::isfinite(measured->standardUncertainty)))
-            return failure(ErrorCode::Usage, {u"A number that was measured in the check is not finite."_s});
-    return d->write<void>(u"store the check on the reference object"_s, [&]() -> Expected<void> {
+            return failure(ErrorCode::Usage,
+                           {Words::tr("A number that was measured in the check is not finite.")});
+    return d->write<void>(Words::tr("store the check on the reference object"), [&]() -> Expected<void> {
         const auto reference = reference_table::find(*d->database, check.referenceId);
         if (!reference)
             return tl::unexpected<Error>(reference.error());
         if (!*reference)
-            return failure(ErrorCode::NotFound, {u"the reference object of this check"_s});
+            return failure(ErrorCode::NotFound, {Words::tr("the reference object of this check")});
         return reference_check_table::insert(*d->database, RowStamp::now(), check);
     });
 }

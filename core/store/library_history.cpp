@@ -6,6 +6,7 @@
 #include "core/store/library_private.h"
 #include "core/store/recording_table.h"
 #include "core/store/reidentification_table.h"
+#include "core/words.h"
 
 namespace gripscope {
 
@@ -42,7 +43,7 @@ Expected<SqueezeDetails> Library::squeezeDetails(const QString& graspId) const
     if (!entries)
         return tl::unexpected(entries.error());
     if (entries->empty())
-        return failure(ErrorCode::NotFound, {u"squeeze with the key %1"_s.arg(graspId)});
+        return failure(ErrorCode::NotFound, {Words::tr("squeeze with the key %1").arg(graspId)});
     SqueezeDetails details;
     details.entry = std::move(entries->front());
     auto estimates = estimate_table::ofGrasp(*d->database, graspId);
@@ -68,7 +69,7 @@ Expected<void> Library::addReidentification(const QString& graspId, const Estima
 {
     if (auto finite = requireFinite(estimate); !finite)
         return finite;
-    return d->write<void>(u"store the estimate"_s, [&]() -> Expected<void> {
+    return d->write<void>(Words::tr("store the estimate"), [&]() -> Expected<void> {
         if (const auto grasp = requireGrasp(*d->database, graspId); !grasp)
             return tl::unexpected(grasp.error());
         const auto rank = estimate_table::nextRank(*d->database, graspId);

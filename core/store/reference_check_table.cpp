@@ -3,6 +3,7 @@
 
 #include "core/store/reference_table.h"
 #include "core/store/rows.h"
+#include "core/words.h"
 
 #include <algorithm>
 
@@ -44,7 +45,7 @@ Expected<ReferenceCheckRecord> take(Statement& row)
 
 Expected<void> insert(Database& database, const RowStamp& stamp, const ReferenceCheck& check)
 {
-    Statement row(database, u"store the check on the reference object"_s,
+    Statement row(database, Words::tr("store the check on the reference object"),
                   u"INSERT INTO reference_checks (station, "_s + columns +
                       u") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.station).bind(stamp.id).bind(stamp.utc);

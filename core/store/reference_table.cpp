@@ -2,6 +2,7 @@
 #include "core/store/reference_table.h"
 
 #include "core/store/rows.h"
+#include "core/words.h"
 
 namespace gripscope::reference_table {
 
@@ -47,7 +48,7 @@ const auto reading = u"read the reference objects"_s;
 
 Expected<void> insert(Database& database, const RowStamp& stamp, const ReferenceObject& reference)
 {
-    Statement row(database, u"store the reference object"_s,
+    Statement row(database, Words::tr("store the reference object"),
                   u"INSERT INTO reference_objects (station, "_s + columns +
                       u") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.station).bind(stamp.id).bind(stamp.utc);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/reidentification_table.h"
 
+#include "core/words.h"
+
 namespace gripscope::reidentification_table {
 
 using namespace Qt::StringLiterals;
@@ -9,7 +11,7 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
                       const QString& estimateId, const Reidentification& how)
 {
     Statement row(
-        database, u"store the estimate"_s,
+        database, Words::tr("store the estimate"),
         u"INSERT INTO reidentifications (id, station, created_utc, estimate_id, grasp_id, force_hold, "
         "initial_state, free_offset, operator_name) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(estimateId).bind(graspId);

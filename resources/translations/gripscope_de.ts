@@ -3866,6 +3866,90 @@ m  %3</translation>
         <source>store the person</source>
         <translation>die Person speichern</translation>
     </message>
+    <message>
+        <source>batch with the key %1</source>
+        <translation>Los mit dem Schlüssel %1</translation>
+    </message>
+    <message>
+        <source>A batch needs a name or number of at most %1 characters.</source>
+        <translation>Ein Los braucht einen Namen oder eine Nummer mit höchstens %1 Zeichen.</translation>
+    </message>
+    <message>
+        <source>A batch has 1 to %1 parts.</source>
+        <translation>Ein Los hat 1 bis %1 Teile.</translation>
+    </message>
+    <message>
+        <source>begin the batch</source>
+        <translation>Los beginnen</translation>
+    </message>
+    <message>
+        <source>Batch %1 is under way here. End it first.</source>
+        <translation>Hier läuft das Los %1. Erst dieses beenden.</translation>
+    </message>
+    <message>
+        <source>end the batch</source>
+        <translation>Los beenden</translation>
+    </message>
+    <message>
+        <source>%1 has the code %2 already.</source>
+        <translation>%1 hat den Code %2 schon.</translation>
+    </message>
+    <message>
+        <source>store the code</source>
+        <translation>Code speichern</translation>
+    </message>
+    <message>
+        <source>There is no baseline that was measured well enough to be used.</source>
+        <translation>Es gibt keinen Leerwert, der gut genug gemessen wurde, um ihn zu verwenden.</translation>
+    </message>
+    <message>
+        <source>There is no baseline that could be taken away now.</source>
+        <translation>Es gibt jetzt keinen Leerwert, der weggenommen werden könnte.</translation>
+    </message>
+    <message>
+        <source>This gripper has no reference object yet.</source>
+        <translation>Dieser Greifer hat noch kein Referenzobjekt.</translation>
+    </message>
+    <message>
+        <source>Squeezes are under way. Wait for their end or stop them.</source>
+        <translation>Es laufen Druckversuche. Ihr Ende abwarten oder sie stoppen.</translation>
+    </message>
+    <message>
+        <source>The measurement</source>
+        <translation>Die Messung</translation>
+    </message>
+    <message>
+        <source>Another gripper is connected than the one that was measured. Connect gripper %1, then try again.</source>
+        <translation>Es ist ein anderer Greifer verbunden als der gemessene. Greifer %1 verbinden, dann noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>read the estimates</source>
+        <translation>Schätzungen lesen</translation>
+    </message>
+    <message>
+        <source>add the example types</source>
+        <translation>Beispieltypen hinzufügen</translation>
+    </message>
+    <message>
+        <source>An estimate holds a number that is not finite.</source>
+        <translation>Eine Schätzung enthält eine Zahl, die nicht endlich ist.</translation>
+    </message>
+    <message>
+        <source>store the reference object</source>
+        <translation>Referenzobjekt speichern</translation>
+    </message>
+    <message>
+        <source>A number that was measured in the check is not finite.</source>
+        <translation>Eine Zahl, die bei der Kontrolle gemessen wurde, ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>store the check on the reference object</source>
+        <translation>Kontrolle am Referenzobjekt speichern</translation>
+    </message>
+    <message>
+        <source>the reference object of this check</source>
+        <translation>Referenzobjekt dieser Kontrolle</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>
@@ -9365,6 +9449,10 @@ Vorh. %</translation>
     <message>
         <source>Saved as %1. The gripper is found by it from now on.</source>
         <translation>Gespeichert als %1. Der Greifer wird ab jetzt daran erkannt.</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
     </message>
 </context>
 <context>
