@@ -253,7 +253,5 @@ private slots:
     }
 };
 
-Q_DECLARE_METATYPE(HistoryQuery)
-
 GRIPSCOPE_TEST(HistoryViewTest)
 #include "history_view_test.moc"
