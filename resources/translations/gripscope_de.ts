@@ -4732,7 +4732,7 @@ m  %3</translation>
         <translation>Keine Kurve</translation>
     </message>
     <message>
-        <source>Undo the last point (Backspace)</source>
+        <source>Undo the last (Backspace)</source>
         <translation>Letzten Punkt zurück (Rücktaste)</translation>
     </message>
     <message>

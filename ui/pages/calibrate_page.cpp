@@ -78,9 +78,10 @@ void CalibratePage::show(int part)
 {
     d->stack->setCurrentIndex(part);
     QWidget* shown = d->stack->currentWidget();
-    if (shown != d->check)
+    // Nobody looks at it any more: nothing moves on.
+    if (!d->active || shown != d->check)
         d->check->leave();
-    if (shown != d->baseline)
+    if (!d->active || shown != d->baseline)
         d->baseline->leave();
     d->sensors->setActive(d->active && shown == d->sensors);
     d->check->setActive(d->active && shown == d->check);

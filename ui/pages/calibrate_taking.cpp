@@ -72,7 +72,7 @@ QWidget* CalibrateTaking::makeSide()
     m_words = makeLabel({}, "error", card);
     m_words->setObjectName("calibrationWords");
     m_words->setWordWrap(true);
-    m_undo = makeButton(tr("Undo the last point (Backspace)"), u"edit-undo"_s, "", card);
+    m_undo = makeButton(tr("Undo the last (Backspace)"), u"edit-undo"_s, "", card);
     m_undo->setObjectName("calibrationUndo");
     m_abandon = makeButton(tr("Leave it"), u"dialog-cancel"_s, "quiet", card);
     m_abandon->setObjectName("calibrationAbandon");
@@ -82,7 +82,10 @@ QWidget* CalibrateTaking::makeSide()
     column->addWidget(m_undo);
     column->addWidget(m_abandon);
     connect(m_undo, &QPushButton::clicked, this, &CalibrateTaking::undo);
-    connect(m_abandon, &QPushButton::clicked, this, &CalibrateTaking::abandoned);
+    connect(m_abandon, &QPushButton::clicked, this, [this] {
+        m_proposed = 0; // the next calibration has other loads
+        emit abandoned();
+    });
     return card;
 }
 
