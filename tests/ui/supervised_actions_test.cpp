@@ -213,7 +213,8 @@ private slots:
         QTRY_VERIFY(f.find<QPushButton>("calibrationAccept")->isVisible());
         refuseThenAllow(
             f, [&f] { f.click(f.find<QPushButton>("calibrationAccept")); }, u"calibration.accepted"_s);
-        QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().calibration().inForce().force, patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().calibration().record(SensorChannel::Force),
+                                 patience_ms);
     }
 };
 

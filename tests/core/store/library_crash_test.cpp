@@ -135,8 +135,9 @@ private slots:
                 valueOf(database->execute(
                     u"INSERT INTO grasps SELECT 'half%1', station, recorded_utc, type_id, operator_name, "
                     u"source, "
-                    "force_unit, position_unit, part, library_version FROM grasps WHERE id NOT LIKE 'half%'"_s
-                        .arg(i),
+                    "force_unit, position_unit, part, library_version, device_name, device_serial, firmware "
+                    "FROM "
+                    u"grasps WHERE id NOT LIKE 'half%'"_s.arg(i),
                     u"test"_s));
             _exit(0);
         })));
