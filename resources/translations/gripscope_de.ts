@@ -4638,7 +4638,7 @@ m  %3</translation>
     </message>
     <message>
         <source>Its standard uncertainty</source>
-        <translation>Ihre Standardunsicherheit</translation>
+        <translation>Standardunsicherheit</translation>
     </message>
     <message>
         <source>In newtons, the least first</source>
@@ -4808,7 +4808,7 @@ m  %3</translation>
     </message>
     <message>
         <source>Its standard uncertainty</source>
-        <translation>Ihre Standardunsicherheit</translation>
+        <translation>Standardunsicherheit</translation>
     </message>
     <message>
         <source>Taken</source>
@@ -6343,7 +6343,7 @@ Fit</translation>
     </message>
     <message>
         <source>Turn or change the part between squeezes, so that the type&apos;s spread is seen.</source>
-        <translation>Das Teil zwischen den Versuchen drehen oder wechseln: So wird die Streuung sichtbar.</translation>
+        <translation>Nach jedem Versuch das Teil drehen oder wechseln.</translation>
     </message>
     <message>
         <source>Drop outlier %1…</source>
@@ -6407,7 +6407,7 @@ Fit</translation>
     </message>
     <message>
         <source>Accept good squeezes by itself</source>
-        <translation>Gute Versuche selbst annehmen</translation>
+        <translation>Gute Versuche annehmen</translation>
     </message>
     <message>
         <source>A valid squeeze that goes with the others is accepted without asking; any other waits for you. Ctrl+Z undoes it.</source>

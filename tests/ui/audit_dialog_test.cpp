@@ -48,9 +48,7 @@ private slots:
         const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
         QSignalSpy asked(&model, &AuditModel::pageAsked);
         model.restart(5, page(5, 3));
-        QVERIFY(model.canFetchMore({}));
-        model.fetchMore({});
-        model.fetchMore({}); // the first answer is still on its way
+        model.fetchMore({}); // the tester has asked for more already; the first answer is still on its way
         QCOMPARE(asked.size(), 1);
         QCOMPARE(asked.first().first().toInt(), 3);
         model.append(1, page(2, 2)); // an older question

@@ -169,12 +169,13 @@ void EnrollPageTest::aKnownNameKeepsItsRecipe()
 {
     WindowFixture f;
     f.window->showPage(u"enroll"_s);
+    f.find<QLineEdit>("typeName")->selectAll(); // a name is proposed
     QTest::keyClicks(f.find<QLineEdit>("typeName"), u"B"_s);
     f.click(f.find<QPushButton>("nameNext"));
     QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Recipe);
     auto* form = f.window->findChild<EnrollRecipeForm*>();
     for (QDoubleSpinBox* field : form->findChildren<QDoubleSpinBox*>())
-        QVERIFY(!field->isEnabled());
+        QTRY_VERIFY(!field->isEnabled());
     f.click(f.find<QPushButton>("recipeBack"));
     QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Name);
 }

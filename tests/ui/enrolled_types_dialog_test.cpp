@@ -149,7 +149,7 @@ private slots:
         QTest::qWait(50);
         QVERIFY(d.form());
         d.accept(u"from the order"_s);
-        QTRY_COMPARE_WITH_TIMEOUT(d.types()->item(1, 4)->text(), u"4006381333931"_s, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(d.types()->item(1, 5)->text(), u"4006381333931"_s, patience_ms);
         QCOMPARE(d.versions()->item(0, 3)->text(), u"B got the code 4006381333931 for scanners."_s);
         QTRY_COMPARE_WITH_TIMEOUT(d.f.bench->inspection().types().at(1).code, u"4006381333931"_s,
                                   patience_ms);

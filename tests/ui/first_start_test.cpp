@@ -29,7 +29,7 @@ public:
     void click(const char* button)
     {
         ++m_count;
-        WindowFixture::click(m_fixture->find<QPushButton>(button));
+        WindowFixture::click(m_fixture->find<QAbstractButton>(button));
     }
     [[nodiscard]] int count() const { return m_count; }
 

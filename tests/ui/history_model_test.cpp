@@ -148,7 +148,7 @@ private slots:
         const QStringList header = QString::fromUtf8(historyCsvHeader()).trimmed().split(u',');
         const QString line = QString::fromUtf8(toCsv({entry}));
         QVERIFY(line.startsWith(u"7,2020-03-01T12:00:07.000Z,inspection,A,as_expected,type,A,"_s));
-        QVERIFY(line.contains(u",0.30000000000000004,0.0001,kg,"_s));
+        QVERIFY2(line.contains(u",0.30000000000000004,1e-04,kg,"_s), qPrintable(line));
         QVERIFY(line.contains(u"\"Nguyen, \"\"Mai\"\"\""_s));
         QCOMPARE(QString(line).remove(u"\"Nguyen, \"\"Mai\"\"\""_s).count(u',') + 1, header.size());
     }

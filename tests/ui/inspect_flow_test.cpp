@@ -321,7 +321,7 @@ void InspectFlowTest::whatIsNotValidIsNeitherGoodNorBad()
     expectType(f, u"A"_s);
     beginBatch(f, u"4711"_s, 5);
     squeezeBySpace(f);
-    QVERIFY(f.find<VerdictPanel>("verdictPanel")->outcome() == InspectionOutcome::NotValid);
+    QTRY_VERIFY(f.find<VerdictPanel>("verdictPanel")->outcome() == InspectionOutcome::NotValid);
     QCOMPARE(f.find<QPushButton>("squeezeButton")->text(), u"Squeeze again (Space)"_s);
     QVERIFY(f.find<QLabel>("notJudgedNote")->isVisible());
     QVERIFY(f.find<QLabel>("yieldLabel")->text().isEmpty());

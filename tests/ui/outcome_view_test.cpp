@@ -201,7 +201,7 @@ void OutcomeViewTest::theYieldLeavesOutWhatWasNotJudged()
     QVERIFY(yieldText(counts).isEmpty()); // nothing was judged
     counts.asExpected = 40;
     // 40 of 40: the exact two-sided lower bound is 0.025^(1/40) = 0.9119.
-    QCOMPARE(yieldText(counts), u"100 % as expected (91.2 to 100 %)"_s);
+    QCOMPARE(yieldText(counts), u"100.0\u00A0% as expected (91.2 to 100.0\u00A0%)"_s);
     counts.otherType = 1;
     QVERIFY(!yieldText(counts).startsWith(u"100"_s));
     QVERIFY(yieldExplained(counts).contains(u"40 of 41"_s));

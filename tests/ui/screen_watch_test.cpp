@@ -87,9 +87,6 @@ class ScreenWatchTest : public QObject {
         auto* squeeze = f.find<QPushButton>("enrollSqueezeButton");
         QTRY_VERIFY_WITH_TIMEOUT(squeeze->isVisible() && squeeze->isEnabled(), patience_ms);
         f.click(squeeze);
-        auto* accept = f.find<QPushButton>("acceptButton");
-        QTRY_VERIFY_WITH_TIMEOUT(accept->isVisible() && accept->isEnabled(), patience_ms);
-        f.click(accept);
         QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, patience_ms);
     }
     static void lookAtPages(WindowFixture& f, ScreenWatch& watch)
@@ -103,9 +100,10 @@ class ScreenWatchTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(history->model()->rowCount() > 100, patience_ms);
         history->scrollToBottom();
         QTest::qWait(300);
+        history->scrollToTop();
+        QTest::qWait(300); // for the rows there
         watch.step(u"fit"_s);
         history->selectRow(0);
-        history->scrollToTop();
         QTest::keyClick(history, Qt::Key_Return);
         QTRY_COMPARE_WITH_TIMEOUT(f.window->currentPage()->id(), u"fit"_s, patience_ms);
         QTest::qWait(1500); // estimators, checks, budget

@@ -109,9 +109,9 @@ private slots:
         open(page);
         QTRY_VERIFY_WITH_TIMEOUT(shows(page, QStringLiteral("No types in this library yet")),
                                  test::patience_ms);
-        for (QPushButton* button : page.findChildren<QPushButton*>())
-            if (button->text() == QStringLiteral("Load the example types"))
-                button->click();
+        auto* load = page.findChild<QPushButton*>(QStringLiteral("loadExampleTypes"));
+        QTRY_VERIFY_WITH_TIMEOUT(load->isVisible(), test::patience_ms);
+        QTest::mouseClick(load, Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(page.view()->content().points.size(), std::size_t(40), test::patience_ms);
         QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
         QCOMPARE(page.view()->content().ellipsoids.size(), std::size_t(4));

@@ -47,7 +47,7 @@ CalibratePage::CalibratePage(Workbench& bench, QWidget* parent)
     }
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 4, 16, 16);
-    column->setSpacing(8);
+    column->setSpacing(4);
     column->addWidget(d->tabs);
     column->addWidget(d->stack, 1);
     setFocusPolicy(Qt::StrongFocus);

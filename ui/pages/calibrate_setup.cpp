@@ -82,6 +82,7 @@ void CalibrateSetup::build()
     add(4, 2, 2, tr("Its standard uncertainty"), m_uncertainty);
     for (const int column : {0, 1, 2, 3})
         grid->setColumnStretch(column, 1);
+    m_descending->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed); // never less than its word
     auto* column = new QVBoxLayout(this);
     setSpacing(column, 0, 12);
     column->addLayout(grid);

@@ -298,8 +298,10 @@ void InspectPage::refreshActions()
     const bool ready = workbench().inspection().state() == InspectSession::State::Ready;
     const bool wasEnabled = d->squeeze->isEnabled();
     const bool keysAreOurs = isOurs(window()->focusWidget());
-    d->arm->setVisible(!(connected && (connection.armed() || !commandable)));
+    const bool anyTypes = !workbench().inspection().types().empty();
+    d->arm->setVisible(anyTypes && !(connected && (connection.armed() || !commandable)));
     d->arm->setEnabled(connected);
+    d->squeeze->setVisible(anyTypes); // there is nothing yet that a part could be
     d->squeeze->setEnabled(connected && ready && (connection.armed() || !commandable));
     switch (workbench().inspection().state()) {
     case InspectSession::State::Squeezing:

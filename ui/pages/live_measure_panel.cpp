@@ -116,15 +116,14 @@ QWidget* LiveMeasurePanel::buildSide()
     setSpacing(column, 0, 8);
     auto* tools = new QHBoxLayout;
     setSpacing(tools, 0, 4);
-    const auto tool = [&](const char* id, const QString& sign, const QString& name, auto asked) {
-        const bool letter = sign.size() == 1;
-        QToolButton* button = makeToolButton(letter ? sign : QString(), letter ? QString() : sign, name);
+    const auto tool = [&](const char* id, const QString& icon, const QString& name, auto asked) {
+        QToolButton* button = makeToolButton({}, icon, name);
         button->setObjectName(QString::fromLatin1(id));
         connect(button, &QToolButton::clicked, this, asked);
         tools->addWidget(button);
     };
-    tool("zoomIn", u"+"_s, tr("Show less time (+)"), [this] { emit zoomAsked(2); });
-    tool("zoomOut", u"−"_s, tr("Show more time (−)"), [this] { emit zoomAsked(0.5); });
+    tool("zoomIn", u"zoom-in"_s, tr("Show less time (+)"), [this] { emit zoomAsked(2); });
+    tool("zoomOut", u"zoom-out"_s, tr("Show more time (−)"), [this] { emit zoomAsked(0.5); });
     tool("earlier", u"go-previous"_s, tr("Earlier (left arrow)"), [this] { emit panAsked(-0.25); });
     tool("later", u"go-next"_s, tr("Later (right arrow)"), [this] { emit panAsked(0.25); });
     tool("whole", u"zoom-original"_s, tr("All as it was paused (Home)"), [this] { emit resetAsked(); });

@@ -129,6 +129,7 @@ std::vector<Setting> sessions()
     bound.least = 100;
     bound.most = 1e6;
     bound.unit = "MB";
+    keep.needsSupervisor = true; // what is not kept cannot be replayed
     for (Setting* one : {&keep, &folder, &bound})
         one->applies = SettingApplies::NextConnection;
     return {keep, folder, bound};
