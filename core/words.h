@@ -6,9 +6,10 @@
 
 namespace gripscope {
 
-/// What core and devices say to a person: `Words::tr("The type needs a name.")`, or QT_TRANSLATE_NOOP("Words",
-/// "...") where the words are a constant that Words::tr() gets later. English where no translator is installed,
-/// as on the command line.
+/// What core and devices say to a person: `Words::tr("The type needs a name.")`, or
+/// QT_TRANSLATE_NOOP("Words",
+/// "...") where the words are a constant that Words::tr() gets later. English where no translator is
+/// installed, as on the command line.
 class Words {
     Q_DECLARE_TR_FUNCTIONS(Words)
 public:

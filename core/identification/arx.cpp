@@ -243,7 +243,8 @@ void mapToParameters(const Regression& regression, const Solution& solution, con
     if (!estimate.parameters) {
         estimate.status = EstimateStatus::NoPhysicalMapping;
         estimate.message = QT_TRANSLATE_NOOP(
-            "Words", "the coefficients belong to no object with m, b, k > 0; noise on the position does that");
+            "Words",
+            "the coefficients belong to no object with m, b, k > 0; noise on the position does that");
         return;
     }
     estimate.status = EstimateStatus::Converged;
@@ -295,7 +296,8 @@ Estimate estimateArx(const std::vector<double>& force, const std::vector<double>
     if (solution.coefficients.size() == 0 || !solution.coefficients.allFinite()) {
         estimate.status = EstimateStatus::NotIdentifiable;
         estimate.message = QT_TRANSLATE_NOOP(
-            "Words", "force and position do not determine the coefficients; squeeze with a force that varies");
+            "Words",
+            "force and position do not determine the coefficients; squeeze with a force that varies");
         return estimate;
     }
     estimate.coefficients = inChannelUnits(regression, solution.coefficients);

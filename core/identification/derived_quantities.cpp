@@ -88,8 +88,8 @@ std::vector<DerivedQuantity> derivedFrom(const UncertaintyBudget& budget)
         quantity(budget, u"damping_ratio"_s, Words::tr("damping ratio"), u"1"_s, {zeta, ofDamping}));
     const double uncertainty = out.back().uncertainty.standardUncertainty;
     if (std::abs(zeta - 1) <= 2 * uncertainty) {
-        DerivedQuantity both = quantity(budget, u"time_constant"_s, Words::tr("time constant"),
-                                        u"s"_s, {1 / angular, -ofFrequency});
+        DerivedQuantity both = quantity(budget, u"time_constant"_s, Words::tr("time constant"), u"s"_s,
+                                        {1 / angular, -ofFrequency});
         both.words += both.words.isEmpty() ? QString() : u"; "_s;
         both.words +=
             Words::tr("the damping is critical within its uncertainty, so that two time constants cannot be "
@@ -109,10 +109,10 @@ std::vector<DerivedQuantity> derivedFrom(const UncertaintyBudget& budget)
         const double root = std::sqrt(zeta - 1) * std::sqrt(zeta + 1);
         const double sum = zeta + root;
         const Eigen::Vector3d slope = zeta / root * ofDamping;
-        out.push_back(quantity(budget, u"time_constant_slow"_s, Words::tr("slow time constant"),
-                               u"s"_s, {sum / angular, slope - ofFrequency}));
-        out.push_back(quantity(budget, u"time_constant_fast"_s, Words::tr("fast time constant"),
-                               u"s"_s, {1 / (sum * angular), -slope - ofFrequency}));
+        out.push_back(quantity(budget, u"time_constant_slow"_s, Words::tr("slow time constant"), u"s"_s,
+                               {sum / angular, slope - ofFrequency}));
+        out.push_back(quantity(budget, u"time_constant_fast"_s, Words::tr("fast time constant"), u"s"_s,
+                               {1 / (sum * angular), -slope - ofFrequency}));
     }
     std::erase_if(out, [](const DerivedQuantity& q) {
         return !std::isfinite(q.interval.lower) || !std::isfinite(q.uncertainty.standardUncertainty);

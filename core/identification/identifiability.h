@@ -22,7 +22,8 @@ inline constexpr const char* constantForce =
                                "free start and offset; squeeze with a force that "
                                "varies, for instance a pseudo-random binary sequence");
 inline constexpr const char* constantPosition = QT_TRANSLATE_NOOP(
-    "Words", "the position does not change; check that the fingers hold the object and that the sensor works");
+    "Words",
+    "the position does not change; check that the fingers hold the object and that the sensor works");
 inline constexpr const char* noAnswer = QT_TRANSLATE_NOOP(
     "Words", "the position does not answer the force; check the grip and which column is which");
 

@@ -175,7 +175,7 @@ Repetition findRepetition(const std::vector<double>& force, const PeriodicOption
         out.status = EstimateStatus::NotApplicable;
         out.message = QT_TRANSLATE_NOOP(
             "Words", "the force does not repeat four times or more without lost samples; record a periodic "
-                    "excitation, such as inverse-repeat, over at least four periods");
+                     "excitation, such as inverse-repeat, over at least four periods");
         return out;
     }
     out.period = *period;

@@ -12,8 +12,8 @@ namespace gripscope {
 
 enum class HistoryFormat { Csv, Json };
 
-/// Squeezes as lines of CSV: UTF-8, LF, C locale, times in UTC, numbers in their shortest form that reads back
-/// the same, m, b and k in the squeeze's own units, which stand beside them.
+/// Squeezes as lines of CSV: UTF-8, LF, C locale, times in UTC, numbers in their shortest form that reads
+/// back the same, m, b and k in the squeeze's own units, which stand beside them.
 [[nodiscard]] QByteArray toCsv(const std::vector<HistoryEntry>& entries);
 /// The header of those lines.
 [[nodiscard]] QByteArray historyCsvHeader();

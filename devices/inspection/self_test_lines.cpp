@@ -167,8 +167,7 @@ SelfTestLine sequenceLine(const SelfTestEvidence& evidence)
     }
     out.value = static_cast<double>(all);
     out.limit = u"0"_qs;
-    out.figure =
-        found.isEmpty() ? Words::tr("0 lost, twice, damaged or silent") : found.join(u", "_qs);
+    out.figure = found.isEmpty() ? Words::tr("0 lost, twice, damaged or silent") : found.join(u", "_qs);
     judge(out, all == 0,
           Words::tr("Try a shorter cable and another port, without a hub; close programs that keep the "
                     "computer busy."));

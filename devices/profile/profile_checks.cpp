@@ -101,8 +101,7 @@ void Checks::checkPlace(const NamedField& named)
 {
     const std::size_t end = named.field->end() + lastShift(named);
     if (m_profile.reportId && named.field->byte == 0)
-        report(at(named.name, u"byte"_s), u"0"_s,
-               Words::tr("1 or more: byte 0 is the report ID"));
+        report(at(named.name, u"byte"_s), u"0"_s, Words::tr("1 or more: byte 0 is the report ID"));
     else if (end > m_profile.reportLength)
         report(at(named.name, u"byte"_s),
                Words::tr("%1, so that the field ends behind byte %2").arg(named.field->byte).arg(end - 1),

@@ -2,8 +2,8 @@
 #include "devices/profile/virtual_robot_transport.h"
 
 #include "core/session/device_button.h"
-#include "devices/virtual/virtual_button.h"
 #include "core/words.h"
+#include "devices/virtual/virtual_button.h"
 #include "devices/virtual/virtual_plug.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/virtual/virtual_transport.h"
 
-#include "devices/virtual/virtual_button.h"
 #include "core/words.h"
+#include "devices/virtual/virtual_button.h"
 #include "devices/virtual/virtual_plug.h"
 
 #include <algorithm>

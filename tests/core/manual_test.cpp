@@ -49,7 +49,8 @@ private slots:
             const QString name = QString::fromLatin1(screen);
             const QString picture = u"pictures/%1.png"_s.arg(name);
             QVERIFY2(page(name + u".md"_s).contains(u'(' + picture + u')'), screen);
-            QVERIFY2(QFile::exists(QStringLiteral(GRIPSCOPE_SOURCE_DIR "/resources/manual/") + picture), screen);
+            QVERIFY2(QFile::exists(QStringLiteral(GRIPSCOPE_SOURCE_DIR "/resources/manual/") + picture),
+                     screen);
         }
     }
     void everyLinkLeadsSomewhere()

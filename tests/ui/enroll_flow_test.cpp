@@ -198,7 +198,7 @@ void EnrollFlowTest::theRecipesCrushLimitHolds()
     QTRY_VERIFY(!f.find<QPushButton>("recipeNext")->isEnabled());
     QTest::keyClick(limit, Qt::Key_Return);
     QCOMPARE(f.bench->enrollment().step(), Step::Recipe);
-    const QString told = f.find<QLabel>("recipeSummary")->text();
+    const QString told = f.page(u"enroll"_s)->findChild<QLabel*>(u"recipeSummary"_s)->text();
     QVERIFY2(told.contains(u"25"_s), qPrintable(told));
     limit->selectAll();
     QTest::keyClicks(limit, u"33"_s);

@@ -173,7 +173,7 @@ void EnrollPageTest::aKnownNameKeepsItsRecipe()
     QTest::keyClicks(f.find<QLineEdit>("typeName"), u"B"_s);
     f.click(f.find<QPushButton>("nameNext"));
     QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Recipe);
-    auto* form = f.window->findChild<EnrollRecipeForm*>();
+    auto* form = f.page(u"enroll"_s)->findChild<EnrollRecipeForm*>(); // the Calibrate page has another
     for (QDoubleSpinBox* field : form->findChildren<QDoubleSpinBox*>())
         QTRY_VERIFY(!field->isEnabled());
     f.click(f.find<QPushButton>("recipeBack"));

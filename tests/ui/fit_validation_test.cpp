@@ -109,8 +109,8 @@ private slots:
             &shown.page,
             [](Library& library) {
                 const Recording recording = simulatedSqueeze(test::canA, 7);
-                return storeSqueeze(
-                    library, {u"Cola"_s, {}, makeGrasp(recording, identify(recording), {}, {})});
+                return storeSqueeze(library,
+                                    {u"Cola"_s, {}, makeGrasp(recording, identify(recording), {}, {})});
             },
             [&](const Expected<StoredSqueeze>& answer) { stored = answer.has_value(); });
         QTRY_VERIFY_WITH_TIMEOUT(stored, test::patience_ms);

@@ -62,7 +62,7 @@ void CalibrateSetup::build()
     m_begin->setObjectName("calibrationBegin");
 
     auto* grid = new QGridLayout;
-    grid->setHorizontalSpacing(16);
+    grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(2);
     const auto add = [&](int row, int column, int span, const QString& name, QWidget* field) {
         field->setAccessibleName(name);
@@ -80,9 +80,9 @@ void CalibrateSetup::build()
     add(3, 0, 4, tr("Reference"), m_reference);
     add(4, 0, 2, tr("Its certificate"), m_certificate);
     add(4, 2, 2, tr("Its standard uncertainty"), m_uncertainty);
+    m_descending->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed); // never less than its word
     for (const int column : {0, 1, 2, 3})
         grid->setColumnStretch(column, 1);
-    m_descending->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed); // never less than its word
     auto* column = new QVBoxLayout(this);
     setSpacing(column, 0, 12);
     column->addLayout(grid);

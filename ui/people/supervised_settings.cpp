@@ -22,8 +22,8 @@ void changeSettings(Workbench& bench, QWidget* parent, const std::vector<Setting
     if (details.isEmpty())
         return apply();
     const QStringList keys = details.keys();
-    const bool rates = std::all_of(keys.begin(), keys.end(),
-                                   [](const QString& key) { return key.startsWith("rates/"_L1); });
+    const bool rates =
+        std::all_of(keys.begin(), keys.end(), [](const QString& key) { return key.startsWith("rates/"_L1); });
     authorizeRecorded(bench, parent, rates ? Permission::ChangeRates : Permission::ChangeSettings,
                       QString::fromUtf16(rates ? audit_action::ratesChanged : audit_action::settingChanged),
                       keys.join(u", "_s), details, std::move(apply));

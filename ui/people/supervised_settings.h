@@ -11,8 +11,8 @@ namespace gripscope {
 
 class Workbench;
 
-/// Does `apply`, which makes these changes: at once where none of them needs a supervisor, else with one's consent
-/// where roles are in force, and told to the audit trail.
+/// Does `apply`, which makes these changes: at once where none of them needs a supervisor, else with one's
+/// consent where roles are in force, and told to the audit trail.
 void changeSettings(Workbench& bench, QWidget* parent, const std::vector<SettingChange>& changes,
                     std::function<void()> apply);
 /// What resetAll() would change.

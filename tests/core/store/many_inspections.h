@@ -27,7 +27,8 @@ inline void addManyInspections(const QString& file, int count)
         u"SELECT printf('e%09d', i), '', '', printf('g%09d', i), 0, 'oe', 'converged', '', '0.1', 0.04 + i / 1e7, 43, i, 1e-8, 0, 0, 0.01, 0, 100, 95, 1 FROM n"_s);
     raw.run(u"INSERT INTO inspections "_s + numbers + u"SELECT printf('i%09d', i), '', "_s + time +
             u", i, printf('g%09d', i), 'A', CASE WHEN i % 10 = 0 THEN 'unknown' ELSE 'type' END, "
-            "CASE WHEN i % 10 = 0 THEN '' WHEN i % 7 = 0 THEN 'B' ELSE 'A' END, 'A', 1 - i / 1e6, 1, 14, 500, 0.01, "
+            "CASE WHEN i % 10 = 0 THEN '' WHEN i % 7 = 0 THEN 'B' ELSE 'A' END, 'A', 1 - i / 1e6, 1, 14, "
+            "500, 0.01, "
             "0.001, 1, CASE WHEN i % 2 = 0 THEN 'Ada' ELSE 'Bob' END, '{}', '[]', NULL FROM n"_s);
     raw.run(u"COMMIT"_s);
 }
