@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/ui/workbench_fixture.h"
+#include "ui/scan_reader.h"
 #include "ui/widgets/type_chooser.h"
 
 #include <QLineEdit>
@@ -36,6 +37,7 @@ inline void squeezeBySpace(WindowFixture& f)
 {
     QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("squeezeButton")->isEnabled(), patience_ms);
     const qint64 before = f.bench->inspection().counts().total;
+    QTest::qWait(2 * ScanReader::longestGap_ms); // keys that follow faster are a scanner's
     QTest::keyClick(focusOf(f), Qt::Key_Space);
     QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().counts().total, before + 1, patience_ms);
 }
