@@ -70,6 +70,12 @@ private slots:
         QCOMPARE(text(AuditModel::Column::Person), u"Sam (supervisor)"_s);
         QCOMPARE(text(AuditModel::Column::Action), u"Type approved"_s);
         QCOMPARE(text(AuditModel::Column::Details), u"version: 7"_s);
+        QCOMPARE(text(AuditModel::Column::Time).size(), 19); // to the second
+        std::vector<AuditEntry> consent = page(1, 1);
+        consent.front().action = u"authorised"_s;
+        consent.front().subject = u"change_settings"_s;
+        model.restart(1, consent);
+        QCOMPARE(text(AuditModel::Column::Subject), u"Changing settings"_s);
     }
     void theCsvHasEveryFieldOfTheChain()
     {

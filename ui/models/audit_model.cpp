@@ -1,11 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/audit_model.h"
 
-#include "core/people/person.h"
-
-#include <QLocale>
+#include "core/people/permission.h"
 
 namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// What a consent was to is kept by its id.
+QString subjectInWords(const AuditEntry& entry)
+{
+    if (entry.action == QString::fromUtf16(audit_action::authorised))
+        for (int i = 0; i <= static_cast<int>(Permission::ChangeSettings); ++i)
+            if (toString(static_cast<Permission>(i)) == entry.subject)
+                return inWords(static_cast<Permission>(i));
+    return entry.subject;
+}
+
+} // namespace
 
 void AuditModel::restart(qint64 total, std::vector<AuditEntry> page)
 {
@@ -61,7 +75,7 @@ QString AuditModel::text(const AuditEntry& entry, Column column)
         return QString::number(entry.number);
     case Column::Time: {
         const QDateTime time = QDateTime::fromString(entry.utc, Qt::ISODateWithMs);
-        return QLocale().toString(time.toLocalTime(), QLocale::ShortFormat);
+        return time.toLocalTime().toString(u"yyyy-MM-dd HH:mm:ss"_s);
     }
     case Column::Person: {
         const std::optional<Role> role = roleFromString(entry.role);
@@ -70,7 +84,7 @@ QString AuditModel::text(const AuditEntry& entry, Column column)
     case Column::Action:
         return actionInWords(entry.action);
     case Column::Subject:
-        return entry.subject;
+        return subjectInWords(entry);
     case Column::Reason:
         return entry.reason;
     case Column::Details:

@@ -72,6 +72,7 @@ AuditDialog::AuditDialog(Workbench& workbench, QWidget* parent)
     connect(save, &QPushButton::clicked, this, &AuditDialog::chooseExport);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
     resize(960, 560);
+    m_text->setFocus();
     reload();
 }
 
@@ -119,7 +120,7 @@ void AuditDialog::makeTable()
     m_table->verticalHeader()->setDefaultSectionSize(32);
     m_table->horizontalHeader()->setHighlightSections(false);
     // Of fixed widths: to measure the texts of a long trail would take the screen's time.
-    const int widths[AuditModel::columns] = {64, 136, 152, 152, 120, 160, 240, 160};
+    const int widths[AuditModel::columns] = {64, 168, 152, 192, 168, 160, 240, 160};
     for (int column = 0; column < AuditModel::columns; ++column)
         m_table->setColumnWidth(column, widths[column]);
 }
@@ -179,6 +180,7 @@ void AuditDialog::verify()
             m_result->setText(found ? inWords(*found) : found.error().describe());
             m_result->show();
             m_verify->setEnabled(true);
+            m_verify->setFocus(); // it went elsewhere while it was disabled
         });
 }
 

@@ -87,6 +87,8 @@ PersonForm::PersonForm(const QString& title, const QString& words, const QString
 void PersonForm::addField(const QString& label, QWidget* field)
 {
     field->setAccessibleName(label);
+    if (m_fields->count() > 0)
+        m_fields->addSpacing(8);
     m_fields->addWidget(makeLabel(label, "caption", this));
     m_fields->addWidget(field);
 }

@@ -48,6 +48,7 @@ SignInDialog::SignInDialog(Workbench& workbench, std::optional<Permission> permi
     column->addSpacing(8);
     column->addWidget(makeLabel(m_person->accessibleName(), "caption", this));
     column->addWidget(m_person);
+    column->addSpacing(4);
     column->addWidget(makeLabel(m_secret->accessibleName(), "caption", this));
     column->addWidget(m_secret);
     column->addWidget(m_state, 1);
