@@ -39,7 +39,13 @@ inline void squeezeBySpace(WindowFixture& f)
     const qint64 before = f.bench->inspection().counts().total;
     QTest::qWait(2 * ScanReader::longestGap_ms); // keys that follow faster are a scanner's
     QTest::keyClick(focusOf(f), Qt::Key_Space);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().counts().total, before + 1, patience_ms);
+    const bool stored =
+        QTest::qWaitFor([&] { return f.bench->inspection().counts().total == before + 1; }, patience_ms);
+    const QWidget* focus = focusOf(f);
+    QVERIFY2(stored,
+             qPrintable(u"armed: %1, focus: %2 %3, message: %4"_s.arg(f.bench->connection().armed())
+                            .arg(QString::fromLatin1(focus ? focus->metaObject()->className() : "none"),
+                                 focus ? focus->objectName() : QString(), f.window->message())));
 }
 
 /// As a scanner does: fast, and Enter behind it.

@@ -52,7 +52,7 @@ struct InspectPage::Private {
     ButtonWatch button;
     bool buttonPressed = false;
     std::optional<InspectHint> notice; ///< of a code or a button; until something else happens
-    bool active = false;
+    bool active = false, wasArmed = false, squeezeIsNext = false;
     qint64 shownNumber = 0;
     std::uint64_t heard = 0; ///< the squeeze whose verdict was heard
     InspectSession::State shownState = InspectSession::State::Loading;
@@ -298,6 +298,7 @@ void InspectPage::refreshActions()
     const bool ready = workbench().inspection().state() == InspectSession::State::Ready;
     const bool wasEnabled = d->squeeze->isEnabled();
     const bool keysAreOurs = isOurs(window()->focusWidget());
+    const bool typing = d->expected->hasFocus();
     const bool anyTypes = !workbench().inspection().types().empty();
     d->arm->setVisible(anyTypes && !(connected && (connection.armed() || !commandable)));
     d->arm->setEnabled(connected);
@@ -318,8 +319,14 @@ void InspectPage::refreshActions()
     // Hiding or disabling the focused button hands the focus on, to anything. It is kept here, and when the
     // next squeeze can begin (who armed it may have clicked elsewhere) it comes back: Space is enough.
     const bool nowEnabled = d->squeeze->isEnabled() && !wasEnabled;
-    if (d->active && (keysAreOurs || nowEnabled) && !d->expected->hasFocus())
+    const bool armed = connection.armed();
+    d->squeezeIsNext = armed && (d->squeezeIsNext || !d->wasArmed); // that is what it was armed for
+    d->wasArmed = armed;
+    const bool next = d->squeezeIsNext && d->squeeze->isEnabled();
+    if (d->active && (keysAreOurs || next || (nowEnabled && !typing)))
         focusSqueeze();
+    if (next)
+        d->squeezeIsNext = false;
 }
 
 bool InspectPage::isOurs(const QWidget* focused) const
