@@ -58,7 +58,10 @@ void ScanReader::setActive(bool active)
 
 QWidget* ScanReader::focus() const
 {
-    QWidget* widget = m_page->window()->focusWidget();
+    // The application's focus first: what the window answers may be an older one.
+    QWidget* widget = QApplication::focusWidget();
+    if (!widget || widget->window() != m_page->window())
+        widget = m_page->window()->focusWidget();
     return widget ? widget : m_page;
 }
 

@@ -16,6 +16,13 @@ using namespace Qt::StringLiterals;
 
 inline constexpr int patience_ms = 15000;
 
+/// Where keys go.
+inline QWidget* focusOf(WindowFixture& f)
+{
+    QWidget* focus = QApplication::focusWidget(); // the window's own answer may be an older one
+    return focus ? focus : f.window->focusWidget();
+}
+
 inline void expectType(WindowFixture& f, const QString& name)
 {
     auto* chooser = f.find<TypeChooser>("expectedCombo");
@@ -27,17 +34,14 @@ inline void expectType(WindowFixture& f, const QString& name)
     QCOMPARE(chooser->expected(), name);
 }
 
-/// Where keys go.
-inline QWidget* focusOf(WindowFixture& f)
-{
-    QWidget* focus = QApplication::focusWidget(); // the window's own answer may be an older one
-    return focus ? focus : f.window->focusWidget();
-}
-
 /// Space wherever the focus is, until the verdict is in the library.
 inline void squeezeBySpace(WindowFixture& f)
 {
-    QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("squeezeButton")->isEnabled(), patience_ms);
+    auto* squeeze = f.find<QPushButton>("squeezeButton");
+    QTRY_VERIFY_WITH_TIMEOUT(squeeze->isEnabled(), patience_ms);
+    f.window->activateWindow();
+    QTRY_COMPARE_WITH_TIMEOUT(focusOf(f), static_cast<QWidget*>(squeeze),
+                              patience_ms); // put forward by the page itself
     const qint64 before = f.bench->inspection().counts().total;
     QTest::qWait(2 * ScanReader::longestGap_ms); // keys that follow faster are a scanner's
     QTest::keyClick(focusOf(f), Qt::Key_Space);
