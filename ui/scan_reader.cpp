@@ -58,10 +58,7 @@ void ScanReader::setActive(bool active)
 
 QWidget* ScanReader::focus() const
 {
-    // The application's focus first: what the window answers may be an older one.
-    QWidget* widget = QApplication::focusWidget();
-    if (!widget || widget->window() != m_page->window())
-        widget = m_page->window()->focusWidget();
+    QWidget* widget = m_page->window()->focusWidget();
     return widget ? widget : m_page;
 }
 

@@ -152,8 +152,7 @@ void EnrollFlowTest::goodSqueezesAreAcceptedByThemselvesAndUndone()
     squeeze(f, Activity::Waiting);
     QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, patience_ms);
     Page* page = f.page(u"enroll"_s);
-    f.window->activateWindow();
-    QTRY_VERIFY(f.window->isActiveWindow());
+    f.makeActive();
     QTest::keyClick(page, Qt::Key_Z, Qt::ControlModifier);
     QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().activity(), Activity::Deciding, patience_ms);
     QTest::qWait(300);

@@ -78,8 +78,8 @@ void InspectPageTest::anExpectedPartIsAsExpected()
 {
     WindowFixture f;
     f.window->showPage(u"inspect"_s);
-    f.click(f.find<QPushButton>("inspectArmButton"));
     expectType(f, u"A"_s);
+    f.click(f.find<QPushButton>("inspectArmButton"));
     squeezeBySpace(f);
     const auto* verdict = f.find<VerdictPanel>("verdictPanel");
     QVERIFY(verdict->outcome() == InspectionOutcome::AsExpected);
@@ -95,8 +95,8 @@ void InspectPageTest::anotherTypeIsNamed()
 {
     WindowFixture f(true, u"virtual:?object=C&seed=8"_s);
     f.window->showPage(u"inspect"_s);
-    f.click(f.find<QPushButton>("inspectArmButton"));
     expectType(f, u"A"_s);
+    f.click(f.find<QPushButton>("inspectArmButton"));
     squeezeBySpace(f);
     const auto* verdict = f.find<VerdictPanel>("verdictPanel");
     QVERIFY(verdict->outcome() == InspectionOutcome::OtherType);
@@ -190,8 +190,8 @@ void InspectPageTest::aDecidedSqueezeIsShortAndLeavesTheGripperArmed()
 {
     WindowFixture f;
     f.window->showPage(u"inspect"_s);
-    f.click(f.find<QPushButton>("inspectArmButton"));
     expectType(f, u"A"_s);
+    f.click(f.find<QPushButton>("inspectArmButton"));
     squeezeBySpace(f);
     const auto& result = f.bench->inspection().result();
     QVERIFY(result);
@@ -212,8 +212,8 @@ void InspectPageTest::whatWasShownSoFarIsCounted()
     f.window->showPage(u"inspect"_s);
     const auto* shown = f.find<QLabel>("shownLabel");
     QVERIFY(shown->isHidden());
-    f.click(f.find<QPushButton>("inspectArmButton"));
     expectType(f, u"A"_s);
+    f.click(f.find<QPushButton>("inspectArmButton"));
     squeezeBySpace(f);
     // 0 of 1: at most 95 %.
     QTRY_VERIFY_WITH_TIMEOUT(shown->text().contains(u"0 of 1, so at most 95"_s), patience_ms);

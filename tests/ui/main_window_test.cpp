@@ -88,7 +88,6 @@ void MainWindowTest::everyPageHasItsPlaceInTheRail()
 void MainWindowTest::keysChooseThePage()
 {
     WindowFixture f(false);
-    f.window->activateWindow();
     for (int i = 0; i < 6; ++i) {
         QTest::keyClick(f.window.get(), static_cast<Qt::Key>(Qt::Key_1 + i), Qt::ControlModifier);
         QTRY_COMPARE(f.window->currentPage(), f.window->pages()[static_cast<std::size_t>(i)]);

@@ -31,6 +31,7 @@ public:
         window = std::make_unique<MainWindow>(*bench);
         window->resize(1024, 640);
         window->show();
+        makeActive();
         if (!QTest::qWaitFor([this] { return loaded; }, 20000))
             qFatal("the examples were not loaded");
         bench->tellLibraryChanged();
@@ -52,6 +53,15 @@ public:
         if (!QTest::qWaitFor(
                 [this] { return bench->connection().state() == ConnectSession::State::Connected; }, 20000))
             qFatal("the virtual gripper did not answer");
+    }
+
+    /// An inactive window keeps the focus it had, and keys would go astray. The offscreen platform, unlike
+    /// others, leaves no window active when a dialog closes.
+    void makeActive() const
+    {
+        window->activateWindow();
+        if (!QTest::qWaitForWindowActive(window.get()))
+            qFatal("the window did not become active");
     }
 
     template <typename T>

@@ -26,6 +26,7 @@
 #include "ui/workbench.h"
 
 #include <QApplication>
+#include <QFocusEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -52,7 +53,7 @@ struct InspectPage::Private {
     ButtonWatch button;
     bool buttonPressed = false;
     std::optional<InspectHint> notice; ///< of a code or a button; until something else happens
-    bool active = false, wasArmed = false, squeezeIsNext = false;
+    bool active = false;
     qint64 shownNumber = 0;
     std::uint64_t heard = 0; ///< the squeeze whose verdict was heard
     InspectSession::State shownState = InspectSession::State::Loading;
@@ -233,6 +234,13 @@ void InspectPage::focusSqueeze()
         setFocus();
 }
 
+void InspectPage::focusInEvent(QFocusEvent* event)
+{
+    Page::focusInEvent(event);
+    if (d->squeeze->isEnabled())
+        d->squeeze->setFocus(event->reason());
+}
+
 void InspectPage::expect(const QString& type)
 {
     const bool isNew = type != d->expectedNow;
@@ -319,14 +327,8 @@ void InspectPage::refreshActions()
     // Hiding or disabling the focused button hands the focus on, to anything. It is kept here, and when the
     // next squeeze can begin (who armed it may have clicked elsewhere) it comes back: Space is enough.
     const bool nowEnabled = d->squeeze->isEnabled() && !wasEnabled;
-    const bool armed = connection.armed();
-    d->squeezeIsNext = armed && (d->squeezeIsNext || !d->wasArmed); // that is what it was armed for
-    d->wasArmed = armed;
-    const bool next = d->squeezeIsNext && d->squeeze->isEnabled();
-    if (d->active && (keysAreOurs || next || (nowEnabled && !typing)))
+    if (d->active && (keysAreOurs || (nowEnabled && !typing)))
         focusSqueeze();
-    if (next)
-        d->squeezeIsNext = false;
 }
 
 bool InspectPage::isOurs(const QWidget* focused) const

@@ -26,6 +26,9 @@ public:
     void prepareTour() override;
     [[nodiscard]] bool tourReady() const override;
 
+protected:
+    void focusInEvent(QFocusEvent* event) override; ///< a click beside the buttons: shows what Space does
+
 private:
     void buildTop(QBoxLayout* column);
     void buildVerdict(QBoxLayout* column);
