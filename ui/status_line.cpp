@@ -65,7 +65,8 @@ void StatusLine::refresh()
 {
     ConnectSession& connection = m_workbench->connection();
     const bool connected = connection.state() == ConnectSession::State::Connected;
-    QStringList parts{chipWords(connection).headline};
+    const ConnectionWords chip = chipWords(connection);
+    QStringList parts{connected ? chip.detail : chip.headline}; // the chip has no room for both everywhere
     parts << tr("armed: %1").arg(connection.armed() ? tr("yes") : tr("no"));
     if (connected) {
         const LinkCounters counters = connection.counters();
@@ -80,8 +81,9 @@ void StatusLine::refresh()
     const auto types = static_cast<int>(m_workbench->inspection().types().size());
     parts << (types == 1 ? tr("1 type") : tr("%n types", nullptr, types));
     parts << tr("%1 inspected").arg(formatCount(m_workbench->inspection().counts().total));
-    m_shown = parts.join(u"  ·  "_s);
-    m_label->setFullText(m_shown);
+    const QString separator = u"  ·  "_s;
+    m_shown = parts.join(separator);
+    m_label->setParts(parts, separator);
 }
 
 } // namespace gripscope

@@ -7482,18 +7482,6 @@ Vorh. %</translation>
         <translation>Wahrsch.</translation>
     </message>
     <message>
-        <source>m</source>
-        <translation>m</translation>
-    </message>
-    <message>
-        <source>b</source>
-        <translation>b</translation>
-    </message>
-    <message>
-        <source>k</source>
-        <translation>k</translation>
-    </message>
-    <message>
         <source>Operator</source>
         <translation>Bediener</translation>
     </message>
@@ -8228,10 +8216,6 @@ Vorh. %</translation>
         <translation>Ein anderer Druckversuch läuft. Das Ende abwarten, dann erneut versuchen.</translation>
     </message>
     <message>
-        <source>%1 · %2, %3 ± %4 N</source>
-        <translation>%1 · %2, %3 ± %4 N</translation>
-    </message>
-    <message>
         <source>Squeezing…</source>
         <translation>Drückt…</translation>
     </message>
@@ -8263,12 +8247,16 @@ Vorh. %</translation>
         <source>Squeeze again (Space)</source>
         <translation>Erneut drücken (Leertaste)</translation>
     </message>
+    <message>
+        <source>%1 ± %2 N</source>
+        <translation>%1 ± %2 N</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::InspectReason</name>
     <message>
         <source>posterior of %1: %2</source>
-        <translation>P(%1) = %2</translation>
+        <translation>Posterior von %1: %2</translation>
     </message>
     <message>
         <source>%1 sd from %2 (gate %3 sd)</source>
@@ -10919,10 +10907,6 @@ Vorh. %</translation>
     <message>
         <source>Ringed: the latest inspection</source>
         <translation>Mit Ring: die letzte Prüfung</translation>
-    </message>
-    <message>
-        <source>Load four example types</source>
-        <translation>Vier Beispieltypen laden</translation>
     </message>
 </context>
 <context>

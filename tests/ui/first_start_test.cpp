@@ -104,7 +104,8 @@ void FirstStartTest::exampleTypesAreOfferedWhereNothingIsEnrolled()
 {
     WindowFixture f(false);
     f.window->showPage(u"inspect"_s);
-    auto* load = f.find<QPushButton>("loadExampleTypes");
+    auto* load = f.page(u"inspect"_s)->findChild<QPushButton*>(u"loadExampleTypes"_s);
+    QVERIFY(load);
     QTRY_VERIFY_WITH_TIMEOUT(load->isVisible(), patience_ms);
     f.click(load);
     QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().types().size(), std::size_t(4), patience_ms);

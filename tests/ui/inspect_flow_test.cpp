@@ -316,10 +316,11 @@ void InspectFlowTest::eachOutcomeIsHeardUnlessSwitchedOff()
 
 void InspectFlowTest::whatIsNotValidIsNeitherGoodNorBad()
 {
-    Armed armed(u"virtual:?object=A&seed=8&fault=loss:0.4"_s);
+    Armed armed(u"virtual:?object=A&seed=8&fault=loss:0.35"_s);
     WindowFixture& f = armed.f;
     expectType(f, u"A"_s);
     beginBatch(f, u"4711"_s, 5);
+    f.bench->inspection().setEarlyEnd(false); // a short squeeze may by chance have lost little
     squeezeBySpace(f);
     QTRY_VERIFY(f.find<VerdictPanel>("verdictPanel")->outcome() == InspectionOutcome::NotValid);
     QCOMPARE(f.find<QPushButton>("squeezeButton")->text(), u"Squeeze again (Space)"_s);

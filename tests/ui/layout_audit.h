@@ -10,6 +10,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLayout>
+#include <QScrollArea>
 #include <QStyleOptionComboBox>
 #include <QWidget>
 
@@ -42,6 +43,7 @@ private:
     {
         checkText(widget);
         checkControl(widget);
+        checkScrolled(widget);
         std::vector<QWidget*> children;
         for (QObject* child : widget.children())
             if (auto* one = qobject_cast<QWidget*>(child); one && one->isVisible() && !one->isWindow())
@@ -134,6 +136,16 @@ private:
         if (widget.focusPolicy() != Qt::NoFocus && widget.accessibleName().isEmpty() &&
             !(button && !button->text().isEmpty()) && !hasBuddy(widget))
             add(widget, QStringLiteral("has no accessible name"));
+    }
+    /// What cannot be scrolled to the side is not wider than its window.
+    void checkScrolled(const QWidget& widget)
+    {
+        const auto* area = qobject_cast<const QScrollArea*>(&widget);
+        if (area && area->widget() && area->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff &&
+            area->widget()->width() > area->viewport()->width())
+            add(widget, QStringLiteral("shows %1 of %2 in width")
+                            .arg(area->viewport()->width())
+                            .arg(area->widget()->width()));
     }
     static bool hasBuddy(const QWidget& widget)
     {

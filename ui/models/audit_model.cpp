@@ -2,6 +2,7 @@
 #include "ui/models/audit_model.h"
 
 #include "core/people/permission.h"
+#include "ui/widgets/date_text.h"
 
 namespace gripscope {
 
@@ -73,10 +74,8 @@ QString AuditModel::text(const AuditEntry& entry, Column column)
     switch (column) {
     case Column::Number:
         return QString::number(entry.number);
-    case Column::Time: {
-        const QDateTime time = QDateTime::fromString(entry.utc, Qt::ISODateWithMs);
-        return time.toLocalTime().toString(u"yyyy-MM-dd HH:mm:ss"_s);
-    }
+    case Column::Time:
+        return exactTimeText(QDateTime::fromString(entry.utc, Qt::ISODateWithMs));
     case Column::Person: {
         const std::optional<Role> role = roleFromString(entry.role);
         return role ? tr("%1 (%2)").arg(entry.person, inWords(*role)) : entry.person;

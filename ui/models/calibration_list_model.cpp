@@ -3,6 +3,7 @@
 
 #include "ui/models/calibration_words.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/date_text.h"
 #include "ui/widgets/number_format.h"
 
 using namespace Qt::StringLiterals;
@@ -31,7 +32,7 @@ QString CalibrationListModel::text(const CalibrationRow& row, Column column) con
     const CalibrationRecord& record = row.record;
     switch (column) {
     case Column::Taken:
-        return CalibrationWords::date(record.takenUtc.toLocalTime().date());
+        return dateText(record.takenUtc);
     case Column::Channel:
         return CalibrationWords::channel(record.channel);
     case Column::Gripper:
@@ -42,7 +43,7 @@ QString CalibrationListModel::text(const CalibrationRow& row, Column column) con
                          formatNumber(row.evaluation->expandedUncertainty, {}, record.unit, 2).valueWithUnit()
                    : u"–"_s;
     case Column::Due:
-        return CalibrationWords::date(record.due);
+        return dateText(record.due);
     case Column::By:
         return record.operatorName;
     }

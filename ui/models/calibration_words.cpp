@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/calibration_words.h"
 
+#include "ui/widgets/date_text.h"
 #include "ui/widgets/number_format.h"
 
 #include <QLocale>
@@ -26,24 +27,19 @@ QString CalibrationWords::channel(SensorChannel channel)
     return channel == SensorChannel::Force ? tr("Force") : tr("Position");
 }
 
-QString CalibrationWords::date(const QDate& date)
-{
-    return QLocale().toString(date, u"d MMM yyyy"_s);
-}
-
 QString CalibrationWords::status(const CalibrationRecord* record, const QDate& today)
 {
     switch (calibrationStatus(record ? std::optional(record->due) : std::nullopt, today)) {
     case CalibrationStatus::Missing:
         return tr("Not calibrated here: its own scale is taken.");
     case CalibrationStatus::Overdue:
-        return tr("Overdue since %1: measurements are marked as suspect.").arg(date(record->due));
+        return tr("Overdue since %1: measurements are marked as suspect.").arg(dateText(record->due));
     case CalibrationStatus::DueSoon:
-        return tr("Holds until %1: calibrate soon.").arg(date(record->due));
+        return tr("Holds until %1: calibrate soon.").arg(dateText(record->due));
     case CalibrationStatus::Valid:
         break;
     }
-    return tr("Holds until %1.").arg(date(record->due));
+    return tr("Holds until %1.").arg(dateText(record->due));
 }
 
 QString CalibrationWords::brief(SensorChannel channel, const CalibrationRecord* record, const QDate& today)
@@ -53,8 +49,8 @@ QString CalibrationWords::brief(SensorChannel channel, const CalibrationRecord* 
         return force ? tr("force not calibrated") : tr("position not calibrated");
     const auto days = int(today.daysTo(record->due));
     if (days < 0)
-        return force ? tr("force cal. overdue since %1").arg(date(record->due))
-                     : tr("position cal. overdue since %1").arg(date(record->due));
+        return force ? tr("force cal. overdue since %1").arg(dateText(record->due))
+                     : tr("position cal. overdue since %1").arg(dateText(record->due));
     if (days < 2) {
         const QString day = days == 0 ? tr("today") : tr("tomorrow");
         return force ? tr("force cal. due %1").arg(day) : tr("position cal. due %1").arg(day);

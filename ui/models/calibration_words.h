@@ -28,7 +28,6 @@ public:
     [[nodiscard]] static QString curve(const CalibrationEvaluation& evaluation);
     /// What speaks against it; empty when nothing does.
     [[nodiscard]] static QString doubt(const CalibrationEvaluation& evaluation);
-    [[nodiscard]] static QString date(const QDate& date);
 };
 
 } // namespace gripscope

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/history_delegate.h"
 
+#include "core/signal/units.h"
 #include "ui/models/history_model.h"
 #include "ui/models/history_words.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/date_text.h"
 #include "ui/widgets/number_format.h"
 #include "ui/widgets/outcome_view.h"
 
@@ -34,13 +36,23 @@ QIcon outcomeIcon(InspectionOutcome outcome, double ratio)
     return QIcon(pixmap);
 }
 
+/// In the unit of the column's head; a recording in units of its own says them.
+QString parameterWords(Column column, double value, const QString& unit)
+{
+    const ParameterUnits si = parameterUnits(u"N"_s, u"m"_s);
+    if (unit != si.m && unit != si.b && unit != si.k)
+        return formatNumber(value, std::nullopt, unit).valueWithUnit();
+    const double factor = column == Column::Mass ? 1e3 : column == Column::Stiffness ? 1e-3 : 1;
+    return formatNumber(value * factor, std::nullopt, {}).value;
+}
+
 QString wordsOf(Column column, const QVariant& value, const QString& unit)
 {
     switch (column) {
     case Column::Number:
         return QString::number(value.toLongLong());
     case Column::Time:
-        return HistoryWords::shortTime(value.toDateTime());
+        return shortTimeText(value.toDateTime());
     case Column::Kind:
         return HistoryWords::kind(SqueezeKind(value.toInt()));
     case Column::Outcome:
@@ -51,7 +63,7 @@ QString wordsOf(Column column, const QVariant& value, const QString& unit)
     case Column::Mass:
     case Column::Damping:
     case Column::Stiffness:
-        return formatNumber(value.toDouble(), std::nullopt, unit).valueWithUnit();
+        return parameterWords(column, value.toDouble(), unit);
     case Column::Fit:
         return formatPercent(value.toDouble());
     case Column::Seconds:

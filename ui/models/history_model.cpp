@@ -3,6 +3,7 @@
 
 #include "core/signal/units.h"
 #include "ui/models/history_words.h"
+#include "ui/widgets/date_text.h"
 
 #include <algorithm>
 #include <limits>
@@ -183,7 +184,7 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
     if (role == UnitRole)
         return parameterUnit(*row, column);
     if (role == Qt::ToolTipRole)
-        return column == Column::Time ? HistoryWords::longTime(row->time) : row->reason;
+        return column == Column::Time ? exactTimeText(row->time) : row->reason;
     return value(*row, column);
 }
 
@@ -202,11 +203,11 @@ QVariant HistoryModel::headerData(int section, Qt::Orientation orientation, int 
     case Column::Number:
         return tr("No.");
     case Column::Mass:
-        return tr("m");
+        return u"m (g)"_s;
     case Column::Damping:
-        return tr("b");
+        return u"b (N s/m)"_s;
     case Column::Stiffness:
-        return tr("k");
+        return u"k (kN/m)"_s;
     default:
         return columnName(column);
     }

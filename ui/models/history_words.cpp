@@ -4,6 +4,7 @@
 #include "core/calibration/calibration_facts.h"
 #include "ui/charts/fit_plots.h"
 #include "ui/models/calibration_words.h"
+#include "ui/widgets/date_text.h"
 #include "ui/widgets/number_format.h"
 #include "ui/widgets/outcome_view.h"
 #include "ui/widgets/parameter_text.h"
@@ -23,11 +24,6 @@ QString orDash(const QString& text)
     return text.isEmpty() ? QString(QChar(0x2013)) : text;
 }
 
-QString dayText(const QDateTime& time)
-{
-    return QLocale().toString(time.toLocalTime().date(), QLocale::ShortFormat);
-}
-
 } // namespace
 
 QString HistoryWords::kind(SqueezeKind kind)
@@ -41,24 +37,12 @@ QString HistoryWords::title(const HistoryEntry& entry)
         return tr("Inspection %1").arg(entry.number);
     if (!entry.part.isEmpty())
         return tr("%1, part %2").arg(entry.type, entry.part);
-    return tr("%1, enrolled %2").arg(orDash(entry.type), shortTime(entry.time));
+    return tr("%1, enrolled %2").arg(orDash(entry.type), shortTimeText(entry.time));
 }
 
 QString HistoryWords::device(const HistoryEntry& entry)
 {
     return u"%1 %2"_s.arg(entry.device, entry.serial).trimmed();
-}
-
-QString HistoryWords::shortTime(const QDateTime& time)
-{
-    const QDateTime local = time.toLocalTime();
-    const bool thisYear = local.date().year() == QDate::currentDate().year();
-    return QLocale().toString(local, thisYear ? u"MM-dd HH:mm"_s : u"yyyy-MM-dd HH:mm"_s);
-}
-
-QString HistoryWords::longTime(const QDateTime& time)
-{
-    return QLocale().toString(time.toLocalTime(), QLocale::LongFormat);
 }
 
 ParameterUnits HistoryWords::shownUnits(const HistoryEntry& entry)
@@ -116,9 +100,9 @@ std::vector<Fact> HistoryWords::filter(const HistoryQuery& query)
     add(tr("Operator"), query.operatorName);
     add(tr("Gripper"), query.device);
     if (query.from.isValid())
-        add(tr("From"), dayText(query.from));
+        add(tr("From"), dateText(query.from));
     if (query.to.isValid())
-        add(tr("To"), dayText(query.to.addMSecs(-1)));
+        add(tr("To"), dateText(query.to.addMSecs(-1)));
     return facts;
 }
 
@@ -130,7 +114,7 @@ std::vector<Fact> HistoryWords::facts(const SqueezeDetails& details)
         if (!text.isEmpty())
             facts.push_back({name, text, false});
     };
-    add(tr("Time"), QLocale().toString(entry.time.toLocalTime(), QLocale::ShortFormat));
+    add(tr("Time"), exactTimeText(entry.time));
     add(tr("Operator"), orDash(entry.operatorName));
     add(tr("Kind"), entry.accepted ? kind(entry.kind) : tr("enrolment, dropped"));
     add(tr("Expected"), entry.expectedType);

@@ -17,8 +17,6 @@ public:
     /// "Inspection 12", "A, enrolled 31 May 2024 12:00".
     [[nodiscard]] static QString title(const HistoryEntry& entry);
     [[nodiscard]] static QString device(const HistoryEntry& entry); ///< name and serial number
-    [[nodiscard]] static QString shortTime(const QDateTime& time);  ///< without the year while it is this one
-    [[nodiscard]] static QString longTime(const QDateTime& time);
     /// SI where the squeeze's units are known.
     [[nodiscard]] static ParameterUnits shownUnits(const HistoryEntry& entry);
     /// One of the library's own names: "oe" is "Output error".

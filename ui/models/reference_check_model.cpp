@@ -3,6 +3,7 @@
 
 #include "ui/models/reference_words.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/date_text.h"
 
 #include <algorithm>
 
@@ -51,7 +52,7 @@ QString ReferenceCheckModel::text(const ReferenceCheckRecord& check, Column colu
 {
     switch (column) {
     case Column::Made:
-        return ReferenceWords::time(check.made);
+        return timeText(check.made);
     case Column::Verdict:
         return ReferenceWords::verdict(check.verdict);
     case Column::By:

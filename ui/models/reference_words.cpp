@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/reference_words.h"
 
+#include "ui/widgets/date_text.h"
 #include "ui/widgets/number_format.h"
 
 #include <QLocale>
@@ -60,11 +61,6 @@ QString ReferenceWords::verdict(CheckVerdict verdict)
     return tr("measurement not valid");
 }
 
-QString ReferenceWords::time(const QDateTime& time)
-{
-    return QLocale().toString(time.toLocalTime(), u"d MMM yyyy, HH:mm"_s);
-}
-
 QString ReferenceWords::status(const std::optional<ReferenceStanding>& standing, const QDateTime& now)
 {
     if (!standing)
@@ -73,17 +69,17 @@ QString ReferenceWords::status(const std::optional<ReferenceStanding>& standing,
     case CheckStatus::NotAsked:
         return tr("No check was made yet, and none is asked for.");
     case CheckStatus::Failed:
-        return tr("Failed on %1: measurements are marked as suspect.").arg(time(standing->last->made));
+        return tr("Failed on %1: measurements are marked as suspect.").arg(timeText(standing->last->made));
     case CheckStatus::Due:
         return standing->last ? tr("Due since %1: measurements are marked as suspect.")
-                                    .arg(time(*checkHoldsUntil(*standing)))
+                                    .arg(timeText(*checkHoldsUntil(*standing)))
                               : tr("Due, it was never made: measurements are marked as suspect.");
     case CheckStatus::Passed:
         break;
     }
     const std::optional<QDateTime> until = checkHoldsUntil(*standing);
-    return until ? tr("Passed, and holds until %1.").arg(time(*until))
-                 : tr("Passed on %1.").arg(time(standing->last->made));
+    return until ? tr("Passed, and holds until %1.").arg(timeText(*until))
+                 : tr("Passed on %1.").arg(timeText(standing->last->made));
 }
 
 QString ReferenceWords::brief(const std::optional<ReferenceStanding>& standing, const QDateTime& now)

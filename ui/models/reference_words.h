@@ -30,7 +30,6 @@ public:
     [[nodiscard]] static QString error(const ReferenceCheckRecord& check, std::size_t parameter);
     /// The verdict in a sentence, and why.
     [[nodiscard]] static QString outcome(const ReferenceCheckRecord& check);
-    [[nodiscard]] static QString time(const QDateTime& time);
 };
 
 } // namespace gripscope

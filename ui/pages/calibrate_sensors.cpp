@@ -10,6 +10,7 @@
 #include "ui/pages/calibrate_taking.h"
 #include "ui/reports/calibration_certificate.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/date_text.h"
 #include "ui/workbench.h"
 
 #include <QFileDialog>
@@ -207,7 +208,7 @@ void CalibrateSensors::saveCertificate()
     if (record == nullptr)
         return;
     const QString proposal = u"calibration-%1-%2-%3.pdf"_s.arg(
-        record->gripperSerial, toString(record->channel), record->takenUtc.date().toString(Qt::ISODate));
+        record->gripperSerial, toString(record->channel), dateText(record->takenUtc));
     const QString file =
         QFileDialog::getSaveFileName(this, tr("Save the certificate"), proposal, tr("PDF (*.pdf)"));
     if (file.isEmpty())

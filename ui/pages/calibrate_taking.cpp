@@ -9,6 +9,7 @@
 #include "ui/pages/fit_page_facts.h"
 #include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/date_text.h"
 #include "ui/widgets/number_format.h"
 #include "ui/workbench.h"
 
@@ -143,7 +144,7 @@ QWidget* CalibrateTaking::makeDecision()
     m_degree->setRange(1, highestCalibrationDegree);
     m_due = new QDateEdit(box);
     m_due->setCalendarPopup(true);
-    m_due->setDisplayFormat(u"d MMM yyyy"_s);
+    m_due->setDisplayFormat(dateFormat.toString());
     m_due->setMinimumDate(QDate::currentDate());
     m_due->setDate(QDate::currentDate().addMonths(usualMonths));
     m_note = new QLineEdit(box);

@@ -2,11 +2,11 @@
 #include "ui/pages/enroll_drafts.h"
 
 #include "ui/widgets/controls.h"
+#include "ui/widgets/date_text.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/workbench.h"
 
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ QString reached(const EnrollmentDraft& draft)
 
 QString inWords(const EnrollmentDraft& draft)
 {
-    const QString when = QLocale().toString(draft.changed.toLocalTime(), QLocale::ShortFormat);
+    const QString when = timeText(draft.changed);
     return draft.operatorName.isEmpty()
                ? EnrollDrafts::tr("%1 Left on %2.").arg(reached(draft), when)
                : EnrollDrafts::tr("%1 Left by %2 on %3.").arg(reached(draft), draft.operatorName, when);

@@ -3,11 +3,11 @@
 
 #include "ui/part_picture_reader.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/date_text.h"
 #include "ui/workbench.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLocale>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -195,8 +195,7 @@ void EnrolledTypesDialog::show(Contents contents)
     for (int row = 0; row < m_versions->rowCount(); ++row) {
         const LibraryChange& change = m_contents.changes[static_cast<std::size_t>(row)];
         setRow(m_versions, row,
-               {QString::number(change.version),
-                QLocale().toString(change.changed.toLocalTime(), QLocale::ShortFormat), change.operatorName,
+               {QString::number(change.version), timeText(change.changed), change.operatorName,
                 inWords(change), change.reason});
     }
     if (selected >= 0 && selected < m_types->rowCount())

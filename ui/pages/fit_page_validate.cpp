@@ -4,11 +4,11 @@
 #include "core/identification/identification.h"
 #include "core/identification/validation_records.h"
 #include "core/signal/recording_csv.h"
+#include "ui/widgets/date_text.h"
 #include "ui/workbench.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLocale>
 #include <QMenu>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ Expected<std::vector<StoredChoices>> storedChoices(Library& library)
             ++number;
             if (!grasp.hasRecording || !grasp.accepted)
                 continue;
-            const QString when = QLocale().toString(grasp.recorded, QLocale::ShortFormat);
+            const QString when = timeText(grasp.recorded);
             choices.squeezes.push_back({grasp.id,
                                         ValidationChooser::tr("Squeeze %1, %2").arg(number).arg(when),
                                         ValidationChooser::tr("%1, squeeze %2").arg(type.name).arg(number)});

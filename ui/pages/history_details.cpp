@@ -4,6 +4,7 @@
 #include "ui/models/history_words.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/date_text.h"
 #include "ui/widgets/outcome_view.h"
 
 #include <QGridLayout>
@@ -39,9 +40,21 @@ private:
     InspectionOutcome m_outcome;
 };
 
+/// A source may be one long word: it breaks where its parts meet, or the panel would be cut at its side.
+QString breakable(const QString& text)
+{
+    constexpr qsizetype longest = 20;
+    QStringList words = text.split(u' ');
+    for (QString& word : words)
+        if (word.size() > longest)
+            for (const QChar mark : {u'&', u',', u'/', u'_', u'='})
+                word.replace(mark, mark + QString(QChar(0x200B)));
+    return words.join(u' ');
+}
+
 QLabel* wrapped(const QString& text, const char* role = "")
 {
-    QLabel* label = makeLabel(text, role);
+    QLabel* label = makeLabel(breakable(text), role);
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     return label;
@@ -144,8 +157,7 @@ void HistoryDetails::addEstimates(QVBoxLayout* column, const SqueezeDetails& det
         if (estimate.again) {
             facts.push_back({tr("How"), HistoryWords::how(*estimate.again), false});
             facts.push_back({tr("By"), estimate.again->operatorName, false});
-            facts.push_back(
-                {tr("When"), QLocale().toString(estimate.stored.toLocalTime(), QLocale::ShortFormat), false});
+            facts.push_back({tr("When"), timeText(estimate.stored), false});
             facts.push_back({tr("Software"), estimate.program, false});
             later = true;
         }

@@ -293,9 +293,9 @@ void InspectPage::refreshExpected()
         d->shownTypes = enrolled;
         d->measurement->setTypes(workbench().inspection().models());
     }
-    // The time first: it is what is looked for, and the end is cut where there is no room.
-    d->recipe->setFullText(
-        tr("%1 · %2, %3 ± %4 N").arg(timeText(), recipe.name).arg(recipe.bias_N).arg(recipe.peak_N));
+    // The time first: it is what is looked for, and the rest gives way where there is no room.
+    d->recipe->setParts({timeText(), recipe.name, tr("%1 ± %2 N").arg(recipe.bias_N).arg(recipe.peak_N)},
+                        u" · "_s);
 }
 
 void InspectPage::refreshActions()

@@ -72,7 +72,7 @@ void InspectReason::showResult(const InspectSession::Result* result)
     m_facts->setVisible(result->outcome != InspectionOutcome::NotValid);
     m_reason->show();
     const QStringList facts = factsOf(*result);
-    m_facts->setFullText(facts.isEmpty() ? u" "_s : facts.join(u"  ·  "_s));
+    m_facts->setParts(facts.isEmpty() ? QStringList{u" "_s} : facts, u"  ·  "_s);
     m_reason->setText(verdictWords(*result).reason);
     m_reason->setToolTip(result->verdict.reasons.join(u' '));
 }

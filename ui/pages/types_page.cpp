@@ -11,7 +11,6 @@
 #include "ui/pages/types_page_side.h"
 #include "ui/pages/types_page_steps.h"
 #include "ui/pages/types_page_tools.h"
-#include "ui/people/authorize.h"
 #include "ui/scene/scene_view.h"
 #include "ui/scene/type_scene.h"
 #include "ui/theme/theme.h"
@@ -172,10 +171,8 @@ QWidget* TypesPage::buildEmpty()
                   "second");
     text->setWordWrap(true);
     text->setAlignment(Qt::AlignCenter);
-    auto* load = makeButton(tr("Load four example types"), {}, "primary");
-    connect(load, &QPushButton::clicked, this, [this] {
-        authorize(workbench(), this, Permission::ApproveTypes, [this] { loadExampleTypes(workbench()); });
-    });
+    auto* load = new ExampleTypesButton(workbench());
+    setRole(load, "primary");
     column->addStretch();
     column->addWidget(makeLabel(tr("No types in this library yet"), "title"), 0, Qt::AlignHCenter);
     column->addWidget(text);

@@ -5,11 +5,11 @@
 #include "ui/people/authorize.h"
 #include "ui/people/person_form.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/date_text.h"
 #include "ui/workbench.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLocale>
 #include <QPointer>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -108,9 +108,8 @@ void PeopleDialog::showPeople()
     m_table->setRowCount(static_cast<int>(m_shown.size()));
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const Person& person = m_shown[static_cast<std::size_t>(row)];
-        const QStringList texts = {
-            person.name, inWords(person.role), person.active ? tr("active") : tr("deactivated"),
-            QLocale().toString(person.since.toLocalTime().date(), QLocale::ShortFormat)};
+        const QStringList texts = {person.name, inWords(person.role),
+                                   person.active ? tr("active") : tr("deactivated"), dateText(person.since)};
         for (int column = 0; column < texts.size(); ++column)
             m_table->setItem(row, column, new QTableWidgetItem(texts[column]));
         if (person.id == before)

@@ -4,6 +4,7 @@
 #include "ui/charts/calibration_plot.h"
 #include "ui/models/calibration_words.h"
 #include "ui/reports/pdf_document.h"
+#include "ui/widgets/date_text.h"
 #include "ui/widgets/number_format.h"
 
 #include <QCoreApplication>
@@ -36,10 +37,9 @@ QString identityTable(const CalibrationRecord& record)
            pdfRow(CertificateWords::tr("Its certificate"),
                   reference.certificate.isEmpty() ? u"–"_s : reference.certificate) +
            pdfRow(CertificateWords::tr("Its standard uncertainty"), uncertainty) +
-           pdfRow(CertificateWords::tr("Taken"),
-                  QLocale().toString(record.takenUtc.toLocalTime(), QLocale::ShortFormat)) +
+           pdfRow(CertificateWords::tr("Taken"), timeText(record.takenUtc)) +
            pdfRow(CertificateWords::tr("By"), record.operatorName) +
-           pdfRow(CertificateWords::tr("Holds until"), CalibrationWords::date(record.due)) +
+           pdfRow(CertificateWords::tr("Holds until"), dateText(record.due)) +
            pdfRow(CertificateWords::tr("Note"), record.note.isEmpty() ? u"–"_s : record.note) + u"</table>"_s;
 }
 

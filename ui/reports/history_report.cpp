@@ -6,6 +6,7 @@
 #include "ui/models/calibration_words.h"
 #include "ui/models/history_words.h"
 #include "ui/reports/pdf_document.h"
+#include "ui/widgets/date_text.h"
 #include "ui/widgets/number_format.h"
 #include "ui/widgets/outcome_view.h"
 #include "ui/widgets/parameter_text.h"
@@ -86,9 +87,7 @@ QString filterTable(const HistoryReport& report)
         html += pdfRow(Words::tr("Squeezes"), Words::tr("all"));
     const auto& points = report.points.points;
     if (!points.empty()) {
-        const auto time = [](qint64 ms) {
-            return QLocale().toString(QDateTime::fromMSecsSinceEpoch(ms), QLocale::ShortFormat);
-        };
+        const auto time = [](qint64 ms) { return timeText(QDateTime::fromMSecsSinceEpoch(ms)); };
         html += pdfRow(Words::tr("From, to"),
                        u"%1 – %2"_s.arg(time(points.front().time_ms), time(points.back().time_ms)));
     }
@@ -109,8 +108,7 @@ QString calibrationText(const std::optional<CalibrationRecord>& record)
     if (!record)
         return Words::tr("not calibrated here: its own scale is taken");
     return Words::tr("taken %1 by %2 against %3, holds until %4")
-        .arg(CalibrationWords::date(record->takenUtc.toLocalTime().date()), record->operatorName,
-             record->reference.name, CalibrationWords::date(record->due));
+        .arg(dateText(record->takenUtc), record->operatorName, record->reference.name, dateText(record->due));
 }
 
 QString grippersTable(const HistoryReport& report)
@@ -172,7 +170,7 @@ QString rowsTable(const HistoryReport& report)
             texts =
                 parameterTexts(*entry.parameters, entry.standardErrors, entry.forceUnit, entry.positionUnit);
         html += u"<tr>"_s + cell(entry.number > 0 ? QString::number(entry.number) : QString()) +
-                cell(QLocale().toString(entry.time.toLocalTime(), QLocale::ShortFormat)) +
+                cell(timeText(entry.time)) +
                 cell(outcome ? outcomeWord(*outcome) : HistoryWords::kind(entry.kind)) + cell(entry.type) +
                 cell(entry.parameters ? texts.m.text() : QString(), true) +
                 cell(entry.parameters ? texts.b.text() : QString(), true) +
@@ -245,7 +243,7 @@ QString historyReportHtml(const HistoryReport& report)
     html += u"<p>%1</p>"_s.arg(
         Words::tr(
             "Made %1 by %2 with Gripscope %3 from %4. Each squeeze keeps the version it was identified with.")
-            .arg(QLocale().toString(report.made.toLocalTime(), QLocale::ShortFormat),
+            .arg(timeText(report.made),
                  report.operatorName.isEmpty() ? Words::tr("somebody not named") : report.operatorName,
                  QStringLiteral(GRIPSCOPE_VERSION), report.library)
             .toHtmlEscaped());

@@ -84,22 +84,21 @@ void DeviceChip::paintEvent(QPaintEvent*)
                             height() / 2.0);
     paintState(painter, {20, height() / 2.0});
     const double end = width() - 30;
-    // Rate and lost reports stay whole; the name gives way.
+    // The name first: rate and losses are in the status line too.
     const QFont strong = Theme::font(metrics::fontBase, true);
     const QFont plain = Theme::font(metrics::fontBase);
     const QFontMetricsF strongMetrics(strong);
     const double room = end - 36;
-    const double detailWide = std::min(QFontMetricsF(plain).horizontalAdvance(m_detail) + 2, room * 0.6);
-    const QString words =
-        strongMetrics.elidedText(m_words, Qt::ElideRight, m_detail.isEmpty() ? room : room - detailWide - 8);
+    const QString words = strongMetrics.elidedText(m_words, Qt::ElideRight, room);
     painter.setFont(strong);
     painter.setPen(t.text);
     painter.drawText(QRectF(36, 0, room, height()), Qt::AlignLeft | Qt::AlignVCenter, words);
     const double from = 36 + strongMetrics.horizontalAdvance(words) + 8;
-    painter.setFont(plain);
-    painter.setPen(t.secondText);
-    painter.drawText(QRectF(from, 0, end - from, height()), Qt::AlignLeft | Qt::AlignVCenter,
-                     QFontMetricsF(plain).elidedText(m_detail, Qt::ElideRight, end - from));
+    if (QFontMetricsF(plain).horizontalAdvance(m_detail) <= end - from) {
+        painter.setFont(plain);
+        painter.setPen(t.secondText);
+        painter.drawText(QRectF(from, 0, end - from, height()), Qt::AlignLeft | Qt::AlignVCenter, m_detail);
+    }
     painter.setPen(QPen(t.secondText, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     const QPointF tip(width() - 18, height() / 2.0 + 2);
     painter.drawPolyline(QPolygonF{{tip.x() - 4, tip.y() - 4}, tip, {tip.x() + 4, tip.y() - 4}});

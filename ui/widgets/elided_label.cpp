@@ -13,10 +13,18 @@ ElidedLabel::ElidedLabel(const QString& text, QWidget* parent) : QLabel(parent)
 
 void ElidedLabel::setFullText(const QString& text)
 {
-    if (text == m_full)
+    setParts({text}, {});
+}
+
+void ElidedLabel::setParts(const QStringList& parts, const QString& separator)
+{
+    const QString full = parts.join(separator);
+    if (full == m_full && parts.size() == m_parts.size())
         return;
-    m_full = text;
-    setAccessibleName(text);
+    m_parts = parts;
+    m_separator = separator;
+    m_full = full;
+    setAccessibleName(full);
     updateGeometry();
     elide();
 }
@@ -37,9 +45,18 @@ void ElidedLabel::resizeEvent(QResizeEvent* event)
     elide();
 }
 
+QString ElidedLabel::fitting() const
+{
+    QStringList parts = m_parts;
+    while (parts.size() > 1 &&
+           fontMetrics().horizontalAdvance(parts.join(m_separator)) > contentsRect().width())
+        parts.removeLast();
+    return parts.join(m_separator);
+}
+
 void ElidedLabel::elide()
 {
-    const QString shown = fontMetrics().elidedText(m_full, Qt::ElideRight, contentsRect().width());
+    const QString shown = fontMetrics().elidedText(fitting(), Qt::ElideRight, contentsRect().width());
     setText(shown);
     setToolTip(shown == m_full ? QString() : m_full);
 }
