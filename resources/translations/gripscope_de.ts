@@ -4528,8 +4528,8 @@ m  %3</translation>
         <translation>Ändern…</translation>
     </message>
     <message>
-        <source>State it…</source>
-        <translation>Angeben…</translation>
+        <source>State the spring…</source>
+        <translation>Feder angeben…</translation>
     </message>
 </context>
 <context>

@@ -238,7 +238,7 @@ void TrendPlot::paintFrame(QPainter& painter, const ThemeTokens& tokens) const
     painter.drawText(QRectF(m_area.left(), m_box.top() + 2, m_area.width(), top - 6),
                      Qt::AlignLeft | Qt::AlignVCenter, nameOf(m_parameter) + unit);
     painter.setFont(Theme::font(metrics::fontSmall));
-    const AxisTicks ticks = roundTicks(m_range.low, m_range.high, std::max(2, int(m_area.height() / 28)));
+    const AxisTicks ticks = roundTicks(m_range.low, m_range.high, std::max(3, int(m_area.height() / 28)));
     for (const double tick : ticks.values) {
         const double y = height(tick);
         painter.setPen(QPen(Theme::mix(tokens.surface, tokens.line, 0.7), 1));

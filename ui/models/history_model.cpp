@@ -203,11 +203,11 @@ QVariant HistoryModel::headerData(int section, Qt::Orientation orientation, int 
     case Column::Number:
         return tr("No.");
     case Column::Mass:
-        return u"m (g)"_s;
+        return u"m\ng"_s;
     case Column::Damping:
-        return u"b (N s/m)"_s;
+        return u"b\nN s/m"_s;
     case Column::Stiffness:
-        return u"k (kN/m)"_s;
+        return u"k\nkN/m"_s;
     default:
         return columnName(column);
     }

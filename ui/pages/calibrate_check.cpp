@@ -101,7 +101,7 @@ QWidget* CalibrateCheck::makeCheck()
     column->addWidget(d->standing);
     d->reference = makeFactGrid();
     column->addLayout(d->reference);
-    d->edit = makeButton({}, u"document-edit"_s, "", card);
+    d->edit = makeButton({}, {}, "", card);
     d->edit->setObjectName("referenceEdit");
     connect(d->edit, &QPushButton::clicked, this, &CalibrateCheck::editReference);
     column->addWidget(makeRule(card));
@@ -229,7 +229,8 @@ void CalibrateCheck::showStanding()
     const std::vector<Fact> facts =
         standing ? ReferenceWords::reference(standing->reference) : std::vector<Fact>();
     fillFacts(d->reference, facts);
-    d->edit->setText(standing ? tr("Change it…") : tr("State it…"));
+    d->edit->setText(standing ? tr("Change it…") : tr("State the spring…"));
+    setRole(d->edit, standing ? "" : "primary"); // the first step
     d->edit->setEnabled(!serial().isEmpty() && !d->session.busy());
     d->guide->refresh();
 }

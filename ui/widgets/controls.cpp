@@ -37,9 +37,30 @@ QLabel* makeLabel(const QString& text, const char* role, QWidget* parent)
     return label;
 }
 
+namespace {
+
+/// A checked button's words are bold: its room does not change with them.
+class RoomyButton : public QPushButton {
+public:
+    using QPushButton::QPushButton;
+    [[nodiscard]] QSize sizeHint() const override
+    {
+        QSize size = QPushButton::sizeHint();
+        if (isCheckable()) {
+            QFont bold = font();
+            bold.setWeight(QFont::DemiBold);
+            size.rwidth() +=
+                QFontMetrics(bold).horizontalAdvance(text()) - fontMetrics().horizontalAdvance(text()) + 1;
+        }
+        return size;
+    }
+};
+
+} // namespace
+
 QPushButton* makeButton(const QString& text, const QString& icon, const char* role, QWidget* parent)
 {
-    auto* button = new QPushButton(text, parent);
+    auto* button = new RoomyButton(text, parent);
     if (*role)
         setRole(button, role);
     const auto paintIcon = [button, icon] {
