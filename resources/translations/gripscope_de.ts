@@ -7273,10 +7273,6 @@ Vorh. %</translation>
 <context>
     <name>gripscope::HistoryCharts</name>
     <message>
-        <source>of no type</source>
-        <translation>ohne Typ</translation>
-    </message>
-    <message>
         <source>Over time</source>
         <translation>Über der Zeit</translation>
     </message>
@@ -9207,6 +9203,13 @@ Vorh. %</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::PdfDocument</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::PeopleDialog</name>
     <message>
         <source>People</source>
@@ -10777,6 +10780,10 @@ Vorh. %</translation>
     <message>
         <source>Stiffness k</source>
         <translation>Steifigkeit k</translation>
+    </message>
+    <message>
+        <source>of no type</source>
+        <translation>ohne Typ</translation>
     </message>
 </context>
 <context>

@@ -90,6 +90,17 @@ void paintLine(QPainter& painter, const QLineSeries& series, const AxisMap& map,
     flush();
 }
 
+void paintMarker(QPainter& painter, QScatterSeries::MarkerShape shape, QPointF at, double radius)
+{
+    if (shape == QScatterSeries::MarkerShapeRectangle)
+        painter.drawRect(QRectF(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius));
+    else if (shape == QScatterSeries::MarkerShapeTriangle)
+        painter.drawPolygon(QPolygonF{
+            {at + QPointF(0, -radius), at + QPointF(radius, radius), at + QPointF(-radius, radius)}});
+    else
+        painter.drawEllipse(at, radius, radius);
+}
+
 void paintPoints(QPainter& painter, const QScatterSeries& series, const AxisMap& map, const QRectF& area)
 {
     painter.setPen(QPen(series.borderColor(), 1));
@@ -98,7 +109,7 @@ void paintPoints(QPainter& painter, const QScatterSeries& series, const AxisMap&
     for (const QPointF& point : series.points()) {
         const QPointF at = map(point);
         if (area.contains(at))
-            painter.drawEllipse(at, radius, radius);
+            paintMarker(painter, series.markerShape(), at, radius);
     }
 }
 

@@ -149,6 +149,27 @@ void paintTypeSign(QPainter& painter, int sign, QPointF at, double size, const T
     painter.drawPath(signPath(sign, at, size));
 }
 
+void paintTypeLegend(QPainter& painter, const TrendContent& content, const QRectF& box,
+                     const ThemeTokens& tokens)
+{
+    constexpr double sign = 16, gap = 16; // beside a name, between two entries
+    painter.setFont(Theme::font(metrics::fontSmall));
+    double x = box.left();
+    const auto entry = [&](int which, const QString& name) {
+        const double wide = painter.fontMetrics().horizontalAdvance(name);
+        if (x + sign + wide > box.right())
+            return;
+        paintTypeSign(painter, which, QPointF(x + sign / 2 - 2, box.center().y()), 9, tokens);
+        painter.setPen(tokens.text);
+        painter.drawText(QRectF(x + sign, box.top(), wide + 2, box.height()),
+                         Qt::AlignLeft | Qt::AlignVCenter, name);
+        x += sign + wide + gap;
+    };
+    for (qsizetype i = 0; i < content.points->types.size(); ++i)
+        entry(content.signs[std::size_t(i)], content.points->types[i]);
+    entry(-1, Words::tr("of no type"));
+}
+
 TrendPlot::TrendPlot(const TrendContent& content, int parameter, const QRectF& box, bool withAxis)
     : m_content(content), m_parameter(parameter), m_box(box), m_withAxis(withAxis)
 {

@@ -46,6 +46,9 @@ struct TrendContent {
 
 /// A type's own sign, about `size` pixels across; -1: of no type.
 void paintTypeSign(QPainter& painter, int sign, QPointF at, double size, const ThemeTokens& tokens);
+/// The signs with the names of their types in a row, as many as `box` has room for.
+void paintTypeLegend(QPainter& painter, const TrendContent& content, const QRectF& box,
+                     const ThemeTokens& tokens);
 
 /// m, b or k of the squeezes: points with error bars in the shape and colour of their type; where there are
 /// more than there is room for, what they span in each pixel column and their mean. Behind them the intervals

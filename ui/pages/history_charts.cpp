@@ -22,23 +22,9 @@ protected:
     {
         if (!content || !content->points)
             return;
-        const ThemeTokens& tokens = Theme::instance().tokens();
         QPainter painter(this);
         painter.setRenderHint(QPainter::Antialiasing);
-        painter.setFont(Theme::font(metrics::fontSmall));
-        double x = 0;
-        const auto entry = [&](int sign, const QString& name) {
-            const double wide = painter.fontMetrics().horizontalAdvance(name);
-            if (x + 16 + wide > width())
-                return;
-            paintTypeSign(painter, sign, QPointF(x + 6, height() / 2.0), 9, tokens);
-            painter.setPen(tokens.text);
-            painter.drawText(QRectF(x + 16, 0, wide + 2, height()), Qt::AlignLeft | Qt::AlignVCenter, name);
-            x += wide + 32;
-        };
-        for (qsizetype i = 0; i < content->points->types.size(); ++i)
-            entry(content->signs[std::size_t(i)], content->points->types[i]);
-        entry(-1, HistoryCharts::tr("of no type"));
+        paintTypeLegend(painter, *content, rect(), Theme::instance().tokens());
     }
 };
 

@@ -17,6 +17,8 @@ namespace gripscope {
 
 namespace {
 
+constexpr QSize pictureSize(680, 260); // logical pixels
+
 struct CertificateWords {
     Q_DECLARE_TR_FUNCTIONS(gripscope::CalibrationCertificate)
 };
@@ -45,12 +47,13 @@ QString identityTable(const CalibrationRecord& record)
 
 QString pointTable(const CalibrationRecord& record, const CalibrationEvaluation& evaluation)
 {
-    QString html = u"<table cellspacing='0' cellpadding='2'><tr><th align='right'>%1</th><th "
-                   u"align='right'>&nbsp;&nbsp;%2</th>"
-                   "<th align='right'>&nbsp;&nbsp;%3</th><th align='right'>&nbsp;&nbsp;%4</th></tr>"_s.arg(
-                       CertificateWords::tr("No."), CertificateWords::tr("Load (%1)").arg(record.unit),
-                       CertificateWords::tr("Reading (%1)").arg(record.unit),
-                       CertificateWords::tr("Reading less the curve (%1)").arg(record.unit));
+    QString html =
+        u"<table cellspacing='0' cellpadding='2'><thead><tr><th align='right'>%1</th><th "
+        u"align='right'>&nbsp;&nbsp;%2</th>"
+        "<th align='right'>&nbsp;&nbsp;%3</th><th align='right'>&nbsp;&nbsp;%4</th></tr></thead>"_s.arg(
+            CertificateWords::tr("No."), CertificateWords::tr("Load (%1)").arg(record.unit),
+            CertificateWords::tr("Reading (%1)").arg(record.unit),
+            CertificateWords::tr("Reading less the curve (%1)").arg(record.unit));
     for (std::size_t i = 0; i < record.points.size(); ++i)
         html +=
             u"<tr><td align='right'>%1</td><td align='right'>%2</td><td align='right'>%3</td><td align='right'>%4</td></tr>"_s
@@ -76,7 +79,7 @@ QString certificateHtml(const CalibrationRecord& record, const CalibrationEvalua
                "counts the "
                "scatter about the curve, the curve itself, the reference and the return of the zero "
                "(JCGM 100:2008). Percentages are of the span of the readings.")) +
-           u"<p><img src='residuals' width='640'></p><h2>%1</h2>"_s.arg(CertificateWords::tr("Points")) +
+           pdfPicture(u"residuals"_s, pictureSize) + u"<h2>%1</h2>"_s.arg(CertificateWords::tr("Points")) +
            pointTable(record, evaluation) +
            u"<p>%1</p>"_s.arg(CertificateWords::tr("Gripscope %1, record %2")
                                   .arg(QStringLiteral(GRIPSCOPE_VERSION), record.id));
@@ -88,7 +91,9 @@ QImage residualPicture(const CalibrationRecord& record)
     if (!evaluation)
         return {};
     CalibrationPlot plot;
-    plot.resize(680, 260);
+    plot.setAttribute(Qt::WA_DontShowOnScreen); // what was never shown has no layout yet
+    plot.resize(pictureSize);
+    plot.show();
     plot.setCalibration(record, *evaluation);
     return toImage(plot, 3);
 }

@@ -21,7 +21,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr QSize pictureSize(680, 560); // logical pixels
+constexpr QSize pictureSize(680, 470); // logical pixels
+constexpr int legendHeight = 24;
 constexpr int pictureScale = 3;
 constexpr int plots = 3;
 
@@ -39,10 +40,12 @@ QString heading(const QString& text)
     return u"<h2>%1</h2>"_s.arg(text.toHtmlEscaped());
 }
 
+/// Breaks nowhere: a number stays with its unit, a day with its hour.
 QString cell(const QString& text, bool number = false)
 {
+    QString whole = (text.isEmpty() ? dash() : text).toHtmlEscaped();
     return u"<td%1>%2&nbsp;&nbsp;</td>"_s.arg(number ? u" align='right'"_s : QString(),
-                                              (text.isEmpty() ? dash() : text).toHtmlEscaped());
+                                              whole.replace(u' ', QChar::Nbsp));
 }
 
 QString headerRow(const QStringList& names, int firstNumber, int lastNumber)
@@ -132,8 +135,9 @@ QString typesTable(const TrendContent& content)
     if (content.bands.empty())
         return {};
     QString html =
-        heading(Words::tr("Types as they are enrolled")) +
-        u"<table class='small' cellspacing='0' cellpadding='2'>"_s +
+        u"<h2 style='page-break-before: always'>%1</h2>"_s.arg(
+            Words::tr("Types as they are enrolled").toHtmlEscaped()) +
+        u"<table class='small' width='100%' cellspacing='0' cellpadding='2'>"_s +
         headerRow({Words::tr("Type"), Words::tr("m"), Words::tr("95 % of squeezes"), Words::tr("b"),
                    Words::tr("95 % of squeezes"), Words::tr("k"), Words::tr("95 % of squeezes")},
                   1, 6);
@@ -157,7 +161,7 @@ QString typesTable(const TrendContent& content)
 
 QString rowsTable(const HistoryReport& report)
 {
-    QString html = u"<table class='small' cellspacing='0' cellpadding='1'><thead>"_s +
+    QString html = u"<table class='small' width='100%' cellspacing='0' cellpadding='1'><thead>"_s +
                    headerRow({Words::tr("No."), Words::tr("Time"), Words::tr("Outcome"), Words::tr("Type"),
                               Words::tr("m"), Words::tr("b"), Words::tr("k"), Words::tr("Operator"),
                               Words::tr("Gripper"), Words::tr("Software")},
@@ -187,9 +191,12 @@ QImage picture(const TrendContent& content)
     QPainter painter(&image);
     painter.scale(pictureScale, pictureScale);
     const ThemeTokens tokens = themeTokens(ThemeKind::Light);
-    const double each = double(pictureSize.height() - 18) / plots;
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintTypeLegend(painter, content, QRectF(0, 0, pictureSize.width(), legendHeight), tokens);
+    const double each = double(pictureSize.height() - legendHeight - 18) / plots;
     for (int i = 0; i < plots; ++i)
-        TrendPlot(content, i, QRectF(0, i * each, pictureSize.width(), each + (i == plots - 1 ? 18 : 0)),
+        TrendPlot(content, i,
+                  QRectF(0, legendHeight + i * each, pictureSize.width(), each + (i == plots - 1 ? 18 : 0)),
                   i == plots - 1)
             .paint(painter, tokens);
     return image;
@@ -248,7 +255,7 @@ QString historyReportHtml(const HistoryReport& report)
                  QStringLiteral(GRIPSCOPE_VERSION), report.library)
             .toHtmlEscaped());
     if (!report.points.points.empty())
-        html += heading(Words::tr("m, b and k over time")) + u"<p><img src='trend' width='640'></p>"_s;
+        html += heading(Words::tr("m, b and k over time")) + pdfPicture(u"trend"_s, pictureSize);
     html += typesTable(content) + heading(Words::tr("Squeezes"));
     if (report.total > report.rows.size())
         html += u"<p>%1</p>"_s.arg(

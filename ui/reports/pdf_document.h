@@ -10,7 +10,7 @@
 
 namespace gripscope {
 
-/// A picture that the text names: <img src='name'>.
+/// A picture that the text names, see pdfPicture().
 struct PdfPicture {
     QString name;
     QImage image;
@@ -23,5 +23,7 @@ struct PdfPicture {
 
 /// A line of a table of facts: a name and a text.
 [[nodiscard]] QString pdfRow(const QString& name, const QString& text);
+/// The picture of this name, as wide as the text; `size` says its shape.
+[[nodiscard]] QString pdfPicture(const QString& name, QSize size);
 
 } // namespace gripscope
