@@ -60,4 +60,10 @@ void RenderThread::render(const SceneRequest& request, QObject* context,
         Qt::QueuedConnection);
 }
 
+void RenderThread::release()
+{
+    QMetaObject::invokeMethod(
+        &d->worker, [this] { d->renderer->release(); }, Qt::QueuedConnection);
+}
+
 } // namespace gripscope

@@ -20,6 +20,8 @@ public:
 
     /// Renders, then calls `done` on the thread of `context`, unless that is gone.
     void render(const SceneRequest& request, QObject* context, std::function<void(const QImage&)> done);
+    /// Frees what the pictures so far needed, a good 100 MB, once they are made; the next one begins anew.
+    void release();
 
 private:
     struct Private;

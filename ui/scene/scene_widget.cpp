@@ -171,6 +171,12 @@ void SceneWidget::showEvent(QShowEvent* event)
     scheduleRender(false);
 }
 
+void SceneWidget::hideEvent(QHideEvent* event)
+{
+    SceneView::hideEvent(event);
+    d->renderer->release(); // the last picture stays, to be shown while the next is drawn
+}
+
 std::vector<SceneView::Spot> SceneWidget::spots() const
 {
     const SceneProjection projection(d->camera, size());
