@@ -10,6 +10,8 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <algorithm>
+
 using namespace gripscope;
 using namespace Qt::StringLiterals;
 
@@ -41,6 +43,36 @@ private slots:
             QVERIFY2(page(name).startsWith(u"# "_s), qPrintable(name));
             QVERIFY2(name == u"index.md" || page(u"index.md"_s).contains(u'(' + name + u')'),
                      qPrintable(name));
+        }
+    }
+    /// The same pages in German, with the same headings, tables, code, links and pictures.
+    void theGermanPagesFollowTheEnglish()
+    {
+        static const QRegularExpression heading(u"^#+ "_s, QRegularExpression::MultilineOption);
+        static const QRegularExpression code(u"```[^`]*```|`[^`]+`"_s);
+        static const QRegularExpression link(u"\\]\\([^)]+\\)"_s);
+        static const QRegularExpression row(u"^\\|"_s, QRegularExpression::MultilineOption);
+        const auto all = [](const QRegularExpression& wanted, const QString& text) {
+            QStringList found;
+            for (const QRegularExpressionMatch& match : wanted.globalMatch(text))
+                found << match.captured().simplified();
+            return found;
+        };
+        const QStringList pages = QDir(u":/manual"_s).entryList({u"*.md"_s});
+        QCOMPARE(QDir(u":/manual/de"_s).entryList({u"*.md"_s}), pages);
+        for (const QString& name : pages) {
+            const QString english = page(name), german = page(u"de/"_s + name);
+            for (const QRegularExpression& wanted : {heading, row})
+                QVERIFY2(all(wanted, german) == all(wanted, english),
+                         qPrintable(name + u": "_s + wanted.pattern()));
+            for (const QRegularExpression& wanted : {code, link}) {
+                QStringList there = all(wanted, german), here = all(wanted, english);
+                there.sort(); // within a sentence they may change places
+                here.sort();
+                for (qsizetype i = 0; i < std::max(there.size(), here.size()); ++i)
+                    QVERIFY2(there.value(i) == here.value(i),
+                             qPrintable(u"%1: %2, not %3"_s.arg(name, there.value(i), here.value(i))));
+            }
         }
     }
     void everyScreenHasAPageWithItsPicture()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/help/manual_browser.h"
 
+#include "ui/help/manual_pages.h"
+
 #include <QImage>
 #include <QTextBlock>
 #include <QTextTable>
@@ -25,7 +27,7 @@ ManualBrowser::ManualBrowser(QWidget* parent) : QTextBrowser(parent)
 
 void ManualBrowser::showPage(const QString& file)
 {
-    setSource(QUrl(u"qrc:/manual/"_s + file), QTextDocument::MarkdownResource);
+    setSource(QUrl(u"qrc"_s + manualPath(file)), QTextDocument::MarkdownResource);
 }
 
 QString ManualBrowser::page() const
@@ -64,9 +66,11 @@ void ManualBrowser::spaceOut()
 
 QVariant ManualBrowser::loadResource(int type, const QUrl& name)
 {
-    QVariant found = QTextBrowser::loadResource(type, name);
     if (type != QTextDocument::ImageResource)
-        return found;
+        return QTextBrowser::loadResource(type, name);
+    // The pictures are the same in all languages.
+    const QVariant found =
+        QTextBrowser::loadResource(type, QUrl(u"qrc:/manual/pictures/"_s + name.fileName()));
     QImage picture;
     if (!picture.loadFromData(found.toByteArray()))
         return found;

@@ -2,6 +2,7 @@
 #include "ui/help/manual_pages.h"
 
 #include <QFile>
+#include <QLocale>
 #include <QMap>
 #include <QRegularExpression>
 
@@ -17,7 +18,7 @@ const QString contents = u"index.md"_s;
 
 ManualPage read(const QString& name)
 {
-    QFile file(u":/manual/"_s + name);
+    QFile file(manualPath(name));
     if (!file.open(QIODevice::ReadOnly))
         return {name, name, {}};
     const QString text = QString::fromUtf8(file.readAll());
@@ -25,6 +26,12 @@ ManualPage read(const QString& name)
 }
 
 } // namespace
+
+QString manualPath(const QString& file)
+{
+    const QString translated = u":/manual/%1/%2"_s.arg(QLocale().name().section(u'_', 0, 0), file);
+    return QFile::exists(translated) ? translated : u":/manual/"_s + file;
+}
 
 std::vector<ManualPage> manualPages()
 {
@@ -53,7 +60,7 @@ bool speaksOf(const ManualPage& page, const QString& words)
 QString manualPageFor(const QString& screen)
 {
     const QString page = screen + u".md"_s;
-    return QFile::exists(u":/manual/"_s + page) ? page : contents;
+    return QFile::exists(manualPath(page)) ? page : contents;
 }
 
 } // namespace gripscope

@@ -7,12 +7,14 @@
 
 namespace gripscope {
 
-/// A page of the manual that is compiled in (resources/manual).
+/// A page of the manual that is compiled in (resources/manual), in the language in force.
 struct ManualPage {
     QString file; ///< "inspect.md"
     QString title, text;
 };
 
+/// Where a page is, ":/manual/de/inspect.md": in English where the language has no page of its own.
+[[nodiscard]] QString manualPath(const QString& file);
 /// All pages in the order of the table of contents, which comes first.
 [[nodiscard]] std::vector<ManualPage> manualPages();
 /// Whether all of these words, or beginnings of words, stand on the page.
