@@ -6,8 +6,6 @@
 
 namespace gripscope {
 
-using namespace Qt::StringLiterals;
-
 BaselineSession::BaselineSession(ConnectSession& connection, LibraryService& library)
     : SeriesSession(connection, library)
 {
@@ -52,7 +50,7 @@ void BaselineSession::conclude()
         return;
     const std::optional<RepeatedMeasurement> found = repeatedMeasurement(m_squeezes);
     if (!found) {
-        m_problem = u"no m, b and k above zero were found with their uncertainty"_s;
+        m_problem = Words::tr("no m, b and k above zero were found with their uncertainty");
         return;
     }
     const MassDampingStiffness& own = found->parameters;
@@ -67,7 +65,7 @@ Expected<void> BaselineSession::accept()
     MeasuringChain chain = connection().measuringChain();
     chain.baseline = m_baseline;
     return storeChain({serial(), connection().forceLag_s(), chain, operatorName(),
-                       u"empty gripper, %1 squeezes"_s.arg(m_squeezes.size())});
+                       Words::tr("empty gripper, %1 squeezes").arg(m_squeezes.size())});
 }
 
 Expected<void> BaselineSession::remove()
@@ -78,7 +76,7 @@ Expected<void> BaselineSession::remove()
     MeasuringChain chain = connection().measuringChain();
     chain.baseline.reset();
     return storeChain({connection().identity().serial, connection().forceLag_s(), chain, operatorName(),
-                       u"the empty gripper is no longer taken off"_s});
+                       Words::tr("the empty gripper is no longer taken off")});
 }
 
 } // namespace gripscope

@@ -49,8 +49,9 @@ Expected<void> ReferenceCheckSession::start()
     if (!toSi)
         return failure(
             ErrorCode::Usage,
-            {u"The units of this gripper's channels (%1, %2) are not known, so that m, b and k "
-             "cannot be held against what is stated."_s.arg(identity.forceUnit, identity.positionUnit)});
+            {Words::tr("The units of this gripper's channels (%1, %2) are not known, so that m, b and k "
+                       "cannot be held against what is stated.")
+                 .arg(identity.forceUnit, identity.positionUnit)});
     const ReferenceObjectRecord reference = standing->reference;
     const Expected<void> begun = begin(recipeOf(reference), reference.squeezes);
     if (begun) {
@@ -98,7 +99,7 @@ void ReferenceCheckSession::conclude()
         if (const std::optional<RepeatedMeasurement> found = repeatedMeasurement(m_squeezes))
             check.measured = inSi(*found, m_toSi);
         else
-            check.obstacle = u"no m, b and k above zero were found with their uncertainty"_s;
+            check.obstacle = Words::tr("no m, b and k above zero were found with their uncertainty");
         check.verdict = judgeCheck(m_reference, check.measured);
     }
     m_check = check;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/squeeze_obstacle.h"
 
+#include "core/words.h"
+
 #include <algorithm>
 
 namespace gripscope {
-
-using namespace Qt::StringLiterals;
 
 QString obstacleOf(std::span<const Identification> squeezes)
 {
@@ -15,8 +15,9 @@ QString obstacleOf(std::span<const Identification> squeezes)
             continue;
         const auto decisive = std::find_if(validity.checks.begin(), validity.checks.end(),
                                            [](const auto& check) { return !check.ok && check.decisive; });
-        return u"squeeze %1: %2"_s.arg(i + 1).arg(
-            decisive != validity.checks.end() ? decisive->message : toString(validity.verdict));
+        return Words::tr("squeeze %1: %2")
+            .arg(i + 1)
+            .arg(decisive != validity.checks.end() ? decisive->message : toString(validity.verdict));
     }
     return {};
 }

@@ -11,7 +11,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-const auto doing = u"read the batches"_s;
+QString reading()
+{
+    return Words::tr("read the batches");
+}
 
 const auto select = u"SELECT b.id, b.begun_utc, b.name, b.target, b.expected_type, b.operator_name, "
                     u"COALESCE(e.ended_utc, '') "
@@ -71,13 +74,13 @@ Expected<void> insertEnd(Database& database, const QString& batchId, const QStri
 
 Expected<std::optional<BatchRecord>> find(Database& database, const QString& id)
 {
-    Statement query(database, doing, select + u"WHERE b.id = ?"_s);
+    Statement query(database, reading(), select + u"WHERE b.id = ?"_s);
     return readOne(query.bind(id));
 }
 
 Expected<std::optional<BatchRecord>> underWay(Database& database, const QString& station)
 {
-    Statement query(database, doing,
+    Statement query(database, reading(),
                     select + u"WHERE b.station = ? AND e.id IS NULL ORDER BY b.begun_utc DESC, b.id DESC "
                              "LIMIT 1"_s);
     return readOne(query.bind(station));
@@ -85,7 +88,7 @@ Expected<std::optional<BatchRecord>> underWay(Database& database, const QString&
 
 Expected<std::vector<BatchRecord>> newest(Database& database, int limit)
 {
-    Statement query(database, doing, select + u"ORDER BY b.begun_utc DESC, b.id DESC LIMIT ?"_s);
+    Statement query(database, reading(), select + u"ORDER BY b.begun_utc DESC, b.id DESC LIMIT ?"_s);
     return read(query.bind(std::max(0, limit)));
 }
 
