@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/batch_table.h"
 
+#include "core/store/rows.h"
 #include "core/words.h"
 
 #include <algorithm>
@@ -34,23 +35,6 @@ BatchRecord takeBatch(Statement& row)
     return batch;
 }
 
-Expected<std::vector<BatchRecord>> read(Statement& query)
-{
-    std::vector<BatchRecord> batches;
-    const auto done = query.forEach([&](Statement& row) { batches.push_back(takeBatch(row)); });
-    if (!done)
-        return tl::unexpected(done.error());
-    return batches;
-}
-
-Expected<std::optional<BatchRecord>> readOne(Statement& query)
-{
-    auto batches = read(query);
-    if (!batches)
-        return tl::unexpected(batches.error());
-    return batches->empty() ? std::nullopt : std::optional(std::move(batches->front()));
-}
-
 } // namespace
 
 Expected<void> insert(Database& database, const RowStamp& stamp, const NewBatch& batch)
@@ -75,7 +59,7 @@ Expected<void> insertEnd(Database& database, const QString& batchId, const QStri
 Expected<std::optional<BatchRecord>> find(Database& database, const QString& id)
 {
     Statement query(database, reading(), select + u"WHERE b.id = ?"_s);
-    return readOne(query.bind(id));
+    return firstRow(query.bind(id), takeBatch);
 }
 
 Expected<std::optional<BatchRecord>> underWay(Database& database, const QString& station)
@@ -83,13 +67,13 @@ Expected<std::optional<BatchRecord>> underWay(Database& database, const QString&
     Statement query(database, reading(),
                     select + u"WHERE b.station = ? AND e.id IS NULL ORDER BY b.begun_utc DESC, b.id DESC "
                              "LIMIT 1"_s);
-    return readOne(query.bind(station));
+    return firstRow(query.bind(station), takeBatch);
 }
 
 Expected<std::vector<BatchRecord>> newest(Database& database, int limit)
 {
     Statement query(database, reading(), select + u"ORDER BY b.begun_utc DESC, b.id DESC LIMIT ?"_s);
-    return read(query.bind(std::max(0, limit)));
+    return allRows(query.bind(std::max(0, limit)), takeBatch);
 }
 
 } // namespace gripscope::batch_table
