@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/reference_check_session.h"
 
-#include "core/session/squeeze_obstacle.h"
+#include "core/session/measured_together.h"
 #include "core/signal/units.h"
 #include "core/words.h"
 
@@ -35,7 +35,7 @@ Recipe recipeOf(const ReferenceObject& reference)
 }
 
 ReferenceCheckSession::ReferenceCheckSession(ConnectSession& connection, LibraryService& library)
-    : SeriesSession(connection, library)
+    : JudgedSeries(connection, library)
 {
 }
 
@@ -63,26 +63,13 @@ Expected<void> ReferenceCheckSession::start()
 
 void ReferenceCheckSession::clear()
 {
-    m_squeezes.clear();
+    JudgedSeries::clear();
     m_check.reset();
 }
 
 void ReferenceCheckSession::judge(const Recording& recording)
 {
-    m_task.start(recording, {});
-}
-
-bool ReferenceCheckSession::takeJudged()
-{
-    std::optional<Identification> found = m_task.take();
-    if (found)
-        m_squeezes.push_back(std::move(*found));
-    return found.has_value();
-}
-
-void ReferenceCheckSession::forgetJudging()
-{
-    m_task.forget();
+    judgeBy([](const Recording& one) { return identify(one); }, recording);
 }
 
 void ReferenceCheckSession::conclude()
@@ -92,15 +79,13 @@ void ReferenceCheckSession::conclude()
     check.referenceId = m_reference.id;
     check.reference = m_reference;
     check.operatorName = operatorName();
-    check.squeezes = static_cast<int>(m_squeezes.size());
+    check.squeezes = static_cast<int>(squeezes().size());
     check.made = QDateTime::currentDateTimeUtc();
-    check.obstacle = obstacleOf(m_squeezes);
-    if (check.obstacle.isEmpty()) {
-        if (const std::optional<RepeatedMeasurement> found = repeatedMeasurement(m_squeezes))
-            check.measured = inSi(*found, m_toSi);
-        else
-            check.obstacle = Words::tr("no m, b and k above zero were found with their uncertainty");
+    if (const auto found = measuredTogether(squeezes())) {
+        check.measured = inSi(*found, m_toSi);
         check.verdict = judgeCheck(m_reference, check.measured);
+    } else {
+        check.obstacle = found.error();
     }
     m_check = check;
     store<CalibrationsInForce>(
