@@ -252,7 +252,7 @@ Expected<DeviceAddress> parseDeviceAddress(const QString& text)
         return parseHid(rest);
     if (kind == u"replay" && !rest.isEmpty())
         return parseReplay(rest);
-    return wrong(text.isEmpty() ? u"nothing"_qs : text,
+    return wrong(text.isEmpty() ? Words::tr("nothing") : text,
                  Words::tr("an address is virtual: or virtual:?object=A&seed=7, hid: or "
                            "hid:1209:0001:SERIAL, or replay:FILE"));
 }

@@ -4,6 +4,7 @@
 #include "app/cli/drive.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
+#include "core/json_text.h"
 #include "devices/acquisition/device_port.h"
 #include "devices/gripper_factory.h"
 #include "devices/inspection/device_facts.h"
@@ -23,14 +24,13 @@ constexpr double patience_s = 20; ///< a device may take seconds to say what it 
 
 QJsonObject identityJson(const GripperIdentity& identity, const DeviceFacts& facts)
 {
-    const auto orNull = [](const QString& text) { return text.isEmpty() ? QJsonValue() : QJsonValue(text); };
     return {{u"address"_qs, identity.address},
             {u"serial"_qs, identity.serial},
             {u"name"_qs, identity.name},
             {u"firmware"_qs, identity.firmware},
             {u"protocol"_qs, u"%1.%2"_qs.arg(identity.protocolMajor).arg(identity.protocolMinor)},
-            {u"usb"_qs, orNull(facts.usbIds)},
-            {u"node"_qs, orNull(facts.node)},
+            {u"usb"_qs, jsonText(facts.usbIds)},
+            {u"node"_qs, jsonText(facts.node)},
             {u"force_unit"_qs, identity.forceUnit},
             {u"position_unit"_qs, identity.positionUnit},
             {u"sample_time_s"_qs, identity.sampleTime_s},
@@ -60,7 +60,7 @@ QJsonArray reportsJson(const std::vector<LoggedReport>& reports)
             fields.insert(field.name, field.value);
         out.append(QJsonObject{{u"direction"_qs, directions[static_cast<std::size_t>(report.direction)]},
                                {u"kind"_qs, words.kind},
-                               {u"problem"_qs, words.problem.isEmpty() ? QJsonValue() : words.problem},
+                               {u"problem"_qs, jsonText(words.problem)},
                                {u"fields"_qs, fields},
                                {u"hex"_qs, protocol::hexDump(report.view()).replace(u'\n', u' ')}});
     }

@@ -2,45 +2,31 @@
 #include "app/cli/verdict_output.h"
 
 #include "app/cli/output.h"
+#include "core/identification/json_number.h"
+#include "core/json_text.h"
 
 #include <QJsonArray>
-
-#include <cmath>
 
 namespace gripscope::cli {
 
 using namespace Qt::StringLiterals;
 
-namespace {
-
-QJsonValue orNull(std::optional<double> value)
-{
-    return value && std::isfinite(*value) ? QJsonValue(*value) : QJsonValue();
-}
-
-QJsonValue orNull(const QString& text)
-{
-    return text.isEmpty() ? QJsonValue() : QJsonValue(text);
-}
-
-} // namespace
-
 QJsonObject verdictJson(const QString& file, const Verdict& verdict)
 {
     QJsonObject posterior;
     for (auto it = verdict.posterior.cbegin(); it != verdict.posterior.cend(); ++it)
-        posterior[it.key()] = orNull(it.value());
+        posterior[it.key()] = jsonNumber(it.value());
     return {{u"file"_qs, file},
             {u"verdict"_qs, toString(verdict.kind)},
-            {u"type"_qs, orNull(verdict.type)},
-            {u"nearest"_qs, orNull(verdict.nearest)},
+            {u"type"_qs, jsonText(verdict.type)},
+            {u"nearest"_qs, jsonText(verdict.nearest)},
             {u"posterior"_qs, posterior},
-            {u"distance"_qs, orNull(verdict.distance)},
-            {u"gate"_qs, orNull(verdict.gate)},
-            {u"rival"_qs, orNull(verdict.rival)},
-            {u"times_longer"_qs, orNull(verdict.timesLonger)},
-            {u"stranger_posterior"_qs, orNull(verdict.strangerPosterior)},
-            {u"stranger_accept"_qs, orNull(verdict.strangerAccept)},
+            {u"distance"_qs, jsonNumber(verdict.distance)},
+            {u"gate"_qs, jsonNumber(verdict.gate)},
+            {u"rival"_qs, jsonText(verdict.rival)},
+            {u"times_longer"_qs, jsonNumber(verdict.timesLonger)},
+            {u"stranger_posterior"_qs, jsonNumber(verdict.strangerPosterior)},
+            {u"stranger_accept"_qs, jsonNumber(verdict.strangerAccept)},
             {u"samples_used"_qs, static_cast<qint64>(verdict.samplesUsed)},
             {u"reasons"_qs, QJsonArray::fromStringList(verdict.reasons)}};
 }

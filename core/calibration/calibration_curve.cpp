@@ -12,8 +12,6 @@
 
 namespace gripscope {
 
-using namespace Qt::StringLiterals;
-
 namespace {
 
 using Vector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
@@ -27,7 +25,7 @@ Error unusable(const QString& found, const QString& expected)
 std::optional<Error> problemOf(const std::vector<CalibrationPoint>& points, int degree)
 {
     if (degree < 1 || degree > highestCalibrationDegree)
-        return unusable(u"degree %1"_s.arg(degree),
+        return unusable(Words::tr("found degree %1").arg(degree),
                         Words::tr("expected a degree from 1 to %1").arg(highestCalibrationDegree));
     std::set<double> loads;
     for (const CalibrationPoint& point : points) {

@@ -86,10 +86,11 @@ void noteReferenceCheck(QMap<QString, QString>& provenance, const ReferenceStand
     if (status == CheckStatus::NotAsked)
         return;
     provenance[checkKey] = toString(status);
-    provenance[checkWordsKey] =
-        standing.last ? u"last on %1 at %2"_s.arg(standing.reference.name.simplified(),
-                                                  standing.last->made.toUTC().toString(Qt::ISODate))
-                      : u"never on %1"_s.arg(standing.reference.name.simplified());
+    provenance[checkWordsKey] = standing.last
+                                    ? Words::tr("last on %1 at %2")
+                                          .arg(standing.reference.name.simplified(),
+                                               standing.last->made.toUTC().toString(Qt::ISODate))
+                                    : Words::tr("never on %1").arg(standing.reference.name.simplified());
 }
 
 std::optional<ReferenceCheckFact> referenceCheckFact(const QMap<QString, QString>& provenance)

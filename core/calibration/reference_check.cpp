@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/reference_check.h"
 
+#include "core/words.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,22 +33,23 @@ bool isWellKnown(const MeasuredQuantity& measured, const ReferenceQuantity& stat
 QString problemOf(const ReferenceObject& reference)
 {
     if (reference.name.isEmpty())
-        return u"The reference object needs a name, such as the number on it."_s;
+        return Words::tr("The reference object needs a name, such as the number on it.");
     if (!reference.stated[2])
-        return u"The stiffness of the reference object must be known."_s;
+        return Words::tr("The stiffness of the reference object must be known.");
     for (const std::optional<ReferenceQuantity>& stated : reference.stated) {
         if (stated && !isUsable(*stated))
-            return u"What is stated needs a value and a tolerance above zero."_s;
+            return Words::tr("What is stated needs a value and a tolerance above zero.");
         if (stated && !isWellKnown({}, *stated))
-            return u"A tolerance is smaller than twice the uncertainty of what is stated: no measurement could tell. Widen it, or use a better reference object."_s;
+            return Words::tr("A tolerance is smaller than twice the uncertainty of what is stated: no "
+                             "measurement could tell. Widen it, or use a better reference object.");
     }
     if (!(reference.peak_N > 0) || !std::isfinite(reference.peak_N) ||
         !(reference.bias_N > reference.peak_N) || !std::isfinite(reference.bias_N))
-        return u"The force must stay above zero: let it vary by less than its middle."_s;
+        return Words::tr("The force must stay above zero: let it vary by less than its middle.");
     if (reference.squeezes < 1 || reference.squeezes > mostSqueezes)
-        return u"A check may have 1 to %1 squeezes."_s.arg(mostSqueezes);
+        return Words::tr("A check may have 1 to %1 squeezes.").arg(mostSqueezes);
     if (reference.intervalHours < 0 || reference.intervalHours > mostHours)
-        return u"A check may hold for a year at the most."_s;
+        return Words::tr("A check may hold for a year at the most.");
     return {};
 }
 

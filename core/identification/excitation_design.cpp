@@ -5,6 +5,7 @@
 #include "core/identification/design_criterion.h"
 #include "core/signal/excitation.h"
 #include "core/signal/gaussian.h"
+#include "core/words.h"
 
 #include <algorithm>
 #include <array>
@@ -306,24 +307,28 @@ std::optional<Error> DesignOptions::validate() const
     const auto usage = [](const QString& reason) { return Error{ErrorCode::Usage, {reason}}; };
     const auto isPositive = [](double value) { return std::isfinite(value) && value > 0; };
     if (objects.empty())
-        return usage(u"at least one object is needed"_s);
+        return usage(Words::tr("at least one object is needed"));
     if (!isPositive(peak) || !isPositive(limit) || !std::isfinite(bias))
-        return usage(u"peak and limit must be numbers above 0, the bias a number"_s);
+        return usage(Words::tr("peak and limit must be numbers above 0, the bias a number"));
     if (!isPositive(duration_s) || !isPositive(sampleTime_s) || !isPositive(noiseDeviation))
-        return usage(u"duration, sample time and noise must be numbers above 0"_s);
+        return usage(Words::tr("duration, sample time and noise must be numbers above 0"));
     if (!std::isfinite(shortestRun_s) || shortestRun_s < 0)
-        return usage(u"the shortest run must be a number from 0 up"_s);
+        return usage(Words::tr("the shortest run must be a number from 0 up"));
     if (!isPositive(amplitude()))
-        return usage(u"bias and limit leave no room: no force may be above %1%2"_s.arg(limit).arg(
-            oneSided ? u" nor below 0"_s : QString()));
+        return usage((oneSided
+                          ? Words::tr("bias and limit leave no room: no force may be above %1 nor below 0")
+                          : Words::tr("bias and limit leave no room: no force may be above %1"))
+                         .arg(limit));
     if (samples() < leastSamples || samples() > mostSamples)
-        return usage(u"the signal must have from %1 to %2 samples"_s.arg(leastSamples).arg(mostSamples));
+        return usage(
+            Words::tr("the signal must have from %1 to %2 samples").arg(leastSamples).arg(mostSamples));
     for (const DesignObject& object : objects) {
         if (!isPossible(object))
-            return usage(u"m, b and k of object %1 must be numbers above 0"_s.arg(object.name));
+            return usage(Words::tr("m, b and k of object %1 must be numbers above 0").arg(object.name));
         if (!isSampledSensibly(object, *this))
-            return usage(u"object %1 swings too fast or too slowly for this sample time and duration"_s.arg(
-                object.name));
+            return usage(
+                Words::tr("object %1 swings too fast or too slowly for this sample time and duration")
+                    .arg(object.name));
     }
     return std::nullopt;
 }

@@ -100,8 +100,9 @@ QString changeWords(const Validation& validation)
     QStringList parts;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const double percent = 100 * (*validation.change)(static_cast<Eigen::Index>(i));
-        parts << u"%1 by %2%3 %"_s.arg(QLatin1String(names[i]), percent < 0 ? u"\u2212"_s : u"+"_s,
-                                       Words::number(std::abs(percent), 'g', 2));
+        parts << Words::tr("%1 by %2%3 %")
+                     .arg(QLatin1String(names[i]), percent < 0 ? u"\u2212"_s : u"+"_s,
+                          Words::number(std::abs(percent), 'g', 2));
     }
     return Words::tr(": to explain it best, %1 would have to change").arg(parts.join(u", "_s));
 }

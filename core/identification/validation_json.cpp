@@ -2,6 +2,7 @@
 #include "core/identification/validation_json.h"
 
 #include "core/identification/json_number.h"
+#include "core/json_text.h"
 
 namespace gripscope {
 
@@ -40,7 +41,7 @@ QJsonObject toJson(const Validation& validation)
 {
     return {
         {u"on"_s, toString(validation.source)},
-        {u"file"_s, validation.name.isEmpty() ? QJsonValue() : QJsonValue(validation.name)},
+        {u"file"_s, jsonText(validation.name)},
         {u"as_expected"_s, validation.asExpected ? QJsonValue(*validation.asExpected) : QJsonValue()},
         {u"message"_s, validation.message},
         {u"estimator"_s, toString(validation.estimator)},

@@ -110,8 +110,8 @@ ValidityCheck samplesLost(const Identification& data, const Recording& recording
     if (lost)
         words << lossWords(data, check.decisive);
     if (check.ok && unseen)
-        words
-            << u"whether samples are missing cannot be seen: the gripper sends neither a number nor a clock"_s;
+        words << Words::tr(
+            "whether samples are missing cannot be seen: the gripper sends neither a number nor a clock");
     else if (check.ok) // a silence that took nothing with it delays the numbers, and changes none
         words.prepend(stream.stalls > 0 ? Words::tr("no sample is missing, though")
                                         : Words::tr("no sample is missing"));

@@ -32,8 +32,9 @@ double columnScale(const Eigen::ArrayXd& column, double mean)
 
 tl::unexpected<Error> badValue(Eigen::Index row, Eigen::Index column, double found, const QString& expected)
 {
-    return failure(ErrorCode::BadInput, {Words::tr("Row %1, feature %2").arg(row + 1).arg(column + 1),
-                                         u"found %1"_s.arg(found), u"expected %1"_s.arg(expected)});
+    return failure(ErrorCode::BadInput,
+                   {Words::tr("Row %1, feature %2").arg(row + 1).arg(column + 1),
+                    Words::tr("found %1").arg(found), Words::tr("expected %1").arg(expected)});
 }
 
 } // namespace

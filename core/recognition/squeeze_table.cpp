@@ -40,14 +40,14 @@ public:
         row.line = line.number;
         m_row = &row;
         if (line.fields.size() != m_fields) {
-            refuse(std::min(line.fields.size(), m_fields), u"%1 fields"_s.arg(line.fields.size()),
+            refuse(std::min(line.fields.size(), m_fields), Words::tr("%1 fields").arg(line.fields.size()),
                    Words::tr("%1, as in the header").arg(m_fields));
             return row;
         }
         row.squeeze.type =
             m_columns.type.isEmpty() ? m_columns.typeName.trimmed() : line.fields[m_places.back()];
         if (row.squeeze.type.isEmpty())
-            refuse(m_places.back(), u"nothing"_s, Words::tr("the name of a type"));
+            refuse(m_places.back(), Words::tr("nothing"), Words::tr("the name of a type"));
         const Eigen::Vector3d parameters = numbers(line, 0, false);
         row.squeeze.parameters = {parameters(0), parameters(1), parameters(2)};
         if (!m_columns.deviations.isEmpty()) {

@@ -46,7 +46,8 @@ QString TablePlace::text() const
 
 tl::unexpected<Error> TablePlace::error(const QString& found, const QString& expected) const
 {
-    return failure(ErrorCode::BadInput, {text(), u"found "_s + found, u"expected "_s + expected});
+    return failure(ErrorCode::BadInput,
+                   {text(), Words::tr("found %1").arg(found), Words::tr("expected %1").arg(expected)});
 }
 
 Expected<QByteArray> readTableFile(const QString& file)

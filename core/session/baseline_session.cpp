@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/baseline_session.h"
 
-#include "core/session/squeeze_obstacle.h"
+#include "core/session/measured_together.h"
 #include "core/words.h"
 
 namespace gripscope {
 
-using namespace Qt::StringLiterals;
-
 BaselineSession::BaselineSession(ConnectSession& connection, LibraryService& library)
-    : SeriesSession(connection, library)
+    : JudgedSeries(connection, library)
 {
 }
 
@@ -20,7 +18,7 @@ Expected<void> BaselineSession::start(const Recipe& recipe, int squeezes)
 
 void BaselineSession::clear()
 {
-    m_squeezes.clear();
+    JudgedSeries::clear();
     m_baseline.reset();
     m_problem.clear();
 }
@@ -29,30 +27,14 @@ void BaselineSession::judge(const Recording& recording)
 {
     Recording whole = recording;
     whole.chain.baseline.reset(); // it is the empty gripper itself that is looked for
-    m_task.start(std::move(whole), {});
-}
-
-bool BaselineSession::takeJudged()
-{
-    std::optional<Identification> found = m_task.take();
-    if (found)
-        m_squeezes.push_back(std::move(*found));
-    return found.has_value();
-}
-
-void BaselineSession::forgetJudging()
-{
-    m_task.forget();
+    judgeBy([](const Recording& one) { return identify(one); }, std::move(whole));
 }
 
 void BaselineSession::conclude()
 {
-    m_problem = obstacleOf(m_squeezes);
-    if (!m_problem.isEmpty())
-        return;
-    const std::optional<RepeatedMeasurement> found = repeatedMeasurement(m_squeezes);
+    const auto found = measuredTogether(squeezes());
     if (!found) {
-        m_problem = u"no m, b and k above zero were found with their uncertainty"_s;
+        m_problem = found.error();
         return;
     }
     const MassDampingStiffness& own = found->parameters;
@@ -67,7 +49,7 @@ Expected<void> BaselineSession::accept()
     MeasuringChain chain = connection().measuringChain();
     chain.baseline = m_baseline;
     return storeChain({serial(), connection().forceLag_s(), chain, operatorName(),
-                       u"empty gripper, %1 squeezes"_s.arg(m_squeezes.size())});
+                       Words::tr("empty gripper, %1 squeezes").arg(squeezes().size())});
 }
 
 Expected<void> BaselineSession::remove()
@@ -78,7 +60,7 @@ Expected<void> BaselineSession::remove()
     MeasuringChain chain = connection().measuringChain();
     chain.baseline.reset();
     return storeChain({connection().identity().serial, connection().forceLag_s(), chain, operatorName(),
-                       u"the empty gripper is no longer taken off"_s});
+                       Words::tr("the empty gripper is no longer taken off")});
 }
 
 } // namespace gripscope

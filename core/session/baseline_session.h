@@ -2,10 +2,7 @@
 #pragma once
 
 #include "core/identification/repeated_measurement.h"
-#include "core/session/identification_task.h"
-#include "core/session/series_session.h"
-
-#include <vector>
+#include "core/session/judged_series.h"
 
 namespace gripscope {
 
@@ -14,7 +11,7 @@ namespace gripscope {
 ///
 /// Measured: baseline() or problem(). accept() stores it and puts it in force for the squeezes to come. What
 /// else is known of the gripper's channels stays as it is.
-class BaselineSession : public SeriesSession {
+class BaselineSession : public JudgedSeries<Identification> {
 public:
     static constexpr int usualSqueezes = 5;
 
@@ -26,7 +23,6 @@ public:
     /// Nothing is taken off any more. Usage: busy, or there is no baseline.
     [[nodiscard]] Expected<void> remove();
 
-    [[nodiscard]] const std::vector<Identification>& squeezes() const { return m_squeezes; }
     /// In the channels' units. Its errors are those of the squeezes' noise and scatter alone: what the
     /// channels are uncertain by is common to it and to the part, and counted there.
     [[nodiscard]] const std::optional<GripperBaseline>& baseline() const { return m_baseline; }
@@ -35,12 +31,8 @@ public:
 private:
     void clear() override;
     void judge(const Recording& recording) override;
-    bool takeJudged() override;
-    void forgetJudging() override;
     void conclude() override;
 
-    IdentificationTask m_task;
-    std::vector<Identification> m_squeezes;
     std::optional<GripperBaseline> m_baseline;
     QString m_problem;
 };

@@ -19,10 +19,11 @@ constexpr double leastStepShare = 0.2;     ///< of the load's step: a smaller on
 std::optional<Error> notReady(ConnectSession& connection)
 {
     if (connection.state() != ConnectSession::State::Connected)
-        return Error{ErrorCode::DeviceRefused, {u"calibrate"_s, Words::tr("no gripper is connected")}};
+        return Error{ErrorCode::DeviceRefused,
+                     {Words::tr("calibrate"), Words::tr("no gripper is connected")}};
     if (connection.armed())
         return Error{ErrorCode::DeviceRefused,
-                     {u"calibrate"_s, Words::tr("it is armed, and hands are near: disarm it first")}};
+                     {Words::tr("calibrate"), Words::tr("it is armed, and hands are near: disarm it first")}};
     return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 #include "core/session/comparable_units.h"
 
 #include "core/signal/units.h"
+#include "core/words.h"
 
 #include <algorithm>
 
@@ -13,13 +14,13 @@ namespace {
 
 QString inWords(const QString& forceUnit, const QString& positionUnit)
 {
-    return u"%1 and %2"_qs.arg(forceUnit, positionUnit);
+    return Words::tr("%1 and %2").arg(forceUnit, positionUnit);
 }
 
 /// Units of the same system can be converted into each other.
 QString systemOf(const QString& forceUnit, const QString& positionUnit)
 {
-    return siFactor(forceUnit, positionUnit) ? u"SI"_qs : inWords(forceUnit, positionUnit);
+    return siFactor(forceUnit, positionUnit) ? u"SI"_qs : forceUnit + u' ' + positionUnit;
 }
 
 double factorToSystem(const QString& forceUnit, const QString& positionUnit)

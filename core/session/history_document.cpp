@@ -2,6 +2,7 @@
 #include "core/session/history_document.h"
 
 #include "core/identification/json_number.h"
+#include "core/json_text.h"
 #include "core/signal/units.h"
 
 #include <QJsonDocument>
@@ -82,11 +83,6 @@ QStringList cells(const HistoryEntry& entry)
             entry.reason};
 }
 
-QJsonValue textOrNull(const QString& text)
-{
-    return text.isEmpty() ? QJsonValue() : QJsonValue(text);
-}
-
 QJsonValue byName(const std::optional<Eigen::Vector3d>& values)
 {
     if (!values)
@@ -130,11 +126,11 @@ QJsonObject toJson(const HistoryEntry& entry)
             {u"kind"_s, toString(entry.kind)},
             {u"number"_s, entry.number > 0 ? QJsonValue(entry.number) : QJsonValue()},
             {u"time_utc"_s, utc(entry.time)},
-            {u"expected"_s, textOrNull(entry.expectedType)},
-            {u"outcome"_s, textOrNull(outcomeText(entry))},
+            {u"expected"_s, jsonText(entry.expectedType)},
+            {u"outcome"_s, jsonText(outcomeText(entry))},
             {u"verdict"_s, entry.verdict ? QJsonValue(toString(*entry.verdict)) : QJsonValue()},
-            {u"type"_s, textOrNull(entry.type)},
-            {u"nearest"_s, textOrNull(entry.nearest)},
+            {u"type"_s, jsonText(entry.type)},
+            {u"nearest"_s, jsonText(entry.nearest)},
             {u"posterior"_s, jsonNumber(entry.posterior)},
             {u"distance"_s, jsonNumber(entry.distance)},
             {u"gate"_s, jsonNumber(entry.gate)},
@@ -145,16 +141,16 @@ QJsonObject toJson(const HistoryEntry& entry)
             {u"units"_s, QJsonObject{{u"m"_s, units.m}, {u"b"_s, units.b}, {u"k"_s, units.k}}},
             {u"simulation_fit_percent"_s, jsonNumber(entry.simulationFitPercent)},
             {u"squeeze_s"_s, jsonNumber(entry.seconds)},
-            {u"operator"_s, textOrNull(entry.operatorName)},
-            {u"device"_s, textOrNull(entry.device)},
-            {u"serial"_s, textOrNull(entry.serial)},
-            {u"firmware"_s, textOrNull(entry.firmware)},
-            {u"source"_s, textOrNull(entry.source)},
-            {u"part"_s, textOrNull(entry.part)},
+            {u"operator"_s, jsonText(entry.operatorName)},
+            {u"device"_s, jsonText(entry.device)},
+            {u"serial"_s, jsonText(entry.serial)},
+            {u"firmware"_s, jsonText(entry.firmware)},
+            {u"source"_s, jsonText(entry.source)},
+            {u"part"_s, jsonText(entry.part)},
             {u"accepted"_s, entry.accepted},
-            {u"estimator"_s, textOrNull(entry.estimator)},
-            {u"software"_s, textOrNull(entry.program)},
-            {u"reason"_s, textOrNull(entry.reason)}};
+            {u"estimator"_s, jsonText(entry.estimator)},
+            {u"software"_s, jsonText(entry.program)},
+            {u"reason"_s, jsonText(entry.reason)}};
 }
 
 QJsonObject toJson(const HistoryQuery& query)

@@ -6,10 +6,8 @@
 
 namespace gripscope {
 
-using namespace Qt::StringLiterals;
-
 LagSession::LagSession(ConnectSession& connection, LibraryService& library)
-    : SeriesSession(connection, library)
+    : JudgedSeries(connection, library)
 {
 }
 
@@ -20,31 +18,18 @@ Expected<void> LagSession::start(const Recipe& recipe, int squeezes)
 
 void LagSession::clear()
 {
-    m_squeezes.clear();
+    JudgedSeries::clear();
     m_result = {};
 }
 
 void LagSession::judge(const Recording& recording)
 {
-    m_task.start([recording] { return estimateLag(recording); });
-}
-
-bool LagSession::takeJudged()
-{
-    std::optional<LagEstimate> found = m_task.take();
-    if (found)
-        m_squeezes.push_back(std::move(*found));
-    return found.has_value();
-}
-
-void LagSession::forgetJudging()
-{
-    m_task.forget();
+    judgeBy(estimateLag, recording);
 }
 
 void LagSession::conclude()
 {
-    m_result = combineLags(m_squeezes);
+    m_result = combineLags(squeezes());
 }
 
 Expected<void> LagSession::accept()

@@ -2,10 +2,7 @@
 #pragma once
 
 #include "core/identification/lag_estimation.h"
-#include "core/session/pool_task.h"
-#include "core/session/series_session.h"
-
-#include <vector>
+#include "core/session/judged_series.h"
 
 namespace gripscope {
 
@@ -14,7 +11,7 @@ namespace gripscope {
 ///
 /// Measured holds result(); accept() stores it and puts it in force for the squeezes to come. What else is
 /// known of the gripper's channels stays as it is.
-class LagSession : public SeriesSession {
+class LagSession : public JudgedSeries<LagEstimate> {
 public:
     static constexpr int usualSqueezes = 5;
 
@@ -24,18 +21,13 @@ public:
     /// Usage: nothing was measured, or not well enough to be used.
     [[nodiscard]] Expected<void> accept();
 
-    [[nodiscard]] const std::vector<LagEstimate>& squeezes() const { return m_squeezes; }
     [[nodiscard]] const LagEstimate& result() const { return m_result; }
 
 private:
     void clear() override;
     void judge(const Recording& recording) override;
-    bool takeJudged() override;
-    void forgetJudging() override;
     void conclude() override;
 
-    PoolTask<LagEstimate> m_task;
-    std::vector<LagEstimate> m_squeezes;
     LagEstimate m_result;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/reference_check_session.h"
 
-#include "core/session/squeeze_obstacle.h"
+#include "core/session/measured_together.h"
 #include "core/signal/units.h"
 #include "core/words.h"
 
@@ -35,7 +35,7 @@ Recipe recipeOf(const ReferenceObject& reference)
 }
 
 ReferenceCheckSession::ReferenceCheckSession(ConnectSession& connection, LibraryService& library)
-    : SeriesSession(connection, library)
+    : JudgedSeries(connection, library)
 {
 }
 
@@ -49,8 +49,9 @@ Expected<void> ReferenceCheckSession::start()
     if (!toSi)
         return failure(
             ErrorCode::Usage,
-            {u"The units of this gripper's channels (%1, %2) are not known, so that m, b and k "
-             "cannot be held against what is stated."_s.arg(identity.forceUnit, identity.positionUnit)});
+            {Words::tr("The units of this gripper's channels (%1, %2) are not known, so that m, b and k "
+                       "cannot be held against what is stated.")
+                 .arg(identity.forceUnit, identity.positionUnit)});
     const ReferenceObjectRecord reference = standing->reference;
     const Expected<void> begun = begin(recipeOf(reference), reference.squeezes);
     if (begun) {
@@ -62,26 +63,13 @@ Expected<void> ReferenceCheckSession::start()
 
 void ReferenceCheckSession::clear()
 {
-    m_squeezes.clear();
+    JudgedSeries::clear();
     m_check.reset();
 }
 
 void ReferenceCheckSession::judge(const Recording& recording)
 {
-    m_task.start(recording, {});
-}
-
-bool ReferenceCheckSession::takeJudged()
-{
-    std::optional<Identification> found = m_task.take();
-    if (found)
-        m_squeezes.push_back(std::move(*found));
-    return found.has_value();
-}
-
-void ReferenceCheckSession::forgetJudging()
-{
-    m_task.forget();
+    judgeBy([](const Recording& one) { return identify(one); }, recording);
 }
 
 void ReferenceCheckSession::conclude()
@@ -91,15 +79,13 @@ void ReferenceCheckSession::conclude()
     check.referenceId = m_reference.id;
     check.reference = m_reference;
     check.operatorName = operatorName();
-    check.squeezes = static_cast<int>(m_squeezes.size());
+    check.squeezes = static_cast<int>(squeezes().size());
     check.made = QDateTime::currentDateTimeUtc();
-    check.obstacle = obstacleOf(m_squeezes);
-    if (check.obstacle.isEmpty()) {
-        if (const std::optional<RepeatedMeasurement> found = repeatedMeasurement(m_squeezes))
-            check.measured = inSi(*found, m_toSi);
-        else
-            check.obstacle = u"no m, b and k above zero were found with their uncertainty"_s;
+    if (const auto found = measuredTogether(squeezes())) {
+        check.measured = inSi(*found, m_toSi);
         check.verdict = judgeCheck(m_reference, check.measured);
+    } else {
+        check.obstacle = found.error();
     }
     m_check = check;
     store<CalibrationsInForce>(

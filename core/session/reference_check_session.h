@@ -3,10 +3,7 @@
 
 #include "core/calibration/calibration_record.h"
 #include "core/identification/repeated_measurement.h"
-#include "core/session/identification_task.h"
-#include "core/session/series_session.h"
-
-#include <vector>
+#include "core/session/judged_series.h"
 
 namespace gripscope {
 
@@ -15,7 +12,7 @@ namespace gripscope {
 /// passes without that being seen.
 ///
 /// From Measured on there is check(). Stored: how the gripper stands is in force for the squeezes to come.
-class ReferenceCheckSession : public SeriesSession {
+class ReferenceCheckSession : public JudgedSeries<Identification> {
 public:
     ReferenceCheckSession(ConnectSession& connection, LibraryService& library);
 
@@ -28,12 +25,8 @@ public:
 private:
     void clear() override;
     void judge(const Recording& recording) override;
-    bool takeJudged() override;
-    void forgetJudging() override;
     void conclude() override;
 
-    IdentificationTask m_task;
-    std::vector<Identification> m_squeezes;
     ReferenceObjectRecord m_reference;
     double m_toSi = 1;
     std::optional<ReferenceCheckRecord> m_check;

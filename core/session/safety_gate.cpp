@@ -84,7 +84,7 @@ Expected<void> SafetyGate::arm(const QString& person)
         return failure(ErrorCode::DeviceRefused, {Words::tr("arm"), Words::tr("it only listens")});
     if (const LinkState state = m_port->state(); state != LinkState::Ready && state != LinkState::Armed)
         return failure(ErrorCode::DeviceRefused,
-                       {u"arm"_qs, Words::tr("the link is %1").arg(toString(state))});
+                       {Words::tr("arm"), Words::tr("the link is %1").arg(toString(state))});
     m_port->arm(ArmingOrder(person.trimmed()));
     return {};
 }

@@ -130,7 +130,7 @@ Expected<void> RecordingParser::readSetting(std::string_view key, std::string_vi
             m_recording.provenance.insert(text(key), text(value));
             break;
         case ChainSetting::BadValue:
-            return m_lines.bad(1, u"found %1: %2"_s.arg(text(key), quoted(value)),
+            return m_lines.bad(1, Words::tr("found %1: %2").arg(text(key), quoted(value)),
                                measuringChainExpectation(key));
         }
     }
@@ -193,7 +193,7 @@ Expected<double> RecordingParser::number(std::size_t column) const
 {
     const std::optional<double> value = parseNumber(m_fields[column]);
     if (!value)
-        return m_lines.bad(column + 1, u"found "_s + quoted(m_fields[column]),
+        return m_lines.bad(column + 1, Words::tr("found %1").arg(quoted(m_fields[column])),
                            Words::tr("expected a finite number"));
     return *value;
 }
@@ -227,14 +227,14 @@ Expected<void> RecordingParser::readRow(std::string_view line)
     if (m_sequence) {
         const auto value = parseCount(m_fields[*m_sequence], std::numeric_limits<std::uint64_t>::max());
         if (!value)
-            return m_lines.bad(*m_sequence + 1, u"found "_s + quoted(m_fields[*m_sequence]),
+            return m_lines.bad(*m_sequence + 1, Words::tr("found %1").arg(quoted(m_fields[*m_sequence])),
                                Words::tr("expected a whole number from 0 up"));
         m_recording.sequence.push_back(*value);
     }
     if (m_status) {
         const auto value = parseCount(m_fields[*m_status], std::numeric_limits<std::uint16_t>::max());
         if (!value)
-            return m_lines.bad(*m_status + 1, u"found "_s + quoted(m_fields[*m_status]),
+            return m_lines.bad(*m_status + 1, Words::tr("found %1").arg(quoted(m_fields[*m_status])),
                                Words::tr("expected a whole number from 0 to 65535"));
         m_recording.status.push_back(static_cast<std::uint16_t>(*value));
     }

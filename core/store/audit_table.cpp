@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/audit_table.h"
 
+#include "core/store/rows.h"
 #include "core/words.h"
 
 #include <QJsonDocument>
@@ -122,14 +123,11 @@ Expected<void> append(Database& database, const NewAuditEntry& told)
 
 Expected<std::vector<AuditEntry>> page(Database& database, const AuditFilter& filter)
 {
-    std::vector<AuditEntry> entries;
     Statement query(database, reading(),
                     columns + condition(filter) + u" ORDER BY number DESC LIMIT ? OFFSET ?"_s);
     bindFilter(query, filter);
     query.bind(std::max(0, filter.limit)).bind(std::max(0, filter.offset));
-    if (auto done = query.forEach([&](Statement& row) { entries.push_back(take(row)); }); !done)
-        return tl::unexpected(done.error());
-    return entries;
+    return allRows(query, take);
 }
 
 Expected<qint64> count(Database& database, const AuditFilter& filter)

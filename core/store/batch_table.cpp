@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/batch_table.h"
 
+#include "core/store/rows.h"
 #include "core/words.h"
 
 #include <algorithm>
@@ -11,7 +12,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-const auto doing = u"read the batches"_s;
+QString reading()
+{
+    return Words::tr("read the batches");
+}
 
 const auto select = u"SELECT b.id, b.begun_utc, b.name, b.target, b.expected_type, b.operator_name, "
                     u"COALESCE(e.ended_utc, '') "
@@ -29,23 +33,6 @@ BatchRecord takeBatch(Statement& row)
     if (const QDateTime ended = row.takeUtc(); ended.isValid())
         batch.ended = ended;
     return batch;
-}
-
-Expected<std::vector<BatchRecord>> read(Statement& query)
-{
-    std::vector<BatchRecord> batches;
-    const auto done = query.forEach([&](Statement& row) { batches.push_back(takeBatch(row)); });
-    if (!done)
-        return tl::unexpected(done.error());
-    return batches;
-}
-
-Expected<std::optional<BatchRecord>> readOne(Statement& query)
-{
-    auto batches = read(query);
-    if (!batches)
-        return tl::unexpected(batches.error());
-    return batches->empty() ? std::nullopt : std::optional(std::move(batches->front()));
 }
 
 } // namespace
@@ -71,22 +58,22 @@ Expected<void> insertEnd(Database& database, const QString& batchId, const QStri
 
 Expected<std::optional<BatchRecord>> find(Database& database, const QString& id)
 {
-    Statement query(database, doing, select + u"WHERE b.id = ?"_s);
-    return readOne(query.bind(id));
+    Statement query(database, reading(), select + u"WHERE b.id = ?"_s);
+    return firstRow(query.bind(id), takeBatch);
 }
 
 Expected<std::optional<BatchRecord>> underWay(Database& database, const QString& station)
 {
-    Statement query(database, doing,
+    Statement query(database, reading(),
                     select + u"WHERE b.station = ? AND e.id IS NULL ORDER BY b.begun_utc DESC, b.id DESC "
                              "LIMIT 1"_s);
-    return readOne(query.bind(station));
+    return firstRow(query.bind(station), takeBatch);
 }
 
 Expected<std::vector<BatchRecord>> newest(Database& database, int limit)
 {
-    Statement query(database, doing, select + u"ORDER BY b.begun_utc DESC, b.id DESC LIMIT ?"_s);
-    return read(query.bind(std::max(0, limit)));
+    Statement query(database, reading(), select + u"ORDER BY b.begun_utc DESC, b.id DESC LIMIT ?"_s);
+    return allRows(query.bind(std::max(0, limit)), takeBatch);
 }
 
 } // namespace gripscope::batch_table

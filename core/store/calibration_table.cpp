@@ -39,7 +39,7 @@ Expected<std::vector<CalibrationPoint>> pointsOf(const QString& text)
                                      numbers.value(1).toDouble(&hasReading)};
         if (!hasLoad || !hasReading || numbers.size() != 2)
             return failure(ErrorCode::StorageCorrupt,
-                           {u"calibrations"_s, Words::tr("a point reads \"%1\"").arg(line)});
+                           {Words::tr("A calibration"), Words::tr("a point reads \"%1\"").arg(line)});
         points.push_back(point);
     }
     return points;
@@ -68,7 +68,7 @@ Expected<CalibrationRecord> take(Statement& row)
         return tl::unexpected<Error>(points.error());
     if (!channel)
         return failure(ErrorCode::StorageCorrupt,
-                       {u"calibrations"_s, Words::tr("a channel is neither of the two")});
+                       {Words::tr("A calibration"), Words::tr("a channel is neither of the two")});
     record.points = std::move(*points);
     record.channel = *channel;
     return record;

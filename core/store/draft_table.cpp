@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/draft_table.h"
 
+#include "core/store/recipe_columns.h"
+#include "core/store/rows.h"
 #include "core/words.h"
 
 #include <array>
@@ -43,13 +45,7 @@ EnrollmentDraft take(Statement& row)
     EnrollmentDraft draft;
     draft.name = row.takeText();
     draft.step = stepFromString(row.takeText());
-    draft.recipe.name = row.takeText();
-    draft.recipe.peak_N = row.takeReal();
-    draft.recipe.bias_N = row.takeReal();
-    draft.recipe.bit_s = row.takeReal();
-    draft.recipe.seconds = row.takeReal();
-    draft.recipe.maxForce_N = row.takeReal();
-    draft.recipe.maxTravel_m = row.takeReal();
+    draft.recipe = takeRecipe(row);
     draft.part = row.takeText();
     draft.pictureId = row.takeText();
     draft.pendingId = row.takeText();
@@ -68,9 +64,8 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const Enrollmen
         u"INSERT INTO enrollment_drafts (id, station, created_utc, state, "_s + kept +
             u", operator_name) VALUES (?, ?, ?, 'open', ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(draft.name).bind(toString(draft.step));
-    const Recipe& recipe = draft.recipe;
-    row.bind(recipe.name).bind(recipe.peak_N).bind(recipe.bias_N).bind(recipe.bit_s).bind(recipe.seconds);
-    row.bind(recipe.maxForce_N).bind(recipe.maxTravel_m).bind(draft.part);
+    bindRecipe(row, draft.recipe);
+    row.bind(draft.part);
     row.bindOrNull(draft.pictureId).bindOrNull(draft.pendingId).bind(draft.remark);
     return row.bind(draft.operatorName).run();
 }
@@ -90,17 +85,13 @@ Expected<void> end(Database& database, const RowStamp& stamp, const QString& nam
 
 Expected<std::vector<EnrollmentDraft>> open(Database& database, const QString& name)
 {
-    std::vector<EnrollmentDraft> drafts;
     Statement query(database, Words::tr("read the enrolments under way"),
                     u"SELECT "_s + kept +
                         u", operator_name, created_utc FROM enrollment_drafts d "
                         "WHERE d.state = 'open' AND ? IN ('', d.type_name) AND d.id = "
                         "(SELECT MAX(o.id) FROM enrollment_drafts o WHERE o.type_name = d.type_name) "
                         "ORDER BY d.id DESC"_s);
-    auto done = query.bind(name).forEach([&](Statement& row) { drafts.push_back(take(row)); });
-    if (!done)
-        return tl::unexpected(done.error());
-    return drafts;
+    return allRows(query.bind(name), take);
 }
 
 } // namespace gripscope::draft_table

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/estimate_table.h"
 
+#include "core/store/rows.h"
 #include "core/words.h"
 
 #include <cmath>
@@ -106,17 +107,13 @@ Expected<int> nextRank(Database& database, const QString& graspId)
 
 Expected<std::vector<StoredEstimate>> ofGrasp(Database& database, const QString& graspId)
 {
-    std::vector<StoredEstimate> estimates;
     Statement query(
         database, Words::tr("read the estimates"),
         u"SELECT e.rank, e.estimator, e.status, e.program, e.created_utc, e.m, e.b, e.k, e.var_m, "
         "e.var_b, e.var_k, e.simulation_fit_percent, r.id, r.force_hold, r.initial_state, "
         "r.free_offset, r.operator_name FROM estimates e LEFT JOIN reidentifications r ON "
         "r.estimate_id = e.id WHERE e.grasp_id = ? ORDER BY e.rank"_s);
-    auto done = query.bind(graspId).forEach([&](Statement& row) { estimates.push_back(take(row)); });
-    if (!done)
-        return tl::unexpected(done.error());
-    return estimates;
+    return allRows(query.bind(graspId), take);
 }
 
 } // namespace gripscope::estimate_table

@@ -2,6 +2,7 @@
 #include "core/store/grasp_table.h"
 
 #include "core/store/estimate_table.h"
+#include "core/store/rows.h"
 #include "core/store/type_squeeze.h"
 #include "core/words.h"
 
@@ -64,15 +65,6 @@ GraspRecord takeGrasp(Statement& row)
     return grasp;
 }
 
-Expected<std::vector<GraspRecord>> read(Statement& query)
-{
-    std::vector<GraspRecord> grasps;
-    auto done = query.forEach([&](Statement& row) { grasps.push_back(takeGrasp(row)); });
-    if (!done)
-        return tl::unexpected(done.error());
-    return grasps;
-}
-
 } // namespace
 
 QString typeJoins()
@@ -112,16 +104,13 @@ Expected<std::vector<GraspRecord>> ofType(Database& database, const QString& typ
                     select + u"WHERE (g.type_id = ? OR g.id IN (SELECT r.grasp_id FROM placements r WHERE "
                              "r.type_id = ?)) AND COALESCE(p.type_id, g.type_id) = ? "
                              "ORDER BY g.recorded_utc, g.id"_s);
-    return read(query.bind(typeId).bind(typeId).bind(typeId));
+    return allRows(query.bind(typeId).bind(typeId).bind(typeId), takeGrasp);
 }
 
 Expected<std::optional<GraspRecord>> find(Database& database, const QString& id)
 {
     Statement query(database, doing(), select + u"WHERE g.id = ?"_s);
-    auto grasps = read(query.bind(id));
-    if (!grasps)
-        return tl::unexpected(grasps.error());
-    return grasps->empty() ? std::nullopt : std::optional(std::move(grasps->front()));
+    return firstRow(query.bind(id), takeGrasp);
 }
 
 Expected<std::vector<TypeSqueeze>> enrolled(Database& database)

@@ -2,6 +2,7 @@
 #include "core/store/inspection_table.h"
 
 #include "core/store/estimate_table.h"
+#include "core/store/rows.h"
 #include "core/words.h"
 
 #include <QJsonArray>
@@ -74,15 +75,6 @@ InspectionRecord takeInspection(Statement& row)
     return inspection;
 }
 
-Expected<std::vector<InspectionRecord>> read(Statement& query)
-{
-    std::vector<InspectionRecord> inspections;
-    auto done = query.forEach([&](Statement& row) { inspections.push_back(takeInspection(row)); });
-    if (!done)
-        return tl::unexpected(done.error());
-    return inspections;
-}
-
 } // namespace
 
 QString joinReasons(const QString& json)
@@ -116,10 +108,7 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
 Expected<std::optional<InspectionRecord>> find(Database& database, const QString& id)
 {
     Statement query(database, doing(), select + u"WHERE i.id = ?"_s);
-    auto inspections = read(query.bind(id));
-    if (!inspections)
-        return tl::unexpected(inspections.error());
-    return inspections->empty() ? std::nullopt : std::optional(std::move(inspections->front()));
+    return firstRow(query.bind(id), takeInspection);
 }
 
 Expected<std::vector<InspectionRecord>> page(Database& database, const HistoryFilter& filter)
@@ -129,7 +118,7 @@ Expected<std::vector<InspectionRecord>> page(Database& database, const HistoryFi
     Statement query(database, doing(),
                     select + u"WHERE i.number IN (SELECT p.number FROM inspections p "
                              "ORDER BY p.number DESC LIMIT ? OFFSET ?) ORDER BY i.number DESC"_s);
-    return read(query.bind(std::max(0, filter.limit)).bind(std::max(0, filter.offset)));
+    return allRows(query.bind(std::max(0, filter.limit)).bind(std::max(0, filter.offset)), takeInspection);
 }
 
 Expected<InspectionCounts> counts(Database& database, const QString& batchId)

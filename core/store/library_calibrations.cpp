@@ -76,7 +76,7 @@ Expected<void> Library::addReferenceObject(const ReferenceObject& reference)
 {
     if (reference.gripperSerial.isEmpty())
         return failure(ErrorCode::Usage,
-                       {u"This gripper has no serial number to keep its reference object under."_s});
+                       {Words::tr("This gripper has no serial number to keep its reference object under.")});
     if (const QString problem = problemOf(reference); !problem.isEmpty())
         return failure(ErrorCode::Usage, {problem});
     return d->writeIf<void>(

@@ -3,6 +3,7 @@
 
 #include "core/store/migration_scripts.h"
 #include "core/store/statement.h"
+#include "core/words.h"
 
 #include <QCryptographicHash>
 
@@ -12,29 +13,33 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-const auto doing = u"be brought up to date"_s;
+QString doing()
+{
+    return Words::tr("be brought up to date");
+}
 
 Expected<void> checkApplied(Database& database, const std::vector<Migration>& steps)
 {
     QString changed;
-    Statement query(database, doing, u"SELECT version, checksum FROM schema_migrations ORDER BY version"_s);
+    Statement query(database, doing(), u"SELECT version, checksum FROM schema_migrations ORDER BY version"_s);
     auto done = query.forEach([&](Statement& row) {
         const qint64 version = row.takeInteger();
         const QString checksum = row.takeText();
         for (const Migration& step : steps)
             if (step.version == version && step.checksum() != checksum)
-                changed = step.name;
+                changed = Words::tr(step.name.toUtf8());
     });
     if (done && !changed.isEmpty())
-        return failure(ErrorCode::StorageOpen,
-                       {database.file(),
-                        u"its tables (\"%1\") were made by another edition of this program"_s.arg(changed)});
+        return failure(
+            ErrorCode::StorageOpen,
+            {database.file(),
+             Words::tr("its tables (\"%1\") were made by another edition of this program").arg(changed)});
     return done;
 }
 
 Expected<void> apply(Database& database, const Migration& step)
 {
-    auto transaction = Transaction::begin(database, doing);
+    auto transaction = Transaction::begin(database, doing());
     if (!transaction)
         return tl::unexpected(transaction.error());
     const auto version = schemaVersion(database); // another process may have been quicker
@@ -49,10 +54,10 @@ Expected<void> apply(Database& database, const Migration& step)
             "checksum TEXT NOT NULL, program TEXT NOT NULL, station TEXT NOT NULL, "
             "applied_utc TEXT NOT NULL)"_s);
     for (QString& statement : statements)
-        if (auto done = database.execute(statement.replace("{blob}"_L1, database.blobType()), doing); !done)
+        if (auto done = database.execute(statement.replace("{blob}"_L1, database.blobType()), doing()); !done)
             return done;
     const RowStamp stamp = RowStamp::now();
-    Statement entry(database, doing, u"INSERT INTO schema_migrations VALUES (?, ?, ?, ?, ?, ?)"_s);
+    Statement entry(database, doing(), u"INSERT INTO schema_migrations VALUES (?, ?, ?, ?, ?, ?)"_s);
     entry.bind(step.version).bind(step.name).bind(step.checksum());
     entry.bind(QStringLiteral(GRIPSCOPE_VERSION)).bind(stamp.station).bind(stamp.utc);
     if (auto done = entry.run(); !done)
@@ -88,18 +93,20 @@ QStringList statementsOf(const QString& script)
 
 const std::vector<Migration>& migrations()
 {
+    const auto step = [](int version, const char* name, const char* script) {
+        return Migration{version, QString::fromUtf8(name), statementsOf(QString::fromUtf8(script))};
+    };
     static const std::vector<Migration> steps = {
-        {1, u"types, squeezes and inspections"_s, statementsOf(QString::fromUtf8(migrationScript1))},
-        {2, u"what is known of a gripper's channels"_s, statementsOf(QString::fromUtf8(migrationScript2))},
-        {3, u"the noise of a gripper's force channel"_s, statementsOf(QString::fromUtf8(migrationScript3))},
-        {4, u"versions of the library, and parts"_s, statementsOf(QString::fromUtf8(migrationScript4))},
-        {5, u"calibrations of sensors"_s, statementsOf(QString::fromUtf8(migrationScript5))},
-        {6, u"pictures of parts, and enrolments under way"_s,
-         statementsOf(QString::fromUtf8(migrationScript6))},
-        {7, u"checks on a reference object"_s, statementsOf(QString::fromUtf8(migrationScript7))},
-        {8, u"what the history shows of squeezes"_s, statementsOf(QString::fromUtf8(migrationScript8))},
-        {9, u"batches, and codes of types"_s, statementsOf(QString::fromUtf8(migrationScript9))},
-        {10, u"people and the audit trail"_s, statementsOf(QString::fromUtf8(migrationScript10))},
+        step(1, QT_TRANSLATE_NOOP("Words", "types, squeezes and inspections"), migrationScript1),
+        step(2, QT_TRANSLATE_NOOP("Words", "what is known of a gripper's channels"), migrationScript2),
+        step(3, QT_TRANSLATE_NOOP("Words", "the noise of a gripper's force channel"), migrationScript3),
+        step(4, QT_TRANSLATE_NOOP("Words", "versions of the library, and parts"), migrationScript4),
+        step(5, QT_TRANSLATE_NOOP("Words", "calibrations of sensors"), migrationScript5),
+        step(6, QT_TRANSLATE_NOOP("Words", "pictures of parts, and enrolments under way"), migrationScript6),
+        step(7, QT_TRANSLATE_NOOP("Words", "checks on a reference object"), migrationScript7),
+        step(8, QT_TRANSLATE_NOOP("Words", "what the history shows of squeezes"), migrationScript8),
+        step(9, QT_TRANSLATE_NOOP("Words", "batches, and codes of types"), migrationScript9),
+        step(10, QT_TRANSLATE_NOOP("Words", "people and the audit trail"), migrationScript10),
     };
     return steps;
 }
@@ -112,9 +119,10 @@ Expected<int> schemaVersion(Database& database)
     if (tables->isEmpty())
         return 0;
     if (!tables->contains("schema_migrations"_L1))
-        return failure(ErrorCode::StorageOpen, {database.file(), u"it is the database of another program"_s});
+        return failure(ErrorCode::StorageOpen,
+                       {database.file(), Words::tr("it is the database of another program")});
     int version = 0;
-    Statement query(database, doing, u"SELECT MAX(version) FROM schema_migrations"_s);
+    Statement query(database, doing(), u"SELECT MAX(version) FROM schema_migrations"_s);
     auto done = query.forEach([&](Statement& row) { version = int(row.takeInteger()); });
     if (!done)
         return tl::unexpected(done.error());

@@ -36,6 +36,14 @@ Expected<PersonRow> requirePerson(Database& database, const QString& personId)
     return **found;
 }
 
+/// For who may manage people.
+Expected<PersonRow> personToManage(Database& database, const QString& personId)
+{
+    if (auto may = requirePermission(database, Permission::ManagePeople); !may)
+        return tl::unexpected(may.error());
+    return requirePerson(database, personId);
+}
+
 /// A name that no active person has: what is signed with has to be one person's.
 Expected<void> requireFreePersonName(const std::vector<PersonRow>& people, const QString& name,
                                      const QString& exceptId = {})
@@ -182,9 +190,7 @@ Expected<void> PeopleRegister::change(const QString& personId, const PersonRow& 
 Expected<void> PeopleRegister::setRole(const QString& personId, Role role)
 {
     return writeTo<void>(*m_database, changing(), [&]() -> Expected<void> {
-        if (auto may = requirePermission(*m_database, Permission::ManagePeople); !may)
-            return may;
-        auto row = requirePerson(*m_database, personId);
+        auto row = personToManage(*m_database, personId);
         if (!row)
             return tl::unexpected(row.error());
         if (row->person.role == role)
@@ -218,9 +224,7 @@ Expected<void> PeopleRegister::setSecret(const QString& personId, const Secret& 
 Expected<void> PeopleRegister::setActive(const QString& personId, bool active)
 {
     return writeTo<void>(*m_database, changing(), [&]() -> Expected<void> {
-        if (auto may = requirePermission(*m_database, Permission::ManagePeople); !may)
-            return may;
-        auto row = requirePerson(*m_database, personId);
+        auto row = personToManage(*m_database, personId);
         if (!row)
             return tl::unexpected(row.error());
         if (row->person.active == active)

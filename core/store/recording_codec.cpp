@@ -145,7 +145,7 @@ MeasuringChain getChain(Reader& in, std::uint16_t version)
 
 tl::unexpected<Error> damaged(const QString& reason)
 {
-    return failure(ErrorCode::StorageCorrupt, {u"A recording"_s, reason});
+    return failure(ErrorCode::StorageCorrupt, {Words::tr("A recording"), reason});
 }
 
 } // namespace

@@ -13,7 +13,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-const auto reading = u"read the checks on the reference object"_s;
+QString reading()
+{
+    return Words::tr("read the checks on the reference object");
+}
 const auto columns = u"id, created_utc, gripper_serial, reference_id, verdict, obstacle, squeezes, m, "
                      "m_uncertainty, b, b_uncertainty, k, k_uncertainty, operator_name"_s;
 
@@ -35,8 +38,8 @@ Expected<ReferenceCheckRecord> take(Statement& row)
     }
     record.operatorName = row.takeText();
     if (!verdict)
-        return failure(ErrorCode::StorageCorrupt,
-                       {u"reference_checks"_s, u"a verdict is none of the three"_s});
+        return failure(ErrorCode::StorageCorrupt, {Words::tr("A check on the reference object"),
+                                                   Words::tr("a verdict is none of the three")});
     record.verdict = *verdict;
     return record;
 }
@@ -63,7 +66,7 @@ Expected<std::vector<ReferenceCheckRecord>> read(Database& database, const QStri
     const auto references = reference_table::read(database, gripperSerial);
     if (!references)
         return tl::unexpected<Error>(references.error());
-    Statement query(database, reading,
+    Statement query(database, reading(),
                     u"SELECT "_s + columns +
                         u" FROM reference_checks WHERE gripper_serial = ? "
                         "ORDER BY created_utc DESC, id DESC LIMIT ?"_s);
@@ -76,8 +79,8 @@ Expected<std::vector<ReferenceCheckRecord>> read(Database& database, const QStri
             std::find_if(references->begin(), references->end(),
                          [&](const ReferenceObjectRecord& one) { return one.id == check.referenceId; });
         if (found == references->end())
-            return failure(ErrorCode::StorageCorrupt,
-                           {u"reference_checks"_s, u"a check is on an object that is not there"_s});
+            return failure(ErrorCode::StorageCorrupt, {Words::tr("A check on the reference object"),
+                                                       Words::tr("it is on an object that is not there")});
         check.reference = *found;
     }
     return checks;
@@ -86,7 +89,7 @@ Expected<std::vector<ReferenceCheckRecord>> read(Database& database, const QStri
 Expected<std::optional<ReferenceCheckRecord>> newest(Database& database,
                                                      const ReferenceObjectRecord& reference)
 {
-    Statement query(database, reading,
+    Statement query(database, reading(),
                     u"SELECT "_s + columns +
                         u" FROM reference_checks WHERE reference_id = ? AND verdict <> 'not_valid' "
                         "ORDER BY created_utc DESC, id DESC LIMIT 1"_s);

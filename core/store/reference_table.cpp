@@ -42,7 +42,10 @@ QString selecting(const QString& rows)
     return u"SELECT "_s + columns + u" FROM reference_objects WHERE "_s + rows;
 }
 
-const auto reading = u"read the reference objects"_s;
+QString reading()
+{
+    return Words::tr("read the reference objects");
+}
 
 } // namespace
 
@@ -64,7 +67,7 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const Reference
 
 Expected<std::optional<ReferenceObjectRecord>> newest(Database& database, const QString& gripperSerial)
 {
-    Statement query(database, reading,
+    Statement query(database, reading(),
                     selecting(u"gripper_serial = ? ORDER BY created_utc DESC, id DESC LIMIT 1"_s));
     query.bind(gripperSerial);
     return firstRow(query, take);
@@ -72,14 +75,14 @@ Expected<std::optional<ReferenceObjectRecord>> newest(Database& database, const 
 
 Expected<std::optional<ReferenceObjectRecord>> find(Database& database, const QString& id)
 {
-    Statement query(database, reading, selecting(u"id = ?"_s));
+    Statement query(database, reading(), selecting(u"id = ?"_s));
     query.bind(id);
     return firstRow(query, take);
 }
 
 Expected<std::vector<ReferenceObjectRecord>> read(Database& database, const QString& gripperSerial)
 {
-    Statement query(database, reading, selecting(u"gripper_serial = ?"_s));
+    Statement query(database, reading(), selecting(u"gripper_serial = ?"_s));
     query.bind(gripperSerial);
     return allRows(query, take);
 }

@@ -29,11 +29,22 @@ template <typename Record>
     return records;
 }
 
-/// The first row of a query; nothing when there is none.
+/// The same where any row can be taken.
 template <typename Record>
-[[nodiscard]] Expected<std::optional<Record>> firstRow(Statement& query, Expected<Record> (*take)(Statement&))
+[[nodiscard]] Expected<std::vector<Record>> allRows(Statement& query, Record (*take)(Statement&))
 {
-    return allRows(query, take).map([](std::vector<Record> found) {
+    std::vector<Record> records;
+    auto done = query.forEach([&](Statement& row) { records.push_back(take(row)); });
+    if (!done)
+        return tl::unexpected<Error>(done.error());
+    return records;
+}
+
+/// The first row of a query, of those that allRows() gives; nothing when there is none.
+template <typename Taken>
+[[nodiscard]] auto firstRow(Statement& query, Taken (*take)(Statement&))
+{
+    return allRows(query, take).map([](auto found) {
         return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
     });
 }

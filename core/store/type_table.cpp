@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/type_table.h"
 
+#include "core/store/recipe_columns.h"
+#include "core/store/rows.h"
 #include "core/words.h"
 
 namespace gripscope::type_table {
@@ -27,13 +29,7 @@ TypeRecord takeType(Statement& row)
     type.id = row.takeText();
     type.name = row.takeText();
     type.created = row.takeUtc();
-    type.recipe.name = row.takeText();
-    type.recipe.peak_N = row.takeReal();
-    type.recipe.bias_N = row.takeReal();
-    type.recipe.bit_s = row.takeReal();
-    type.recipe.seconds = row.takeReal();
-    type.recipe.maxForce_N = row.takeReal();
-    type.recipe.maxTravel_m = row.takeReal();
+    type.recipe = takeRecipe(row);
     type.forceUnit = row.takeText();
     type.positionUnit = row.takeText();
     type.squeezes = int(row.takeInteger());
@@ -42,23 +38,6 @@ TypeRecord takeType(Statement& row)
     type.recipeVersion = int(row.takeInteger());
     type.code = row.takeText();
     return type;
-}
-
-Expected<std::vector<TypeRecord>> read(Statement& query)
-{
-    std::vector<TypeRecord> types;
-    auto done = query.forEach([&](Statement& row) { types.push_back(takeType(row)); });
-    if (!done)
-        return tl::unexpected(done.error());
-    return types;
-}
-
-Expected<std::optional<TypeRecord>> readOne(Statement& query)
-{
-    auto types = read(query);
-    if (!types)
-        return tl::unexpected(types.error());
-    return types->empty() ? std::nullopt : std::optional(std::move(types->front()));
 }
 
 } // namespace
@@ -77,20 +56,20 @@ Expected<std::vector<TypeRecord>> all(Database& database)
 {
     Statement query(database, Words::tr("read the types"),
                     select + u"WHERE s.status <> 'gone' ORDER BY s.name"_s);
-    return read(query);
+    return allRows(query, takeType);
 }
 
 Expected<std::optional<TypeRecord>> findByName(Database& database, const QString& name)
 {
     Statement query(database, Words::tr("read the types"),
                     select + u"WHERE s.name = ? AND s.status <> 'gone'"_s);
-    return readOne(query.bind(name));
+    return firstRow(query.bind(name), takeType);
 }
 
 Expected<std::optional<TypeRecord>> findById(Database& database, const QString& id)
 {
     Statement query(database, Words::tr("read the types"), select + u"WHERE t.id = ?"_s);
-    return readOne(query.bind(id));
+    return firstRow(query.bind(id), takeType);
 }
 
 } // namespace gripscope::type_table

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/type_version_table.h"
 
+#include "core/store/recipe_columns.h"
 #include "core/words.h"
 
 namespace gripscope::type_version_table {
@@ -17,9 +18,8 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
                   "(SELECT COALESCE(MAX(version), 0) + 1 FROM type_versions WHERE type_id = ?), "
                   "?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(typeId).bind(typeId);
-    row.bind(recipe.name).bind(recipe.peak_N).bind(recipe.bias_N).bind(recipe.bit_s).bind(recipe.seconds);
-    row.bind(recipe.maxForce_N).bind(recipe.maxTravel_m).bind(forceUnit).bind(positionUnit);
-    return row.run();
+    bindRecipe(row, recipe);
+    return row.bind(forceUnit).bind(positionUnit).run();
 }
 
 Expected<int> newest(Database& database, const QString& typeId)

@@ -32,8 +32,8 @@ Expected<void> requireComparableUnits(const QString& force, const QString& posit
     const bool bothSi = siFactor(force, position) && siFactor(wantedForce, wantedPosition);
     if (bothSi || (force == wantedForce && position == wantedPosition))
         return {};
-    return failure(ErrorCode::UnitsDiffer,
-                   {u"%1 and %2"_s.arg(force, position), u"%1 and %2"_s.arg(wantedForce, wantedPosition)});
+    return failure(ErrorCode::UnitsDiffer, {Words::tr("%1 and %2").arg(force, position),
+                                            Words::tr("%1 and %2").arg(wantedForce, wantedPosition)});
 }
 
 Expected<TypeRecord> requireType(Database& database, const QString& typeId)

@@ -57,7 +57,7 @@ Expected<Feature> ask(Transport& transport, ReportId id, Decoded<Feature> (*deco
         return failure(ErrorCode::DeviceRefused,
                        {Words::tr("say what it is"), Words::tr("feature report 0x%1: %2")
                                                          .arg(static_cast<int>(id), 2, 16, QLatin1Char('0'))
-                                                         .arg(QString::fromUtf8(describe(feature.error())))});
+                                                         .arg(Words::tr(describe(feature.error())))});
     return *feature;
 }
 

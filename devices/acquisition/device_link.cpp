@@ -287,7 +287,7 @@ void DeviceLink::refuse(const CommandQueue::Outcome& outcome)
 {
     const QString asked = inWords(outcome.body);
     if (outcome.result)
-        m_error = Error{ErrorCode::DeviceRefused, {asked, QString::fromUtf8(describe(*outcome.result))}};
+        m_error = Error{ErrorCode::DeviceRefused, {asked, Words::tr(describe(*outcome.result))}};
     else
         m_error = Error{ErrorCode::DeviceTimeout, {asked, u"1"_qs}};
     // What was to follow makes no sense any more.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/words.h"
 #include "devices/hid/uhid_gripper.h"
 #include "devices/protocol/codec.h"
 #include "devices/protocol/report_descriptor.h"
@@ -32,12 +33,14 @@ tl::unexpected<Error> cannotOpen(int reason)
         return failure(
             ErrorCode::DevicePermission,
             {uhidPath,
-             u"Start this program with sudo, or let your user write to it until the next start of the "
-             "computer: sudo setfacl -m u:$USER:rw /dev/uhid"_qs});
-    return failure(ErrorCode::DeviceNotFound,
-                   {uhidPath,
-                    u"Load the kernel's module first: sudo modprobe uhid. (Containers and some virtual "
-                    "machines do not have it; virtual: works everywhere.)"_qs});
+             Words::tr(
+                 "Start this program with sudo, or let your user write to it until the next start of the "
+                 "computer: sudo setfacl -m u:$USER:rw /dev/uhid")});
+    return failure(
+        ErrorCode::DeviceNotFound,
+        {uhidPath,
+         Words::tr("Load the kernel's module first: sudo modprobe uhid. (Containers and some virtual "
+                   "machines do not have it; virtual: works everywhere.)")});
 }
 
 } // namespace
@@ -70,7 +73,7 @@ Expected<void> UhidGripper::Private::plugIn() const
     const auto identity = protocol::decodeIdentity(*report);
     if (!identity)
         return failure(ErrorCode::DeviceRefused,
-                       {u"say what it is"_qs, QString::fromUtf8(describe(identity.error()))});
+                       {Words::tr("say what it is"), Words::tr(describe(identity.error()))});
     const std::vector<std::uint8_t> descriptor = protocol::reportDescriptor();
     uhid_event event{};
     event.type = UHID_CREATE2;
@@ -128,7 +131,7 @@ Expected<void> UhidGripper::Private::takeEvents(int wait_ms) const
     while (::poll(&waiting, 1, wait_ms) > 0) {
         uhid_event event{};
         if (::read(file, &event, sizeof event) <= 0)
-            return failure(ErrorCode::DeviceLost, {uhidPath, u"the system closed it"_qs});
+            return failure(ErrorCode::DeviceLost, {uhidPath, Words::tr("the system closed it")});
         if (const Expected<void> taken = take(event); !taken)
             return taken;
     }

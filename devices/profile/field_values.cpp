@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/field_values.h"
 
+#include "core/words.h"
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
@@ -55,7 +56,7 @@ QString ownersOfByte(const GripperProfile& profile, std::size_t byte)
 {
     QStringList owners;
     if (profile.reportId && byte == 0)
-        owners << u"report ID"_s;
+        owners << Words::tr("report ID");
     for (const NamedField& named : fieldsOf(profile)) {
         const std::size_t count = named.repeats ? profile.samples : 1;
         for (std::size_t i = 0; i < count; ++i) {

@@ -193,7 +193,7 @@ ProfileReading readProfile(const QByteArray& json)
     if (error.error != QJsonParseError::NoError)
         return {std::nullopt, {syntaxProblem(json, error)}};
     if (!document.isObject())
-        return {std::nullopt, {{QString(), u"a list"_s, Words::tr("an object in braces")}}};
+        return {std::nullopt, {{QString(), Words::tr("a list"), Words::tr("an object in braces")}}};
     if (std::vector<ProfileProblem> problems = checkAgainstSchema(document.object()); !problems.empty())
         return {std::nullopt, std::move(problems)};
     GripperProfile profile = readDocument(document.object());
@@ -206,8 +206,8 @@ Error toError(const ProfileProblem& problem, const QString& file)
 {
     const bool isJson = !problem.pointer.startsWith(u':');
     return {ErrorCode::BadInput,
-            {file + (isJson ? u"#"_s : QString()) + problem.pointer, u"found "_s + problem.found,
-             u"expected "_s + problem.expected}};
+            {file + (isJson ? u"#"_s : QString()) + problem.pointer, Words::tr("found %1").arg(problem.found),
+             Words::tr("expected %1").arg(problem.expected)}};
 }
 
 Expected<GripperProfile> readProfileFile(const QString& file)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/profile_schema.h"
 
+#include "core/words.h"
+
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -82,11 +84,11 @@ QString inWords(const QJsonValue& value)
 {
     switch (value.type()) {
     case QJsonValue::Array:
-        return u"a list of %1"_s.arg(value.toArray().size());
+        return Words::tr("a list of %1").arg(value.toArray().size());
     case QJsonValue::Object:
-        return u"an object"_s;
+        return Words::tr("an object");
     case QJsonValue::Undefined:
-        return u"nothing"_s;
+        return Words::tr("nothing");
     default:
         break;
     }
@@ -107,13 +109,13 @@ ProfileProblem problemOf(const valijson::ValidationResults::Error& error, const 
     const QJsonObject schema = schemaAt(steps);
     if (sentence.startsWith(u"Missing required property"_s)) {
         const QString name = quotedName(sentence);
-        return {pointerTo(steps), u"no \"%1\""_s.arg(name),
+        return {pointerTo(steps), Words::tr("no \"%1\"").arg(name),
                 schemaAt(steps + QStringList(name))[u"description"_s].toString()};
     }
     if (sentence.startsWith(u"Object contains a property"_s)) {
         const QString name = quotedName(sentence);
-        return {jsonPointer(pointerTo(steps), name), u"the unknown name \"%1\""_s.arg(name),
-                u"one of "_s + schema[u"properties"_s].toObject().keys().join(u", "_s)};
+        return {jsonPointer(pointerTo(steps), name), Words::tr("the unknown name \"%1\"").arg(name),
+                Words::tr("one of %1").arg(schema[u"properties"_s].toObject().keys().join(u", "_s))};
     }
     return {pointerTo(steps), inWords(valueAt(document, steps)), schema[u"description"_s].toString()};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/protocol/descriptor_words.h"
 
+#include "core/words.h"
 #include "devices/protocol/report_words.h"
 
 #include <QStringList>
@@ -159,7 +160,8 @@ std::vector<DescriptorItem> descriptorInWords(std::span<const std::uint8_t> byte
             value |= static_cast<std::uint32_t>(item[i]) << (8 * (i - 1));
         if (whole && tag == EndCollection && !isLong)
             depth = std::max(0, depth - 1);
-        const QString words = !whole   ? u"cut short: %1 bytes are missing"_qs.arg(1 + size - rest.size())
+        const QString words = !whole
+                                  ? Words::tr("cut short: %1 bytes are missing").arg(1 + size - rest.size())
                               : isLong ? u"Long item"_qs
                                        : wordsOf(tag, value, size);
         items.push_back({hexDump(item), depth, words});

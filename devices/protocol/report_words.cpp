@@ -157,7 +157,7 @@ void fill(ReportWords& out, const Decoded<Message>& message)
     if (message)
         out.fields = fieldsOf(*message);
     else
-        out.problem = QString::fromUtf8(describe(message.error()));
+        out.problem = Words::tr(describe(message.error()));
 }
 
 } // namespace
@@ -224,7 +224,7 @@ ReportWords inWords(ReportView bytes)
     ReportWords out;
     if (bytes.empty()) {
         out.kind = Words::tr("empty report");
-        out.problem = QString::fromUtf8(describe(DecodeError::Length));
+        out.problem = Words::tr(describe(DecodeError::Length));
         return out;
     }
     out.kind = reportName(bytes[0]);
@@ -243,7 +243,7 @@ ReportWords inWords(ReportView bytes)
         if (const Decoded<InputMessage> message = decodeInput(bytes))
             out.fields = std::visit([](const auto& m) { return fieldsOf(m); }, *message);
         else
-            out.problem = QString::fromUtf8(describe(message.error()));
+            out.problem = Words::tr(describe(message.error()));
         return out;
     default:
         fill(out, decodeCommand(bytes));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/virtual/fault_script.h"
 
+#include "core/words.h"
 #include "devices/protocol/report.h"
 
 #include <QFile>
@@ -70,19 +71,19 @@ QString expectedBehind(Operand operand)
 {
     switch (operand) {
     case Operand::None:
-        return u"nothing"_qs;
+        return Words::tr("nothing");
     case Operand::Share:
-        return u"a share from 0 to 1"_qs;
+        return Words::tr("a share from 0 to 1");
     case Operand::Newtons:
-        return u"newtons from 0 to 1000000, or off"_qs;
+        return Words::tr("newtons from 0 to 1000000, or off");
     case Operand::Step:
-        return u"seconds from -1000 to 1000"_qs;
+        return Words::tr("seconds from -1000 to 1000");
     case Operand::Seconds:
-        return u"nothing, seconds from 0 to 60, or off"_qs;
+        return Words::tr("nothing, seconds from 0 to 60, or off");
     case Operand::Switch:
-        return u"nothing, or off"_qs;
+        return Words::tr("nothing, or off");
     case Operand::Command:
-        return u"nothing, off, or one of %1"_qs.arg(namesOf(commandNames));
+        return Words::tr("nothing, off, or one of %1").arg(namesOf(commandNames));
     }
     return {};
 }
@@ -168,10 +169,10 @@ public:
 private:
     [[nodiscard]] tl::unexpected<Error> wrong(const Token& at, const QString& expected) const
     {
-        return failure(ErrorCode::BadInput,
-                       {u"%1:%2:%3"_qs.arg(m_name).arg(m_line).arg(at.column),
-                        at.text.isEmpty() ? u"the line ends"_qs : u"found \"%1\""_qs.arg(at.text),
-                        u"expected %1"_qs.arg(expected)});
+        return failure(ErrorCode::BadInput, {u"%1:%2:%3"_qs.arg(m_name).arg(m_line).arg(at.column),
+                                             at.text.isEmpty() ? Words::tr("the line ends")
+                                                               : Words::tr("found \"%1\"").arg(at.text),
+                                             Words::tr("expected %1").arg(expected)});
     }
 
     Expected<void> take(const std::vector<Token>& tokens)
@@ -183,21 +184,23 @@ private:
         FaultEvent event;
         std::optional<double> time;
         if (!readNumber(token(0).text, 0, longestFaultTime_s, time))
-            return wrong(token(0), u"a time in seconds, from 0 to 1000000"_qs);
+            return wrong(token(0), Words::tr("a time in seconds, from 0 to 1000000"));
         event.at_s = *time;
         if (!m_events.empty() && event.at_s < m_events.back().at_s)
-            return wrong(token(0),
-                         u"a time not before that of the line above, %1 s"_qs.arg(m_events.back().at_s));
+            return wrong(
+                token(0),
+                Words::tr("a time not before that of the line above, %1 s").arg(m_events.back().at_s));
         const auto* word = std::find_if(std::begin(words), std::end(words), [&](const Word& candidate) {
             return token(1).text == QLatin1String(candidate.text);
         });
         if (word == std::end(words))
-            return wrong(token(1), u"one of %1"_qs.arg(namesOf(words)));
+            return wrong(token(1), Words::tr("one of %1").arg(namesOf(words)));
         event.fault = word->fault;
         if (!readOperand(word->operand, token(2).text, event.value))
-            return wrong(token(2), u"%1 behind %2"_qs.arg(expectedBehind(word->operand), token(1).text));
+            return wrong(token(2),
+                         Words::tr("%1 behind %2").arg(expectedBehind(word->operand), token(1).text));
         if (tokens.size() > 3)
-            return wrong(token(3), u"the end of the line; a comment begins with #"_qs);
+            return wrong(token(3), Words::tr("the end of the line; a comment begins with #"));
         m_events.push_back(event);
         return {};
     }

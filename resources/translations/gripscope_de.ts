@@ -3950,6 +3950,318 @@ m  %3</translation>
         <source>the reference object of this check</source>
         <translation>Referenzobjekt dieser Kontrolle</translation>
     </message>
+    <message>
+        <source>found degree %1</source>
+        <translation>gefunden: Grad %1</translation>
+    </message>
+    <message>
+        <source>last on %1 at %2</source>
+        <translation>zuletzt an %1, %2</translation>
+    </message>
+    <message>
+        <source>never on %1</source>
+        <translation>noch nie an %1</translation>
+    </message>
+    <message>
+        <source>The reference object needs a name, such as the number on it.</source>
+        <translation>Das Referenzobjekt braucht einen Namen, etwa die Nummer darauf.</translation>
+    </message>
+    <message>
+        <source>The stiffness of the reference object must be known.</source>
+        <translation>Die Steifigkeit des Referenzobjekts muss bekannt sein.</translation>
+    </message>
+    <message>
+        <source>What is stated needs a value and a tolerance above zero.</source>
+        <translation>Zu jeder Angabe gehören ein Wert und eine Toleranz größer als null.</translation>
+    </message>
+    <message>
+        <source>A tolerance is smaller than twice the uncertainty of what is stated: no measurement could tell. Widen it, or use a better reference object.</source>
+        <translation>Eine Toleranz ist kleiner als das Doppelte der angegebenen Unsicherheit: Keine Messung könnte das entscheiden. Die Toleranz weiten oder ein besseres Referenzobjekt verwenden.</translation>
+    </message>
+    <message>
+        <source>The force must stay above zero: let it vary by less than its middle.</source>
+        <translation>Die Kraft muss über null bleiben: Sie darf sich nur um weniger als ihre Mitte ändern.</translation>
+    </message>
+    <message>
+        <source>A check may have 1 to %1 squeezes.</source>
+        <translation>Eine Kontrolle darf 1 bis %1 Druckversuche haben.</translation>
+    </message>
+    <message>
+        <source>A check may hold for a year at the most.</source>
+        <translation>Eine Kontrolle darf höchstens ein Jahr gelten.</translation>
+    </message>
+    <message>
+        <source>at least one object is needed</source>
+        <translation>mindestens ein Objekt wird gebraucht</translation>
+    </message>
+    <message>
+        <source>peak and limit must be numbers above 0, the bias a number</source>
+        <translation>Spitze und Grenze müssen Zahlen über 0 sein, die Grundkraft eine Zahl</translation>
+    </message>
+    <message>
+        <source>duration, sample time and noise must be numbers above 0</source>
+        <translation>Dauer, Abtastzeit und Rauschen müssen Zahlen über 0 sein</translation>
+    </message>
+    <message>
+        <source>the shortest run must be a number from 0 up</source>
+        <translation>der kürzeste Lauf muss eine Zahl ab 0 sein</translation>
+    </message>
+    <message>
+        <source>bias and limit leave no room: no force may be above %1 nor below 0</source>
+        <translation>Grundkraft und Grenze lassen keinen Raum: Keine Kraft darf über %L1 oder unter 0 liegen</translation>
+    </message>
+    <message>
+        <source>bias and limit leave no room: no force may be above %1</source>
+        <translation>Grundkraft und Grenze lassen keinen Raum: Keine Kraft darf über %L1 liegen</translation>
+    </message>
+    <message>
+        <source>the signal must have from %1 to %2 samples</source>
+        <translation>das Signal muss %1 bis %2 Abtastwerte haben</translation>
+    </message>
+    <message>
+        <source>m, b and k of object %1 must be numbers above 0</source>
+        <translation>m, b und k des Objekts %1 müssen Zahlen über 0 sein</translation>
+    </message>
+    <message>
+        <source>object %1 swings too fast or too slowly for this sample time and duration</source>
+        <translation>Objekt %1 schwingt zu schnell oder zu langsam für diese Abtastzeit und Dauer</translation>
+    </message>
+    <message>
+        <source>%1 by %2%3 %</source>
+        <translation>%1 um %2%3 %</translation>
+    </message>
+    <message>
+        <source>whether samples are missing cannot be seen: the gripper sends neither a number nor a clock</source>
+        <translation>ob Abtastwerte fehlen, ist nicht zu sehen: Der Greifer sendet weder Nummer noch Uhr</translation>
+    </message>
+    <message>
+        <source>found %1</source>
+        <translation>gefunden: %1</translation>
+    </message>
+    <message>
+        <source>expected %1</source>
+        <translation>erwartet: %1</translation>
+    </message>
+    <message>
+        <source>%1 fields</source>
+        <translation>%1 Felder</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>no m, b and k above zero were found with their uncertainty</source>
+        <translation>m, b und k größer als null waren mit ihrer Unsicherheit nicht zu finden</translation>
+    </message>
+    <message>
+        <source>empty gripper, %1 squeezes</source>
+        <translation>leerer Greifer, %1 Druckversuche</translation>
+    </message>
+    <message>
+        <source>the empty gripper is no longer taken off</source>
+        <translation>der leere Greifer wird nicht mehr abgezogen</translation>
+    </message>
+    <message>
+        <source>calibrate</source>
+        <translation>kalibrieren</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>The units of this gripper&apos;s channels (%1, %2) are not known, so that m, b and k cannot be held against what is stated.</source>
+        <translation>Die Einheiten der Kanäle dieses Greifers (%1, %2) sind nicht bekannt, sodass sich m, b und k nicht mit den Angaben vergleichen lassen.</translation>
+    </message>
+    <message>
+        <source>squeeze %1: %2</source>
+        <translation>Druckversuch %1: %2</translation>
+    </message>
+    <message>
+        <source>found %1: %2</source>
+        <translation>gefunden: %1: %2</translation>
+    </message>
+    <message>
+        <source>read the batches</source>
+        <translation>Lose lesen</translation>
+    </message>
+    <message>
+        <source>A calibration</source>
+        <translation>Eine Kalibrierung</translation>
+    </message>
+    <message>
+        <source>This gripper has no serial number to keep its reference object under.</source>
+        <translation>Dieser Greifer hat keine Seriennummer, unter der sein Referenzobjekt aufbewahrt werden könnte.</translation>
+    </message>
+    <message>
+        <source>be brought up to date</source>
+        <translation>auf den neuesten Stand bringen</translation>
+    </message>
+    <message>
+        <source>its tables (&quot;%1&quot;) were made by another edition of this program</source>
+        <translation>ihre Tabellen („%1“) stammen von einer anderen Ausgabe dieses Programms</translation>
+    </message>
+    <message>
+        <source>types, squeezes and inspections</source>
+        <translation>Typen, Druckversuche und Prüfungen</translation>
+    </message>
+    <message>
+        <source>what is known of a gripper&apos;s channels</source>
+        <translation>was von den Kanälen eines Greifers bekannt ist</translation>
+    </message>
+    <message>
+        <source>the noise of a gripper&apos;s force channel</source>
+        <translation>das Rauschen des Kraftkanals eines Greifers</translation>
+    </message>
+    <message>
+        <source>versions of the library, and parts</source>
+        <translation>Versionen der Bibliothek und Teile</translation>
+    </message>
+    <message>
+        <source>calibrations of sensors</source>
+        <translation>Kalibrierungen von Sensoren</translation>
+    </message>
+    <message>
+        <source>pictures of parts, and enrolments under way</source>
+        <translation>Bilder von Teilen und laufende Einlernvorgänge</translation>
+    </message>
+    <message>
+        <source>checks on a reference object</source>
+        <translation>Kontrollen an einem Referenzobjekt</translation>
+    </message>
+    <message>
+        <source>what the history shows of squeezes</source>
+        <translation>was der Verlauf von Druckversuchen zeigt</translation>
+    </message>
+    <message>
+        <source>batches, and codes of types</source>
+        <translation>Lose und Codes von Typen</translation>
+    </message>
+    <message>
+        <source>people and the audit trail</source>
+        <translation>Personen und das Änderungsprotokoll</translation>
+    </message>
+    <message>
+        <source>it is the database of another program</source>
+        <translation>sie ist die Datenbank eines anderen Programms</translation>
+    </message>
+    <message>
+        <source>A recording</source>
+        <translation>Eine Aufnahme</translation>
+    </message>
+    <message>
+        <source>read the checks on the reference object</source>
+        <translation>Kontrollen am Referenzobjekt lesen</translation>
+    </message>
+    <message>
+        <source>A check on the reference object</source>
+        <translation>Eine Kontrolle am Referenzobjekt</translation>
+    </message>
+    <message>
+        <source>a verdict is none of the three</source>
+        <translation>ein Urteil ist keines der drei</translation>
+    </message>
+    <message>
+        <source>it is on an object that is not there</source>
+        <translation>sie gilt einem Objekt, das nicht da ist</translation>
+    </message>
+    <message>
+        <source>read the reference objects</source>
+        <translation>Referenzobjekte lesen</translation>
+    </message>
+    <message>
+        <source>Start this program with sudo, or let your user write to it until the next start of the computer: sudo setfacl -m u:$USER:rw /dev/uhid</source>
+        <translation>Dieses Programm mit sudo starten, oder dem Benutzer das Schreiben bis zum nächsten Start des Rechners erlauben: sudo setfacl -m u:$USER:rw /dev/uhid</translation>
+    </message>
+    <message>
+        <source>Load the kernel&apos;s module first: sudo modprobe uhid. (Containers and some virtual machines do not have it; virtual: works everywhere.)</source>
+        <translation>Erst das Kernelmodul laden: sudo modprobe uhid. (Container und manche virtuelle Maschinen haben es nicht; virtual: geht überall.)</translation>
+    </message>
+    <message>
+        <source>the system closed it</source>
+        <translation>das System hat es geschlossen</translation>
+    </message>
+    <message>
+        <source>report ID</source>
+        <translation>Report-ID</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>a list of %1</source>
+        <translation>eine Liste mit %1 Einträgen</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>no &quot;%1&quot;</source>
+        <translation>kein „%1“</translation>
+    </message>
+    <message>
+        <source>the unknown name &quot;%1&quot;</source>
+        <translation>der unbekannte Name „%1“</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>cut short: %1 bytes are missing</source>
+        <translation>abgeschnitten: %1 Bytes fehlen</translation>
+    </message>
+    <message>
+        <source>a share from 0 to 1</source>
+        <translation>ein Anteil von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>newtons from 0 to 1000000, or off</source>
+        <translation>Newton von 0 bis 1000000, oder off</translation>
+    </message>
+    <message>
+        <source>seconds from -1000 to 1000</source>
+        <translation>Sekunden von -1000 bis 1000</translation>
+    </message>
+    <message>
+        <source>nothing, seconds from 0 to 60, or off</source>
+        <translation>nichts, Sekunden von 0 bis 60, oder off</translation>
+    </message>
+    <message>
+        <source>nothing, or off</source>
+        <translation>nichts, oder off</translation>
+    </message>
+    <message>
+        <source>nothing, off, or one of %1</source>
+        <translation>nichts, off, oder eines von %1</translation>
+    </message>
+    <message>
+        <source>the line ends</source>
+        <translation>die Zeile endet</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;</source>
+        <translation>gefunden: „%1“</translation>
+    </message>
+    <message>
+        <source>a time in seconds, from 0 to 1000000</source>
+        <translation>eine Zeit in Sekunden, von 0 bis 1000000</translation>
+    </message>
+    <message>
+        <source>a time not before that of the line above, %1 s</source>
+        <translation>eine Zeit nicht vor der in der Zeile darüber, %L1 s</translation>
+    </message>
+    <message>
+        <source>%1 behind %2</source>
+        <translation>%1 nach %2</translation>
+    </message>
+    <message>
+        <source>the end of the line; a comment begins with #</source>
+        <translation>das Ende der Zeile; ein Kommentar beginnt mit #</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>

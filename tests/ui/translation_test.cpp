@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/reference_check.h"
+#include "core/recognition/table_lines.h"
 #include "core/words.h"
+#include "devices/protocol/report_words.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
 #include "ui/language.h"
@@ -167,6 +170,19 @@ private slots:
         QVERIFY(applyLanguage(u"en"_s));
         QCOMPARE(formatNumber(9984, 52, u"N/m"_s).text(), u"9.98 ± 0.05\u00A0kN/m"_s);
         QCOMPARE(Words::tr("There is no squeeze to decide on."), u"There is no squeeze to decide on."_s);
+    }
+
+    /// Of words that had stayed English: those of a refusal, of a damaged report, of a table that is misread.
+    void whatWentWrongIsSaidInTheLanguage()
+    {
+        QVERIFY(applyLanguage(u"de"_s));
+        QCOMPARE(problemOf(ReferenceObject()),
+                 u"Das Referenzobjekt braucht einen Namen, etwa die Nummer darauf."_s);
+        const std::vector<std::uint8_t> cut(3, 1);
+        QCOMPARE(protocol::inWords(cut).problem, u"der Report ist nicht 64 Bytes lang"_s);
+        const Error misread =
+            TablePlace{u"a.csv"_s, 2, 1}.error(u"\"x\""_s, Words::tr("a number above zero")).value();
+        QCOMPARE(misread.describe(), u"a.csv:2:1: gefunden: \"x\"; erwartet: eine Zahl größer als null"_s);
     }
 
     void standardButtonsFollowWhereQtHasTheirWords()

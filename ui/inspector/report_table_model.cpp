@@ -98,16 +98,6 @@ QString ReportTableModel::asText() const
     return lines.join(u'\n');
 }
 
-int ReportTableModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_shown.size());
-}
-
-int ReportTableModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : Columns;
-}
-
 QVariant ReportTableModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid() || role != Qt::DisplayRole)
@@ -115,16 +105,14 @@ QVariant ReportTableModel::data(const QModelIndex& index, int role) const
     return cell(at(index.row()), index.column());
 }
 
-QVariant ReportTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant ReportTableModel::head(int column, int role) const
 {
-    if (orientation != Qt::Horizontal)
-        return {};
     if (role == Qt::TextAlignmentRole)
         return int(Qt::AlignLeft | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
     const QString names[] = {tr("Time"), tr("Way"), tr("Report"), tr("In words")};
-    return names[section];
+    return names[column];
 }
 
 } // namespace gripscope

@@ -2,19 +2,18 @@
 #pragma once
 
 #include "devices/acquisition/report_log.h"
-
-#include <QAbstractTableModel>
+#include "ui/models/row_table_model.h"
 
 namespace gripscope {
 
 /// The last reports of a link, newest first, each with its time before the newest, direction, kind and words.
-class ReportTableModel : public QAbstractTableModel {
+class ReportTableModel : public RowTableModel {
     Q_OBJECT
 public:
     enum class Kind { All, Stream, Answers, Commands, Features, Damaged };
     enum Column { Time, Direction, Report, Words, Columns };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    using RowTableModel::RowTableModel;
     /// Oldest first, as the log gives them.
     void setReports(std::vector<LoggedReport> reports);
     void setKind(Kind kind);
@@ -22,12 +21,13 @@ public:
     /// All that is shown, a line each: time, direction, kind, bytes, words; with tabs between.
     [[nodiscard]] QString asText() const;
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    [[nodiscard]] int length() const override { return static_cast<int>(m_shown.size()); }
+    [[nodiscard]] int width() const override { return Columns; }
+    [[nodiscard]] QVariant head(int column, int role) const override;
+
     void choose();
     [[nodiscard]] bool wanted(const LoggedReport& report) const;
     [[nodiscard]] QString cell(const LoggedReport& report, int column) const;

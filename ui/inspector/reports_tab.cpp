@@ -3,6 +3,7 @@
 
 #include "devices/protocol/report_words.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/row_list.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -53,12 +54,7 @@ ReportsTab::ReportsTab(QWidget* parent) : QWidget(parent)
     m_table->setObjectName("reports");
     m_table->setAccessibleName(tr("The last reports"));
     m_table->setModel(m_model);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setShowGrid(false);
-    m_table->setWordWrap(false);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(28);
+    setUpRowList(m_table, 28);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->setColumnWidth(ReportTableModel::Time, 96);
     m_table->setColumnWidth(ReportTableModel::Direction, 80);

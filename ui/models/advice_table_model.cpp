@@ -50,16 +50,6 @@ void AdviceTableModel::setAdvice(const ClusterAdvice& advice)
     endResetModel();
 }
 
-int AdviceTableModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(m_advice.figures.size());
-}
-
-int AdviceTableModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : columns;
-}
-
 std::optional<double> AdviceTableModel::value(const ClusterFigures& figures, Column column) const
 {
     switch (column) {
@@ -133,10 +123,8 @@ QVariant AdviceTableModel::data(const QModelIndex& index, int role) const
     }
 }
 
-QVariant AdviceTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant AdviceTableModel::head(int column, int role) const
 {
-    if (orientation != Qt::Horizontal || section < 0 || section >= columns)
-        return {};
     if (role == Qt::TextAlignmentRole)
         return int(Qt::AlignCenter);
     struct Words {
@@ -154,7 +142,7 @@ QVariant AdviceTableModel::headerData(int section, Qt::Orientation orientation, 
         {tr("BIC"), tr("Bayesian information criterion of Gaussian mixtures, the better of tied and full. "
                        "Low is good.")},
     }};
-    const Words& one = words[std::size_t(section)];
+    const Words& one = words[std::size_t(column)];
     if (role == Qt::ToolTipRole)
         return one.meaning;
     return role == Qt::DisplayRole ? QVariant(one.name) : QVariant();

@@ -46,16 +46,6 @@ void AuditModel::append(int offset, const std::vector<AuditEntry>& page)
     endInsertRows();
 }
 
-int AuditModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int AuditModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : columns;
-}
-
 bool AuditModel::canFetchMore(const QModelIndex& parent) const
 {
     return !parent.isValid() && !m_waiting && rowCount() < m_total;
@@ -115,10 +105,8 @@ QVariant AuditModel::data(const QModelIndex& index, int role) const
     }
 }
 
-QVariant AuditModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant AuditModel::head(int section, int role) const
 {
-    if (orientation != Qt::Horizontal || section < 0 || section >= columns)
-        return {};
     const auto column = static_cast<Column>(section);
     if (role == Qt::TextAlignmentRole)
         return static_cast<int>(Qt::AlignVCenter |

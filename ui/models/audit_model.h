@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/people/audit_entry.h"
-
-#include <QAbstractTableModel>
+#include "ui/models/row_table_model.h"
 
 #include <vector>
 
@@ -11,14 +10,14 @@ namespace gripscope {
 
 /// The audit trail, newest first, page by page: the view asks for more as it is scrolled, the owner fetches
 /// each page away from the screen's thread and appends it.
-class AuditModel : public QAbstractTableModel {
+class AuditModel : public RowTableModel {
     Q_OBJECT
 public:
     enum class Column { Number, Time, Person, Action, Subject, Reason, Details, Station };
     static constexpr int columns = 8;
     static constexpr int pageSize = 200;
 
-    using QAbstractTableModel::QAbstractTableModel;
+    using RowTableModel::RowTableModel;
 
     /// Starts anew with a list of `total` rows, of which `page` are the first.
     void restart(qint64 total, std::vector<AuditEntry> page);
@@ -28,10 +27,7 @@ public:
     [[nodiscard]] const AuditEntry& entry(int row) const { return m_rows[static_cast<std::size_t>(row)]; }
     [[nodiscard]] qint64 total() const { return m_total; }
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     [[nodiscard]] bool canFetchMore(const QModelIndex& parent) const override;
     void fetchMore(const QModelIndex& parent) override;
 
@@ -39,6 +35,10 @@ signals:
     void pageAsked(int offset);
 
 private:
+    [[nodiscard]] int length() const override { return static_cast<int>(m_rows.size()); }
+    [[nodiscard]] int width() const override { return columns; }
+    [[nodiscard]] QVariant head(int section, int role) const override;
+
     [[nodiscard]] static QString text(const AuditEntry& entry, Column column);
     std::vector<AuditEntry> m_rows;
     qint64 m_total = 0;

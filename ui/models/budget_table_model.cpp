@@ -60,16 +60,6 @@ void BudgetTableModel::clear()
     endResetModel();
 }
 
-int BudgetTableModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(m_rows.size());
-}
-
-int BudgetTableModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : columns;
-}
-
 QVariant BudgetTableModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid() || index.row() >= int(m_rows.size()))
@@ -91,11 +81,9 @@ QVariant BudgetTableModel::data(const QModelIndex& index, int role) const
     return {};
 }
 
-QVariant BudgetTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant BudgetTableModel::head(int column, int role) const
 {
-    if (orientation != Qt::Horizontal || section < 0 || section >= columns)
-        return {};
-    const bool effect = Column(section) == Column::Effect;
+    const bool effect = Column(column) == Column::Effect;
     if (role == Qt::TextAlignmentRole)
         return QVariant::fromValue(
             Qt::Alignment(Qt::AlignVCenter | (effect ? Qt::AlignLeft : Qt::AlignRight)));
@@ -105,7 +93,7 @@ QVariant BudgetTableModel::headerData(int section, Qt::Orientation orientation, 
         return {};
     if (effect)
         return tr("Effect");
-    const auto at = std::size_t(section - int(Column::Mass));
+    const auto at = std::size_t(column - int(Column::Mass));
     const QString name = u"u(%1)"_s.arg(u"mbk"_s[qsizetype(at)]);
     return m_shownUnits[at].isEmpty() ? name : name + u'\n' + m_shownUnits[at];
 }

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/identification/uncertainty_budget.h"
-
-#include <QAbstractTableModel>
+#include "ui/models/row_table_model.h"
 
 #include <array>
 #include <vector>
@@ -13,7 +12,7 @@ namespace gripscope {
 /// An uncertainty budget as a table: an effect a line with its standard uncertainties of m, b and k and its
 /// shares of their variances; at the end the combined standard uncertainty and the half width of the
 /// interval. Numbers are raw, in the units of the header; BudgetDelegate words them.
-class BudgetTableModel : public QAbstractTableModel {
+class BudgetTableModel : public RowTableModel {
     Q_OBJECT
 public:
     enum class Column { Effect, Mass, Damping, Stiffness };
@@ -25,19 +24,20 @@ public:
         SumRole,                 ///< bool: a row of sums
     };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    using RowTableModel::RowTableModel;
 
     void setBudget(const UncertaintyBudget& budget, const QString& forceUnit, const QString& positionUnit);
     void clear();
     /// Header, units and full precision, for a spreadsheet: SI where the channels allow it.
     [[nodiscard]] QString toTsv() const;
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    [[nodiscard]] int length() const override { return int(m_rows.size()); }
+    [[nodiscard]] int width() const override { return columns; }
+    [[nodiscard]] QVariant head(int column, int role) const override;
+
     struct Row {
         QString id, name, words;
         bool sum = false;

@@ -43,16 +43,6 @@ void ByteTableModel::setChosenField(const QString& name)
     setBytes(m_seen);
 }
 
-int ByteTableModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_seen.bytes().size());
-}
-
-int ByteTableModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(Column::Field) + 1;
-}
-
 QString ByteTableModel::owners(std::size_t byte) const
 {
     return m_profile ? ownersOfByte(*m_profile, byte) : QString();
@@ -116,11 +106,11 @@ QVariant ByteTableModel::data(const QModelIndex& index, int role) const
     }
 }
 
-QVariant ByteTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant ByteTableModel::head(int column, int role) const
 {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+    if (role != Qt::DisplayRole)
         return {};
-    switch (static_cast<Column>(section)) {
+    switch (static_cast<Column>(column)) {
     case Column::Byte:
         return tr("Byte");
     case Column::Last:

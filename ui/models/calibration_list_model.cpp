@@ -17,16 +17,6 @@ void CalibrationListModel::setRows(std::vector<CalibrationRow> rows)
     endResetModel();
 }
 
-int CalibrationListModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(m_rows.size());
-}
-
-int CalibrationListModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : columns;
-}
-
 QString CalibrationListModel::text(const CalibrationRow& row, Column column) const
 {
     const CalibrationRecord& record = row.record;
@@ -70,17 +60,15 @@ QVariant CalibrationListModel::data(const QModelIndex& index, int role) const
     }
 }
 
-QVariant CalibrationListModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant CalibrationListModel::head(int column, int role) const
 {
-    if (orientation != Qt::Horizontal || section < 0 || section >= columns)
-        return {};
     if (role == Qt::TextAlignmentRole)
         return int(Qt::AlignLeft | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
     const QString names[columns] = {tr("Taken"),       tr("Channel"), tr("Uncertainty"),
                                     tr("Holds until"), tr("Gripper"), tr("By")};
-    return names[section];
+    return names[column];
 }
 
 } // namespace gripscope

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/calibration/calibration_record.h"
-
-#include <QAbstractTableModel>
+#include "ui/models/row_table_model.h"
 
 namespace gripscope {
 
@@ -14,23 +13,24 @@ struct CalibrationRow {
 };
 
 /// The calibrations of the library, newest first.
-class CalibrationListModel : public QAbstractTableModel {
+class CalibrationListModel : public RowTableModel {
     Q_OBJECT
 public:
     enum class Column { Taken, Channel, Uncertainty, Due, Gripper, By };
     static constexpr int columns = 6;
 
-    using QAbstractTableModel::QAbstractTableModel;
+    using RowTableModel::RowTableModel;
 
     void setRows(std::vector<CalibrationRow> rows);
     [[nodiscard]] const CalibrationRow& row(int index) const { return m_rows[std::size_t(index)]; }
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    [[nodiscard]] int length() const override { return int(m_rows.size()); }
+    [[nodiscard]] int width() const override { return columns; }
+    [[nodiscard]] QVariant head(int column, int role) const override;
+
     [[nodiscard]] QString text(const CalibrationRow& row, Column column) const;
     std::vector<CalibrationRow> m_rows;
 };

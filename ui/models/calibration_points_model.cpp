@@ -51,16 +51,6 @@ void CalibrationPointsModel::setPoints(const QString& unit, std::vector<PlannedP
     endResetModel();
 }
 
-int CalibrationPointsModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(m_planned.size());
-}
-
-int CalibrationPointsModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : columns;
-}
-
 QString CalibrationPointsModel::text(int row, Column column) const
 {
     const auto index = std::size_t(row);
@@ -108,12 +98,10 @@ QVariant CalibrationPointsModel::data(const QModelIndex& index, int role) const
     }
 }
 
-QVariant CalibrationPointsModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant CalibrationPointsModel::head(int column, int role) const
 {
-    if (orientation != Qt::Horizontal || section < 0 || section >= columns)
-        return {};
     if (role == Qt::TextAlignmentRole)
-        return int(alignment(Column(section)));
+        return int(alignment(Column(column)));
     if (role != Qt::DisplayRole)
         return {};
     const QString names[columns] = {tr("No."),
@@ -122,7 +110,7 @@ QVariant CalibrationPointsModel::headerData(int section, Qt::Orientation orienta
                                     m_loads.title(tr("Reading")),
                                     m_rest.title(tr("Residual")),
                                     tr("Remark")};
-    return names[section];
+    return names[column];
 }
 
 } // namespace gripscope

@@ -3,29 +3,29 @@
 
 #include "core/session/calibrate_session.h"
 #include "ui/charts/channel_scale.h"
-
-#include <QAbstractTableModel>
+#include "ui/models/row_table_model.h"
 
 namespace gripscope {
 
 /// The points of a calibration, taken ones first, then those to come: load, way, reading, what is left.
-class CalibrationPointsModel : public QAbstractTableModel {
+class CalibrationPointsModel : public RowTableModel {
     Q_OBJECT
 public:
     enum class Column { Number, Load, Way, Reading, Residual, Remark };
     static constexpr int columns = 6;
 
-    using QAbstractTableModel::QAbstractTableModel;
+    using RowTableModel::RowTableModel;
 
     void setPoints(const QString& unit, std::vector<PlannedPoint> planned, std::vector<TakenPoint> taken,
                    std::vector<double> residuals);
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    [[nodiscard]] int length() const override { return int(m_planned.size()); }
+    [[nodiscard]] int width() const override { return columns; }
+    [[nodiscard]] QVariant head(int column, int role) const override;
+
     [[nodiscard]] QString text(int row, Column column) const;
 
     ChannelScale m_loads, m_rest;

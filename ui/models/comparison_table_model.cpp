@@ -25,16 +25,6 @@ void ComparisonTableModel::setComparison(const ModelComparison& comparison)
     endResetModel();
 }
 
-int ComparisonTableModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(m_rows.size());
-}
-
-int ComparisonTableModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : columns;
-}
-
 QString ComparisonTableModel::text(const Row& row, Column column) const
 {
     switch (column) {
@@ -69,10 +59,8 @@ QVariant ComparisonTableModel::data(const QModelIndex& index, int role) const
     return {};
 }
 
-QVariant ComparisonTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant ComparisonTableModel::head(int section, int role) const
 {
-    if (orientation != Qt::Horizontal || section < 0 || section >= columns)
-        return {};
     const auto column = Column(section);
     if (role == Qt::TextAlignmentRole)
         return QVariant::fromValue(

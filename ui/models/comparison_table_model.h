@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/identification/model_comparison.h"
-
-#include <QAbstractTableModel>
+#include "ui/models/row_table_model.h"
 
 #include <vector>
 
@@ -11,24 +10,25 @@ namespace gripscope {
 
 /// The models of one squeeze, the best first: how much worse each one's criterion is, how far it moves m, b
 /// or k, how well it follows the position when it runs free.
-class ComparisonTableModel : public QAbstractTableModel {
+class ComparisonTableModel : public RowTableModel {
     Q_OBJECT
 public:
     enum class Column { Model, Delta, Weight, Change, SimulationFit };
     static constexpr int columns = 5;
 
-    using QAbstractTableModel::QAbstractTableModel;
+    using RowTableModel::RowTableModel;
 
     void setComparison(const ModelComparison& comparison);
     /// Header and full precision, for a spreadsheet.
     [[nodiscard]] QString toTsv() const;
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    [[nodiscard]] int length() const override { return int(m_rows.size()); }
+    [[nodiscard]] int width() const override { return columns; }
+    [[nodiscard]] QVariant head(int section, int role) const override;
+
     struct Row {
         QString id, words;
         double delta = 0, weight = 0, change = 0;

@@ -107,15 +107,6 @@ int EstimateTableModel::rowOf(Estimator estimator) const
     return -1;
 }
 
-int EstimateTableModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(m_rows.size());
-}
-int EstimateTableModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : columns;
-}
-
 QVariant EstimateTableModel::number(const Row& row, Column column) const
 {
     switch (column) {
@@ -175,10 +166,8 @@ QVariant EstimateTableModel::data(const QModelIndex& index, int role) const
     return number(row, column);
 }
 
-QVariant EstimateTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant EstimateTableModel::head(int section, int role) const
 {
-    if (orientation != Qt::Horizontal || section < 0 || section >= columns)
-        return {};
     const auto column = Column(section);
     if (role == Qt::TextAlignmentRole)
         return QVariant::fromValue(

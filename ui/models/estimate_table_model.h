@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/identification/identification.h"
-
-#include <QAbstractTableModel>
+#include "ui/models/row_table_model.h"
 
 #include <array>
 
@@ -11,7 +10,7 @@ namespace gripscope {
 
 /// The estimators of one identification against each other. Numbers are raw, in the units of the header (SI
 /// with a prefix where the channels allow it); EstimateDelegate words them.
-class EstimateTableModel : public QAbstractTableModel {
+class EstimateTableModel : public RowTableModel {
     Q_OBJECT
 public:
     enum class Column { Estimator, Mass, Damping, Stiffness, SimulationFit, PredictionFit, Verdict };
@@ -22,7 +21,7 @@ public:
         CubicRole, ///< "k3 = 3.80 ± 0.05 N/mm³" for an estimator that has a cubic spring; else invalid
     };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    using RowTableModel::RowTableModel;
 
     void setIdentification(const Identification& identification, const QString& forceUnit,
                            const QString& positionUnit);
@@ -32,12 +31,13 @@ public:
     /// Header, units and full precision, for a spreadsheet: SI where the channels allow it.
     [[nodiscard]] QString toTsv() const;
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    [[nodiscard]] int length() const override { return int(m_rows.size()); }
+    [[nodiscard]] int width() const override { return columns; }
+    [[nodiscard]] QVariant head(int section, int role) const override;
+
     struct Row {
         Estimator estimator = Estimator::OutputError;
         QString verdict;

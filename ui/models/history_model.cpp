@@ -117,14 +117,10 @@ int HistoryModel::rowOf(const QString& key) const
     return place ? int(*place) : -1;
 }
 
-int HistoryModel::rowCount(const QModelIndex& parent) const
+int HistoryModel::length() const
 {
     constexpr auto most = std::size_t(std::numeric_limits<int>::max());
-    return parent.isValid() ? 0 : int(std::min(m_keys.size(), most));
-}
-int HistoryModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : columns;
+    return int(std::min(m_keys.size(), most));
 }
 
 QVariant HistoryModel::value(const HistoryEntry& entry, Column column)
@@ -188,10 +184,8 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
     return value(*row, column);
 }
 
-QVariant HistoryModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant HistoryModel::head(int section, int role) const
 {
-    if (orientation != Qt::Horizontal || section < 0 || section >= columns)
-        return {};
     const auto column = Column(section);
     if (role == Qt::TextAlignmentRole)
         return int(Qt::AlignVCenter | (isNumber(column) ? Qt::AlignRight : Qt::AlignLeft));

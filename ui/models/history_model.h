@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/store/history.h"
+#include "ui/models/row_table_model.h"
 
-#include <QAbstractTableModel>
 #include <QHash>
 #include <QSet>
 
@@ -14,7 +14,7 @@ namespace gripscope {
 /// Squeezes of the library in the order of a query, any of which can be come to at once: the model knows all
 /// keys, asks for the page of two hundred that is looked at, and keeps those looked at last. A row that is
 /// not there yet is empty. Numbers are raw; HistoryDelegate words them.
-class HistoryModel : public QAbstractTableModel {
+class HistoryModel : public RowTableModel {
     Q_OBJECT
 public:
     enum class Column {
@@ -43,7 +43,7 @@ public:
         UnitRole,                ///< of m, b and k: SI where the squeeze's units are known; empty: none
     };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    using RowTableModel::RowTableModel;
 
     /// Starts anew with these squeezes, of which `first` are the first.
     void restart(HistoryKeys keys, std::vector<HistoryEntry> first);
@@ -62,10 +62,7 @@ public:
     [[nodiscard]] static HistoryOrder order(Column column);
     [[nodiscard]] static QString columnName(Column column); ///< in full, for a list of columns
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     /// The library orders: emits sortAsked() only.
     void sort(int column, Qt::SortOrder order) override;
 
@@ -74,6 +71,10 @@ signals:
     void sortAsked(gripscope::HistoryModel::Column column, Qt::SortOrder order);
 
 private:
+    [[nodiscard]] int length() const override;
+    [[nodiscard]] int width() const override { return columns; }
+    [[nodiscard]] QVariant head(int section, int role) const override;
+
     struct Page {
         std::vector<HistoryEntry> entries;
         mutable quint64 used = 0;

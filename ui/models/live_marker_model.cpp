@@ -38,16 +38,6 @@ void LiveMarkerModel::clear()
     endResetModel();
 }
 
-int LiveMarkerModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_markers.size());
-}
-
-int LiveMarkerModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : columns;
-}
-
 QVariant LiveMarkerModel::data(const QModelIndex& index, int role) const
 {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid))
@@ -70,11 +60,11 @@ QVariant LiveMarkerModel::data(const QModelIndex& index, int role) const
     return {};
 }
 
-QVariant LiveMarkerModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant LiveMarkerModel::head(int column, int role) const
 {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+    if (role != Qt::DisplayRole)
         return {};
-    switch (static_cast<Column>(section)) {
+    switch (static_cast<Column>(column)) {
     case Column::Number:
         return tr("No.");
     case Column::When:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractTableModel>
+#include "ui/models/row_table_model.h"
+
 #include <QDateTime>
 
 #include <cstdint>
@@ -21,14 +22,14 @@ struct LiveMarker {
 };
 
 /// The markers, oldest first. The words can be edited. Beyond `most` the oldest go.
-class LiveMarkerModel : public QAbstractTableModel {
+class LiveMarkerModel : public RowTableModel {
     Q_OBJECT
 public:
     enum class Column { Number, When, Words };
     static constexpr int columns = 3;
     static constexpr int most = 200;
 
-    using QAbstractTableModel::QAbstractTableModel;
+    using RowTableModel::RowTableModel;
 
     /// In its place by time, with the next number.
     void add(LiveMarker marker);
@@ -36,14 +37,15 @@ public:
     void clear();
     [[nodiscard]] const std::vector<LiveMarker>& markers() const { return m_markers; }
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
 private:
+    [[nodiscard]] int length() const override { return static_cast<int>(m_markers.size()); }
+    [[nodiscard]] int width() const override { return columns; }
+    [[nodiscard]] QVariant head(int column, int role) const override;
+
     std::vector<LiveMarker> m_markers;
     int m_lastNumber = 0;
 };

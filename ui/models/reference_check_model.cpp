@@ -38,16 +38,6 @@ bool ReferenceCheckModel::says(Column column) const
     });
 }
 
-int ReferenceCheckModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(m_checks.size());
-}
-
-int ReferenceCheckModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : columns;
-}
-
 QString ReferenceCheckModel::text(const ReferenceCheckRecord& check, Column column) const
 {
     switch (column) {
@@ -82,17 +72,15 @@ QVariant ReferenceCheckModel::data(const QModelIndex& index, int role) const
     }
 }
 
-QVariant ReferenceCheckModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant ReferenceCheckModel::head(int column, int role) const
 {
-    if (orientation != Qt::Horizontal || section < 0 || section >= columns)
-        return {};
     if (role == Qt::TextAlignmentRole)
         return int(Qt::AlignLeft | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
     const QString names[columns] = {tr("Made"),     tr("Verdict"),  tr("k, error"),
                                     tr("b, error"), tr("m, error"), tr("By")};
-    return names[section];
+    return names[column];
 }
 
 } // namespace gripscope

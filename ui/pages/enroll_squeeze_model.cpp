@@ -85,16 +85,6 @@ bool EnrollSqueezeModel::hasParts() const
     return std::any_of(m_rows.begin(), m_rows.end(), [](const Row& row) { return !row.part.isEmpty(); });
 }
 
-int EnrollSqueezeModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int EnrollSqueezeModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(Column::Count);
-}
-
 QString EnrollSqueezeModel::commonUnit(FormattedNumber Row::*column) const
 {
     QString unit;
@@ -176,20 +166,18 @@ QVariant EnrollSqueezeModel::data(const QModelIndex& index, int role) const
     }
 }
 
-QVariant EnrollSqueezeModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant EnrollSqueezeModel::head(int column, int role) const
 {
-    if (orientation != Qt::Horizontal)
-        return {};
     if (role == Qt::TextAlignmentRole)
         return QVariant::fromValue(
-            Qt::AlignVCenter | (section <= static_cast<int>(Column::Fit) ? Qt::AlignRight : Qt::AlignLeft));
+            Qt::AlignVCenter | (column <= static_cast<int>(Column::Fit) ? Qt::AlignRight : Qt::AlignLeft));
     if (role != Qt::DisplayRole)
         return {};
     const auto name = [this](const QString& symbol, FormattedNumber Row::*which) {
         const QString unit = commonUnit(which);
         return unit.isEmpty() ? tr("%1\n± 95 %").arg(symbol) : tr("%1 (%2)\n± 95 %").arg(symbol, unit);
     };
-    switch (static_cast<Column>(section)) {
+    switch (static_cast<Column>(column)) {
     case Column::Number:
         return tr("No.");
     case Column::Part:

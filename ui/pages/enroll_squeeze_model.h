@@ -2,20 +2,19 @@
 #pragma once
 
 #include "core/session/enroll_session.h"
+#include "ui/models/row_table_model.h"
 #include "ui/widgets/number_format.h"
-
-#include <QAbstractTableModel>
 
 #include <map>
 
 namespace gripscope {
 
 /// The squeezes of an enrolment as rows, ready to read.
-class EnrollSqueezeModel : public QAbstractTableModel {
+class EnrollSqueezeModel : public RowTableModel {
     Q_OBJECT
 public:
     enum class Column { Number, Part, Stiffness, Damping, Mass, Fit, Verdict, Count };
-    using QAbstractTableModel::QAbstractTableModel;
+    using RowTableModel::RowTableModel;
 
     /// Takes over what the session holds; cheap when nothing changed.
     /// `outliers`: by row, why the squeeze does not go with the others.
@@ -23,12 +22,13 @@ public:
     [[nodiscard]] bool isAccepted(int row) const;
     [[nodiscard]] bool hasParts() const; ///< some squeeze says which part it was of
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    [[nodiscard]] int length() const override { return static_cast<int>(m_rows.size()); }
+    [[nodiscard]] int width() const override { return static_cast<int>(Column::Count); }
+    [[nodiscard]] QVariant head(int column, int role) const override;
+
     struct Row {
         EnrollSqueeze::Decision decision = EnrollSqueeze::Decision::Pending;
         QString part, reason, fit, verdict, outlier;

@@ -9,6 +9,7 @@
 #include "ui/widgets/controls.h"
 #include "ui/widgets/parameter_text.h"
 #include "ui/widgets/progress_ring.h"
+#include "ui/widgets/row_list.h"
 #include "ui/workbench.h"
 
 #include <QCheckBox>
@@ -137,13 +138,7 @@ QWidget* EnrollSqueezePanel::makeTable()
     m_table->setObjectName("squeezeTable");
     m_table->setAccessibleName(tr("Squeezes of this type"));
     m_table->setModel(&m_model);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setShowGrid(false);
-    m_table->setWordWrap(false);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(38);
-    m_table->horizontalHeader()->setHighlightSections(false);
+    setUpRowList(m_table, 38);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);

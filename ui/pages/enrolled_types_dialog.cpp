@@ -4,6 +4,7 @@
 #include "ui/part_picture_reader.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/date_text.h"
+#include "ui/widgets/row_list.h"
 #include "ui/workbench.h"
 
 #include <QHBoxLayout>
@@ -27,16 +28,8 @@ QTableWidget* makeTable(const QStringList& headers, const char* name, QWidget* p
     auto* table = new QTableWidget(0, static_cast<int>(headers.size()), parent);
     table->setObjectName(QString::fromLatin1(name));
     table->setHorizontalHeaderLabels(headers);
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setSelectionMode(QAbstractItemView::SingleSelection);
-    table->setShowGrid(false);
-    table->setWordWrap(false);
-    table->verticalHeader()->hide();
-    table->verticalHeader()->setDefaultSectionSize(36);
-    table->horizontalHeader()->setHighlightSections(false);
+    setUpRowList(table, 36);
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     return table;
 }
 

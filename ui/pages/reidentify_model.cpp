@@ -69,15 +69,6 @@ void ReidentifyModel::append(const ReidentifiedSqueeze& squeeze)
     endInsertRows();
 }
 
-int ReidentifyModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(m_rows.size());
-}
-int ReidentifyModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : columns;
-}
-
 QString ReidentifyModel::text(const ReidentifiedSqueeze& row, Column column)
 {
     const auto fit = [](const std::optional<double>& percent) {
@@ -118,11 +109,11 @@ QVariant ReidentifyModel::data(const QModelIndex& index, int role) const
     }
 }
 
-QVariant ReidentifyModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant ReidentifyModel::head(int column, int role) const
 {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole || section < 0 || section >= columns)
+    if (role != Qt::DisplayRole)
         return {};
-    switch (Column(section)) {
+    switch (Column(column)) {
     case Column::Squeeze:
         return tr("Squeeze");
     case Column::Mass:

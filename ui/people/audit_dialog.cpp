@@ -6,6 +6,7 @@
 #include "ui/models/audit_model.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_format.h"
+#include "ui/widgets/row_list.h"
 #include "ui/workbench.h"
 
 #include <QComboBox>
@@ -112,13 +113,7 @@ void AuditDialog::makeTable()
     m_table->setObjectName("auditTable");
     m_table->setAccessibleName(tr("Audit trail"));
     m_table->setModel(m_model);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setShowGrid(false);
-    m_table->setWordWrap(false);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(32);
-    m_table->horizontalHeader()->setHighlightSections(false);
+    setUpRowList(m_table, 32);
     // Of fixed widths: to measure the texts of a long trail would take the screen's time.
     const int widths[AuditModel::columns] = {64, 168, 152, 192, 168, 160, 240, 160};
     for (int column = 0; column < AuditModel::columns; ++column)

@@ -6,6 +6,7 @@
 #include "ui/people/person_form.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/date_text.h"
+#include "ui/widgets/row_list.h"
 #include "ui/workbench.h"
 
 #include <QHBoxLayout>
@@ -25,14 +26,8 @@ QTableWidget* makePeopleTable(const QStringList& headers, QWidget* parent)
     auto* table = new QTableWidget(0, static_cast<int>(headers.size()), parent);
     table->setObjectName("peopleTable");
     table->setHorizontalHeaderLabels(headers);
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setSelectionMode(QAbstractItemView::SingleSelection);
-    table->setShowGrid(false);
-    table->verticalHeader()->hide();
-    table->verticalHeader()->setDefaultSectionSize(40);
-    table->horizontalHeader()->setHighlightSections(false);
-    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    setUpRowList(table, 40);
+    table->setWordWrap(true); // a long name has the room for two lines
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     return table;

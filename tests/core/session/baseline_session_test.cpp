@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/baseline_session.h"
-#include "tests/core/session/session_driver.h"
+#include "tests/core/session/series_fixture.h"
 #include "tests/support/test_registry.h"
 
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
@@ -17,51 +16,16 @@ namespace {
 constexpr MassDampingStiffness fingers{0.012, 9, 3000};
 } // namespace
 
-class BaselineSessionTest : public QObject {
+class BaselineSessionTest : public QObject, SeriesFixture<BaselineSession> {
     Q_OBJECT
-    using State = SeriesSession::State;
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<LibraryService> m_library;
-    std::unique_ptr<ArmedConnection> m_connection;
-    std::unique_ptr<BaselineSession> m_session;
-
-    bool until(State state)
-    {
-        return pollUntil(
-                   [this] {
-                       m_connection->session.poll();
-                       m_session->poll();
-                   },
-                   [this, state] {
-                       return m_session->state() == state || m_session->state() == State::Failed;
-                   }) &&
-               m_session->state() == state;
-    }
-    std::optional<MeasuringChainRecord> stored()
-    {
-        using Found = std::optional<MeasuringChainRecord>;
-        return m_library->run<Found>([](Library& library) { return library.measuringChain(u"F-1"_s); })
-            .get()
-            .value();
-    }
-
 private slots:
     void init()
     {
-        m_folder = std::make_unique<QTemporaryDir>();
-        m_library = std::make_unique<LibraryService>(m_folder->filePath(u"baseline.db"_s));
-        m_connection = std::make_unique<ArmedConnection>();
+        makeGripper();
         m_connection->gripper().object = fingers;
-        QVERIFY(m_connection->open());
-        m_session = std::make_unique<BaselineSession>(m_connection->session, *m_library);
-        m_session->setOperator(u"Ada"_s);
+        QVERIFY(makeSession());
     }
-    void cleanup()
-    {
-        m_session.reset();
-        m_connection.reset();
-        m_library.reset();
-    }
+    void cleanup() { clear(); }
 
     void theEmptyGripperIsFoundKeptAndTakenOff()
     {
@@ -79,13 +43,13 @@ private slots:
                      qPrintable(QString::number(found.parameters[i])));
             QVERIFY(found.standardErrors[i] > 0 && found.standardErrors[i] < 0.05 * truth[i]);
         }
-        QVERIFY(!stored());
+        QVERIFY(!storedChain());
         QVERIFY(m_session->accept());
         QVERIFY(until(State::Stored));
-        QVERIFY(stored()->chain.baseline == found);
-        QCOMPARE(stored()->chain.forceScaleUncertainty, 0.003);
-        QCOMPARE(stored()->forceLag_s, 1e-6);
-        QCOMPARE(stored()->operatorName, u"Ada"_s);
+        QVERIFY(storedChain()->chain.baseline == found);
+        QCOMPARE(storedChain()->chain.forceScaleUncertainty, 0.003);
+        QCOMPARE(storedChain()->forceLag_s, 1e-6);
+        QCOMPARE(storedChain()->operatorName, u"Ada"_s);
         QVERIFY(m_connection->session.measuringChain().baseline == found);
 
         // A part in these fingers is now found without them.
@@ -123,7 +87,7 @@ private slots:
         m_connection->session.setMeasuringChain(0, known);
         QVERIFY(m_session->remove());
         QVERIFY(until(State::Stored));
-        QVERIFY(!stored()->chain.baseline && stored()->chain.frameCompliance == 1e-6);
+        QVERIFY(!storedChain()->chain.baseline && storedChain()->chain.frameCompliance == 1e-6);
         QVERIFY(!m_connection->session.measuringChain().baseline);
     }
 
@@ -135,7 +99,7 @@ private slots:
         QVERIFY(!m_session->baseline());
         QVERIFY2(m_session->problem().startsWith(u"squeeze 1: "_s), qPrintable(m_session->problem()));
         QVERIFY(!m_session->accept());
-        QVERIFY(!stored());
+        QVERIFY(!storedChain());
     }
 
     void whatWasMeasuredOfOneGripperIsNotKeptForAnother()
@@ -145,7 +109,7 @@ private slots:
         m_connection->gripper().identity.serial = u"F-2"_s;
         m_connection->session.poll();
         QVERIFY(!m_session->accept());
-        QVERIFY(!stored());
+        QVERIFY(!storedChain());
     }
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/enroll_session.h"
-#include "tests/core/session/session_driver.h"
+#include "tests/core/session/enrollment_run.h"
 #include "tests/core/session/session_recordings.h"
 #include "tests/core/store/child_process.h"
 #include "tests/support/test_registry.h"
@@ -24,30 +23,12 @@ PartPicture aPicture()
     return {{}, u"png"_s, 2, 2, QByteArray("a picture")};
 }
 
-/// One program run: a library on the disk, a gripper, an enrolment that is kept.
-struct Run {
-    explicit Run(const QString& file) : library(file), enrollment(connection.session, library)
+/// One program run whose enrolment is kept.
+struct Run : EnrollmentRun {
+    explicit Run(const QString& file) : EnrollmentRun(file)
     {
         enrollment.keepDrafts(true);
         enrollment.setOperator(u"Ada"_s);
-    }
-    ArmedConnection connection;
-    LibraryService library;
-    EnrollSession enrollment;
-
-    bool waitFor(Activity activity)
-    {
-        return pollUntil(
-            [this] {
-                connection.session.poll();
-                enrollment.poll();
-            },
-            [&] { return enrollment.activity() == activity; });
-    }
-    bool begin(const QString& name)
-    {
-        return enrollment.setName(name) && enrollment.setRecipe({}) && waitFor(Activity::Waiting) &&
-               enrollment.step() == Step::Squeeze;
     }
     bool add(std::uint64_t seed)
     {
@@ -66,18 +47,9 @@ struct Run {
                          }) &&
                !enrollment.lastError();
     }
-    template <typename T>
-    T ask(std::function<Expected<T>(Library&)> work)
-    {
-        return library.run<T>(std::move(work)).get().value();
-    }
     std::vector<EnrollmentDraft> drafts()
     {
         return ask<std::vector<EnrollmentDraft>>([](Library& l) { return l.drafts(); });
-    }
-    std::vector<TypeRecord> types()
-    {
-        return ask<std::vector<TypeRecord>>([](Library& l) { return l.types(); });
     }
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/enroll_session.h"
-#include "tests/core/session/session_driver.h"
+#include "tests/core/session/enrollment_run.h"
 #include "tests/core/session/session_recordings.h"
 #include "tests/support/test_registry.h"
 
@@ -16,37 +15,13 @@ using Decision = EnrollSqueeze::Decision;
 class EnrollSessionTest : public QObject {
     Q_OBJECT
 private:
-    /// One program run: a library on the disk, a gripper, an enrolment.
-    struct Run {
-        explicit Run(const QString& file) : library(file), enrollment(connection.session, library) {}
-        ArmedConnection connection;
-        LibraryService library;
-        EnrollSession enrollment;
-
-        bool waitFor(Activity activity)
-        {
-            return pollUntil(
-                [this] {
-                    connection.session.poll();
-                    enrollment.poll();
-                },
-                [&] { return enrollment.activity() == activity; });
-        }
-        bool begin(const QString& name)
-        {
-            return enrollment.setName(name) && enrollment.setRecipe({}) && waitFor(Activity::Waiting) &&
-                   enrollment.step() == Step::Squeeze;
-        }
+    struct Run : EnrollmentRun {
+        using EnrollmentRun::EnrollmentRun;
         bool addAndAccept(const Recording& recording)
         {
             return enrollment.addRecording(recording, QStringLiteral("file.csv")) &&
                    waitFor(Activity::Deciding) && enrollment.accept() && waitFor(Activity::Waiting) &&
                    !enrollment.lastError();
-        }
-        template <typename T>
-        T ask(std::function<Expected<T>(Library&)> work)
-        {
-            return library.run<T>(std::move(work)).get().value();
         }
         /// A squeeze of the gripper itself ends because it is unplugged; one recording was accepted before.
         bool loseTheGripper()
@@ -55,10 +30,6 @@ private:
                 return false;
             connection.gripper().lostAfterSamples = 100;
             return enrollment.squeeze() && waitFor(Activity::Waiting);
-        }
-        std::vector<TypeRecord> types()
-        {
-            return ask<std::vector<TypeRecord>>([](Library& l) { return l.types(); });
         }
     };
     std::unique_ptr<QTemporaryDir> m_folder;

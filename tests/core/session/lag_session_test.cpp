@@ -1,59 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/lag_session.h"
-#include "tests/core/session/session_driver.h"
+#include "tests/core/session/series_fixture.h"
 #include "tests/support/test_registry.h"
 
-#include <QTemporaryDir>
 #include <QTest>
 
 using namespace gripscope;
 using namespace gripscope::test;
 using namespace Qt::StringLiterals;
 
-class LagSessionTest : public QObject {
+class LagSessionTest : public QObject, SeriesFixture<LagSession> {
     Q_OBJECT
-    using State = LagSession::State;
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<LibraryService> m_library;
-    std::unique_ptr<ArmedConnection> m_connection;
-    std::unique_ptr<LagSession> m_session;
-
-    bool until(State state)
-    {
-        return pollUntil(
-                   [this] {
-                       m_connection->session.poll();
-                       m_session->poll();
-                   },
-                   [this, state] {
-                       return m_session->state() == state || m_session->state() == State::Failed;
-                   }) &&
-               m_session->state() == state;
-    }
-    std::optional<MeasuringChainRecord> stored()
-    {
-        using Found = std::optional<MeasuringChainRecord>;
-        return m_library->run<Found>([](Library& library) { return library.measuringChain(u"F-1"_s); })
-            .get()
-            .value();
-    }
-
 private slots:
     void init()
     {
-        m_folder = std::make_unique<QTemporaryDir>();
-        m_library = std::make_unique<LibraryService>(m_folder->filePath(u"lag.db"_s));
-        m_connection = std::make_unique<ArmedConnection>();
-        QVERIFY(m_connection->open());
-        m_session = std::make_unique<LagSession>(m_connection->session, *m_library);
-        m_session->setOperator(u"Ada"_s);
+        makeGripper();
+        QVERIFY(makeSession());
     }
-    void cleanup()
-    {
-        m_session.reset();
-        m_connection.reset();
-        m_library.reset();
-    }
+    void cleanup() { clear(); }
 
     void theLagIsFoundKeptAndPutInForce()
     {
@@ -66,12 +30,12 @@ private slots:
         // Four standard errors: once in 16,000; and these must be of use, a hundredth of a sample.
         QVERIFY(std::abs(lag.lag_s - 1.2e-4) < 4 * lag.standardError_s);
         QVERIFY(lag.standardError_s > 0 && lag.standardError_s < 5e-6);
-        QVERIFY(!stored());
+        QVERIFY(!storedChain());
         QVERIFY(m_session->accept());
         QVERIFY(until(State::Stored));
-        QCOMPARE(stored()->forceLag_s, lag.lag_s);
-        QCOMPARE(stored()->chain.forceLagUncertainty_s, lag.standardError_s);
-        QCOMPARE(stored()->operatorName, u"Ada"_s);
+        QCOMPARE(storedChain()->forceLag_s, lag.lag_s);
+        QCOMPARE(storedChain()->chain.forceLagUncertainty_s, lag.standardError_s);
+        QCOMPARE(storedChain()->operatorName, u"Ada"_s);
         QCOMPARE(m_connection->session.forceLag_s(), lag.lag_s);
     }
     void whatElseIsKnownOfTheChannelsStays()
@@ -83,7 +47,7 @@ private slots:
         QVERIFY(until(State::Measured));
         QVERIFY(m_session->accept());
         QVERIFY(until(State::Stored));
-        QCOMPARE(stored()->chain.forceScaleUncertainty, 0.003);
+        QCOMPARE(storedChain()->chain.forceScaleUncertainty, 0.003);
     }
     void nothingIsAcceptedBeforeItIsMeasured()
     {
@@ -106,7 +70,7 @@ private slots:
         m_session->cancel();
         QCOMPARE(m_session->state(), State::Failed);
         QVERIFY(m_connection->gripper().stops > 0);
-        QVERIFY(!stored());
+        QVERIFY(!storedChain());
     }
     void aGripperThatGoesAwaySaysSo()
     {

@@ -1,37 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_facts.h"
 #include "core/session/reference_check_session.h"
-#include "tests/core/session/session_driver.h"
+#include "tests/core/session/series_fixture.h"
 #include "tests/support/test_registry.h"
 
-#include <QTemporaryDir>
 #include <QTest>
 
 using namespace gripscope;
 using namespace gripscope::test;
 using namespace Qt::StringLiterals;
 
-class ReferenceCheckSessionTest : public QObject {
+class ReferenceCheckSessionTest : public QObject, SeriesFixture<ReferenceCheckSession> {
     Q_OBJECT
-    using State = SeriesSession::State;
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<LibraryService> m_library;
-    std::unique_ptr<ArmedConnection> m_connection;
-    std::unique_ptr<ReferenceCheckSession> m_session;
-
-    void poll()
-    {
-        m_connection->session.poll();
-        m_session->poll();
-    }
-    bool until(State state)
-    {
-        return pollUntil([this] { poll(); },
-                         [this, state] {
-                             return m_session->state() == state || m_session->state() == State::Failed;
-                         }) &&
-               m_session->state() == state;
-    }
     void state(double stiffness, double tolerance = 300)
     {
         ReferenceObject reference;
@@ -39,21 +19,15 @@ class ReferenceCheckSessionTest : public QObject {
         reference.name = u"Spring S-12"_s;
         reference.stated[2] = ReferenceQuantity{stiffness, 20, tolerance};
         reference.squeezes = 2;
-        m_connection->session.setCalibrations(
-            m_library
-                ->run<CalibrationsInForce>([reference](Library& library) {
-                    return library.addReferenceObject(reference).and_then(
-                        [&] { return library.calibrationsInForce(reference.gripperSerial); });
-                })
-                .get()
-                .value());
+        m_connection->session.setCalibrations(ask<CalibrationsInForce>([reference](Library& library) {
+            return library.addReferenceObject(reference).and_then(
+                [&] { return library.calibrationsInForce(reference.gripperSerial); });
+        }));
     }
     std::vector<ReferenceCheckRecord> stored()
     {
         using Checks = std::vector<ReferenceCheckRecord>;
-        return m_library->run<Checks>([](Library& library) { return library.referenceChecks(u"F-1"_s, 9); })
-            .get()
-            .value();
+        return ask<Checks>([](Library& library) { return library.referenceChecks(u"F-1"_s, 9); });
     }
     /// The check `calibration` of a squeeze as the gripper stands now.
     ValidityCheck verdictOnTheCalibration()
@@ -76,19 +50,10 @@ class ReferenceCheckSessionTest : public QObject {
 private slots:
     void init()
     {
-        m_folder = std::make_unique<QTemporaryDir>();
-        m_library = std::make_unique<LibraryService>(m_folder->filePath(u"check.db"_s));
-        m_connection = std::make_unique<ArmedConnection>(); // on a can of 9,990 N/m
-        QVERIFY(m_connection->open());
-        m_session = std::make_unique<ReferenceCheckSession>(m_connection->session, *m_library);
-        m_session->setOperator(u"Ada"_s);
+        makeGripper(); // on a can of 9,990 N/m
+        QVERIFY(makeSession());
     }
-    void cleanup()
-    {
-        m_session.reset();
-        m_connection.reset();
-        m_library.reset();
-    }
+    void cleanup() { clear(); }
 
     void aGripperInOrderPassesAndItsMeasurementsAreNotSuspect()
     {
