@@ -86,13 +86,24 @@ void HistoryTable::buildColumnsMenu()
     });
 }
 
+/// The header's own hint leaves room for the sign of sorting in every column.
+int HistoryTable::titleWidth(int column) const
+{
+    constexpr int padding = 16, sign = 20;
+    QFont bold = horizontalHeader()->font();
+    bold.setWeight(QFont::DemiBold);
+    int wide = 0;
+    for (const QString& line : m_model->headerData(column, Qt::Horizontal).toString().split(u'\n'))
+        wide = std::max(wide, QFontMetrics(bold).horizontalAdvance(line));
+    return wide + padding + (horizontalHeader()->sortIndicatorSection() == column ? sign : 0);
+}
+
 void HistoryTable::fitColumns()
 {
     // By the rows in view: all of them would be asked for otherwise.
     for (int column = 0; column < HistoryModel::columns; ++column)
         if (!isColumnHidden(column))
-            setColumnWidth(column,
-                           std::max(sizeHintForColumn(column), horizontalHeader()->sectionSizeHint(column)));
+            setColumnWidth(column, std::max(sizeHintForColumn(column), titleWidth(column)));
 }
 
 std::vector<QString> HistoryTable::selectedKeys() const

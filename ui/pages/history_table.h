@@ -35,6 +35,7 @@ protected:
 private:
     void buildHeader();
     void buildColumnsMenu();
+    [[nodiscard]] int titleWidth(int column) const;
     void fitColumns();
     void reselect(const std::vector<QString>& keys, const QString& current);
 
