@@ -25,12 +25,14 @@ const QStringList& outcomeNames()
 
 void addFilters(CommandLine& line)
 {
-    line.option(u"text"_qs, u"TEXT"_qs, u"Contained in number, type, operator, gripper, source or part."_qs);
+    line.option(u"text"_qs, u"TEXT"_qs,
+                u"Contained in number, type, operator, gripper, batch, source or part."_qs);
     line.option(u"kind"_qs, u"KIND"_qs, u"any, inspection or enrollment."_qs, u"any"_qs);
     line.option(u"outcome"_qs, u"OUTCOME"_qs, outcomeNames().join(u", "_qs) + u'.', u"any"_qs);
     line.option(u"type"_qs, u"NAME"_qs, u"Named, or enrolled in."_qs);
     line.option(u"expected"_qs, u"NAME"_qs, u"The type that was expected."_qs);
     line.option(u"operator"_qs, u"NAME"_qs, u"Who squeezed."_qs);
+    line.option(u"batch"_qs, u"NAME"_qs, u"The batch that was inspected."_qs);
     line.option(u"from"_qs, u"DAY"_qs, u"From this day on, as 2024-05-31."_qs);
     line.option(u"to"_qs, u"DAY"_qs, u"Up to this day."_qs);
 }
@@ -57,6 +59,7 @@ HistoryQuery queryOf(CommandLine& line)
     query.type = line.text(u"type"_qs);
     query.expected = line.text(u"expected"_qs);
     query.operatorName = line.text(u"operator"_qs);
+    query.batch = line.text(u"batch"_qs);
     query.from = startOf(line, u"from"_qs, 0);
     query.to = startOf(line, u"to"_qs, 1);
     return query;

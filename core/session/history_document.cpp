@@ -80,7 +80,8 @@ QStringList cells(const HistoryEntry& entry)
             entry.estimator,
             entry.program,
             entry.graspId,
-            entry.reason};
+            entry.reason,
+            entry.batch};
 }
 
 QJsonValue byName(const std::optional<Eigen::Vector3d>& values)
@@ -103,7 +104,7 @@ QByteArray historyCsvHeader()
 {
     return "number,time_utc,kind,expected,outcome,verdict,type,nearest,posterior,m,m_standard_error,m_unit,b,"
            "b_standard_error,b_unit,k,k_standard_error,k_unit,simulation_fit_percent,squeeze_s,operator,"
-           "device,serial,firmware,source,part,accepted,estimator,software,key,reason\n";
+           "device,serial,firmware,source,part,accepted,estimator,software,key,reason,batch\n";
 }
 
 QByteArray toCsv(const std::vector<HistoryEntry>& entries)
@@ -147,6 +148,7 @@ QJsonObject toJson(const HistoryEntry& entry)
             {u"firmware"_s, jsonText(entry.firmware)},
             {u"source"_s, jsonText(entry.source)},
             {u"part"_s, jsonText(entry.part)},
+            {u"batch"_s, jsonText(entry.batch)},
             {u"accepted"_s, entry.accepted},
             {u"estimator"_s, jsonText(entry.estimator)},
             {u"software"_s, jsonText(entry.program)},

@@ -38,13 +38,15 @@ enum class HistoryOrder {
     Seconds,
     Operator,
     Device,
+    Batch,
     Estimator,
     Program
 };
 
 /// Which squeezes, and in which order. What is empty lets everything through.
 struct HistoryQuery {
-    /// Contained in number, type, expected type, operator, gripper, source or part; case does not matter.
+    /// Contained in number, type, expected type, operator, gripper, batch, source or part; case does not
+    /// matter.
     QString text = {};
     std::optional<SqueezeKind> kind = {};
     std::optional<InspectionOutcome> outcome = {};
@@ -52,6 +54,7 @@ struct HistoryQuery {
     QString expected = {}; ///< an inspection's
     QString operatorName = {};
     QString device = {};          ///< as HistoryChoices has them
+    QString batch = {};           ///< by name
     QDateTime from = {}, to = {}; ///< from the first on, before the second
     HistoryOrder order = HistoryOrder::Time;
     bool descending = true; ///< rows without what is ordered by come last either way
@@ -76,6 +79,7 @@ struct HistoryEntry {
     QString estimator, program; ///< as stored with the first estimate; program: the version
     QString forceUnit, positionUnit;
     QString operatorName, device, serial, firmware, source, part;
+    QString batch;        ///< the name of the one that was inspected
     bool accepted = true; ///< false once an enrolled squeeze was dropped from its type
 
     /// What an inspection showed.
@@ -114,7 +118,7 @@ struct HistoryCounts {
 
 /// What there is to choose from, by name.
 struct HistoryChoices {
-    QStringList types, expected, operators, devices;
+    QStringList types, expected, operators, devices, batches;
 };
 
 /// How a squeeze was identified again, and by whom.

@@ -68,6 +68,8 @@ Ordering ordering(HistoryOrder order)
         return {word(u"g.operator_name"_s)};
     case HistoryOrder::Device:
         return {word(historyDeviceSql())};
+    case HistoryOrder::Batch:
+        return {word(u"o.name"_s), Selection::Batches};
     case HistoryOrder::Estimator:
         return {u"e.estimator"_s, Selection::Estimates};
     case HistoryOrder::Program:
@@ -99,18 +101,6 @@ QString historySiSql(const QString& column)
     return u"%1 * %2"_s.arg(column, factor);
 }
 
-QString historyJoins(bool inspections, bool types, bool estimates)
-{
-    QString sql = u"FROM grasps g "_s;
-    if (inspections)
-        sql += u"LEFT JOIN inspections i ON i.grasp_id = g.id "_s;
-    if (types)
-        sql += grasp_table::typeJoins();
-    if (estimates)
-        sql += u"LEFT JOIN estimates e ON e.grasp_id = g.id AND e.rank = 0 "_s;
-    return sql;
-}
-
 HistorySelection::HistorySelection(const HistoryQuery& query, int needs) : m_query(query), m_needs(needs)
 {
     m_needs |= ordering(query.order).needs;
@@ -125,6 +115,10 @@ HistorySelection::HistorySelection(const HistoryQuery& query, int needs) : m_que
         add(u"g.operator_name = ?"_s, {query.operatorName});
     if (!query.device.isEmpty())
         add(historyDeviceSql() + u" = ?"_s, {query.device});
+    if (!query.batch.isEmpty()) {
+        m_needs |= Batches;
+        add(u"o.name = ?"_s, {query.batch});
+    }
     if (!query.expected.isEmpty()) {
         m_needs |= Inspections;
         add(u"i.expected_type = ?"_s, {query.expected});
@@ -153,7 +147,7 @@ void HistorySelection::addOutcome(InspectionOutcome outcome)
 
 void HistorySelection::addText(const QString& text)
 {
-    m_needs |= Inspections | Types;
+    m_needs |= Batches | Types;
     QString pattern = text;
     pattern.replace(u'!', "!!"_L1).replace(u'%', "!%"_L1).replace(u'_', "!_"_L1);
     pattern = u'%' + pattern + u'%';
@@ -161,17 +155,31 @@ void HistorySelection::addText(const QString& text)
     QStringList values;
     for (const QString& column :
          {historyTypeSql(), u"COALESCE(i.expected_type, '')"_s, u"COALESCE(CAST(i.number AS TEXT), '')"_s,
-          u"g.operator_name"_s, u"g.source"_s, u"g.part"_s, historyDeviceSql()}) {
+          u"COALESCE(o.name, '')"_s, u"g.operator_name"_s, u"g.source"_s, u"g.part"_s, historyDeviceSql()}) {
         places << u"LOWER(%1) LIKE LOWER(?) ESCAPE '!'"_s.arg(column);
         values << pattern;
     }
     add(u'(' + places.join(u" OR "_s) + u')', values);
 }
 
+QString HistorySelection::from(int needs)
+{
+    const auto has = [needs](Need need) { return (needs & need) == need; };
+    QString sql = u"FROM grasps g "_s;
+    if (has(Inspections))
+        sql += u"LEFT JOIN inspections i ON i.grasp_id = g.id "_s;
+    if (has(Batches))
+        sql += u"LEFT JOIN batches o ON o.id = i.batch_id "_s;
+    if (has(Types))
+        sql += grasp_table::typeJoins();
+    if (has(Estimates))
+        sql += u"LEFT JOIN estimates e ON e.grasp_id = g.id AND e.rank = 0 "_s;
+    return sql;
+}
+
 QString HistorySelection::fromWhere() const
 {
-    const QString joins =
-        historyJoins((m_needs & Inspections) != 0, (m_needs & Types) != 0, (m_needs & Estimates) != 0);
+    const QString joins = from(m_needs);
     return m_conditions.isEmpty() ? joins : joins + u"WHERE "_s + m_conditions.join(u" AND "_s) + u' ';
 }
 

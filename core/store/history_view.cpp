@@ -56,6 +56,7 @@ HistoryEntry takeEntry(Statement& row)
     entry.source = row.takeText();
     entry.part = row.takeText();
     entry.accepted = row.takeInteger() != 0;
+    entry.batch = row.takeText();
     return entry;
 }
 
@@ -68,7 +69,8 @@ QString entryColumns()
            "i.false_reject, i.wrong_type, "
            "COALESCE(e.estimator, ''), COALESCE(e.program, ''), e.m, e.b, e.k, e.var_m, e.var_b, e.var_k, "
            "e.simulation_fit_percent, g.force_unit, g.position_unit, g.operator_name, g.device_name, "
-           "g.device_serial, g.firmware, g.source, g.part, COALESCE(p.accepted, 1) "_s.arg(historyTypeSql());
+           "g.device_serial, g.firmware, g.source, g.part, COALESCE(p.accepted, 1), "
+           "COALESCE(o.name, '') "_s.arg(historyTypeSql());
 }
 
 /// One row of those that points() asks for; a squeeze without m, b and k is counted only.
@@ -162,7 +164,9 @@ Expected<std::vector<HistoryEntry>> entries(Database& database, const std::vecto
         marks << u"?"_s;
     }
     Statement statement(database, doing(),
-                        entryColumns() + historyJoins(true, true, true) +
+                        entryColumns() +
+                            HistorySelection::from(HistorySelection::Batches | HistorySelection::Types |
+                                                   HistorySelection::Estimates) +
                             u"WHERE g.id IN (%1)"_s.arg(marks.join(u',')));
     for (const QString& id : graspIds)
         statement.bind(id);
@@ -253,7 +257,8 @@ Expected<HistoryChoices> choices(Database& database)
          &HistoryChoices::types},
         {u"SELECT DISTINCT expected_type FROM inspections"_s, &HistoryChoices::expected},
         {u"SELECT DISTINCT operator_name FROM grasps"_s, &HistoryChoices::operators},
-        {u"SELECT DISTINCT %1 FROM grasps g"_s.arg(historyDeviceSql()), &HistoryChoices::devices}};
+        {u"SELECT DISTINCT %1 FROM grasps g"_s.arg(historyDeviceSql()), &HistoryChoices::devices},
+        {u"SELECT DISTINCT name FROM batches"_s, &HistoryChoices::batches}};
     for (const auto& [sql, list] : lists) {
         auto values = column(database, sql);
         if (!values)

@@ -74,6 +74,7 @@ QString wordsOf(Column column, const QVariant& value, const QString& unit)
     case Column::Type:
     case Column::Operator:
     case Column::Device:
+    case Column::Batch:
     case Column::Program:
         break;
     }

@@ -156,6 +156,8 @@ QVariant HistoryModel::value(const HistoryEntry& entry, Column column)
         return entry.operatorName;
     case Column::Device:
         return HistoryWords::device(entry);
+    case Column::Batch:
+        return entry.batch;
     case Column::Estimator:
         return entry.estimator;
     case Column::Program:
@@ -238,6 +240,8 @@ QString HistoryModel::columnName(Column column)
         return tr("Operator");
     case Column::Device:
         return tr("Gripper");
+    case Column::Batch:
+        return tr("Batch");
     case Column::Estimator:
         return tr("Estimator");
     case Column::Program:
@@ -277,6 +281,8 @@ HistoryOrder HistoryModel::order(Column column)
         return HistoryOrder::Operator;
     case Column::Device:
         return HistoryOrder::Device;
+    case Column::Batch:
+        return HistoryOrder::Batch;
     case Column::Estimator:
         return HistoryOrder::Estimator;
     case Column::Program:

@@ -32,10 +32,11 @@ public:
         Seconds,
         Operator,
         Device,
+        Batch,
         Estimator,
         Program
     };
-    static constexpr int columns = 16;
+    static constexpr int columns = 17;
     static constexpr int pageSize = 200;
     static constexpr int pagesKept = 16;
     enum Role {

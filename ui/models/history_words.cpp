@@ -99,6 +99,7 @@ std::vector<Fact> HistoryWords::filter(const HistoryQuery& query)
     add(tr("Expected"), query.expected);
     add(tr("Operator"), query.operatorName);
     add(tr("Gripper"), query.device);
+    add(tr("Batch"), query.batch);
     if (query.from.isValid())
         add(tr("From"), dateText(query.from));
     if (query.to.isValid())
@@ -118,6 +119,7 @@ std::vector<Fact> HistoryWords::facts(const SqueezeDetails& details)
     add(tr("Operator"), orDash(entry.operatorName));
     add(tr("Kind"), entry.accepted ? kind(entry.kind) : tr("enrolment, dropped"));
     add(tr("Expected"), entry.expectedType);
+    add(tr("Batch"), entry.batch);
     add(tr("Part"), entry.part);
     if (const auto posterior = entry.tellingPosterior())
         add(tr("Posterior"), formatProbability(std::min(*posterior, 1 - 1e-15)));

@@ -52,7 +52,7 @@ HistoryFilterBar::HistoryFilterBar(QWidget* parent) : QWidget(parent)
     m_typing.setInterval(250ms);
     connect(&m_typing, &QTimer::timeout, this, &HistoryFilterBar::changed);
     connect(m_text, &QLineEdit::textChanged, this, [this] { m_typing.start(); });
-    for (QComboBox* box : {m_kind, m_outcome, m_type, m_expected, m_operator, m_device, m_period})
+    for (QComboBox* box : {m_kind, m_outcome, m_type, m_expected, m_operator, m_device, m_batch, m_period})
         connect(box, &QComboBox::currentIndexChanged, this, [this] {
             showPeriod();
             refreshMore();
@@ -83,7 +83,7 @@ QWidget* HistoryFilterBar::buildFirst()
     m_text = new QLineEdit;
     m_text->setObjectName("historyText");
     m_text->setPlaceholderText(tr("Search"));
-    m_text->setToolTip(tr("In number, type, operator, gripper, source or part"));
+    m_text->setToolTip(tr("In number, type, operator, gripper, batch, source or part"));
     m_text->setAccessibleName(tr("Search the history"));
     m_text->setClearButtonEnabled(true);
     m_kind = makeBox(tr("All kinds"), tr("Inspected or enrolled"), "historyKind");
@@ -114,6 +114,7 @@ QWidget* HistoryFilterBar::buildSecond()
     m_expected = makeBox(tr("Any expected"), tr("Expected type"), "historyExpected");
     m_operator = makeBox(tr("All operators"), tr("Operator"), "historyOperator");
     m_device = makeBox(tr("All grippers"), tr("Gripper"), "historyDevice");
+    m_batch = makeBox(tr("All batches"), tr("Batch"), "historyBatch");
     m_period = makeBox(tr("Any time"), tr("When"), "historyPeriod");
     m_period->setItemData(0, int(Period::Any));
     m_period->addItem(tr("Today"), int(Period::Today));
@@ -129,9 +130,10 @@ QWidget* HistoryFilterBar::buildSecond()
     m_to->setAccessibleName(tr("Last day"));
     m_clear = makeButton(tr("Clear"), u"edit-clear"_s, "quiet");
     m_clear->setObjectName("historyClear");
-    for (QWidget* widget : {static_cast<QWidget*>(m_expected), static_cast<QWidget*>(m_operator),
-                            static_cast<QWidget*>(m_device), static_cast<QWidget*>(m_period),
-                            static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_to)})
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_expected), static_cast<QWidget*>(m_operator),
+          static_cast<QWidget*>(m_device), static_cast<QWidget*>(m_batch), static_cast<QWidget*>(m_period),
+          static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_to)})
         line->addWidget(widget);
     line->addStretch();
     line->addWidget(m_clear);
@@ -150,7 +152,7 @@ void HistoryFilterBar::showPeriod()
 void HistoryFilterBar::refreshMore()
 {
     int active = 0;
-    for (const QComboBox* box : {m_expected, m_operator, m_device, m_period})
+    for (const QComboBox* box : {m_expected, m_operator, m_device, m_batch, m_period})
         active += box->currentIndex() > 0 ? 1 : 0;
     m_more->setText(active > 0 ? tr("More filters (%1)").arg(active) : tr("More filters"));
 }
@@ -169,6 +171,7 @@ HistoryQuery HistoryFilterBar::query() const
     query.expected = m_expected->currentData().toString();
     query.operatorName = m_operator->currentData().toString();
     query.device = m_device->currentData().toString();
+    query.batch = m_batch->currentData().toString();
     const QDate today = QDate::currentDate();
     switch (Period(m_period->currentData().toInt())) {
     case Period::Any:
@@ -195,6 +198,7 @@ void HistoryFilterBar::setChoices(const HistoryChoices& choices)
     refill(m_expected, choices.expected);
     refill(m_operator, choices.operators);
     refill(m_device, choices.devices);
+    refill(m_batch, choices.batches);
 }
 
 void HistoryFilterBar::clear()
@@ -202,7 +206,8 @@ void HistoryFilterBar::clear()
     {
         const QSignalBlocker quiet(this);
         m_text->clear();
-        for (QComboBox* box : {m_kind, m_outcome, m_type, m_expected, m_operator, m_device, m_period})
+        for (QComboBox* box :
+             {m_kind, m_outcome, m_type, m_expected, m_operator, m_device, m_batch, m_period})
             box->setCurrentIndex(0);
         m_typing.stop();
     }

@@ -37,7 +37,7 @@ private:
     void refreshMore();
 
     QLineEdit* m_text;
-    QComboBox *m_kind, *m_outcome, *m_type, *m_expected, *m_operator, *m_device, *m_period;
+    QComboBox *m_kind, *m_outcome, *m_type, *m_expected, *m_operator, *m_device, *m_batch, *m_period;
     QDateEdit *m_from, *m_to;
     QPushButton *m_more, *m_clear;
     QWidget* m_second;

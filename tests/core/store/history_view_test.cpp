@@ -183,6 +183,34 @@ private slots:
         QVERIFY(qFuzzyCompare(points.points[1].parameters.m, 0.02));
         QVERIFY(qFuzzyCompare(points.points[1].standardErrors.m, 0.1)); // 1e-4 of those units
     }
+    void aBatchIsFoundByItsName()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        const auto inspect = [&](const QString& batchId) {
+            NewInspection inspection = anInspection();
+            inspection.batchId = batchId;
+            valueOf(library->addInspection(inspection));
+        };
+        const auto begin = [&](const QString& name) {
+            const QString id = valueOf(library->beginBatch({.name = name, .target = 2})).id;
+            inspect(id);
+            inspect(id);
+            valueOf(library->endBatch(id, u"Ada"_s));
+        };
+        begin(u"4712"_s);
+        begin(u"4711"_s);
+        inspect({});
+        HistoryQuery query;
+        query.batch = u"4712"_s;
+        QCOMPARE(numbersOf(*library, query), Numbers({2, 1}));
+        QCOMPARE(valueOf(library->historyCounts(query)).asExpected, 2);
+        QCOMPARE(entriesOf(*library, query)[0].batch, u"4712"_s);
+        QCOMPARE(numbersOf(*library, {.text = u"4711"_s}), Numbers({4, 3}));
+        QCOMPARE(numbersOf(*library, {.order = HistoryOrder::Batch, .descending = false}),
+                 Numbers({4, 3, 2, 1, 5})); // of none last
+        QCOMPARE(valueOf(library->historyChoices()).batches, QStringList({u"4711"_s, u"4712"_s}));
+    }
     void anyPageOfAHundredThousandIsReadAtOnce()
     {
         const LibraryFolder folder;
