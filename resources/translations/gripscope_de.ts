@@ -7655,10 +7655,6 @@ Vorh. %</translation>
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>In number, type, operator, gripper, source or part</source>
-        <translation>In Nummer, Typ, Bediener, Greifer, Quelle oder Teil</translation>
-    </message>
-    <message>
         <source>Search the history</source>
         <translation>Den Verlauf durchsuchen</translation>
     </message>
@@ -7762,6 +7758,18 @@ Vorh. %</translation>
         <source>More filters (%1)</source>
         <translation>Mehr Filter (%1)</translation>
     </message>
+    <message>
+        <source>In number, type, operator, gripper, batch, source or part</source>
+        <translation>In Nummer, Typ, Bediener, Greifer, Los, Quelle oder Teil</translation>
+    </message>
+    <message>
+        <source>All batches</source>
+        <translation>Alle Lose</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Los</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::HistoryModel</name>
@@ -7833,6 +7841,10 @@ Vorh. %</translation>
         <source>Software</source>
         <translation>Software</translation>
     </message>
+    <message>
+        <source>Batch</source>
+        <translation>Los</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::HistoryPage</name>
@@ -7858,7 +7870,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Charts</source>
-        <translation>Verlauf</translation>
+        <translation>Diagramme</translation>
     </message>
     <message>
         <source>Identify the recording of the chosen squeeze again and look at it (Enter)</source>
@@ -8284,6 +8296,10 @@ Vorh. %</translation>
     <message>
         <source>k</source>
         <translation>k</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Los</translation>
     </message>
 </context>
 <context>

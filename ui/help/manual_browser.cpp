@@ -68,9 +68,8 @@ QVariant ManualBrowser::loadResource(int type, const QUrl& name)
 {
     if (type != QTextDocument::ImageResource)
         return QTextBrowser::loadResource(type, name);
-    // The pictures are the same in all languages.
     const QVariant found =
-        QTextBrowser::loadResource(type, QUrl(u"qrc:/manual/pictures/"_s + name.fileName()));
+        QTextBrowser::loadResource(type, QUrl(u"qrc"_s + manualPath(u"pictures/"_s + name.fileName())));
     QImage picture;
     if (!picture.loadFromData(found.toByteArray()))
         return found;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/batch.h"
 #include "core/store/history.h"
 #include "tests/core/store/library_fixture.h"
 #include "tests/core/store/many_inspections.h"
@@ -193,7 +194,7 @@ private slots:
             valueOf(library->addInspection(inspection));
         };
         const auto begin = [&](const QString& name) {
-            const QString id = valueOf(library->beginBatch({.name = name, .target = 2})).id;
+            const QString id = valueOf(library->beginBatch({name, 2, {}, u"Ada"_s})).id;
             inspect(id);
             inspect(id);
             valueOf(library->endBatch(id, u"Ada"_s));

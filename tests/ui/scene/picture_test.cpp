@@ -3,6 +3,7 @@
 // get stale. packaging/keep_pictures.sh makes them anew, to be looked at before they are committed.
 #include "tests/support/test_registry.h"
 #include "tests/ui/scene/picture_comparison.h"
+#include "ui/language.h"
 #include "ui/tour.h"
 
 #include <QDir>
@@ -17,11 +18,13 @@ using gripscope::test::differingShare;
 class PictureTest : public QObject {
     Q_OBJECT
 
-    static QString kept(const QString& theme)
+    static QString kept(const QString& theme, const QString& language = u"en"_s)
     {
         const QString source = QStringLiteral(GRIPSCOPE_SOURCE_DIR);
-        return theme == u"light" ? source + u"/resources/manual/pictures"_s
-                                 : source + u"/tests/data/pictures/"_s + theme;
+        if (theme != u"light")
+            return source + u"/tests/data/pictures/"_s + theme;
+        return source + (language == u"en" ? u"/resources/manual/pictures"_s
+                                           : u"/resources/manual/%1/pictures"_s.arg(language));
     }
     /// What may differ from run to run: a strip chart is caught at another moment, figures read otherwise.
     static double tolerance(const QString& page)
@@ -33,26 +36,32 @@ private slots:
     void thePagesLookAsTheyDid_data()
     {
         QTest::addColumn<QString>("theme");
+        QTest::addColumn<QString>("language");
         for (const char* theme : {"light", "dark", "contrast"})
-            QTest::newRow(theme) << QString::fromLatin1(theme);
+            QTest::newRow(theme) << QString::fromLatin1(theme) << u"en"_s;
+        QTest::newRow("German") << u"light"_s << u"de"_s;
     }
     void thePagesLookAsTheyDid()
     {
         QFETCH(QString, theme);
+        QFETCH(QString, language);
         QTemporaryDir folder;
         TourOptions options;
         options.folder = folder.path();
         options.theme = *themeKindFromString(theme);
+        options.language = language;
         options.size = {1024, 640};
         QCOMPARE(runTour(options), 0);
         Theme::instance().apply(ThemeKind::Light);
+        QVERIFY(applyLanguage(u"en"_s));
         const QStringList made = QDir(folder.path()).entryList({u"*.png"_s}, QDir::Files, QDir::Name);
-        QCOMPARE(made, QDir(kept(theme)).entryList({u"*.png"_s}, QDir::Files, QDir::Name));
+        QCOMPARE(made, QDir(kept(theme, language)).entryList({u"*.png"_s}, QDir::Files, QDir::Name));
         QStringList others;
         for (const QString& name : made) {
             const double share =
-                differingShare(QImage(folder.filePath(name)), QImage(kept(theme) + u'/' + name));
-            qInfo("%s %s: %.1f %%", qPrintable(theme), qPrintable(name), 100 * share);
+                differingShare(QImage(folder.filePath(name)), QImage(kept(theme, language) + u'/' + name));
+            qInfo("%s %s %s: %.1f %%", qPrintable(theme), qPrintable(language), qPrintable(name),
+                  100 * share);
             if (share > tolerance(name))
                 others << name;
         }
