@@ -29,7 +29,7 @@ HeaderBar::HeaderBar(Workbench& workbench, QWidget* parent) : QFrame(parent), m_
     m_arm = makeButton(tr("Arm"), u"object-unlocked"_s, "", this);
     m_arm->setObjectName("armButton");
     m_arm->setCheckable(true);
-    m_arm->setMinimumWidth(120);
+    m_arm->setMinimumWidth(132);
     connect(m_arm, &QPushButton::clicked, this, [this] {
         if (m_workbench->connection().armed())
             m_workbench->connection().disarm();

@@ -29,9 +29,15 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 namespace gripscope {
+
+namespace {
+constexpr int railWidth = 88;
+}
 
 MainWindow::MainWindow(Workbench& workbench, QWidget* parent) : QWidget(parent), m_workbench(&workbench)
 {
@@ -56,12 +62,13 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent) : QWidget(parent),
     row->addLayout(column, 1);
 
     connect(&workbench, &Workbench::reported, this, &MainWindow::showMessage);
+    connect(m_messages, &MessageBar::changed, this, &MainWindow::makeRoom);
     connect(&workbench, &Workbench::connectionChanged, this, &MainWindow::withdrawLoss);
     connect(&workbench, &Workbench::fitRequested, this, [this] { showPage(u"fit"_s); });
     connect(&workbench, &Workbench::pageRequested, this, qOverload<const QString&>(&MainWindow::showPage));
     makeShortcuts();
     qApp->installEventFilter(this);
-    setMinimumSize(1024, 640);
+    makeRoom();
     resize(1280, 800);
     showPage(0);
 }
@@ -69,6 +76,15 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent) : QWidget(parent),
 MainWindow::~MainWindow()
 {
     qApp->removeEventFilter(this);
+}
+
+/// A message takes nothing from a page that needs all it has: the window grows by it.
+void MainWindow::makeRoom()
+{
+    constexpr QSize least(1024, 640);
+    const bool shown = !m_messages->messages().isEmpty();
+    const int below = m_messages->heightForWidth(std::max(width(), least.width()) - railWidth);
+    setMinimumSize(least + QSize(0, shown ? below : 0));
 }
 
 void MainWindow::showMessage(const QString& message)
@@ -103,7 +119,7 @@ QWidget* MainWindow::makeRail()
     auto* rail = new QFrame(this);
     rail->setObjectName("rail");
     setRole(rail, "rail");
-    rail->setFixedWidth(88);
+    rail->setFixedWidth(railWidth);
     auto* column = new QVBoxLayout(rail);
     column->setContentsMargins(0, 8, 0, 8);
     column->setSpacing(4);

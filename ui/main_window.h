@@ -43,6 +43,7 @@ protected:
 private:
     void addPages();
     void showMessage(const QString& message);
+    void makeRoom();
     void withdrawLoss(); ///< that a gripper is away, once it is back or not waited for any more
     QWidget* makeRail();
     void showAbout();

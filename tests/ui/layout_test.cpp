@@ -42,6 +42,9 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(f.page(id)->tourReady(), 60000);
         f.window->showPage(id);
         QVERIFY(soundInAll(*f.window, QStringLiteral("at work"), windowSizes()));
+        f.bench->report(QStringLiteral("Something went wrong. Do this, then try again."));
+        QVERIFY(soundIn(*f.window, QStringLiteral("with a message"), {{ThemeKind::Light, "light"}},
+                        {windowSizes().front()}));
     }
 
     void anEmptyPage_data() { pages(); }

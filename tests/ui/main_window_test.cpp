@@ -72,7 +72,9 @@ void MainWindowTest::nothingIsCutOffAtTheLeastSize()
                             .arg(least.height())
                             .arg(page->width())
                             .arg(page->height())));
-    QCOMPARE(f.window->size(), QSize(1024, 640));
+    QCOMPARE(f.window->width(), 1024);
+    QVERIFY2(f.window->height() <= (withMessage ? 720 : 640),
+             qPrintable(QString::number(f.window->height()))); // what a screen of 768 leaves
 }
 
 void MainWindowTest::everyPageHasItsPlaceInTheRail()

@@ -83,6 +83,7 @@ void MessageBar::refresh()
     m_more->setText(tr("%n more", nullptr, static_cast<int>(m_messages.size()) - 1));
     setVisible(!m_messages.isEmpty());
     setAccessibleDescription(message());
+    emit changed();
 }
 
 } // namespace gripscope

@@ -22,6 +22,9 @@ public:
     [[nodiscard]] QString message() const;
     [[nodiscard]] const QStringList& messages() const { return m_messages; } ///< newest first
 
+signals:
+    void changed(); ///< what is shown, and so its height
+
 private:
     void refresh();
     QLabel* m_text;

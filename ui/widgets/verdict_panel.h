@@ -30,7 +30,7 @@ public:
     };
     [[nodiscard]] Headline fitted(double room, double tall) const;
     [[nodiscard]] QSize sizeHint() const override { return {560, 152}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {320, 116}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {320, 92}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
