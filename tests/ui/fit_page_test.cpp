@@ -72,6 +72,7 @@ private slots:
     {
         test::PageFixture fixture;
         FitPage page(fixture.bench);
+        page.show();
         QVERIFY(allText(page).contains(QStringLiteral("Squeeze a part on Inspect")));
         QVERIFY(!button(page, QStringLiteral("Copy numbers"))->isEnabled());
     }
@@ -94,6 +95,7 @@ private slots:
     {
         test::PageFixture fixture;
         FitPage page(fixture.bench);
+        page.show();
         page.prepareTour();
         QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
         auto* table = estimatorTable(page);
@@ -110,6 +112,7 @@ private slots:
         const QString file = fixture.folder.filePath(QStringLiteral("squeeze.csv"));
         QVERIFY(writeRecordingCsv(simulatedSqueeze(test::canA, 4), file));
         FitPage page(fixture.bench);
+        page.show();
         page.openRecording(file);
         QTRY_VERIFY_WITH_TIMEOUT(fixture.bench.fitSubject().has_value(), test::patience_ms);
         QCOMPARE(fixture.bench.fitSubject()->title, QStringLiteral("squeeze.csv"));
@@ -121,6 +124,7 @@ private slots:
     {
         test::PageFixture fixture;
         FitPage page(fixture.bench);
+        page.show();
         page.openRecording(fixture.folder.filePath(QStringLiteral("absent.csv")));
         QTRY_COMPARE_WITH_TIMEOUT(fixture.reports.size(), 1, test::patience_ms);
         QVERIFY(fixture.reports.first().first().toString().contains(QStringLiteral("absent.csv")));
@@ -132,6 +136,7 @@ private slots:
         Recording flat = simulatedSqueeze(test::canA, 5);
         std::fill(flat.force.begin(), flat.force.end(), 20.0);
         FitPage page(fixture.bench);
+        page.show();
         fixture.bench.setFitSubject({QStringLiteral("flat"), flat, identify(flat)});
         QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
         QVERIFY(allText(page).contains(QStringLiteral("Measurement not valid")));
@@ -143,6 +148,7 @@ private slots:
     {
         test::PageFixture fixture;
         FitPage page(fixture.bench);
+        page.show();
         page.prepareTour();
         QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
         button(page, QStringLiteral("Copy numbers"))->click();
@@ -201,6 +207,7 @@ private slots:
     {
         test::PageFixture fixture;
         FitPage page(fixture.bench);
+        page.show();
         page.prepareTour();
         QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
         page.findChild<FitExporter*>()->saveAll(fixture.folder.filePath(QStringLiteral("absent/folder")));
@@ -235,6 +242,7 @@ private slots:
     {
         test::PageFixture fixture;
         FitPage page(fixture.bench);
+        page.show();
         auto* save = button(page, QStringLiteral("Export"));
         QVERIFY(save && save->menu() && !save->isEnabled());
         QStringList names;
@@ -294,6 +302,7 @@ private slots:
     {
         test::PageFixture fixture;
         FitPage page(fixture.bench);
+        page.show();
         page.resize(1200, 800);
         page.prepareTour();
         QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);

@@ -104,7 +104,12 @@ FitPage::FitPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d(std
     column->addWidget(buildBar());
     column->addWidget(d->stack, 1);
 
-    connect(&bench, &Workbench::fitSubjectChanged, this, [this] { takeSubject(); });
+    // Out of sight it waits for setActive(): each inspection is a subject, and to lay out the plots takes
+    // long.
+    connect(&bench, &Workbench::fitSubjectChanged, this, [this] {
+        if (isVisible())
+            takeSubject();
+    });
     connect(d->summary, &FitSummary::estimatorChosen, this,
             [this](Estimator estimator) { showPlots(estimator); });
     takeSubject();
