@@ -173,6 +173,7 @@ ModelDiscrepancy modelDiscrepancy(std::size_t samples, double sampleTime_s, cons
         return none;
     }
     std::vector<Estimate> estimates;
+    estimates.reserve(windows.size());
     for (const Window& window : windows)
         estimates.push_back(estimate(window));
     return discrepancyBetween(estimates);
