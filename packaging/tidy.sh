@@ -10,10 +10,10 @@ cmake -S . -B build/tidy -G Ninja -DCMAKE_BUILD_TYPE=Release -DGRIPSCOPE_UI=OFF 
 if [[ $# -eq 0 ]]; then
   mapfile -t files < <(git ls-files 'core/*.cpp' 'devices/*.cpp')
 elif [[ $1 == --recent ]]; then
-  # Reading the templates takes seconds a file: all of them would take CI too long, and a change of many files counts by the
+  # Reading the templates takes seconds a file: all of them would take CI too long, and a change of many files counts by its
   # newest.
   mapfile -t files < <(git log -n 20 --format= --name-only --diff-filter=AM -- 'core/*.cpp' 'devices/*.cpp' |
-    awk '!seen[$0]++' | while read -r file; do [[ -e $file ]] && echo "$file"; done | head -n 60)
+    awk '!seen[$0]++' | while read -r file; do [[ -e $file ]] && echo "$file"; done | head -n 30)
 else
   files=("$@")
 fi

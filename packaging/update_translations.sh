@@ -10,13 +10,13 @@ lupdate=$(command -v lupdate-qt6 || echo /usr/lib/qt6/bin/lupdate)
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 # -I: without the headers it cannot tell which class a word belongs to.
-"$lupdate" -no-obsolete -locations none -no-ui-lines -I . core devices ui app/desktop -ts "$@" >"$log" 2>&1 || {
+"$lupdate" -tr-function-alias tr+=say -no-obsolete -locations none -no-ui-lines -I . core devices ui app/desktop -ts "$@" >"$log" 2>&1 || {
   cat "$log" >&2
   exit 1
 }
 # A word outside a class with Q_OBJECT or Q_DECLARE_TR_FUNCTIONS is looked for under another name than it is kept by.
 if grep "lacks Q_OBJECT macro" "$log" >&2; then
-  echo "Give these classes Q_DECLARE_TR_FUNCTIONS, or use Words::tr() in core and devices." >&2
+  echo "Give these classes Q_DECLARE_TR_FUNCTIONS, or use Words::say() in core, Words::tr() in devices." >&2
   exit 1
 fi
 grep "Found" "$log"

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/library/library.h"
 #include "core/people/acting.h"
-#include "core/store/library.h"
 
 namespace gripscope::cli {
 
-/// Who changes the library. Once people are in it, that needs a supervisor's consent: the name is taken from
-/// the environment (GRIPSCOPE_PERSON), the PIN or password is asked for on the terminal.
+/// Who changes the library, or arms a gripper. Once people are in it, that needs the consent of one who may,
+/// a supervisor mostly (see mayDo()): the name is taken from the environment (GRIPSCOPE_PERSON), the PIN or
+/// password is asked for on the terminal.
 [[nodiscard]] Expected<Acting> authorization(Library& library, const QString& operatorName,
                                              Permission permission);
 /// The same for a file that need not be there yet.

@@ -14,10 +14,8 @@ Expected<std::optional<MeasuringChainRecord>> ChainLibrary::read(const QString& 
     if (!m_library) {
         if (!QFileInfo::exists(m_file))
             return std::optional<MeasuringChainRecord>();
-        Expected<std::unique_ptr<Library>> opened = Library::open(m_file);
-        if (!opened)
-            return tl::unexpected<Error>(opened.error());
-        m_library = std::move(*opened);
+        ASSIGN_OR_RETURN(std::unique_ptr<Library> opened, Library::open(m_file));
+        m_library = std::move(opened);
     }
     return m_library->measuringChain(gripperSerial);
 }

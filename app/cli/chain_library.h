@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/stored_chain.h"
+#include "core/session/squeeze/stored_chain.h"
 
 #include <memory>
 #include <optional>

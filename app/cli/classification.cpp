@@ -5,7 +5,7 @@
 #include "app/cli/drive.h"
 #include "app/cli/library_squeezes.h"
 #include "app/cli/shared_options.h"
-#include "devices/gripper_factory.h"
+#include "devices/factory/gripper_factory.h"
 
 namespace gripscope::cli {
 
@@ -56,8 +56,7 @@ std::optional<Error> Classification::begin()
 
 Expected<InspectSession::Result> Classification::judge(Recording recording, const QString& source)
 {
-    if (const Expected<void> taken = d->session.judgeRecording(std::move(recording), source); !taken)
-        return tl::unexpected<Error>(taken.error());
+    RETURN_IF_ERROR(d->session.judgeRecording(std::move(recording), source));
     if (const std::optional<Error> error =
             d->waitFor([this] { return d->session.state() == InspectSession::State::Ready; }))
         return tl::unexpected<Error>(*error);
@@ -66,11 +65,9 @@ Expected<InspectSession::Result> Classification::judge(Recording recording, cons
 
 Expected<Verdict> Classification::judge(const QString& file, const CsvReadOptions& reading)
 {
-    Expected<Recording> recording = readRecordingCsv(file, reading);
-    if (!recording)
-        return tl::unexpected<Error>(recording.error());
-    d->chains.complete(*recording, file);
-    return judge(std::move(*recording), file).map([](const InspectSession::Result& result) {
+    ASSIGN_OR_RETURN(Recording recording, readRecordingCsv(file, reading));
+    d->chains.complete(recording, file);
+    return judge(std::move(recording), file).map([](const InspectSession::Result& result) {
         return result.verdict;
     });
 }

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "app/cli/command_line.h"
-#include "core/recognition/type_shift.h"
-#include "core/recognition/verdict.h"
-#include "core/session/inspect_session.h"
-#include "core/signal/recording_csv.h"
+#include "core/recognition/types/type_shift.h"
+#include "core/recognition/verdict/verdict.h"
+#include "core/session/inspect/inspect_session.h"
+#include "core/signal/recording/recording_csv.h"
 
 #include <memory>
 

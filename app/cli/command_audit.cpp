@@ -3,7 +3,7 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
 #include "app/cli/type_library.h"
-#include "core/store/audit_trail.h"
+#include "core/library/audit/audit_trail.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -53,21 +53,17 @@ QString lineOf(const AuditEntry& entry)
 
 Expected<void> list(Library& library, const AuditFilter& filter, bool json)
 {
-    const auto total = library.auditTrail().count(filter);
-    if (!total)
-        return tl::unexpected<Error>(total.error());
-    const auto entries = library.auditTrail().entries(filter);
-    if (!entries)
-        return tl::unexpected<Error>(entries.error());
+    ASSIGN_OR_RETURN(const auto total, library.auditTrail().count(filter));
+    ASSIGN_OR_RETURN(const auto entries, library.auditTrail().entries(filter));
     QJsonArray documents;
-    for (const AuditEntry& entry : *entries)
+    for (const AuditEntry& entry : entries)
         if (json)
             documents.append(toJson(entry));
         else
             print(lineOf(entry));
     if (json)
-        printJson({{u"total"_s, *total}, {u"entries"_s, documents}});
-    else if (entries->empty())
+        printJson({{u"total"_s, total}, {u"entries"_s, documents}});
+    else if (entries.empty())
         print(u"No entries."_s);
     return {};
 }
@@ -75,14 +71,12 @@ Expected<void> list(Library& library, const AuditFilter& filter, bool json)
 /// Verifies and tells; whether it is whole.
 Expected<bool> verify(Library& library, bool json)
 {
-    const auto found = library.auditTrail().verify();
-    if (!found)
-        return tl::unexpected<Error>(found.error());
+    ASSIGN_OR_RETURN(const auto found, library.auditTrail().verify());
     if (json)
-        printJson(toJson(*found));
+        printJson(toJson(found));
     else
-        print(inWords(*found));
-    return found->whole();
+        print(inWords(found));
+    return found.whole();
 }
 
 } // namespace

@@ -2,8 +2,8 @@
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
 #include "app/cli/output.h"
-#include "core/calibration/calibration_json.h"
-#include "core/recognition/feature_table.h"
+#include "core/calibration/calibration_figures.h"
+#include "core/clustering/feature_table.h"
 
 #include <QLocale>
 

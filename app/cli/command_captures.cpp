@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/bounded_number.h"
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
-#include "devices/gripper_factory.h"
+#include "devices/factory/gripper_factory.h"
 #include "devices/replay/capture_folder.h"
 
 #include <QJsonArray>
@@ -13,6 +14,8 @@ namespace gripscope::cli {
 using namespace Qt::StringLiterals;
 
 namespace {
+
+constexpr double largestLimit_MB = 1e9; // a petabyte
 
 QJsonObject partJson(const CaptureFolder::Part& part)
 {
@@ -106,7 +109,7 @@ int runCaptures(const QStringList& arguments)
                 QString::number(1e-6 * static_cast<double>(CaptureLimits{}.totalBytes)));
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
-    const double limit = line.number(u"limit"_qs, CommandLine::Range::NotNegative);
+    const double limit = boundedNumber(line, u"limit"_qs, 0, largestLimit_MB);
     const QString action = line.files().value(0);
     if (line.files().size() != 1 || !QStringList{u"list"_qs, u"verify"_qs, u"prune"_qs}.contains(action))
         line.reject(u"Say one of list, verify and prune."_qs);

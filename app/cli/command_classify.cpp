@@ -21,12 +21,10 @@ Expected<std::optional<CommonShift>> transferFrom(const QString& other, const QS
 {
     if (other.isEmpty())
         return std::optional<CommonShift>();
-    const Expected<TransferReport> report = measuredTransfer(library, other);
-    if (!report)
-        return tl::unexpected<Error>(report.error());
-    for (const QString& sentence : report->words)
-        message(sentence);
-    return report->adjust ? report->error : std::nullopt;
+    ASSIGN_OR_RETURN(const TransferReport report, measuredTransfer(library, other));
+    for (const Finding& sentence : report.words)
+        message(sentence.describe());
+    return report.adjust ? report.error : std::nullopt;
 }
 
 } // namespace

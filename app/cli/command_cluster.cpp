@@ -2,8 +2,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
-#include "core/recognition/cluster_json.h"
-#include "core/recognition/feature_table.h"
+#include "core/clustering/cluster_method.h"
+#include "core/clustering/feature_table.h"
 
 #include <algorithm>
 
@@ -30,28 +30,22 @@ struct Clustering {
 
 Expected<ClusterAdvice> advise(const Eigen::MatrixXd& table, const Task& task)
 {
-    const Expected<FeatureTransform> transform = featureTransform(table, task.request.scaling);
-    if (!transform)
-        return tl::unexpected<Error>(transform.error());
-    return adviseClusters(transform->apply(table), *task.advice);
+    ASSIGN_OR_RETURN(const FeatureTransform transform, featureTransform(table, task.request.scaling));
+    return adviseClusters(transform.apply(table), *task.advice);
 }
 
 Expected<Clustering> cluster(FeatureTable table, Task task)
 {
     Clustering found;
     if (task.advice) {
-        Expected<ClusterAdvice> advice = advise(table.values, task);
-        if (!advice)
-            return tl::unexpected<Error>(advice.error());
-        task.request.clusters = advice->clusters;
-        found.advice = std::move(*advice);
+        ASSIGN_OR_RETURN(ClusterAdvice advice, advise(table.values, task));
+        task.request.clusters = advice.clusters;
+        found.advice = std::move(advice);
     }
-    Expected<ClusterOutcome> outcome = groupRows(table.values, task.request);
-    if (!outcome)
-        return tl::unexpected<Error>(outcome.error());
+    ASSIGN_OR_RETURN(ClusterOutcome outcome, groupRows(table.values, task.request));
     if (!table.truth.isEmpty())
-        found.agreement = clusterAgreement(table.truth, outcome->labels, int(outcome->centroids.rows()));
-    found.outcome = std::move(*outcome);
+        found.agreement = clusterAgreement(table.truth, outcome.labels, int(outcome.centroids.rows()));
+    found.outcome = std::move(outcome);
     found.table = std::move(table);
     return found;
 }
@@ -63,7 +57,7 @@ QString number(std::optional<double> value, int width)
 
 QStringList adviceLines(const ClusterAdvice& advice, Eigen::Index items)
 {
-    QStringList lines{advice.reason};
+    QStringList lines{advice.reason.describe()};
     if (advice.itemsUsed < items)
         lines << u"judged by %1 of %2 items, drawn by the seed"_qs.arg(advice.itemsUsed).arg(items);
     lines << u"clusters  silhouette  Calinski-H.  Davies-B.       gap     +-   BIC tied   BIC full"_qs;
@@ -144,7 +138,7 @@ QString text(const Clustering& found)
     return lines.join(u'\n');
 }
 
-void addOptions(CommandLine& line)
+void addClusterOptions(CommandLine& line)
 {
     line.option(u"features"_qs, u"LIST"_qs, u"Columns to group by, separated by commas."_qs, u"m,b,k"_qs);
     line.option(u"clusters"_qs, u"K"_qs, u"How many groups; auto: as many as the table seems to have."_qs,
@@ -192,7 +186,7 @@ int runCluster(const QStringList& arguments)
 {
     CommandLine line(u"cluster"_qs, u"Groups the rows of a table without looking at labels."_qs,
                      u"TABLE.csv"_qs);
-    addOptions(line);
+    addClusterOptions(line);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
     const Task task = readTask(line);

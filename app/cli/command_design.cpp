@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/bounded_number.h"
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
 #include "app/cli/output.h"
-#include "core/identification/excitation_design_json.h"
+#include "core/research/excitation_design.h"
+#include "core/research/study_json.h"
+#include "core/signal/recording/recording_limits.h"
 
 #include <QLocale>
 
@@ -15,13 +18,13 @@ using namespace Qt::StringLiterals;
 namespace {
 
 /// "m,b,k" or "name=m,b,k"; without a name the object's number is its name.
-std::optional<DesignObject> readObject(const QString& text, int number, double scatterPercent)
+std::optional<DesignObject> readObject(const QString& designText, int number, double scatterPercent)
 {
-    const qsizetype equals = text.indexOf(u'=');
+    const qsizetype equals = designText.indexOf(u'=');
     DesignObject object;
-    object.name = equals > 0 ? text.left(equals).trimmed() : QString::number(number);
+    object.name = equals > 0 ? designText.left(equals).trimmed() : QString::number(number);
     Eigen::Vector3d values = Eigen::Vector3d::Zero();
-    const QStringList parts = text.mid(equals + 1).split(u',');
+    const QStringList parts = designText.mid(equals + 1).split(u',');
     for (qsizetype i = 0; i < parts.size() && i < 3; ++i) {
         bool ok = false;
         values(i) = QLocale::c().toDouble(parts[i].trimmed(), &ok);
@@ -36,7 +39,7 @@ std::optional<DesignObject> readObject(const QString& text, int number, double s
     return object;
 }
 
-DesignOptions readOptions(CommandLine& line)
+DesignOptions readDesignOptions(CommandLine& line)
 {
     using Range = CommandLine::Range;
     DesignOptions options;
@@ -44,20 +47,20 @@ DesignOptions readOptions(CommandLine& line)
     const QStringList objects = line.texts(u"object"_qs);
     if (objects.isEmpty())
         line.reject(u"--object m,b,k is missing."_qs);
-    for (const QString& text : objects) {
-        const auto object = readObject(text, static_cast<int>(options.objects.size()) + 1, scatter);
+    for (const QString& designText : objects) {
+        const auto object = readObject(designText, static_cast<int>(options.objects.size()) + 1, scatter);
         if (object)
             options.objects.push_back(*object);
         else
-            line.reject(
-                u"--object is \"%1\"; m,b,k or name=m,b,k was expected, all three above zero."_qs.arg(text));
+            line.reject(u"--object is \"%1\"; m,b,k or name=m,b,k was expected, all three above zero."_qs.arg(
+                designText));
     }
     options.peak = line.number(u"peak"_qs, Range::Positive);
     options.bias = line.number(u"bias"_qs);
     options.limit = line.number(u"limit"_qs, Range::Positive);
     options.oneSided = !line.isSet(u"two-sided"_qs);
     options.duration_s = line.number(u"seconds"_qs, Range::Positive);
-    options.sampleTime_s = line.number(u"sample-time"_qs, Range::Positive);
+    options.sampleTime_s = boundedNumber(line, u"sample-time"_qs, shortestSampleTime_s, longestSampleTime_s);
     options.shortestRun_s = line.number(u"shortest-run"_qs, Range::NotNegative);
     options.noiseDeviation = line.number(u"noise-sd"_qs, Range::Positive);
     options.hold = line.choice(u"hold"_qs, {u"zoh"_qs, u"foh"_qs}) == 0 ? ForceHold::Zero : ForceHold::First;
@@ -72,19 +75,19 @@ QString number(double value)
 
 QString rowText(const DesignCandidate& candidate, const DesignOptions& options)
 {
-    QString text = u"%1%2%3"_qs.arg(toString(candidate.kind), -18)
-                       .arg(candidate.bit_s > 0 ? number(candidate.bit_s) : u"-"_qs, 10)
-                       .arg(QString::number(candidate.dEfficiency, 'f', 3), 14);
+    QString designText = u"%1%2%3"_qs.arg(toString(candidate.kind), -18)
+                             .arg(candidate.bit_s > 0 ? number(candidate.bit_s) : u"-"_qs, 10)
+                             .arg(QString::number(candidate.dEfficiency, 'f', 3), 14);
     if (options.objects.size() > 1)
-        text += number(candidate.separation).rightJustified(12);
+        designText += number(candidate.separation).rightJustified(12);
     for (const std::optional<Eigen::Vector3d>& errors : candidate.standardErrors)
-        text +=
+        designText +=
             errors ? u"   %1, %2, %3"_qs.arg(number((*errors)(0)), number((*errors)(1)), number((*errors)(2)))
                    : u"   not determined"_qs;
-    return text;
+    return designText;
 }
 
-QString text(const ExcitationDesign& design, const DesignOptions& options)
+QString designText(const ExcitationDesign& design, const DesignOptions& options)
 {
     QString head = u"excitation               bit  D-efficiency"_qs;
     if (options.objects.size() > 1)
@@ -100,7 +103,7 @@ QString text(const ExcitationDesign& design, const DesignOptions& options)
     return lines.join(u'\n');
 }
 
-void addOptions(CommandLine& line)
+void addDesignOptions(CommandLine& line)
 {
     line.option(u"object"_qs, u"[NAME=]m,b,k"_qs, u"An object; give the option once for each."_qs);
     line.option(u"scatter"_qs, u"PERCENT"_qs, u"How m, b and k vary from squeeze to squeeze of an object."_qs,
@@ -127,10 +130,10 @@ int runDesign(const QStringList& arguments)
         u"design"_qs,
         u"Compares excitations for objects with these m, b and k, and searches the binary force that "
         "tells the nearest two apart best."_qs);
-    addOptions(line);
+    addDesignOptions(line);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
-    const DesignOptions options = readOptions(line);
+    const DesignOptions options = readDesignOptions(line);
     if (const std::optional<int> exit = line.finish())
         return *exit;
     const bool json = line.isSet(u"json"_qs);
@@ -140,7 +143,7 @@ int runDesign(const QStringList& arguments)
     if (json)
         printJson(toJson(*design, options));
     else
-        print(text(*design, options));
+        print(designText(*design, options));
     return 0;
 }
 

@@ -4,9 +4,9 @@
 #include "app/cli/drive.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
-#include "core/json_text.h"
-#include "devices/acquisition/device_port.h"
-#include "devices/gripper_factory.h"
+#include "core/base/json_value.h"
+#include "core/session/connection/report_log.h"
+#include "devices/factory/gripper_factory.h"
 #include "devices/inspection/device_facts.h"
 #include "devices/inspection/self_test.h"
 #include "devices/protocol/descriptor_words.h"
@@ -20,7 +20,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double patience_s = 20; ///< a device may take seconds to say what it is
+constexpr double describePatience_s = 20; ///< a device may take seconds to say what it is
 
 QJsonObject identityJson(const GripperIdentity& identity, const DeviceFacts& facts)
 {
@@ -54,7 +54,7 @@ QJsonArray reportsJson(const std::vector<LoggedReport>& reports)
     static const QString directions[] = {u"in"_qs, u"out"_qs, u"feature"_qs};
     QJsonArray out;
     for (const LoggedReport& report : reports) {
-        const protocol::ReportWords words = protocol::inWords(report.view());
+        const protocol::ReportWords words = protocol::reportInWords(report.view());
         QJsonObject fields;
         for (const protocol::FieldWords& field : words.fields)
             fields.insert(field.name, field.value);
@@ -98,7 +98,7 @@ void printReports(const DeviceFacts& facts, const std::vector<LoggedReport>& rep
     for (const protocol::DescriptorItem& item : protocol::descriptorInWords(facts.descriptor))
         print(u"%1%2%3"_qs.arg(item.hex, -18).arg(QString(), 2 * item.depth).arg(item.words));
     for (const LoggedReport& report : reports) {
-        const protocol::ReportWords words = protocol::inWords(report.view());
+        const protocol::ReportWords words = protocol::reportInWords(report.view());
         QStringList fields;
         for (const protocol::FieldWords& field : words.fields)
             fields << u"%1 %2"_qs.arg(field.name, field.value);
@@ -115,12 +115,11 @@ public:
     /// Usage and device errors; a self-test tells of a gripper that does not open as well.
     Expected<void> take(const QString& address)
     {
-        if (const Expected<void> asked = m_connection.connectTo(address); !asked)
-            return asked;
-        if (!drive([this] { poll(); }, [this] { return ended(); }, patience_s))
-            return interrupted()
-                       ? failure(ErrorCode::Cancelled, {u"The self-test"_qs})
-                       : failure(ErrorCode::DeviceTimeout, {u"answer"_qs, QString::number(patience_s)});
+        RETURN_IF_ERROR(m_connection.connectTo(address));
+        if (!drive([this] { poll(); }, [this] { return ended(); }, describePatience_s))
+            return interrupted() ? failure(ErrorCode::Cancelled, {u"The self-test"_qs})
+                                 : failure(ErrorCode::DeviceTimeout,
+                                           {u"answer"_qs, QString::number(describePatience_s)});
         if (m_testing || m_connection.state() == ConnectSession::State::Connected)
             return {};
         return tl::unexpected<Error>(m_connection.lastError().value_or(
@@ -131,9 +130,9 @@ public:
     {
         const GripperIdentity identity = m_connection.identity();
         const DeviceFacts facts = findDeviceFacts(identity.address, identity.serial);
-        const auto* port = dynamic_cast<const DevicePort*>(m_connection.port());
-        const std::vector<LoggedReport> reports =
-            port ? port->reportLog().last() : std::vector<LoggedReport>();
+        const GripperPort* const port = m_connection.port();
+        const ReportLog* const log = port ? port->reportLog() : nullptr;
+        const std::vector<LoggedReport> reports = log ? log->last() : std::vector<LoggedReport>();
         if (!json) {
             print(u"%1, serial %2, firmware %3, %4"_qs.arg(identity.name, identity.serial, identity.firmware,
                                                            identity.address));

@@ -2,7 +2,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
 #include "app/cli/output.h"
-#include "devices/gripper_factory.h"
+#include "devices/factory/gripper_factory.h"
 
 #include <QJsonArray>
 

@@ -4,8 +4,8 @@
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
 #include "app/cli/shift_json.h"
-#include "core/identification/json_number.h"
-#include "core/recognition/drift.h"
+#include "core/base/json_value.h"
+#include "core/quality/drift.h"
 
 #include <QJsonArray>
 
@@ -45,12 +45,12 @@ QJsonObject reportJson(const DriftReport& report, const InspectedSqueezes& inspe
                                        {u"false_alarm"_qs, options.falseAlarm}}},
             {u"squeezes"_qs, qint64(inspected.squeezes.size())},
             {u"left_out"_qs, inspected.leftOut},
-            {u"words"_qs, QJsonArray::fromStringList(report.words)}};
+            {u"words"_qs, QJsonArray::fromStringList(described(report.words))}};
 }
 
 QString reportText(const DriftReport& report, const InspectedSqueezes& inspected)
 {
-    QStringList lines = report.words;
+    QStringList lines = described(report.words);
     lines << u"%1 inspected squeezes of known types; %2 left out (of no known type, or invalid)."_qs
                  .arg(inspected.squeezes.size())
                  .arg(inspected.leftOut);
@@ -96,19 +96,11 @@ struct Findings {
 
 Expected<Findings> examine(const QString& file, const DriftOptions& options)
 {
-    const Expected<std::unique_ptr<Library>> library = openExistingLibrary(file);
-    if (!library)
-        return tl::unexpected<Error>(library.error());
-    const Expected<TypeModels> models = enrolledModels(**library);
-    if (!models)
-        return tl::unexpected<Error>(models.error());
-    Expected<InspectedSqueezes> inspected = inspectedSqueezes(**library);
-    if (!inspected)
-        return tl::unexpected<Error>(inspected.error());
-    Expected<DriftReport> report = findDrift(*models, inspected->squeezes, options);
-    if (!report)
-        return tl::unexpected<Error>(report.error());
-    return Findings{std::move(*inspected), std::move(*report)};
+    ASSIGN_OR_RETURN(const std::unique_ptr<Library> library, openExistingLibrary(file));
+    ASSIGN_OR_RETURN(const TypeModels models, enrolledModels(*library));
+    ASSIGN_OR_RETURN(InspectedSqueezes inspected, inspectedSqueezes(*library));
+    ASSIGN_OR_RETURN(DriftReport report, findDrift(models, inspected.squeezes, options));
+    return Findings{std::move(inspected), std::move(report)};
 }
 
 } // namespace

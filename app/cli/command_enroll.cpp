@@ -7,8 +7,8 @@
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
 #include "app/cli/table_enrollment.h"
-#include "core/session/enroll_session.h"
-#include "devices/gripper_factory.h"
+#include "core/session/enroll/enroll_session.h"
+#include "devices/factory/gripper_factory.h"
 
 #include <QJsonArray>
 
@@ -19,7 +19,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 /// Longer than any identification or commit takes.
-constexpr double patience_s = 600;
+constexpr double enrollPatience_s = 600;
 
 /// What became of one file.
 struct FileOutcome {
@@ -83,8 +83,8 @@ public:
 private:
     std::optional<Error> waitFor(EnrollSession::Activity activity)
     {
-        const bool done =
-            drive([this] { m_session.poll(); }, [&] { return m_session.activity() != activity; }, patience_s);
+        const bool done = drive([this] { m_session.poll(); },
+                                [&] { return m_session.activity() != activity; }, enrollPatience_s);
         if (!done)
             return Error{ErrorCode::Cancelled, {u"The enrolment"_qs}};
         return m_session.lastError();

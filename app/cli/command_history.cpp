@@ -4,7 +4,7 @@
 #include "app/cli/library_squeezes.h"
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
-#include "core/session/history_document.h"
+#include "core/session/library/history_document.h"
 
 #include <cstdio>
 
@@ -87,15 +87,11 @@ QString lineOf(const HistoryEntry& entry)
 
 Expected<void> printTable(Library& library, const HistoryQuery& query)
 {
-    const Expected<HistoryKeys> keys = library.historyKeys(query);
-    if (!keys)
-        return tl::unexpected<Error>(keys.error());
+    ASSIGN_OR_RETURN(const HistoryKeys keys, library.historyKeys(query));
     print(u"number\ttime (UTC)\toutcome\ttype\tm\tb\tk\toperator"_qs);
-    for (std::size_t first = 0; first < keys->size(); first += rowsAtOnce) {
-        const auto entries = library.historyEntries(keys->part(first, rowsAtOnce));
-        if (!entries)
-            return tl::unexpected<Error>(entries.error());
-        for (const HistoryEntry& entry : *entries)
+    for (std::size_t first = 0; first < keys.size(); first += rowsAtOnce) {
+        ASSIGN_OR_RETURN(const auto entries, library.historyEntries(keys.part(first, rowsAtOnce)));
+        for (const HistoryEntry& entry : entries)
             print(lineOf(entry));
     }
     return {};
@@ -105,12 +101,10 @@ Expected<void> printDocument(Library& library, const HistoryQuery& query, Histor
 {
     HistoryDocument document(query, format);
     while (true) {
-        const Expected<QByteArray> piece = document.next(library);
-        if (!piece)
-            return tl::unexpected<Error>(piece.error());
-        if (piece->isEmpty())
+        ASSIGN_OR_RETURN(const QByteArray piece, document.next(library));
+        if (piece.isEmpty())
             return {};
-        std::fwrite(piece->constData(), 1, static_cast<std::size_t>(piece->size()), stdout);
+        std::fwrite(piece.constData(), 1, static_cast<std::size_t>(piece.size()), stdout);
     }
 }
 

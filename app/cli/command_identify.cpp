@@ -5,9 +5,10 @@
 #include "app/cli/identification_text.h"
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
-#include "core/identification/identification_json.h"
-#include "core/identification/validation_records.h"
-#include "core/session/hold_history.h"
+#include "core/identification/estimators/estimator_table.h"
+#include "core/identification/result/identification_json.h"
+#include "core/identification/validation/validation.h"
+#include "core/session/squeeze/hold_history.h"
 
 #include <algorithm>
 
@@ -20,7 +21,7 @@ namespace {
 QStringList estimatorNames()
 {
     QStringList names;
-    for (const Estimator estimator : allEstimators)
+    for (const Estimator estimator : allEstimators())
         names << toString(estimator);
     return names;
 }
@@ -73,7 +74,7 @@ Exit identifyFile(const QString& file, const CsvReadOptions& reading, Identifica
     files.holds.add(*recording, identification);
     if (const Estimate* best = identification.best(); best != nullptr && files.other)
         identification.validation =
-            validateOnRecording(*best, *recording, files.other->recording, files.other->file, options);
+            validateOnRecording(*best, *recording, files.other->recording, files.other->file, options.hold);
     if (json)
         printJson(toJson(identification, *recording, file));
     else

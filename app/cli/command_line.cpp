@@ -3,6 +3,8 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
+#include "core/base/printable.h"
+#include "core/signal/recording/recording_limits.h"
 
 #include <QLocale>
 
@@ -129,7 +131,7 @@ void CommandLine::reject(const QString& reason)
 
 void CommandLine::rejectValue(const QString& name, const QString& expected)
 {
-    reject(u"--%1 is \"%2\"; %3 was expected."_qs.arg(name, text(name), expected));
+    reject(u"--%1 is \"%2\"; %3 was expected."_qs.arg(name, printable(text(name), longestQuote), expected));
 }
 
 std::optional<int> CommandLine::finish() const
@@ -150,7 +152,7 @@ double CommandLine::number(const QString& name, Range range)
 {
     bool ok = false;
     const double value = QLocale::c().toDouble(text(name), &ok);
-    ok = ok && std::isfinite(value);
+    ok = ok && isReading(value);
     switch (range) {
     case Range::Any:
         if (!ok)

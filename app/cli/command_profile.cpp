@@ -7,7 +7,6 @@
 #include "app/cli/profile_commands.h"
 #include "devices/profile/profile_library.h"
 
-#include <QFile>
 #include <QJsonArray>
 
 namespace gripscope::cli {
@@ -16,7 +15,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-const std::vector<Command>& actions()
+const std::vector<Command>& profileActions()
 {
     static const std::vector<Command> all{
         {u"check"_s, u"says what is wrong with profiles, place by place"_s, checkProfiles},
@@ -52,15 +51,6 @@ QJsonObject summaryOf(const GripperProfile& profile)
             {u"commandable"_s, false}};
 }
 
-/// A file's bytes, or FileUnreadable.
-Expected<QByteArray> contents(const QString& file)
-{
-    QFile in(file);
-    if (!in.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::FileUnreadable, {file, in.errorString()});
-    return in.readAll();
-}
-
 void tellProblems(const QString& file, const std::vector<ProfileProblem>& problems, bool json)
 {
     QJsonArray list;
@@ -78,7 +68,7 @@ void tellProblems(const QString& file, const std::vector<ProfileProblem>& proble
 
 void checkFile(const QString& file, bool json, ExitCode& exit)
 {
-    const Expected<QByteArray> bytes = contents(file);
+    const Expected<QByteArray> bytes = readProfileBytes(file);
     if (!bytes) {
         exit.add(exitFor(bytes.error()));
         message(bytes.error().describe());
@@ -245,7 +235,7 @@ int installProfiles(const QStringList& arguments)
         return *exit;
     const bool json = line.isSet(u"json"_s);
     const QString file = line.files().first();
-    const Expected<QByteArray> bytes = contents(file);
+    const Expected<QByteArray> bytes = readProfileBytes(file);
     if (!bytes)
         return fail(bytes.error(), json);
     if (const Expected<GripperProfile> profile = readProfileFile(file); !profile)
@@ -262,8 +252,8 @@ int installProfiles(const QStringList& arguments)
 
 int runProfile(const QStringList& arguments)
 {
-    return runAction(u"profile"_s, u"Teaches Gripscope the reports of other makers' grippers."_s, actions(),
-                     arguments);
+    return runAction(u"profile"_s, u"Teaches Gripscope the reports of other makers' grippers."_s,
+                     profileActions(), arguments);
 }
 
 } // namespace gripscope::cli

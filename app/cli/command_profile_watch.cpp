@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/bounded_number.h"
 #include "app/cli/command_line.h"
 #include "app/cli/drive.h"
 #include "app/cli/output.h"
@@ -18,7 +19,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 /// Longer than a device takes to open.
-constexpr double openingPatience_s = 15;
+constexpr double watchPatience_s = 15;
 
 using Kind = std::pair<ReportKind, ReportStatistics>;
 
@@ -183,7 +184,7 @@ Expected<ReportWatch::Snapshot> listen(std::shared_ptr<Transport> transport,
     const auto look = [&] { seen = watch.snapshot(); };
     const auto ended = [&] { return seen.state == ReportWatch::State::Ended; };
     static_cast<void>(drive(
-        look, [&] { return ended() || seen.state == ReportWatch::State::Listening; }, openingPatience_s));
+        look, [&] { return ended() || seen.state == ReportWatch::State::Listening; }, watchPatience_s));
     if (!ended())
         static_cast<void>(drive(look, ended, seconds));
     watch.stop(std::chrono::milliseconds(500)); // before the program ends
@@ -207,7 +208,7 @@ int watchReports(const QStringList& arguments)
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
     const QString device = line.text(u"device"_s);
-    const double seconds = line.number(u"seconds"_s, CommandLine::Range::Positive);
+    const double seconds = boundedNumber(line, u"seconds"_s, 1e-3, 86'400);
     if (device.isEmpty())
         line.reject(u"--device ADDRESS is missing; gripscope-cli devices lists them."_s);
     if (const std::optional<int> exit = line.finish())

@@ -19,7 +19,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-struct Request {
+struct ReplayRequest {
     bool squeezes = false;
     QString folder; ///< for recordings; empty: none are written
     std::unique_ptr<Classification> classification;
@@ -29,7 +29,7 @@ struct Request {
 /// Squeeze `number` of the capture, in a document and in a line of text; its recording written where asked.
 class SqueezeTeller {
 public:
-    SqueezeTeller(const Request& request, const QString& file, ExitCode& exit)
+    SqueezeTeller(const ReplayRequest& request, const QString& file, ExitCode& exit)
         : m_request(request), m_stem(QFileInfo(file).completeBaseName()), m_exit(exit)
     {
     }
@@ -96,7 +96,7 @@ private:
         m_exit.add(exitFor(error));
     }
 
-    const Request& m_request;
+    const ReplayRequest& m_request;
     const QString m_stem;
     ExitCode& m_exit;
 };
@@ -132,7 +132,7 @@ QJsonObject sessionJson(const QString& file, const CapturedSession& session)
             {u"dropped_records"_qs, static_cast<qint64>(session.droppedRecords)}};
 }
 
-void replay(const QString& file, const Request& request, ExitCode& exit)
+void replay(const QString& file, const ReplayRequest& request, ExitCode& exit)
 {
     const Expected<CapturedSession> session = readCapturedSession(file);
     if (!session) {
@@ -172,7 +172,7 @@ int runReplay(const QStringList& arguments)
     addLibraryOption(line);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
-    Request request;
+    ReplayRequest request;
     request.json = line.isSet(u"json"_qs);
     request.squeezes = line.isSet(u"squeezes"_qs) || line.isSet(u"library"_qs);
     request.folder = line.text(u"output"_qs);

@@ -2,7 +2,8 @@
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
 #include "app/cli/output.h"
-#include "core/recognition/paper_appendix.h"
+#include "core/recognition/types/paper_appendix.h"
+#include "core/research/paper_reproduction.h"
 
 #include <QJsonArray>
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/bounded_number.h"
 #include "app/cli/commands.h"
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
-#include "core/identification/discretization.h"
-#include "core/signal/excitation.h"
-#include "core/signal/gaussian.h"
+#include "core/identification/model/discretization.h"
+#include "core/math/gaussian.h"
+#include "core/signal/excitation/excitation.h"
+#include "core/signal/recording/recording_limits.h"
 
 #include <QLocale>
 
@@ -16,7 +18,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-struct Request {
+struct SimulateRequest {
     MassDampingStiffness object;
     ExcitationOptions excitation;
     ForceHold hold = ForceHold::Zero;
@@ -43,10 +45,10 @@ MassDampingStiffness readObject(CommandLine& line)
     return {values[0], values[1], values[2]};
 }
 
-Request readRequest(CommandLine& line)
+SimulateRequest readSimulateRequest(CommandLine& line)
 {
     using Range = CommandLine::Range;
-    Request request;
+    SimulateRequest request;
     request.object = readObject(line);
     ExcitationOptions& excitation = request.excitation;
     excitation.kind = excitationKind(line);
@@ -54,8 +56,10 @@ Request readRequest(CommandLine& line)
     excitation.peak = line.number(u"peak"_qs);
     excitation.bias = line.number(u"bias"_qs);
     excitation.bit_s = line.number(u"bit"_qs, Range::Positive);
-    excitation.samples = static_cast<std::size_t>(line.integer(u"samples"_qs, 1, 10'000'000));
-    excitation.sampleTime_s = line.number(u"sample-time"_qs, Range::Positive);
+    excitation.samples =
+        static_cast<std::size_t>(line.integer(u"samples"_qs, 1, static_cast<int>(mostSamples)));
+    excitation.sampleTime_s =
+        boundedNumber(line, u"sample-time"_qs, shortestSampleTime_s, longestSampleTime_s);
     excitation.seed = line.seed();
     excitation.oneSided = false;
     request.hold = line.choice(u"hold"_qs, {u"zoh"_qs, u"foh"_qs}) == 0 ? ForceHold::Zero : ForceHold::First;
@@ -66,7 +70,7 @@ Request readRequest(CommandLine& line)
     return request;
 }
 
-Recording simulated(const Request& request, std::vector<double> force)
+Recording simulated(const SimulateRequest& request, std::vector<double> force)
 {
     Recording recording;
     recording.sampleTime_s = request.excitation.sampleTime_s;
@@ -102,7 +106,7 @@ Recording simulated(const Request& request, std::vector<double> force)
     return recording;
 }
 
-void addOptions(CommandLine& line)
+void addSimulateOptions(CommandLine& line)
 {
     line.option(u"object"_qs, u"m,b,k"_qs, u"Mass, damping and stiffness."_qs);
     addExcitationKind(line);
@@ -128,10 +132,10 @@ int runSimulate(const QStringList& arguments)
         u"simulate"_qs,
         u"Writes the recording of an object with known m, b and k, at rest at first, in numbers without "
         "units."_qs);
-    addOptions(line);
+    addSimulateOptions(line);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
-    const Request request = readRequest(line);
+    const SimulateRequest request = readSimulateRequest(line);
     if (const std::optional<int> exit = line.finish())
         return *exit;
     const bool json = line.isSet(u"json"_qs);

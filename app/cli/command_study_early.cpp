@@ -2,7 +2,8 @@
 #include "app/cli/command_line.h"
 #include "app/cli/output.h"
 #include "app/cli/study_commands.h"
-#include "core/recognition/early_decision_study_json.h"
+#include "core/research/early_decision_study.h"
+#include "core/research/study_json.h"
 
 namespace gripscope::cli {
 
@@ -36,7 +37,7 @@ QString text(const std::vector<EarlyDecisionStudy>& rows, const EarlyDecisionStu
     return lines.join(u'\n');
 }
 
-EarlyDecisionStudyOptions readOptions(CommandLine& line)
+EarlyDecisionStudyOptions readEarlyOptions(CommandLine& line)
 {
     EarlyDecisionStudyOptions options;
     readStudyOptions(line, options);
@@ -63,7 +64,7 @@ int runEarlyStudy(const QStringList& arguments)
     line.option(u"strangers"_qs, u"SHARE"_qs, u"Of strangers among the objects."_qs, u"0.1"_qs);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
-    EarlyDecisionStudyOptions options = readOptions(line);
+    EarlyDecisionStudyOptions options = readEarlyOptions(line);
     if (const std::optional<int> exit = line.finish())
         return *exit;
     std::vector<EarlyDecisionStudy> rows;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/output.h"
 #include "app/cli/study_commands.h"
-#include "core/identification/efficiency_study_json.h"
+#include "core/research/efficiency_study.h"
+#include "core/research/study_json.h"
 
 #include <algorithm>
 
@@ -33,7 +34,7 @@ std::vector<Estimator> readEstimators(CommandLine& line)
     return found;
 }
 
-EfficiencyOptions readOptions(CommandLine& line)
+EfficiencyOptions readEfficiencyOptions(CommandLine& line)
 {
     EfficiencyOptions options;
     readStudyOptions(line, options);
@@ -106,7 +107,7 @@ int runEfficiencyStudy(const QStringList& arguments)
         "such as A-prbs-90-200. Without it all 48."_qs);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
-    EfficiencyOptions options = readOptions(line);
+    EfficiencyOptions options = readEfficiencyOptions(line);
     if (const std::optional<int> exit = line.finish())
         return *exit;
     options.progress = progressLines();

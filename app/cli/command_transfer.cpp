@@ -4,7 +4,7 @@
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
 #include "app/cli/shift_json.h"
-#include "core/identification/json_number.h"
+#include "core/base/json_value.h"
 
 #include <QJsonArray>
 
@@ -38,7 +38,7 @@ QJsonObject reportJson(const TransferReport& report)
             {u"left_out_types"_qs, trialJson(report.unseenTypes)},
             {u"adjust"_qs, report.adjust},
             {u"factor"_qs, factor},
-            {u"words"_qs, QJsonArray::fromStringList(report.words)}};
+            {u"words"_qs, QJsonArray::fromStringList(described(report.words))}};
 }
 
 } // namespace
@@ -68,7 +68,7 @@ int runTransfer(const QStringList& arguments)
         printJson(reportJson(*report));
         return 0;
     }
-    print(report->words.join(u'\n'));
+    print(described(report->words).join(u'\n'));
     if (report->error && report->adjust) {
         const Eigen::Vector3d factor = (-report->error->value).array().exp();
         print(u"Multiply what this gripper finds by %1 (m), %2 (b) and %3 (k)."_qs.arg(

@@ -9,7 +9,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-const std::vector<Command>& actions()
+const std::vector<Command>& typeActions()
 {
     static const std::vector<Command> all{
         {u"list"_qs, u"the types, now or at an earlier version"_qs, listTypes},
@@ -38,7 +38,7 @@ int runTypes(const QStringList& arguments)
     return runAction(
         u"types"_qs,
         u"Manages the types of a library; nothing is lost, every change is a version with who, when and why."_qs,
-        actions(), arguments);
+        typeActions(), arguments);
 }
 
 } // namespace gripscope::cli

@@ -2,10 +2,10 @@
 #include "app/cli/demo.h"
 
 #include "app/cli/drive.h"
-#include "core/session/enroll_session.h"
-#include "core/session/inspect_session.h"
-#include "core/store/audit_witness.h"
-#include "devices/gripper_factory.h"
+#include "core/library/tables/audit_witness.h"
+#include "core/session/enroll/enroll_session.h"
+#include "core/session/inspect/inspect_session.h"
+#include "devices/factory/gripper_factory.h"
 
 #include <QTemporaryDir>
 
@@ -18,7 +18,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 /// Longer than anything in here takes.
-constexpr double patience_s = 60;
+constexpr double demoPatience_s = 60;
 constexpr int squeezesPerType = 10;
 /// A squeeze whose measurement turns out invalid is repeated, as a technician would; so often at most.
 constexpr int attemptsPerSqueeze = 3;
@@ -43,7 +43,7 @@ const std::array<TestedObject, 5>& testedObjects()
 
 Error stuck(const QString& what)
 {
-    return {ErrorCode::DeviceTimeout, {what, QString::number(patience_s)}};
+    return {ErrorCode::DeviceTimeout, {what, QString::number(demoPatience_s)}};
 }
 
 /// One gripper, one library, and the two sessions that a person would use.
@@ -88,14 +88,15 @@ std::optional<Error> Demonstration::connectTo(const QString& object)
         return asked.error();
     const auto poll = [this] { m_connection.poll(); };
     if (!drive(
-            poll, [this] { return m_connection.state() != ConnectSession::State::Connecting; }, patience_s))
+            poll, [this] { return m_connection.state() != ConnectSession::State::Connecting; },
+            demoPatience_s))
         return stuck(u"open"_qs);
     if (m_connection.state() != ConnectSession::State::Connected)
         return m_connection.lastError();
     if (const Expected<void> asked = m_connection.arm(u"demo"_qs); !asked)
         return asked.error();
     if (!drive(
-            poll, [this] { return m_connection.armed(); }, patience_s))
+            poll, [this] { return m_connection.armed(); }, demoPatience_s))
         return stuck(u"arm"_qs);
     return std::nullopt;
 }
@@ -115,7 +116,7 @@ std::optional<Error> Demonstration::settle(const Expected<void>& asked)
             return m_enrollment.activity() == Activity::Waiting ||
                    m_enrollment.activity() == Activity::Deciding;
         },
-        patience_s);
+        demoPatience_s);
     return settled ? m_enrollment.lastError() : stuck(u"finish an enrolment"_qs);
 }
 
@@ -160,27 +161,24 @@ std::optional<Error> Demonstration::prepareInspections()
     const bool ready = drive(
         [this] { m_inspection.poll(); },
         [this] { return m_inspection.state() == InspectSession::State::Ready || m_inspection.lastError(); },
-        patience_s);
+        demoPatience_s);
     return ready ? m_inspection.lastError() : stuck(u"read the library"_qs);
 }
 
 Expected<Verdict> Demonstration::inspect(const QString& object)
 {
-    if (const std::optional<Error> error = connectTo(object))
-        return tl::unexpected<Error>(*error);
-    if (const Expected<void> started = m_inspection.squeeze(); !started)
-        return tl::unexpected<Error>(started.error());
+    RETURN_IF_ERROR(connectTo(object));
+    RETURN_IF_ERROR(m_inspection.squeeze());
     const bool judged = drive(
         [this] {
             m_connection.poll();
             m_inspection.poll();
         },
         [this] { return m_inspection.state() == InspectSession::State::Ready && !m_inspection.storing(); },
-        patience_s);
+        demoPatience_s);
     if (!judged)
         return tl::unexpected<Error>(stuck(u"finish an inspection"_qs));
-    if (const std::optional<Error> error = m_inspection.lastError())
-        return tl::unexpected<Error>(*error);
+    RETURN_IF_ERROR(m_inspection.lastError());
     return m_inspection.result()->verdict;
 }
 
@@ -212,19 +210,15 @@ Expected<DemoCounts> runDemonstration(std::uint64_t seed, const std::function<vo
     DemoCounts counts;
     for (const QString& type : {u"A"_qs, u"B"_qs, u"C"_qs, u"D"_qs}) {
         progress(u"enrolling %1"_qs.arg(type));
-        if (const std::optional<Error> error = demonstration.enroll(type))
-            return tl::unexpected<Error>(*error);
+        RETURN_IF_ERROR(demonstration.enroll(type));
     }
     counts.enrolled = demonstration.enrolled();
-    if (const std::optional<Error> error = demonstration.prepareInspections())
-        return tl::unexpected<Error>(*error);
+    RETURN_IF_ERROR(demonstration.prepareInspections());
     for (const TestedObject& tested : testedObjects()) {
         progress(u"inspecting %1"_qs.arg(tested.name));
         for (int i = 0; i < tested.squeezes; ++i) {
-            const Expected<Verdict> verdict = demonstration.inspect(tested.object);
-            if (!verdict)
-                return tl::unexpected<Error>(verdict.error());
-            count(counts, tested, *verdict);
+            ASSIGN_OR_RETURN(const Verdict verdict, demonstration.inspect(tested.object));
+            count(counts, tested, verdict);
         }
     }
     return counts;

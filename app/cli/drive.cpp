@@ -1,32 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/drive.h"
 
+#include "devices/emergency/end_signals.h"
+
+#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <thread>
 
 namespace gripscope::cli {
 
 namespace {
 
-volatile std::sig_atomic_t interruptNoted = 0;
-
-void noteInterrupt(int)
-{
-    interruptNoted = 1;
-}
+std::atomic<bool> interruptNoted{false};
 
 } // namespace
 
 void catchInterrupts()
 {
-    std::signal(SIGINT, noteInterrupt);
-    std::signal(SIGTERM, noteInterrupt);
+    static const EndSignals ending([] { interruptNoted = true; });
 }
 
 bool interrupted()
 {
-    return interruptNoted != 0;
+    return interruptNoted;
 }
 
 bool drive(const std::function<void()>& poll, const std::function<bool()>& done, double seconds)

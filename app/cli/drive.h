@@ -5,7 +5,8 @@
 
 namespace gripscope::cli {
 
-/// From now on SIGINT and SIGTERM are only noted, so that the gripper can be stopped first.
+/// From now on SIGINT, SIGTERM and SIGHUP stop the gripper and are noted, so that the command can end in
+/// order.
 void catchInterrupts();
 [[nodiscard]] bool interrupted();
 

@@ -20,6 +20,9 @@ Exit exitFor(const Error& error)
     case ErrorCode::DeviceLost:
     case ErrorCode::DeviceRefused:
     case ErrorCode::DeviceTimeout:
+    case ErrorCode::ArmingRefused:
+    case ErrorCode::Stopped:
+    case ErrorCode::StopNotObeyed:
     case ErrorCode::LimitExceeded:
     case ErrorCode::NotArmed:
     case ErrorCode::Cancelled:

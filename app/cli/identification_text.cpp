@@ -2,7 +2,8 @@
 #include "app/cli/identification_text.h"
 
 #include "app/cli/output.h"
-#include "core/signal/units.h"
+#include "core/identification/estimators/estimator_table.h"
+#include "core/signal/recording/units.h"
 
 #include <QStringList>
 
@@ -19,27 +20,6 @@ bool isArx(Estimator estimator)
 {
     return estimator == Estimator::Arx || estimator == Estimator::ArxMeanForce ||
            estimator == Estimator::Arx221;
-}
-
-QString title(Estimator estimator)
-{
-    switch (estimator) {
-    case Estimator::Arx:
-        return u"ARX(2,1,1), the paper's"_qs;
-    case Estimator::ArxMeanForce:
-        return u"ARX(2,1,1) on the mean of successive forces"_qs;
-    case Estimator::Arx221:
-        return u"ARX(2,2,1), mapped by its poles"_qs;
-    case Estimator::InstrumentalVariables:
-        return u"instrumental variables"_qs;
-    case Estimator::OutputError:
-        return u"output error"_qs;
-    case Estimator::Duffing:
-        return u"output error with a cubic spring"_qs;
-    case Estimator::Periodic:
-        return u"frequency domain, periodic"_qs;
-    }
-    return {};
 }
 
 QString heading(const Identification& identification, const Recording& recording, const QString& file)
@@ -87,13 +67,14 @@ QString fitLine(const Estimate& estimate)
 
 QStringList estimateLines(const Estimate& estimate, const ParameterUnits& units, bool recommended)
 {
-    QString head = u"  %1 (%2): %3"_qs.arg(title(estimate.estimator), toString(estimate.estimator),
-                                           toString(estimate.status).replace(u'_', u' '));
+    QString head =
+        u"  %1 (%2): %3"_qs.arg(QString::fromLatin1(factsOf(estimate.estimator).title),
+                                toString(estimate.estimator), toString(estimate.status).replace(u'_', u' '));
     if (estimate.iterations > 0)
         head += u" in %1 iterations"_qs.arg(estimate.iterations);
     QStringList lines{recommended ? head + u", recommended"_qs : head};
-    if (estimate.status != EstimateStatus::Converged && !estimate.message.empty())
-        lines << u"    "_qs + QString::fromStdString(estimate.message);
+    if (estimate.status != EstimateStatus::Converged && !estimate.message.isEmpty())
+        lines << u"    "_qs + estimate.message.describe();
     if (estimate.parameters)
         lines << parameterLines(estimate, units);
     if (estimate.fit.simulationPercent || estimate.fit.predictionPercent)
@@ -110,7 +91,7 @@ QStringList validityLines(const Validity& validity)
     QStringList lines{u"  measurement: "_qs + toString(validity.verdict)};
     for (const ValidityCheck& check : validity.checks)
         if (!check.ok)
-            lines << u"    %1: %2"_qs.arg(QString(check.id).replace(u'_', u' '), check.message);
+            lines << u"    %1: %2"_qs.arg(QString(check.id).replace(u'_', u' '), check.message.describe());
     return lines;
 }
 
@@ -155,7 +136,7 @@ QStringList validationLines(const Validation& validation)
         fits = u"fit %1 % simulation, "_qs.arg(fixed(validation.fit.simulationPercent, 2));
     if (validation.expectedPercent)
         fits += u"%1 % expected; "_qs.arg(fixed(validation.expectedPercent, 2));
-    return {u"  validation, %1: %2%3"_qs.arg(where, fits, validation.message)};
+    return {u"  validation, %1: %2%3"_qs.arg(where, fits, validation.message.describe())};
 }
 
 } // namespace
@@ -169,10 +150,10 @@ QString identificationText(const Identification& identification, const Recording
         lines << estimateLines(estimate, units, &estimate == identification.best());
     lines << budgetLines(identification.budget, units);
     if (!identification.comparison.sentence.isEmpty())
-        lines << u"  models: "_qs + identification.comparison.sentence;
+        lines << u"  models: "_qs + identification.comparison.sentence.describe();
     lines << validationLines(identification.validation);
     for (const PreparationStep& step : identification.preparation)
-        lines << u"  before: "_qs + step.message;
+        lines << u"  before: "_qs + step.message.describe();
     lines << validityLines(identification.validity);
     return lines.join(u'\n');
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/library_squeezes.h"
 
-#include "core/recognition/squeeze_values.h"
-#include "core/session/comparable_units.h"
-#include "core/signal/units.h"
+#include "core/recognition/types/squeeze_values.h"
+#include "core/session/squeeze/comparable_units.h"
+#include "core/signal/recording/units.h"
 
 #include <QFileInfo>
 
@@ -42,13 +42,9 @@ Expected<std::unique_ptr<Library>> openExistingLibrary(const QString& file)
 
 Expected<TypeModels> enrolledModels(Library& library)
 {
-    const Expected<std::vector<TypeRecord>> types = library.types();
-    if (!types)
-        return tl::unexpected<Error>(types.error());
-    const Expected<std::vector<TypeSqueeze>> squeezes = library.enrolledSqueezes();
-    if (!squeezes)
-        return tl::unexpected<Error>(squeezes.error());
-    return ComparableTypes(*types, *squeezes).main();
+    ASSIGN_OR_RETURN(const std::vector<TypeRecord> types, library.types());
+    ASSIGN_OR_RETURN(const std::vector<TypeSqueeze> squeezes, library.enrolledSqueezes());
+    return ComparableTypes(types, squeezes).main();
 }
 
 Expected<InspectedSqueezes> inspectedSqueezes(Library& library)
@@ -57,23 +53,19 @@ Expected<InspectedSqueezes> inspectedSqueezes(Library& library)
     HistoryFilter filter;
     filter.limit = pageSize;
     while (true) {
-        const Expected<std::vector<InspectionRecord>> page = library.inspections(filter);
-        if (!page)
-            return tl::unexpected<Error>(page.error());
-        for (const InspectionRecord& inspection : *page) {
+        ASSIGN_OR_RETURN(const std::vector<InspectionRecord> page, library.inspections(filter));
+        for (const InspectionRecord& inspection : page) {
             const QString type =
                 inspection.expectedType.isEmpty() ? inspection.type : inspection.expectedType;
             if (type.isEmpty() || !inspection.parameters || inspection.verdict == VerdictKind::Invalid) {
                 found.leftOut += 1;
                 continue;
             }
-            const Expected<std::optional<GraspRecord>> grasp = library.grasp(inspection.graspId);
-            if (!grasp)
-                return tl::unexpected<Error>(grasp.error());
+            ASSIGN_OR_RETURN(const std::optional<GraspRecord> grasp, library.grasp(inspection.graspId));
             found.squeezes.push_back(
-                inCommonUnits(inspection, type, *grasp ? (*grasp)->covariance : std::nullopt));
+                inCommonUnits(inspection, type, grasp ? grasp->covariance : std::nullopt));
         }
-        if (page->size() < std::size_t(pageSize))
+        if (page.size() < std::size_t(pageSize))
             break;
         filter.offset += pageSize;
     }

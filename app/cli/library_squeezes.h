@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/recognition/type_model.h"
-#include "core/store/library.h"
+#include "core/library/library.h"
+#include "core/recognition/types/type_model.h"
 
 #include <memory>
 #include <vector>

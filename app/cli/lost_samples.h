@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/signal/recording.h"
+#include "core/signal/recording/recording.h"
 
 namespace gripscope::cli {
 

@@ -3,11 +3,13 @@
 #include "app/cli/commands.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
+#include "devices/transport/crash_stop.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
+#include <new>
 
 using namespace gripscope::cli;
 using namespace Qt::StringLiterals;
@@ -62,9 +64,19 @@ int run(const QStringList& arguments)
 
 int main(int argc, char** argv)
 {
+    gripscope::CrashStop::installHandler();
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(u"gripscope"_qs);
     QCoreApplication::setApplicationVersion(QStringLiteral(GRIPSCOPE_VERSION));
     QLocale::setDefault(QLocale::c());
-    return run(QCoreApplication::arguments().mid(1));
+    try {
+        return run(QCoreApplication::arguments().mid(1));
+    } catch (const std::bad_alloc&) {
+        // Everything read has its limits; a machine may still have less. What was being done is undone by
+        // now.
+        message(
+            u"gripscope-cli: There is not enough memory for this. Nothing of it was kept; take smaller or "
+            "fewer files, or close other programs."_qs);
+        return static_cast<int>(Exit::Storage);
+    }
 }

@@ -2,7 +2,7 @@
 #include "app/cli/measured_transfer.h"
 
 #include "app/cli/library_squeezes.h"
-#include "core/session/comparable_units.h"
+#include "core/session/squeeze/comparable_units.h"
 
 namespace gripscope::cli {
 
@@ -29,21 +29,12 @@ std::optional<Error> unitsProblem(Library& home, Library& other)
 
 Expected<TransferReport> measuredTransfer(const QString& homeFile, const QString& otherFile)
 {
-    const Expected<std::unique_ptr<Library>> home = openExistingLibrary(homeFile);
-    if (!home)
-        return tl::unexpected<Error>(home.error());
-    const Expected<std::unique_ptr<Library>> other = openExistingLibrary(otherFile);
-    if (!other)
-        return tl::unexpected<Error>(other.error());
-    if (const std::optional<Error> problem = unitsProblem(**home, **other))
-        return tl::unexpected<Error>(*problem);
-    const Expected<TypeModels> models = enrolledModels(**home);
-    if (!models)
-        return tl::unexpected<Error>(models.error());
-    const Expected<std::vector<TypeSqueeze>> squeezes = (*other)->enrolledSqueezes();
-    if (!squeezes)
-        return tl::unexpected<Error>(squeezes.error());
-    return measureTransfer(*models, *squeezes);
+    ASSIGN_OR_RETURN(const std::unique_ptr<Library> home, openExistingLibrary(homeFile));
+    ASSIGN_OR_RETURN(const std::unique_ptr<Library> other, openExistingLibrary(otherFile));
+    RETURN_IF_ERROR(unitsProblem(*home, *other));
+    ASSIGN_OR_RETURN(const TypeModels models, enrolledModels(*home));
+    ASSIGN_OR_RETURN(const std::vector<TypeSqueeze> squeezes, other->enrolledSqueezes());
+    return measureTransfer(models, squeezes);
 }
 
 } // namespace gripscope::cli

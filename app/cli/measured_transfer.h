@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/error.h"
-#include "core/recognition/transfer.h"
+#include "core/base/error.h"
+#include "core/recognition/verdict/transfer.h"
 
 namespace gripscope::cli {
 

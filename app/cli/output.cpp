@@ -2,6 +2,7 @@
 #include "app/cli/output.h"
 
 #include "app/cli/exit_code.h"
+#include "core/base/printable.h"
 
 #include <QJsonDocument>
 
@@ -22,21 +23,40 @@ void write(std::FILE* stream, const QByteArray& bytes)
     std::fflush(stream);
 }
 
+/// JSON leaves some characters as they are that a terminal obeys (printable.h). They stand in strings only,
+/// where JSON has a way to write them out, so the document says the same.
+QByteArray withoutSteering(const QByteArray& json)
+{
+    const bool plain = std::all_of(json.begin(), json.end(), [](char c) { return c >= 0x20 && c < 0x7f; });
+    if (plain)
+        return json;
+    const QString text = QString::fromUtf8(json);
+    QString out;
+    out.reserve(text.size());
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        if (isSteering(text, i))
+            out += u"\\u%1"_qs.arg(int(text[i].unicode()), 4, 16, QLatin1Char('0'));
+        else
+            out += text[i];
+    }
+    return out.toUtf8();
+}
+
 } // namespace
 
 void printJson(const QJsonObject& document)
 {
-    write(stdout, QJsonDocument(document).toJson(QJsonDocument::Compact));
+    write(stdout, withoutSteering(QJsonDocument(document).toJson(QJsonDocument::Compact)));
 }
 
 void print(const QString& text)
 {
-    write(stdout, text.toUtf8());
+    write(stdout, printableLines(text).toUtf8());
 }
 
 void message(const QString& text)
 {
-    write(stderr, text.toUtf8());
+    write(stderr, printableLines(text).toUtf8());
 }
 
 QJsonObject errorDocument(const Error& error)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/shared_options.h"
 
-#include "core/store/library.h"
+#include "app/cli/bounded_number.h"
+#include "core/library/library.h"
+#include "core/signal/recording/recording_limits.h"
 
 #include <QFileInfo>
 
@@ -34,7 +36,8 @@ CsvReadOptions csvReadOptions(CommandLine& line)
     options.forceColumn = line.text(u"force-column"_qs);
     options.positionColumn = line.text(u"position-column"_qs);
     if (line.isSet(u"sample-time"_qs))
-        options.sampleTime_s = line.number(u"sample-time"_qs, CommandLine::Range::Positive);
+        options.sampleTime_s =
+            boundedNumber(line, u"sample-time"_qs, shortestSampleTime_s, longestSampleTime_s);
     options.forceUnit = line.text(u"force-unit"_qs);
     options.positionUnit = line.text(u"position-unit"_qs);
     return options;

@@ -3,8 +3,8 @@
 
 #include "app/cli/command_line.h"
 #include "core/identification/identification.h"
-#include "core/signal/excitation.h"
-#include "core/signal/recording_csv.h"
+#include "core/signal/excitation/excitation.h"
+#include "core/signal/recording/recording_csv.h"
 
 namespace gripscope::cli {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/shift_json.h"
 
-#include "core/identification/json_number.h"
+#include "core/base/json_value.h"
 
 #include <QJsonArray>
 

@@ -3,7 +3,7 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
-#include "core/session/enrollment_storage.h"
+#include "core/session/enroll/enrollment_storage.h"
 
 #include <QJsonArray>
 #include <QMap>
@@ -21,7 +21,7 @@ NewGrasp graspOf(const SqueezeRow& row, const TableEnrollment& task, const QStri
     Estimate estimate;
     estimate.estimator = Estimator::Arx; // what the paper's tables were found with; a table does not say
     estimate.status = EstimateStatus::Converged;
-    estimate.message = "From a table of m, b and k, which does not say how they were found.";
+    estimate.message = u"From a table of m, b and k, which does not say how they were found."_s;
     estimate.parameters = row.squeeze.parameters;
     estimate.covariance = row.squeeze.covariance;
     NewGrasp grasp;
@@ -41,9 +41,9 @@ public:
     /// Why the row was refused; empty when it was added.
     QString add(const SqueezeRow& row)
     {
-        if (!row.refused.isEmpty()) {
+        if (row.refused) {
             m_exit.add(Exit::BadInput);
-            return row.refused;
+            return row.refused->describe();
         }
         const QString source = u"%1:%2"_qs.arg(m_task.table).arg(row.line);
         const QString& type = row.squeeze.type;
@@ -75,10 +75,8 @@ private:
     Expected<bool> isKnown(const QString& type, const QString& source, const MassDampingStiffness& p)
     {
         if (!m_present.contains(type)) {
-            Expected<StoredType> stored = findStoredType(m_library, type);
-            if (!stored)
-                return tl::unexpected<Error>(stored.error());
-            m_present[type] = std::move(stored->grasps);
+            ASSIGN_OR_RETURN(StoredType stored, findStoredType(m_library, type));
+            m_present[type] = std::move(stored.grasps);
         }
         const std::vector<GraspRecord>& grasps = m_present[type];
         return std::any_of(grasps.begin(), grasps.end(), [&](const GraspRecord& grasp) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/people/acting.h"
-#include "core/recognition/squeeze_table.h"
+#include "core/recognition/types/squeeze_table.h"
 
 #include <QString>
 

@@ -17,10 +17,8 @@ int change(const CommandLine& line, const std::function<Expected<void>(Library&)
            Permission permission = Permission::ChangeTypes)
 {
     return withLibrary(line, [&](Library& library) -> Expected<void> {
-        const auto acting = authorization(library, line.text(u"operator"_qs), permission);
-        if (!acting)
-            return tl::unexpected<Error>(acting.error());
-        library.actAs(*acting);
+        ASSIGN_OR_RETURN(const auto acting, authorization(library, line.text(u"operator"_qs), permission));
+        library.actAs(acting);
         return work(library).and_then([&] { return tellChange(library, line.isSet(u"json"_qs)); });
     });
 }
@@ -33,10 +31,8 @@ int changeType(const CommandLine& line,
     return change(
         line,
         [&](Library& library) -> Expected<void> {
-            const auto type = requireNamed(library, line.text(u"type"_qs));
-            if (!type)
-                return tl::unexpected<Error>(type.error());
-            return work(library, *type);
+            ASSIGN_OR_RETURN(const auto type, requireNamed(library, line.text(u"type"_qs)));
+            return work(library, type);
         },
         permission);
 }
@@ -105,10 +101,8 @@ int mergeTypes(const QStringList& arguments)
     if (const auto exit = line.finish())
         return *exit;
     return changeType(line, [&](Library& library, const TypeRecord& type) -> Expected<void> {
-        const auto into = requireNamed(library, line.text(u"into"_qs));
-        if (!into)
-            return tl::unexpected<Error>(into.error());
-        return library.mergeTypes(type.id, into->id, note(line)).map(ignoreValue);
+        ASSIGN_OR_RETURN(const auto into, requireNamed(library, line.text(u"into"_qs)));
+        return library.mergeTypes(type.id, into.id, note(line)).map(ignoreValue);
     });
 }
 

@@ -3,9 +3,9 @@
 #include "app/cli/output.h"
 #include "app/cli/type_commands.h"
 #include "app/cli/type_library.h"
-#include "core/recognition/enrollment_json.h"
-#include "core/signal/units.h"
-#include "core/store/type_squeeze.h"
+#include "core/library/records/type_squeeze.h"
+#include "core/recognition/enrolment/enrollment_json.h"
+#include "core/signal/recording/units.h"
 
 #include <QJsonArray>
 
@@ -26,14 +26,10 @@ struct Squeezes {
 
 Expected<Squeezes> readSqueezes(const Library& library)
 {
-    auto all = library.enrolledSqueezes();
-    if (!all)
-        return tl::unexpected<Error>(all.error());
-    const auto types = library.types();
-    if (!types)
-        return tl::unexpected<Error>(types.error());
-    Squeezes squeezes{std::move(*all), {}};
-    for (const TypeRecord& type : *types) // they are all alike
+    ASSIGN_OR_RETURN(auto all, library.enrolledSqueezes());
+    ASSIGN_OR_RETURN(const auto types, library.types());
+    Squeezes squeezes{std::move(all), {}};
+    for (const TypeRecord& type : types) // they are all alike
         squeezes.options.siUnits = siFactor(type.forceUnit, type.positionUnit).has_value();
     return squeezes;
 }
@@ -55,14 +51,12 @@ struct StoredOutlier {
 Expected<std::vector<StoredOutlier>> outliersOf(const Library& library, const TypeRecord& type,
                                                 const std::vector<TypeSqueeze>& all)
 {
-    const auto grasps = library.grasps(type.id);
-    if (!grasps)
-        return tl::unexpected<Error>(grasps.error());
+    ASSIGN_OR_RETURN(const auto grasps, library.grasps(type.id));
     std::vector<TypeSqueeze> squeezes; // the type's own first, with their numbers
     std::vector<int> numbers;
-    for (std::size_t i = 0; i < grasps->size(); ++i) {
-        const auto own = typeSqueeze((*grasps)[i]);
-        if (!own || !(*grasps)[i].accepted)
+    for (std::size_t i = 0; i < grasps.size(); ++i) {
+        const auto own = typeSqueeze(grasps[i]);
+        if (!own || !grasps[i].accepted)
             continue;
         squeezes.push_back(*own);
         numbers.push_back(int(i) + 1);
@@ -74,7 +68,7 @@ Expected<std::vector<StoredOutlier>> outliersOf(const Library& library, const Ty
     found.reserve(outliers.size());
     for (const SqueezeOutlier& outlier : outliers) {
         const int number = numbers[outlier.index];
-        found.push_back({outlier, number, (*grasps)[std::size_t(number) - 1].id});
+        found.push_back({outlier, number, grasps[std::size_t(number) - 1].id});
     }
     return found;
 }
@@ -95,8 +89,8 @@ QString confusionText(const HeldOutConfusion& confusion)
         lines << u"%1: %2"_qs.arg(confusion.types[row],
                                   found.isEmpty() ? u"not tested"_qs : found.join(u", "_qs));
     }
-    lines << u"Another type: "_qs + inWords(confusion.wrongType, VerdictOptions{}.wrongType);
-    lines << u"Unknown: "_qs + inWords(confusion.unknown, VerdictOptions{}.falseReject);
+    lines << u"Another type: "_qs + inWords(confusion.wrongType, VerdictOptions{}.wrongType).describe();
+    lines << u"Unknown: "_qs + inWords(confusion.unknown, VerdictOptions{}.falseReject).describe();
     return lines.join(u'\n');
 }
 
@@ -114,10 +108,10 @@ void tell(const EnrollmentProgress& progress, const std::vector<StoredOutlier>& 
         printJson(document);
         return;
     }
-    print(inWords(progress).join(u'\n'));
+    print(described(inWords(progress)).join(u'\n'));
     for (const StoredOutlier& outlier : away)
-        print(u"Squeeze %1 is an outlier. %2"_qs.arg(outlier.number).arg(outlier.outlier.reason));
-    print(overlap ? inWords(*overlap) : u"No other type overlaps it."_qs);
+        print(u"Squeeze %1 is an outlier. %2"_qs.arg(outlier.number).arg(outlier.outlier.reason.describe()));
+    print(overlap ? inWords(*overlap).describe() : u"No other type overlaps it."_qs);
 }
 
 } // namespace
@@ -133,18 +127,12 @@ int guideEnrollment(const QStringList& arguments)
     if (const auto exit = line.finish())
         return *exit;
     return withLibrary(line, [&](const Library& library) -> Expected<void> {
-        const auto type = requireNamed(library, line.text(u"type"_qs));
-        if (!type)
-            return tl::unexpected<Error>(type.error());
-        const auto squeezes = readSqueezes(library);
-        if (!squeezes)
-            return tl::unexpected<Error>(squeezes.error());
-        const auto away = outliersOf(library, *type, squeezes->all);
-        if (!away)
-            return tl::unexpected<Error>(away.error());
-        const TypeModels models = fitTypeModels(squeezes->all);
-        tell(enrollmentProgress(models, type->name, squeezes->options), *away,
-             worstOverlap(models, type->name, squeezes->options), line.isSet(u"json"_qs));
+        ASSIGN_OR_RETURN(const auto type, requireNamed(library, line.text(u"type"_qs)));
+        ASSIGN_OR_RETURN(const auto squeezes, readSqueezes(library));
+        ASSIGN_OR_RETURN(const auto away, outliersOf(library, type, squeezes.all));
+        const TypeModels models = fitTypeModels(squeezes.all);
+        tell(enrollmentProgress(models, type.name, squeezes.options), away,
+             worstOverlap(models, type.name, squeezes.options), line.isSet(u"json"_qs));
         return {};
     });
 }

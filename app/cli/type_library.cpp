@@ -21,12 +21,10 @@ Expected<std::unique_ptr<Library>> openExisting(const CommandLine& line)
 
 Expected<TypeRecord> requireNamed(const Library& library, const QString& name)
 {
-    const auto type = library.findType(name.trimmed());
+    ASSIGN_OR_RETURN(const auto type, library.findType(name.trimmed()));
     if (!type)
-        return tl::unexpected<Error>(type.error());
-    if (!*type)
         return failure(ErrorCode::NotFound, {u"type %1"_qs.arg(name)});
-    return **type;
+    return *type;
 }
 
 std::optional<int> parseWith(CommandLine& line, const QStringList& arguments, const QStringList& needed)
@@ -69,10 +67,8 @@ int withLibrary(const CommandLine& line, const std::function<Expected<void>(Libr
 
 Expected<void> tellChange(const Library& library, bool json)
 {
-    const auto changes = library.changes(1);
-    if (!changes)
-        return tl::unexpected<Error>(changes.error());
-    const LibraryChange& change = changes->front();
+    ASSIGN_OR_RETURN(const auto changes, library.changes(1));
+    const LibraryChange& change = changes.front();
     if (json)
         printJson({{u"version"_qs, change.version},
                    {u"kind"_qs, toString(change.kind)},

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/command_line.h"
-#include "core/store/library.h"
+#include "core/library/library.h"
 
 #include <functional>
 

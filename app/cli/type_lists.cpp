@@ -103,10 +103,8 @@ int listTypes(const QStringList& arguments)
     if (const auto exit = line.finish())
         return *exit;
     return withLibrary(line, [&](const Library& library) -> Expected<void> {
-        const auto version = now ? library.version() : Expected<qint64>(asked);
-        if (!version)
-            return tl::unexpected<Error>(version.error());
-        return library.stateAt(*version).map([&](const LibraryState& state) { tell(state, line); });
+        ASSIGN_OR_RETURN(const auto version, now ? library.version() : Expected<qint64>(asked));
+        return library.stateAt(version).map([&](const LibraryState& state) { tell(state, line); });
     });
 }
 
@@ -119,11 +117,9 @@ int listSqueezes(const QStringList& arguments)
     if (const auto exit = line.finish())
         return *exit;
     return withLibrary(line, [&](const Library& library) -> Expected<void> {
-        const auto type = requireNamed(library, line.text(u"type"_qs));
-        if (!type)
-            return tl::unexpected<Error>(type.error());
-        return library.grasps(type->id).map(
-            [&](const std::vector<GraspRecord>& grasps) { tell(*type, grasps, line); });
+        ASSIGN_OR_RETURN(const auto type, requireNamed(library, line.text(u"type"_qs)));
+        return library.grasps(type.id).map(
+            [&](const std::vector<GraspRecord>& grasps) { tell(type, grasps, line); });
     });
 }
 

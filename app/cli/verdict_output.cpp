@@ -2,8 +2,7 @@
 #include "app/cli/verdict_output.h"
 
 #include "app/cli/output.h"
-#include "core/identification/json_number.h"
-#include "core/json_text.h"
+#include "core/base/json_value.h"
 
 #include <QJsonArray>
 
@@ -28,7 +27,9 @@ QJsonObject verdictJson(const QString& file, const Verdict& verdict)
             {u"stranger_posterior"_qs, jsonNumber(verdict.strangerPosterior)},
             {u"stranger_accept"_qs, jsonNumber(verdict.strangerAccept)},
             {u"samples_used"_qs, static_cast<qint64>(verdict.samplesUsed)},
-            {u"reasons"_qs, QJsonArray::fromStringList(verdict.reasons)}};
+            {u"validity"_qs, toString(verdict.validity.verdict)},
+            {u"checks_failed"_qs, QJsonArray::fromStringList(verdict.validity.checksFailed)},
+            {u"reasons"_qs, QJsonArray::fromStringList(described(verdict.allReasons()))}};
 }
 
 QString verdictText(const QString& file, const Verdict& verdict)
@@ -42,7 +43,9 @@ QString verdictText(const QString& file, const Verdict& verdict)
     if (verdict.distance && verdict.gate)
         text += u"; squared distance %1, gate %2"_qs.arg(QString::number(*verdict.distance, 'f', 1),
                                                          QString::number(*verdict.gate, 'f', 1));
-    for (const QString& reason : verdict.reasons)
+    if (verdict.validity.verdict == ValidityVerdict::Suspect)
+        text += u"; the measurement is suspect (%1)"_qs.arg(verdict.validity.checksFailed.join(u", "_qs));
+    for (const QString& reason : described(verdict.allReasons()))
         text += u"\n    "_qs + reason;
     return text;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/recognition/verdict.h"
+#include "core/recognition/verdict/verdict.h"
 
 #include <QJsonObject>
 #include <QString>

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desktop/options.h"
-#include "core/store/library.h"
-#include "ui/example_types_button.h"
-#include "ui/main_window.h"
-#include "ui/settings/settings.h"
+#include "core/library/library.h"
+#include "devices/emergency/end_signals.h"
+#include "devices/transport/crash_stop.h"
+#include "ui/context/workbench.h"
+#include "ui/pages/shared/example_types_button.h"
 #include "ui/settings/settings_link.h"
-#include "ui/tour.h"
-#include "ui/window_host.h"
-#include "ui/workbench.h"
+#include "ui/settings/values/settings.h"
+#include "ui/shell/attendance.h"
+#include "ui/shell/main_window.h"
+#include "ui/shell/tour.h"
+#include "ui/shell/window_host.h"
 
 #include <QApplication>
 #include <QTextStream>
@@ -42,16 +45,22 @@ int runWindow(const DesktopOptions& options)
         settings.setForThisRun(QString::fromLatin1(setting::language.key), options.language);
     const SettingsLink link(bench);
     const WindowHost host(bench);
+    const Attendance attendance(bench, makeStationWatch());
     if (options.size.isValid())
         host.window().resize(options.size);
     host.window().show();
     for (const QString& problem : settings.takeProblems())
-        bench.report(problem);
+        bench.messages().report(problem);
     if (options.examples || settings.get(setting::examplesAtStart))
         loadExampleTypes(bench);
     const QString address = options.device.isEmpty() ? SettingsLink::addressAtStart(bench) : options.device;
     if (!address.isEmpty())
         bench.connectTo(address);
+    // A logout or a shutdown stops the gripper before the window has closed.
+    const EndSignals ending([] {
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(), [] { QCoreApplication::exit(0); }, Qt::QueuedConnection);
+    });
     return QApplication::exec();
 }
 
@@ -62,7 +71,10 @@ int main(int argc, char** argv)
     QCoreApplication::setOrganizationName(u"Gripscope"_s);
     QCoreApplication::setApplicationName(u"Gripscope"_s);
     QCoreApplication::setApplicationVersion(QStringLiteral(GRIPSCOPE_VERSION));
+    CrashStop::installHandler();
     prepareEnvironment(argc, argv);
+    // A dialog of the desktop's own would be modal, and have no STOP.
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     QApplication application(argc, argv);
     const Expected<DesktopOptions> options = parseDesktopOptions(QCoreApplication::arguments());
     if (!options) {

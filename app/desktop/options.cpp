@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desktop/options.h"
 
-#include "ui/settings/settings.h"
+#include "ui/settings/values/settings.h"
 
 #include <QCommandLineParser>
 #include <QRegularExpression>
@@ -72,10 +72,8 @@ Expected<DesktopOptions> parseDesktopOptions(const QStringList& arguments)
             return usage(u"--%1 is %2; expected %3."_s.arg(name, *into, one->expected()));
     }
     if (parser.isSet(u"size"_s)) {
-        const Expected<QSize> size = parseSize(parser.value(u"size"_s));
-        if (!size)
-            return tl::unexpected<Error>(size.error());
-        options.size = *size;
+        ASSIGN_OR_RETURN(const QSize size, parseSize(parser.value(u"size"_s)));
+        options.size = size;
     }
     if (parser.isSet(u"scale"_s)) {
         bool number = false;

@@ -53,25 +53,19 @@ void tell(const QString& text)
 /// Until it is unplugged, or this program ends.
 Expected<void> servePlugged(const VirtualAddress& address)
 {
-    const Expected<std::shared_ptr<VirtualTransport>> transport = VirtualTransport::make(address);
-    if (!transport)
-        return tl::unexpected<Error>(transport.error());
-    if (const Expected<void> opened = (*transport)->open(); !opened)
-        return opened;
-    const Expected<std::unique_ptr<UhidGripper>> gripper = UhidGripper::create(*transport);
-    if (!gripper)
-        return tl::unexpected<Error>(gripper.error());
+    ASSIGN_OR_RETURN(const std::shared_ptr<VirtualTransport> transport, VirtualTransport::make(address));
+    RETURN_IF_ERROR(transport->open());
+    ASSIGN_OR_RETURN(const std::unique_ptr<UhidGripper> gripper, UhidGripper::create(transport));
     tell(
         u"The virtual gripper is plugged in as hid:1209:0001:VG-%1. Ctrl-C unplugs it."_qs.arg(address.seed));
-    return (*gripper)->serve(ending);
+    return (gripper)->serve(ending);
 }
 
 /// Until its faults unplug it for good, or this program ends.
 Expected<void> serve(const VirtualAddress& address)
 {
     for (;;) {
-        if (const Expected<void> served = servePlugged(address); !served)
-            return served;
+        RETURN_IF_ERROR(servePlugged(address));
         if (ending || !virtual_plug::comesBack(address))
             return {};
         tell(u"hid:1209:0001:VG-%1 is unplugged, and comes back."_qs.arg(address.seed));

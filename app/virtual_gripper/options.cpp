@@ -16,10 +16,8 @@ tl::unexpected<Error> usage(const QString& reason)
 
 Expected<VirtualAddress> parseGripper(const QString& text)
 {
-    const Expected<DeviceAddress> address = parseDeviceAddress(text);
-    if (!address)
-        return tl::unexpected<Error>(address.error());
-    const auto* gripper = std::get_if<VirtualAddress>(&*address);
+    ASSIGN_OR_RETURN(const DeviceAddress address, parseDeviceAddress(text));
+    const auto* gripper = std::get_if<VirtualAddress>(&address);
     if (!gripper || gripper->speed == 0 || !gripper->capture.isEmpty())
         return usage(
             u"%1: only virtual: addresses can be served, with a speed above 0 and no capture."_qs.arg(text));
@@ -35,8 +33,7 @@ Expected<void> giveScript(const QString& script, std::vector<VirtualAddress>& gr
             gripper.script = script;
         if (gripper.script.isEmpty())
             continue;
-        if (const auto events = readFaultScript(gripper.script); !events)
-            return tl::unexpected<Error>(events.error());
+        RETURN_IF_ERROR(readFaultScript(gripper.script));
     }
     return {};
 }
@@ -60,21 +57,18 @@ Expected<VirtualGripperOptions> parseVirtualGripperOptions(const QStringList& ar
         } else if (argument.startsWith(u'-')) {
             return usage(u"%1 is not an option; --help lists them."_qs.arg(argument));
         } else {
-            const Expected<VirtualAddress> gripper = parseGripper(argument);
-            if (!gripper)
-                return tl::unexpected<Error>(gripper.error());
-            const auto same = [&](const VirtualAddress& other) { return other.seed == gripper->seed; };
+            ASSIGN_OR_RETURN(const VirtualAddress gripper, parseGripper(argument));
+            const auto same = [&](const VirtualAddress& other) { return other.seed == gripper.seed; };
             if (std::any_of(options.grippers.begin(), options.grippers.end(), same))
                 return usage(
                     u"Two grippers would have the serial number VG-%1; give them another seed each."_qs.arg(
-                        gripper->seed));
-            options.grippers.push_back(*gripper);
+                        gripper.seed));
+            options.grippers.push_back(gripper);
         }
     }
     if (options.grippers.empty())
         options.grippers.emplace_back();
-    if (const Expected<void> given = giveScript(script, options.grippers); !given)
-        return tl::unexpected<Error>(given.error());
+    RETURN_IF_ERROR(giveScript(script, options.grippers));
     return options;
 }
 

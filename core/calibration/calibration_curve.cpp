@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_curve.h"
 
-#include "core/calibration/polynomial.h"
-#include "core/words.h"
+#include "core/base/words.h"
 
 #include <Eigen/QR>
 
@@ -14,36 +13,51 @@ namespace gripscope {
 
 namespace {
 
+/// The root in [low, high], where the values at the ends differ in sign.
+long double bisect(std::span<const long double> coefficients, long double low, long double high)
+{
+    const bool rising = polynomialValue(coefficients, low) < 0;
+    for (;;) {
+        const long double middle = low + (high - low) / 2;
+        if (!(middle > low && middle < high))
+            return middle;
+        if ((polynomialValue(coefficients, middle) < 0) == rising)
+            low = middle;
+        else
+            high = middle;
+    }
+}
+
 using Vector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-Error unusable(const QString& found, const QString& expected)
+Error unusable(const Finding& found, const Finding& expected)
 {
-    return {ErrorCode::BadInput, {Words::tr("calibration points"), found, expected}};
+    return {ErrorCode::BadInput, {Words::say("calibration points"), found, expected}};
 }
 
 std::optional<Error> problemOf(const std::vector<CalibrationPoint>& points, int degree)
 {
     if (degree < 1 || degree > highestCalibrationDegree)
-        return unusable(Words::tr("found degree %1").arg(degree),
-                        Words::tr("expected a degree from 1 to %1").arg(highestCalibrationDegree));
+        return unusable(Words::say("found degree %1").arg(degree),
+                        Words::say("expected a degree from 1 to %1").arg(highestCalibrationDegree));
     std::set<double> loads;
     for (const CalibrationPoint& point : points) {
         if (!std::isfinite(point.load) || !std::isfinite(point.reading))
-            return unusable(Words::tr("found a number that is not finite"),
-                            Words::tr("expected finite loads and readings"));
+            return unusable(Words::say("found a number that is not finite"),
+                            Words::say("expected finite loads and readings"));
         loads.insert(point.load);
     }
     if (static_cast<int>(points.size()) < degree + 2 || static_cast<int>(loads.size()) < degree + 1)
         return unusable(
-            Words::tr("found %1 points at %2 different loads").arg(points.size()).arg(loads.size()),
-            Words::tr("degree %1 needs at least %2 points at %3 loads")
+            Words::say("found %1 points at %2 different loads").arg(points.size()).arg(loads.size()),
+            Words::say("degree %1 needs at least %2 points at %3 loads")
                 .arg(degree)
                 .arg(degree + 2)
                 .arg(degree + 1));
     if (!std::isfinite(*loads.rbegin() - *loads.begin()))
-        return unusable(Words::tr("found loads from %1 to %2").arg(*loads.begin()).arg(*loads.rbegin()),
-                        Words::tr("expected a range that is a number"));
+        return unusable(Words::say("found loads from %1 to %2").arg(*loads.begin()).arg(*loads.rbegin()),
+                        Words::say("expected a range that is a number"));
     return std::nullopt;
 }
 
@@ -75,10 +89,49 @@ Matrix toUnscaledPowers(Eigen::Index count, long double center, long double half
 
 } // namespace
 
+long double polynomialValue(std::span<const long double> coefficients, long double x)
+{
+    long double value = 0;
+    for (std::size_t i = coefficients.size(); i-- > 0;)
+        value = value * x + coefficients[i];
+    return value;
+}
+
+std::vector<long double> polynomialDerivative(std::span<const long double> coefficients)
+{
+    std::vector<long double> derivative;
+    derivative.reserve(coefficients.size());
+    for (std::size_t i = 1; i < coefficients.size(); ++i)
+        derivative.push_back(static_cast<long double>(i) * coefficients[i]);
+    return derivative;
+}
+
+std::vector<long double> polynomialRoots(std::span<const long double> coefficients, long double from,
+                                         long double to)
+{
+    std::vector<long double> roots;
+    if (coefficients.size() < 2)
+        return roots;
+    std::vector<long double> bounds{from};
+    for (const long double turn : polynomialRoots(polynomialDerivative(coefficients), from, to))
+        bounds.push_back(turn);
+    bounds.push_back(to);
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
+        const long double first = polynomialValue(coefficients, bounds[i]);
+        const long double last = polynomialValue(coefficients, bounds[i + 1]);
+        if (first == 0 && (roots.empty() || roots.back() != bounds[i]))
+            roots.push_back(bounds[i]);
+        if (std::signbit(first) != std::signbit(last) && first != 0 && last != 0)
+            roots.push_back(bisect(coefficients, bounds[i], bounds[i + 1]));
+    }
+    if (to > from && polynomialValue(coefficients, to) == 0)
+        roots.push_back(to);
+    return roots;
+}
+
 Expected<CalibrationCurve> CalibrationCurve::fit(const std::vector<CalibrationPoint>& points, int degree)
 {
-    if (const std::optional<Error> problem = problemOf(points, degree))
-        return tl::unexpected<Error>(*problem);
+    RETURN_IF_ERROR(problemOf(points, degree));
     const auto [least, largest] = std::minmax_element(
         points.begin(), points.end(),
         [](const CalibrationPoint& a, const CalibrationPoint& b) { return a.load < b.load; });
@@ -110,14 +163,14 @@ Expected<CalibrationCurve> CalibrationCurve::fit(const std::vector<CalibrationPo
     curve.m_covariance = variance * (root * root.transpose());
     if (!curve.coefficients().allFinite() || !curve.standardDeviations().allFinite())
         return tl::unexpected<Error>(
-            unusable(Words::tr("the numbers are too large or too small"), Words::tr("choose other units")));
+            unusable(Words::say("the numbers are too large or too small"), Words::say("choose other units")));
     constexpr long double inside = 1 - 1e-9L; // a curve may be level at its very end
     const std::vector<long double> turns =
         polynomialRoots(polynomialDerivative(curve.m_powers), -inside, inside);
     if (!turns.empty() || curve.readingAt(curve.leastLoad()) == curve.readingAt(curve.largestLoad()))
         return tl::unexpected<Error>(unusable(
-            Words::tr("the curve does not only rise or only fall between the least and the largest load"),
-            Words::tr("a reading would belong to two loads: choose a lower degree or look at the points")));
+            Words::say("the curve does not only rise or only fall between the least and the largest load"),
+            Words::say("a reading would belong to two loads: choose a lower degree or look at the points")));
     return curve;
 }
 

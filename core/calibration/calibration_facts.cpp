@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_facts.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
 
 namespace gripscope {
 
@@ -41,6 +41,22 @@ QString toString(CheckStatus status)
     return {};
 }
 
+// The file says it in English; who reads it there in another language, by Words::heard().
+Finding calibrationWords()
+{
+    return Words::say("taken %1 against %2, holds until %3");
+}
+
+Finding lastCheckWords()
+{
+    return Words::say("last on %1 at %2");
+}
+
+Finding noCheckWords()
+{
+    return Words::say("never on %1");
+}
+
 void correct(std::vector<double>& values, const QString& text)
 {
     const std::optional<SensorCorrection> correction = SensorCorrection::fromText(text);
@@ -54,9 +70,10 @@ void noteCalibration(QMap<QString, QString>& provenance, const CalibrationRecord
                      const SensorCorrection& correction, const QDate& today)
 {
     provenance[wordsKey(calibration.channel)] =
-        Words::tr("taken %1 against %2, holds until %3")
+        calibrationWords()
             .arg(calibration.takenUtc.date().toString(Qt::ISODate), calibration.reference.name.simplified(),
-                 calibration.due.toString(Qt::ISODate));
+                 calibration.due.toString(Qt::ISODate))
+            .english();
     provenance[correctionKey(calibration.channel)] = correction.text();
     provenance[daysKey(calibration.channel)] = QString::number(today.daysTo(calibration.due));
 }
@@ -74,7 +91,8 @@ std::vector<CalibrationFact> calibrationFacts(const QMap<QString, QString>& prov
         bool isNumber = false;
         const qint64 days = provenance.value(daysKey(channel)).toLongLong(&isNumber);
         if (isNumber)
-            facts.push_back({channel, days, provenance.value(wordsKey(channel))});
+            facts.push_back(
+                {channel, days, Words::heard({calibrationWords()}, provenance.value(wordsKey(channel)))});
     }
     return facts;
 }
@@ -87,10 +105,11 @@ void noteReferenceCheck(QMap<QString, QString>& provenance, const ReferenceStand
         return;
     provenance[checkKey] = toString(status);
     provenance[checkWordsKey] = standing.last
-                                    ? Words::tr("last on %1 at %2")
+                                    ? lastCheckWords()
                                           .arg(standing.reference.name.simplified(),
                                                standing.last->made.toUTC().toString(Qt::ISODate))
-                                    : Words::tr("never on %1").arg(standing.reference.name.simplified());
+                                          .english()
+                                    : noCheckWords().arg(standing.reference.name.simplified()).english();
 }
 
 std::optional<ReferenceCheckFact> referenceCheckFact(const QMap<QString, QString>& provenance)
@@ -98,7 +117,8 @@ std::optional<ReferenceCheckFact> referenceCheckFact(const QMap<QString, QString
     const QString found = provenance.value(checkKey);
     for (const CheckStatus status : {CheckStatus::Passed, CheckStatus::Due, CheckStatus::Failed})
         if (found == toString(status))
-            return ReferenceCheckFact{status, provenance.value(checkWordsKey)};
+            return ReferenceCheckFact{
+                status, Words::heard({lastCheckWords(), noCheckWords()}, provenance.value(checkWordsKey))};
     return std::nullopt;
 }
 

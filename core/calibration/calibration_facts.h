@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/finding.h"
 #include "core/calibration/calibration_record.h"
 #include "core/calibration/sensor_correction.h"
-#include "core/signal/recording.h"
+#include "core/signal/recording/recording.h"
 
 #include <QMap>
 
@@ -16,7 +17,7 @@ namespace gripscope {
 struct CalibrationFact {
     SensorChannel channel = SensorChannel::Force;
     qint64 daysLeft = 0;
-    QString words;
+    Finding words;
 };
 
 void noteCalibration(QMap<QString, QString>& provenance, const CalibrationRecord& calibration,
@@ -31,7 +32,7 @@ void correctAsNoted(Recording& recording);
 /// `reference_check_words` (on what, when). Nothing where no check is asked for.
 struct ReferenceCheckFact {
     CheckStatus status = CheckStatus::Passed;
-    QString words;
+    Finding words;
 };
 void noteReferenceCheck(QMap<QString, QString>& provenance, const ReferenceStanding& standing,
                         const QDateTime& now);

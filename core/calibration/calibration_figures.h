@@ -3,6 +3,8 @@
 
 #include "core/calibration/calibration_curve.h"
 
+#include <QJsonObject>
+
 #include <optional>
 #include <vector>
 
@@ -34,5 +36,16 @@ struct CalibrationFigures {
 /// Points in the order they were taken: that is what tells up from down.
 [[nodiscard]] CalibrationFigures calibrationFigures(const CalibrationCurve& curve,
                                                     const std::vector<CalibrationPoint>& points);
+
+/// What becomes of single readings: each with its load, standard and expanded (95 %, Student's t)
+/// uncertainty; null where it lies outside the range.
+[[nodiscard]] QJsonObject loadFromReadingJson(const CalibrationCurve& curve,
+                                              const std::vector<double>& readings);
+
+/// {"points", "degree", "reading_from_load": {coefficients, standard_deviations, residual_deviation,
+/// degrees_of_freedom, load_range}, "load_from_reading": .., "figures": ..}
+[[nodiscard]] QJsonObject calibrationJson(const CalibrationCurve& curve,
+                                          const std::vector<CalibrationPoint>& points,
+                                          const std::vector<double>& readings);
 
 } // namespace gripscope

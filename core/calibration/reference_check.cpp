@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/reference_check.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double expansion = 2; ///< of 95 %, as ISO 13528 has it
+constexpr double expansion95 = 2; ///< of 95 %, as ISO 13528 has it
 constexpr int mostSqueezes = 20;
 constexpr int mostHours = 24 * 366;
 
@@ -24,32 +24,32 @@ bool isUsable(const ReferenceQuantity& stated)
 
 bool isWellKnown(const MeasuredQuantity& measured, const ReferenceQuantity& stated)
 {
-    return expansion * std::hypot(measured.standardUncertainty, stated.standardUncertainty) <=
+    return expansion95 * std::hypot(measured.standardUncertainty, stated.standardUncertainty) <=
            stated.tolerance;
 }
 
 } // namespace
 
-QString problemOf(const ReferenceObject& reference)
+Finding problemOf(const ReferenceObject& reference)
 {
     if (reference.name.isEmpty())
-        return Words::tr("The reference object needs a name, such as the number on it.");
+        return Words::say("The reference object needs a name, such as the number on it.");
     if (!reference.stated[2])
-        return Words::tr("The stiffness of the reference object must be known.");
+        return Words::say("The stiffness of the reference object must be known.");
     for (const std::optional<ReferenceQuantity>& stated : reference.stated) {
         if (stated && !isUsable(*stated))
-            return Words::tr("What is stated needs a value and a tolerance above zero.");
+            return Words::say("What is stated needs a value and a tolerance above zero.");
         if (stated && !isWellKnown({}, *stated))
-            return Words::tr("A tolerance is smaller than twice the uncertainty of what is stated: no "
-                             "measurement could tell. Widen it, or use a better reference object.");
+            return Words::say("A tolerance is smaller than twice the uncertainty of what is stated: no "
+                              "measurement could tell. Widen it, or use a better reference object.");
     }
     if (!(reference.peak_N > 0) || !std::isfinite(reference.peak_N) ||
         !(reference.bias_N > reference.peak_N) || !std::isfinite(reference.bias_N))
-        return Words::tr("The force must stay above zero: let it vary by less than its middle.");
+        return Words::say("The force must stay above zero: let it vary by less than its middle.");
     if (reference.squeezes < 1 || reference.squeezes > mostSqueezes)
-        return Words::tr("A check may have 1 to %1 squeezes.").arg(mostSqueezes);
+        return Words::say("A check may have 1 to %1 squeezes.").arg(mostSqueezes);
     if (reference.intervalHours < 0 || reference.intervalHours > mostHours)
-        return Words::tr("A check may hold for a year at the most.");
+        return Words::say("A check may hold for a year at the most.");
     return {};
 }
 
@@ -58,7 +58,7 @@ std::optional<double> enNumber(const MeasuredQuantity& measured, const Reference
     const double error = measured.value - stated.value;
     const double uncertainty = std::hypot(measured.standardUncertainty, stated.standardUncertainty);
     if (uncertainty > 0)
-        return error / (expansion * uncertainty);
+        return error / (expansion95 * uncertainty);
     return error == 0 ? std::optional(0.0) : std::nullopt;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/finding.h"
+
 #include <QDateTime>
 #include <QString>
 
@@ -33,7 +35,7 @@ struct ReferenceObject {
 };
 
 /// Why a reference object cannot be used, and what would do; empty when it can.
-[[nodiscard]] QString problemOf(const ReferenceObject& reference);
+[[nodiscard]] Finding problemOf(const ReferenceObject& reference);
 
 /// What was found of one of m, b, k, in SI.
 struct MeasuredQuantity {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/sensor_calibration.h"
 
-#include "core/words.h"
-
-#include <boost/math/distributions/students_t.hpp>
+#include "core/base/words.h"
+#include "core/math/distributions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +18,7 @@ constexpr double confidence = 0.95;
 double coverageFactor(double degreesOfFreedom)
 {
     constexpr double asGoodAsInfinite = 1e6;
-    return boost::math::quantile(boost::math::students_t(std::clamp(degreesOfFreedom, 1.0, asGoodAsInfinite)),
-                                 (1 + confidence) / 2);
+    return studentQuantile((1 + confidence) / 2, std::clamp(degreesOfFreedom, 1.0, asGoodAsInfinite));
 }
 
 /// The curve's slope there, from a difference that is exact for straight lines and good enough for others.
@@ -110,20 +108,18 @@ Expected<CalibrationEvaluation> evaluateCalibration(const SensorCalibration& cal
     for (const double uncertainty : {reference.standardUncertainty, reference.relativeUncertainty})
         if (!std::isfinite(uncertainty) || uncertainty < 0)
             return failure(ErrorCode::BadInput,
-                           {Words::tr("the reference"),
-                            Words::tr("found an uncertainty of %1").arg(uncertainty),
-                            Words::tr("expected zero or more, as its certificate states it")});
-    Expected<CalibrationCurve> curve = CalibrationCurve::fit(calibration.points, calibration.degree);
-    if (!curve)
-        return tl::unexpected<Error>(curve.error());
-    if (const std::optional<double> level = levelPlace(*curve))
+                           {Words::say("the reference"),
+                            Words::say("found an uncertainty of %1").arg(uncertainty),
+                            Words::say("expected zero or more, as its certificate states it")});
+    ASSIGN_OR_RETURN(CalibrationCurve curve, CalibrationCurve::fit(calibration.points, calibration.degree));
+    if (const std::optional<double> level = levelPlace(curve))
         return failure(
             ErrorCode::BadInput,
-            {Words::tr("calibration points"),
-             Words::tr("the curve is nearly level at a load of %1").arg(*level),
-             Words::tr("loads cannot be told there: choose a lower degree or look at the points")});
+            {Words::say("calibration points"),
+             Words::say("the curve is nearly level at a load of %1").arg(*level),
+             Words::say("loads cannot be told there: choose a lower degree or look at the points")});
     CalibrationEvaluation evaluation;
-    evaluation.curve = std::move(*curve);
+    evaluation.curve = std::move(curve);
     evaluation.figures = calibrationFigures(evaluation.curve, calibration.points);
     evaluation.residuals.reserve(calibration.points.size());
     for (const CalibrationPoint& point : calibration.points)

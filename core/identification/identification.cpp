@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/identification.h"
 
-#include "core/identification/assessment.h"
-#include "core/identification/fit.h"
-#include "core/identification/identifiability.h"
-#include "core/identification/output_error.h"
-#include "core/identification/run_estimator.h"
-#include "core/identification/validation_records.h"
-#include "core/identification/validity_checks.h"
-#include "core/words.h"
+#include "core/base/words.h"
+#include "core/identification/comparison/hold_evidence.h"
+#include "core/identification/comparison/model_comparison.h"
+#include "core/identification/estimators/run_estimator.h"
+#include "core/identification/model/identifiability.h"
+#include "core/identification/output_error/output_error.h"
+#include "core/identification/uncertainty/uncertainty_budget.h"
+#include "core/identification/validation/validation.h"
+#include "core/identification/validity/validity_checks.h"
+#include "core/math/fit.h"
+#include "core/math/robust_statistics.h"
 
 #include <algorithm>
 #include <array>
@@ -19,17 +22,72 @@ namespace gripscope {
 
 namespace {
 
+/// A Duffing search takes some microseconds a sample and iteration: a second for this many.
+constexpr std::size_t longestCubic = 100'000;
+
+/// The disagreement between windows of the record as `estimator` sees them, output error on each with its own
+/// lost samples. `whole` is the estimate from all of it.
+ModelDiscrepancy windowDiscrepancy(const PreparedRecord& record, const EstimatorTask& task,
+                                   const Estimate& whole)
+{
+    EstimatorTask each = task;
+    each.freeInitialState = true;
+    // Windows of a repeating force need not hold whole periods.
+    const Estimator estimator =
+        whole.estimator == Estimator::Duffing ? Estimator::Duffing : Estimator::OutputError;
+    return modelDiscrepancy(record.force.size(), record.sampleTime_s, whole, [&](Window window) {
+        return runEstimator(estimator, windowOf(record, window), each);
+    });
+}
+
+/// The budget of `estimate`: its noise, the chain's effects, the other hold as far as `holds` leaves it
+/// probable, and what the windows disagree by. Without parameters and covariance: a budget that says why
+/// there is none.
+UncertaintyBudget budgetOf(const Estimate& estimate, const PreparedRecord& record, const EstimatorTask& task,
+                           const HoldEvidence& holds)
+{
+    BudgetOptions options;
+    if (holds.parameters && holds.otherParameters && estimate.parameters) {
+        // As far from this estimate as output error moves with the hold, whichever estimator this is.
+        const Eigen::Vector3d ratio =
+            holds.otherParameters->vector().cwiseQuotient(holds.parameters->vector());
+        const Eigen::Vector3d other = estimate.parameters->vector().cwiseProduct(ratio);
+        options.hold = HoldAmbiguity{{other(0), other(1), other(2)}, holds.otherProbability()};
+    }
+    options.discrepancy = windowDiscrepancy(record, task, estimate);
+    return uncertaintyBudget(estimate, record.force, record.position, outputErrorOptions(record, task),
+                             record.chain, options);
+}
+
+/// Output error of the record against other models; a cubic spring is tried where no sample is lost and the
+/// record is short enough for it to be quick. Empty without a converged output-error estimate.
+ModelComparison comparisonOf(const Identification& identification, const PreparedRecord& record,
+                             const EstimatorTask& task)
+{
+    const Estimate* const linear = identification.find(Estimator::OutputError);
+    if (linear == nullptr || linear->status != EstimateStatus::Converged)
+        return {};
+    std::optional<Estimate> cubic;
+    if (const Estimate* const found = identification.find(Estimator::Duffing))
+        cubic = *found;
+    else if (record.lost.empty() && record.force.size() <= longestCubic)
+        cubic = runEstimator(Estimator::Duffing, record, task);
+    if (cubic && cubic->status != EstimateStatus::Converged)
+        cubic.reset();
+    return compareModels(record.force, record.position, outputErrorOptions(record, task), *linear, cubic);
+}
+
 /// What keeps every estimator from starting, or nothing.
-const char* unusable(const PreparedRecord& record)
+std::optional<Finding> unusable(const PreparedRecord& record)
 {
     if (record.force.size() != record.position.size())
-        return QT_TRANSLATE_NOOP("Words", "force and position have different lengths");
+        return Words::say("force and position have different lengths");
     if (!std::isfinite(record.sampleTime_s) || !(record.sampleTime_s > 0) ||
         !std::isfinite(record.forceLag_s))
-        return QT_TRANSLATE_NOOP("Words", "the sample time or the lag is not a usable number");
+        return Words::say("the sample time or the lag is not a usable number");
     if (!allFinite(record.force) || !allFinite(record.position))
-        return QT_TRANSLATE_NOOP("Words", "the recording holds values that are not finite");
-    return nullptr;
+        return Words::say("the recording holds values that are not finite");
+    return std::nullopt;
 }
 
 /// Output error where it converged; else the estimate with parameters that simulates best.
@@ -58,7 +116,7 @@ bool cubicIsBetter(const Identification& data)
            data.comparison.ranked.front().id == QLatin1String("cubic_spring");
 }
 
-bool failed(const std::vector<ValidityCheck>& checks, const QString& id)
+bool checkFailed(const std::vector<ValidityCheck>& checks, const QString& id)
 {
     return std::any_of(checks.begin(), checks.end(),
                        [&](const ValidityCheck& check) { return check.id == id && !check.ok; });
@@ -70,7 +128,7 @@ Estimator reconsidered(const Identification& data)
 {
     const Estimate* const periodic = data.find(Estimator::Periodic);
     if (periodic != nullptr && periodic->status == EstimateStatus::Converged &&
-        failed(data.validity.checks, QStringLiteral("feedback")))
+        checkFailed(data.validity.checks, QStringLiteral("feedback")))
         return Estimator::Periodic;
     return cubicIsBetter(data) ? Estimator::Duffing : data.recommended;
 }
@@ -85,29 +143,36 @@ void judgeBaseline(Identification& data)
             continue;
         check.ok = false;
         check.decisive = true;
-        check.message = Words::tr(
+        check.message = Words::say(
             "the squeeze is not told from the empty gripper: with its m, b and k taken off, not all that is "
             "left is above zero. Check that the part was between the fingers, and measure the empty gripper "
             "again");
     }
 }
 
+Eigen::Vector3d standardErrors(const UncertaintyBudget& budget, EvaluationType type)
+{
+    Eigen::Vector3d variances = Eigen::Vector3d::Zero();
+    for (const BudgetLine& line : budget.lines)
+        if (line.type == type)
+            variances += line.covariance.diagonal();
+    return variances.cwiseMax(0).cwiseSqrt();
+}
+
+bool isUsable(const UncertaintyBudget& budget)
+{
+    return budget.parameters && budget.parameters->vector().allFinite() &&
+           budget.parameters->vector().minCoeff() > 0 && budget.covariance.allFinite();
+}
+
+/// A floor keeps a squeeze without noise from outweighing all others without end.
+double withFloor(double error, double value)
+{
+    constexpr double leastRelativeError = 1e-9;
+    return std::max(error, leastRelativeError * value);
+}
+
 } // namespace
-
-const Estimate* Identification::find(Estimator estimator) const
-{
-    for (const Estimate& estimate : estimates) {
-        if (estimate.estimator == estimator)
-            return &estimate;
-    }
-    return nullptr;
-}
-
-const Estimate* Identification::best() const
-{
-    const Estimate* estimate = find(recommended);
-    return estimate != nullptr && estimate->parameters ? estimate : nullptr;
-}
 
 HoldEvidence holdDeclaration(const Recording& recording, const IdentificationOptions& options)
 {
@@ -116,24 +181,6 @@ HoldEvidence holdDeclaration(const Recording& recording, const IdentificationOpt
     declaration.lag_s = recording.forceLag_s;
     declaration.lagUncertainty_s = recording.chain.forceLagUncertainty_s;
     return declaration;
-}
-
-const HoldEvidence& Identification::tellingHold() const
-{
-    const bool alone = holdEvidence.verdict() == HoldVerdict::Contradicts &&
-                       summedHold.verdict() != HoldVerdict::Contradicts;
-    return alone ? holdEvidence : summedHold;
-}
-
-std::optional<CorrectedParameters> Identification::object() const
-{
-    const Estimate* estimate = best();
-    if (estimate == nullptr)
-        return std::nullopt;
-    const Eigen::Matrix3d covariance = estimate->covariance.value_or(Eigen::Matrix3d::Zero());
-    if (baseline)
-        return withoutGripper(*estimate->parameters, covariance, *baseline);
-    return CorrectedParameters{*estimate->parameters, covariance};
 }
 
 Identification identify(const Recording& recording, const IdentificationOptions& options)
@@ -150,16 +197,15 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     const EstimatorTask task{result.hold, options.initialState == InitialState::Free, options.freeOffset,
                              excitationPeriod(recording)};
 
-    const char* const obstacle = unusable(record);
+    const std::optional<Finding> obstacle = unusable(record);
     for (const Estimator estimator : options.estimators)
         result.estimates.push_back(
-            obstacle != nullptr
-                ? statusOnly(estimator, EstimateStatus::NotApplicable, obstacle)
-                : runEstimator(estimator, record, task,
-                               estimator == Estimator::Periodic ? &result.repetition : nullptr));
+            obstacle ? statusOnly(estimator, EstimateStatus::NotApplicable, *obstacle)
+                     : runEstimator(estimator, record, task,
+                                    estimator == Estimator::Periodic ? &result.repetition : nullptr));
     result.recommended = recommend(result.estimates);
     const Estimate* const outputError = result.find(Estimator::OutputError);
-    if (outputError != nullptr && obstacle == nullptr)
+    if (outputError != nullptr && !obstacle)
         result.holdEvidence = weighHolds(record.force, record.position, outputErrorOptions(record, task),
                                          *outputError, recording.chain.forceLagUncertainty_s);
     result.summedHold = combine(std::array{options.earlierHold, result.holdEvidence});
@@ -168,7 +214,7 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     result.force = record.force;
     result.position = record.position;
     result.lost = record.lost;
-    if (options.assess && obstacle == nullptr)
+    if (options.assess && !obstacle)
         result.comparison = comparisonOf(result, record, task);
     result.validity.checks = checkValidity(result, recording, options);
     if (const Estimator better = reconsidered(result); better != result.recommended) {
@@ -182,6 +228,35 @@ Identification identify(const Recording& recording, const IdentificationOptions&
         result.validation = validateOnSecondWindow(best->estimator, record, task);
     }
     return result;
+}
+
+double RepeatedMeasurement::standardUncertainty(std::size_t parameter) const
+{
+    return std::hypot(ownErrors[parameter], sharedErrors[parameter]);
+}
+
+std::optional<RepeatedMeasurement> repeatedMeasurement(std::span<const Identification> squeezes)
+{
+    const auto usable = [](const Identification& squeeze) { return isUsable(squeeze.budget); };
+    if (squeezes.empty() || !std::all_of(squeezes.begin(), squeezes.end(), usable))
+        return std::nullopt;
+    RepeatedMeasurement found;
+    const std::array<double*, 3> values{&found.parameters.m, &found.parameters.b, &found.parameters.k};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto index = static_cast<Eigen::Index>(i);
+        std::vector<ValueWithError> measured;
+        for (const Identification& squeeze : squeezes) {
+            const double value = squeeze.budget.parameters->vector()(index);
+            const double own = standardErrors(squeeze.budget, EvaluationType::A)(index);
+            const double shared = standardErrors(squeeze.budget, EvaluationType::B)(index);
+            measured.push_back({value, withFloor(own, value)});
+            found.sharedErrors[i] = std::max(found.sharedErrors[i], shared);
+        }
+        const ValueWithError mean = pooledMean(measured);
+        *values[i] = mean.value;
+        found.ownErrors[i] = mean.standardError;
+    }
+    return found;
 }
 
 } // namespace gripscope

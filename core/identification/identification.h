@@ -1,73 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/identification/baseline.h"
-#include "core/identification/estimate.h"
-#include "core/identification/hold_evidence.h"
-#include "core/identification/model_comparison.h"
-#include "core/identification/periodic.h"
-#include "core/identification/uncertainty_budget.h"
-#include "core/identification/validation.h"
-#include "core/identification/validity.h"
-#include "core/signal/preparation.h"
+#include "core/identification/result/identification_result.h"
 
-#include <optional>
-#include <vector>
+#include <array>
+#include <span>
 
 namespace gripscope {
-
-enum class InitialState { Free, Rest };
-
-struct IdentificationOptions {
-    std::vector<Estimator> estimators = {Estimator::Arx, Estimator::OutputError};
-    std::optional<ForceHold> hold; ///< empty: the recording's, else first-order
-    InitialState initialState = InitialState::Free;
-    bool freeOffset = true; ///< a position offset (OE) or a constant column (ARX)
-    bool assess = true;     ///< budget, comparison of models and validation, too: about as much work again
-    /// What earlier squeezes of the same device say about the hold. It counts where they declared the same
-    /// hold and lag.
-    HoldEvidence earlierHold = {};
-};
 
 /// Hold, lag and its uncertainty as identify() takes them to be declared: evidence that says nothing yet.
 [[nodiscard]] HoldEvidence holdDeclaration(const Recording& recording, const IdentificationOptions& options);
 
-/// All that was found out about one recording.
-struct Identification {
-    WindowChoice choice;
-    ForceHold hold = ForceHold::First;
-    double sampleTime_s = 0;
-    std::vector<Estimate> estimates; ///< in the order asked for
-    Estimator recommended = Estimator::OutputError;
-    Validity validity;
-    /// What output error says about the force hold: this squeeze alone, and with the earlier ones.
-    HoldEvidence holdEvidence, summedHold;
-    UncertaintyBudget budget;   ///< of the recommended estimate: the intervals to be shown
-    ModelComparison comparison; ///< of output error with other models
-    /// The recommended estimator on the first part of the record, held against the rest.
-    Validation validation;
-    /// What the periods of a repeating force tell; where `periodic` was asked for and found parameters.
-    std::optional<PeriodicDiagnostics> repetition;
-    std::vector<PreparationStep> preparation; ///< what was done to the recording before, and noticed
-    std::optional<GripperBaseline> baseline;  ///< the recording's: what the empty gripper alone is
-    /// The window that was used, on a regular grid; at the indexes `lost` nothing was measured and the values
-    /// are for plots only.
-    std::vector<double> time_s, force, position;
-    std::vector<std::size_t> lost;
-
-    /// The recommended estimate, or null when there is none with parameters.
-    [[nodiscard]] const Estimate* best() const;
-    [[nodiscard]] const Estimate* find(Estimator estimator) const;
-    /// What check and budget go by: the sum, or this squeeze where it alone contradicts the declared hold.
-    [[nodiscard]] const HoldEvidence& tellingHold() const;
-    /// The recommended estimate of the object alone, the empty gripper taken off where its m, b, k are known:
-    /// what is shown, enrolled and judged. A covariance of zero: the estimate has none. Nothing without an
-    /// estimate, or when the object is not told from the empty gripper.
-    [[nodiscard]] std::optional<CorrectedParameters> object() const;
-};
-
 /// Prepares the record (preparation.h), runs every estimator asked for, and judges the measurement. Pure;
 /// never throws for data.
 [[nodiscard]] Identification identify(const Recording& recording, const IdentificationOptions& options = {});
+
+/// m, b, k of one object from several squeezes, in the channels' units, without the empty gripper's where
+/// that is known.
+struct RepeatedMeasurement {
+    MassDampingStiffness parameters;
+    std::array<double, 3> ownErrors{};    ///< standard, of the mean: the squeezes' noise and their scatter
+    std::array<double, 3> sharedErrors{}; ///< standard: what all squeezes of the gripper have in common
+    [[nodiscard]] double standardUncertainty(std::size_t parameter) const;
+};
+
+/// The pooled means of the squeezes (pooledMean()), each with the type A lines of its budget as its own
+/// error; shared are the type B lines (calibration, lag, frame, baseline), the largest of the squeezes, since
+/// repeating does not average them out (JCGM 100, 5.2). Nothing without squeezes, or when one has no m, b, k
+/// above zero with a budget.
+[[nodiscard]] std::optional<RepeatedMeasurement>
+repeatedMeasurement(std::span<const Identification> squeezes);
 
 } // namespace gripscope

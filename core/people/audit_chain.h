@@ -5,7 +5,8 @@
 
 namespace gripscope {
 
-/// How far a trail goes and how it ends: what is kept in a second place (core/store/audit_witness.h).
+/// How far a trail goes and how it ends: what is kept in a second place
+/// (core/library/tables/audit_witness.h).
 struct AuditHead {
     qint64 entries = 0;
     QString hash;

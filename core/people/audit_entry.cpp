@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/people/audit_entry.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
 
 #include <QCryptographicHash>
 #include <QJsonArray>
@@ -78,6 +78,8 @@ QString actionInWords(const QString& action)
         {"calibration.accepted", QT_TRANSLATE_NOOP("Words", "Calibration accepted")},
         {"calibration.reference", QT_TRANSLATE_NOOP("Words", "Reference object stated")},
         {"chain.measured", QT_TRANSLATE_NOOP("Words", "Gripper's channels measured")},
+        {"policy.arming", QT_TRANSLATE_NOOP("Words", "Who may arm changed")},
+        {"gripper.armed", QT_TRANSLATE_NOOP("Words", "Gripper armed")},
         {"type.new_type", QT_TRANSLATE_NOOP("Words", "Type added")},
         {"type.squeeze", QT_TRANSLATE_NOOP("Words", "Squeeze enrolled")},
         {"type.drop", QT_TRANSLATE_NOOP("Words", "Squeeze dropped")},

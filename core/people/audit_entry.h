@@ -26,6 +26,8 @@ inline constexpr char16_t settingChanged[] = u"setting.changed";
 inline constexpr char16_t calibrationAccepted[] = u"calibration.accepted";
 inline constexpr char16_t referenceStated[] = u"calibration.reference"; ///< what checks are made on
 inline constexpr char16_t chainMeasured[] = u"chain.measured";
+inline constexpr char16_t armingPolicy[] = u"policy.arming"; ///< who may arm
+inline constexpr char16_t gripperArmed[] = u"gripper.armed"; ///< the subject is its serial number
 inline constexpr char16_t typePrefix[] = u"type.";
 } // namespace audit_action
 

@@ -1,15 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/people/permission.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
 
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
 
-bool mayDo(Role role, Permission)
+QString toString(ArmingPolicy policy)
 {
-    return role == Role::Supervisor;
+    return policy == ArmingPolicy::Supervisors ? u"supervisors"_s : u"signed_in"_s;
+}
+
+std::optional<ArmingPolicy> armingPolicyFromString(const QString& text)
+{
+    for (const ArmingPolicy policy : {ArmingPolicy::SignedIn, ArmingPolicy::Supervisors})
+        if (toString(policy) == text)
+            return policy;
+    return {};
+}
+
+bool mayDo(Role role, Permission permission, ArmingPolicy arming)
+{
+    return role == Role::Supervisor || (permission == Permission::Arm && arming == ArmingPolicy::SignedIn);
 }
 
 QString inWords(Permission permission)
@@ -33,6 +46,8 @@ QString inWords(Permission permission)
         return Words::tr("Managing people");
     case Permission::ChangeSettings:
         return Words::tr("Changing settings");
+    case Permission::Arm:
+        return Words::tr("Arming the gripper");
     }
     return {};
 }
@@ -58,7 +73,17 @@ QString toString(Permission permission)
         return u"manage_people"_s;
     case Permission::ChangeSettings:
         return u"change_settings"_s;
+    case Permission::Arm:
+        return u"arm"_s;
     }
+    return {};
+}
+
+std::optional<Permission> permissionFromString(const QString& text)
+{
+    for (int i = 0; i <= static_cast<int>(Permission::Arm); ++i)
+        if (toString(static_cast<Permission>(i)) == text)
+            return static_cast<Permission>(i);
     return {};
 }
 

@@ -6,7 +6,8 @@
 namespace gripscope {
 
 /// What asks for a supervisor once people are in a library: what decides about parts that others squeeze, and
-/// who may decide. Squeezing, inspecting and enrolling at the gripper are everybody's.
+/// who may decide; and arming, which the library's policy gives to more. Squeezing, inspecting and enrolling
+/// at the armed gripper are everybody's.
 enum class Permission {
     ChangeRates,        ///< that verdicts are held to
     ChangeLimits,       ///< a recipe with its force and travel limits, of a type that is there
@@ -16,14 +17,25 @@ enum class Permission {
     EnrollFiles,        ///< squeezes that nobody here has seen
     AcceptCalibrations, ///< and what else is measured of a gripper's channels
     ManagePeople,
-    ChangeSettings
+    ChangeSettings,
+    Arm ///< the gripper, so that it may move; see ArmingPolicy
 };
 
-/// Supervisors may everything, operators nothing of this.
-[[nodiscard]] bool mayDo(Role role, Permission permission);
+/// Who may arm a gripper once people are in a library; before that anybody may. From the window and from the
+/// command line alike.
+enum class ArmingPolicy {
+    SignedIn,   ///< everybody who has shown who they are
+    Supervisors ///< others with a supervisor's consent, each time
+};
+[[nodiscard]] QString toString(ArmingPolicy policy); ///< "signed_in", "supervisors": in the library
+[[nodiscard]] std::optional<ArmingPolicy> armingPolicyFromString(const QString& text);
+
+/// Supervisors may everything, operators nothing of this, except to arm where the policy lets them.
+[[nodiscard]] bool mayDo(Role role, Permission permission, ArmingPolicy arming = ArmingPolicy::SignedIn);
 /// "Approving a type": the beginning of a sentence.
 [[nodiscard]] QString inWords(Permission permission);
 /// "approve_types": in the audit trail.
 [[nodiscard]] QString toString(Permission permission);
+[[nodiscard]] std::optional<Permission> permissionFromString(const QString& text);
 
 } // namespace gripscope

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/people/person.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
+
+#include <algorithm>
 
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
+using std::chrono::seconds;
 
 QString toString(Role role)
 {
@@ -23,6 +26,30 @@ std::optional<Role> roleFromString(const QString& text)
 QString inWords(Role role)
 {
     return role == Role::Supervisor ? Words::tr("supervisor") : Words::tr("operator");
+}
+
+std::chrono::seconds SignInTries::wait() const
+{
+    constexpr seconds first{30};
+    constexpr seconds longest{15 * 60};
+    if (wrong < free)
+        return seconds(0);
+    const int doublings = std::min(wrong - free, 10); // far beyond the longest
+    return std::min(longest, first * (1 << doublings));
+}
+
+std::chrono::seconds SignInTries::remaining(const QDateTime& now) const
+{
+    if (!last.isValid())
+        return seconds(0);
+    const seconds passed(std::max<qint64>(0, last.secsTo(now)));
+    return std::max(seconds(0), wait() - passed);
+}
+
+QString waitInWords(std::chrono::seconds wait)
+{
+    const auto count = wait.count();
+    return count < 120 ? Words::tr("%1 s").arg(count) : Words::tr("%1 min").arg((count + 59) / 60);
 }
 
 } // namespace gripscope

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/people/secret.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
 
 #include <algorithm>
 #include <cstring>

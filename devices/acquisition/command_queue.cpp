@@ -2,14 +2,15 @@
 #include "devices/acquisition/command_queue.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gripscope {
 
 using namespace protocol;
 
-bool CommandQueue::isStop(const Entry& entry)
+bool CommandQueue::isArm(const Entry& entry)
 {
-    return std::holds_alternative<StopCommand>(entry.command.body);
+    return std::holds_alternative<ArmCommand>(entry.command.body);
 }
 
 bool CommandQueue::isUpload(const Entry& entry)
@@ -19,30 +20,38 @@ bool CommandQueue::isUpload(const Entry& entry)
 
 CommandQueue::Clock::duration CommandQueue::patienceFor(const Entry& entry)
 {
-    return isStop(entry) ? stopPatience : patience;
+    return isArm(entry) ? armPatience : patience;
 }
 
-int CommandQueue::attemptsFor(const Entry& entry)
+int CommandQueue::attemptsFor(const Entry& entry) const
 {
-    return isStop(entry) ? stopAttempts : attempts;
+    return isArm(entry) && !m_repeatsArm ? 1 : attempts;
+}
+
+Command CommandQueue::number(CommandBody body)
+{
+    ++m_lastNumber;
+    m_numbered[m_lastNumber % m_numbered.size()] = reportId(body);
+    m_numberedCount = std::min(m_numberedCount + 1, m_numbered.size());
+    return {m_lastNumber, body};
+}
+
+bool CommandQueue::sentHere(const Acknowledgement& answer) const
+{
+    const auto age = static_cast<std::uint16_t>(m_lastNumber - answer.commandNumber);
+    return age < m_numberedCount && m_numbered[answer.commandNumber % m_numbered.size()] == answer.command;
 }
 
 void CommandQueue::push(CommandBody body)
 {
-    m_entries.push_back({Command{++m_lastNumber, body}, {}, 0});
+    m_entries.push_back({{0, body}, {}, 0}); // numbered when it is sent
 }
 
-void CommandQueue::stop()
+Report CommandQueue::halt(CommandBody body)
 {
-    // A stop that waits for its answer already is put out anew: it must reach the device after all that was
-    // sent.
     m_entries.clear();
-    push(StopCommand{});
-}
-
-bool CommandQueue::stopping() const
-{
-    return !m_entries.empty() && isStop(m_entries.front());
+    m_halt = number(body);
+    return encode(*m_halt);
 }
 
 std::optional<Report> CommandQueue::next(Clock::time_point now)
@@ -55,6 +64,8 @@ std::optional<Report> CommandQueue::next(Clock::time_point now)
         const bool waiting = entry.timesSent > 0 && now < entry.sent + patienceFor(entry);
         if (waiting || entry.timesSent >= attemptsFor(entry))
             continue;
+        if (entry.timesSent == 0)
+            entry.command = number(entry.command.body);
         entry.sent = now;
         ++(entry.timesSent++ == 0 ? m_sent : m_repeated);
         return encode(entry.command);
@@ -73,6 +84,10 @@ CommandQueue::Clock::time_point CommandQueue::wakeAt() const
 
 std::optional<CommandQueue::Outcome> CommandQueue::acknowledge(const Acknowledgement& answer)
 {
+    if (m_halt && m_halt->number == answer.commandNumber && reportId(m_halt->body) == answer.command) {
+        ++m_answered;
+        return Outcome{std::exchange(m_halt, std::nullopt)->body, answer.result, answer.detail};
+    }
     const auto found = std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& entry) {
         return entry.timesSent > 0 && entry.command.number == answer.commandNumber &&
                reportId(entry.command.body) == answer.command;
@@ -102,7 +117,7 @@ std::optional<CommandQueue::Outcome> CommandQueue::expired(Clock::time_point now
 Report CommandQueue::heartbeat()
 {
     ++m_heartbeats;
-    return encode(Command{++m_lastNumber, HeartbeatCommand{}});
+    return encode(number(HeartbeatCommand{}));
 }
 
 void CommandQueue::fill(LinkCounters& counters) const

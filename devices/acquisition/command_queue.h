@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/gripper_port.h"
+#include "core/session/connection/gripper_port.h"
 #include "devices/protocol/codec.h"
 
+#include <array>
 #include <chrono>
 #include <deque>
 #include <optional>
@@ -14,16 +15,16 @@ namespace gripscope {
 /// to both.
 ///
 /// Commands go one after another, each when the one before was answered; uploads may run up to `uploadWindow`
-/// ahead. A command without an answer is sent again after `patience`; the protocol makes repeats harmless.
-/// Stop throws everything else away and goes first.
+/// ahead. A command without an answer is sent again after `patience`; the protocol makes repeats harmless
+/// (Arm's since 1.1). Stop is sent by its own rule (StopSequence); here it throws everything else away.
 class CommandQueue {
 public:
     using Clock = std::chrono::steady_clock;
     static constexpr std::size_t uploadWindow = 8;
     static constexpr std::chrono::milliseconds patience{100};
-    static constexpr std::chrono::milliseconds stopPatience{20};
+    /// Below the watchdog's time: an Arm whose answer was lost is asked again while it still holds.
+    static constexpr std::chrono::milliseconds armPatience{30};
     static constexpr int attempts = 10; ///< a second in all
-    static constexpr int stopAttempts = 50;
 
     /// What became of a command: its result, or nothing when no answer came at all.
     struct Outcome {
@@ -32,8 +33,18 @@ public:
         std::uint32_t detail = 0;
     };
 
+    CommandQueue() = default;
+    /// `lastNumber`: so that two programs hardly use the same numbers. `repeatsArm`: the device knows that an
+    /// Arm repeated is the same Arm.
+    CommandQueue(std::uint16_t lastNumber, bool repeatsArm)
+        : m_lastNumber(lastNumber), m_repeatsArm(repeatsArm)
+    {
+    }
+
     void push(protocol::CommandBody body);
-    void stop();
+    /// Throws away what waits, and gives the bytes of a Stop or Disarm, which its owner sends.
+    [[nodiscard]] protocol::Report halt(protocol::CommandBody body);
+    void countHalt(bool again) { ++(again ? m_repeated : m_sent); }
     void clear() { m_entries.clear(); }
 
     /// What to write now, if anything; counted as sent.
@@ -48,8 +59,11 @@ public:
     /// A heartbeat, which is neither queued nor repeated.
     [[nodiscard]] protocol::Report heartbeat();
 
+    /// Whether this program sent the command that this answers, of late. Else another one speaks to the
+    /// gripper.
+    [[nodiscard]] bool sentHere(const protocol::Acknowledgement& answer) const;
+
     [[nodiscard]] bool empty() const { return m_entries.empty(); }
-    [[nodiscard]] bool stopping() const;
     /// How many were sent, repeated, answered, refused and given up, and the heartbeats.
     void fill(LinkCounters& counters) const;
 
@@ -59,13 +73,18 @@ private:
         Clock::time_point sent;
         int timesSent = 0;
     };
-    [[nodiscard]] static bool isStop(const Entry& entry);
+    [[nodiscard]] static bool isArm(const Entry& entry);
     [[nodiscard]] static bool isUpload(const Entry& entry);
     [[nodiscard]] static Clock::duration patienceFor(const Entry& entry);
-    [[nodiscard]] static int attemptsFor(const Entry& entry);
+    [[nodiscard]] int attemptsFor(const Entry& entry) const;
+    [[nodiscard]] protocol::Command number(protocol::CommandBody body);
 
-    std::deque<Entry> m_entries; ///< unanswered ones, in order
+    std::deque<Entry> m_entries;             ///< unanswered ones, in order
+    std::optional<protocol::Command> m_halt; ///< until it is answered
     std::uint16_t m_lastNumber = 0;
+    bool m_repeatsArm = true;
+    std::array<protocol::ReportId, 1024> m_numbered{}; ///< what the last numbers were given to, a ring
+    std::size_t m_numberedCount = 0;
     std::uint64_t m_sent = 0, m_repeated = 0, m_answered = 0, m_refused = 0, m_unanswered = 0,
                   m_heartbeats = 0;
 };

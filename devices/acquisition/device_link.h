@@ -1,18 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/latency_histogram.h"
-#include "devices/acquisition/command_queue.h"
-#include "devices/acquisition/rate_meter.h"
-#include "devices/acquisition/report_decoder.h"
+#include "core/session/connection/latency_histogram.h"
+#include "devices/acquisition/link_control.h"
 #include "devices/acquisition/sample_queue.h"
 #include "devices/acquisition/stream_watch.h"
+#include "devices/transport/report_decoder.h"
 
+#include <array>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
+#include <cstddef>
+#include <cstdint>
 #include <mutex>
 
 namespace gripscope {
+
+/// Reports and samples a second over about the last second, from their counters. No allocation; one thread.
+class RateMeter {
+public:
+    using TimePoint = std::chrono::steady_clock::time_point;
+
+    /// To be called often, also when nothing came.
+    void take(TimePoint now, std::uint64_t reports, std::uint64_t samples);
+    [[nodiscard]] double reportRate_Hz() const { return m_reportRate_Hz; }
+    [[nodiscard]] double sampleRate_Hz() const { return m_sampleRate_Hz; }
+
+private:
+    static constexpr std::size_t marks = 11;
+    static constexpr std::chrono::milliseconds spacing{100};
+    struct Mark {
+        TimePoint time;
+        std::uint64_t reports = 0, samples = 0;
+    };
+    std::array<Mark, marks> m_marks{}; ///< a ring
+    std::size_t m_count = 0;
+    double m_reportRate_Hz = 0, m_sampleRate_Hz = 0;
+};
+
+[[nodiscard]] inline std::int64_t nanoseconds(std::chrono::steady_clock::time_point t)
+{
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(t.time_since_epoch()).count();
+}
+[[nodiscard]] inline std::chrono::steady_clock::time_point timePoint(std::int64_t since_ns)
+{
+    return std::chrono::steady_clock::time_point(
+        std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::nanoseconds(since_ns)));
+}
 
 /// One connection to a gripper, from open to close or loss: the state that three threads share.
 ///
@@ -20,21 +55,17 @@ namespace gripscope {
 ///   reader  turns reports into samples; the only one that pushes to the sample queue
 ///   writer  sends commands and the heartbeat; a stop goes before all else
 ///
-/// One mutex guards everything but the sample queue and the counters; it is held for moments only and never
-/// while a transport is being called. Threads hold the link by shared pointer, so that one that is stuck in a
-/// system call can be left behind.
+/// What is decided, and why, is in LinkControl. One mutex guards everything but the sample queue and the
+/// counters; it is held for moments only and never while a transport is being called. Threads hold the link
+/// by shared pointer, so that one that is stuck in a system call can be left behind.
 class DeviceLink {
 public:
     using Clock = std::chrono::steady_clock;
-    static constexpr std::chrono::milliseconds heartbeatPeriod{25};
-    static constexpr std::chrono::milliseconds aliveFor{
-        1000}; ///< heartbeats go on after the last confirmAlive()
-    static constexpr std::chrono::milliseconds silenceLimit{
-        1000}; ///< a device that says nothing is taken for lost
-    static constexpr std::chrono::milliseconds readTimeout{20};
+    /// Below LinkLimits::freshFor, so that a silence is seen soon after it is one.
+    static constexpr std::chrono::milliseconds readTimeout{10};
 
     DeviceLink(std::shared_ptr<Transport> transport, std::unique_ptr<ReportDecoder> decoder, QString address,
-               std::size_t queueCapacity);
+               std::size_t queueCapacity, const LinkLimits& limits = {});
 
     // Bodies of the three threads.
     void runOpener();
@@ -47,6 +78,8 @@ public:
     [[nodiscard]] GripperIdentity identity() const;
     [[nodiscard]] LinkCounters counters() const;
     [[nodiscard]] SqueezeState squeezeState() const;
+    [[nodiscard]] StopState stopState() const;
+    [[nodiscard]] std::optional<Error> disarmReason() const;
     std::size_t drain(std::vector<Sample>& samples, std::size_t most);
     void arm();
     void disarm();
@@ -62,56 +95,52 @@ public:
     void finishClosing();  ///< Closed, whatever became of the threads
 
 private:
-    struct Squeeze {
-        SqueezeState state = SqueezeState::Idle;
-        std::uint16_t number = 0;
-        std::uint64_t samplesBefore = 0; ///< pushed up to its end: it shows as ended once they are drained
-    };
     using Lock = std::unique_lock<std::mutex>;
 
     // All of these are called with the mutex held.
     void setState(LinkState state);
     void lose(Error error);
     void endReplay();
-    void endSqueeze(SqueezeState state);
-    void follow(std::uint16_t status, protocol::ExcitationState excitation, std::uint16_t number);
-    void settle(const CommandQueue::Outcome& outcome);
-    void refuse(const CommandQueue::Outcome& outcome);
-    [[nodiscard]] bool live() const { return m_state == LinkState::Ready || m_state == LinkState::Armed; }
+    [[nodiscard]] bool live() const { return m_state == LinkState::Ready; }
     [[nodiscard]] bool takesCommands() const { return live() && m_understandsCommands; }
-    [[nodiscard]] bool heartbeatDue(Clock::time_point now) const;
-    [[nodiscard]] std::optional<protocol::Report> nextReport(Clock::time_point now);
-    [[nodiscard]] Clock::time_point writerWakesAt(Clock::time_point now) const;
+    [[nodiscard]] bool mayWrite(Clock::time_point now) const;
+    [[nodiscard]] bool mayStopReading(Transport::Outcome last) const;
     [[nodiscard]] bool silentFor(std::chrono::milliseconds limit, Clock::time_point now) const;
 
     // Reader's.
     [[nodiscard]] bool waitUntilOpened();
     void waitForRoom(); ///< in the sample queue, where the transport waits for its reader
     void take(protocol::ReportView bytes);
-    void takeSamples(Clock::time_point now);                 ///< those of m_batch
-    void takeState(const ReportDecoder::DeviceState& state); ///< called with the mutex held
+    void takeSamples(Clock::time_point now); ///< those of m_batch
     void takeAcknowledgement(const protocol::Acknowledgement& answer);
-    /// A report whose samples were taken before the last answer was given may arrive after it; what it says
-    /// of the device's state is old then. Called with the mutex held.
-    [[nodiscard]] bool olderThanAnswer(const ReportDecoder::DeviceState& state);
+
+    /// A wish of the owner, where commands are taken; then the writer is woken.
+    template <typename Wish>
+    void want(Wish wish)
+    {
+        {
+            const Lock lock(m_mutex);
+            if (!takesCommands())
+                return;
+            wish(m_control, Clock::now());
+        }
+        m_changed.notify_all();
+    }
 
     const std::shared_ptr<Transport> m_transport;
     const std::unique_ptr<ReportDecoder> m_decoder; ///< opener's, then reader's
     const bool m_understandsCommands;
     const QString m_address;
+    const LinkLimits m_limits;
 
     mutable std::mutex m_mutex;
     std::condition_variable m_changed; ///< for opener, reader and writer
     LinkState m_state = LinkState::Opening;
     std::optional<Error> m_error;
-    DeviceDescription m_device;
-    CommandQueue m_commands;
-    Squeeze m_squeeze;
-    std::uint16_t m_nextExcitation = 1;
-    bool m_armAnswered = false; ///< the device said itself that this program armed it
-    Clock::time_point m_lastHeartbeat, m_lastReport;
+    GripperIdentity m_identity;
+    mutable LinkControl m_control; ///< from Ready on; mutable: a stop's time runs out while it is asked for
+    Clock::time_point m_lastReport;
     std::optional<Clock::time_point> m_unansweredSince;
-    std::optional<std::uint32_t> m_lastAnswer_us; ///< device's clock; until a report is newer
 
     SampleQueue m_samples;
     std::vector<Sample> m_batch; ///< reader's own

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/words.h"
+#include "core/base/words.h"
 #include "devices/acquisition/device_link.h"
+#include "devices/transport/crash_stop.h"
+
+#include <QRandomGenerator>
 
 #include <algorithm>
 
@@ -11,6 +14,25 @@ namespace gripscope {
 using namespace protocol;
 using namespace Qt::StringLiterals;
 
+namespace {
+
+/// A call of read() that took longer had to wait: nothing was there when it began.
+constexpr std::chrono::microseconds hadToWait{200};
+
+LinkControl::Options controlOptions(const LinkLimits& limits, bool realTime)
+{
+    LinkControl::Options options;
+    options.limits = limits;
+    options.realTime = realTime;
+    if (realTime) { // else the same run gives the same bytes
+        options.lastNumber = static_cast<std::uint16_t>(QRandomGenerator::global()->generate());
+        options.lastToken = QRandomGenerator::global()->generate();
+    }
+    return options;
+}
+
+} // namespace
+
 void DeviceLink::runOpener()
 {
     Expected<DeviceDescription> device = m_transport->open().and_then(
@@ -18,12 +40,16 @@ void DeviceLink::runOpener()
     const Lock lock(m_mutex);
     if (!device)
         return lose(device.error());
-    m_device = std::move(*device);
     const Transport::Place place = m_transport->place();
     if (!place.address.isEmpty())
-        m_device.identity.address = place.address;
-    m_device.identity.port = place.port;
-    m_device.identity.keptSession = m_transport->keptSession();
+        device->identity.address = place.address;
+    device->identity.port = place.port;
+    device->identity.keptSession = m_transport->keptSession();
+    m_identity = device->identity;
+    if (m_understandsCommands)
+        m_control = LinkControl(*device, controlOptions(m_limits, m_transport->streamsAlways()));
+    if (m_understandsCommands && device->identity.commandable)
+        m_transport->writeOnCrash(encode(Command{0, StopCommand{}}));
     m_lastReport = Clock::now();
     setState(LinkState::Ready);
 }
@@ -33,33 +59,49 @@ bool DeviceLink::waitUntilOpened()
     Lock lock(m_mutex);
     m_changed.wait(lock, [&] { return m_state != LinkState::Opening; });
     if (live())
-        m_watch.begin(m_device.identity.sampleTime_s, m_transport->streamsAlways());
+        m_watch.begin(m_identity.sampleTime_s, m_transport->streamsAlways(),
+                      m_transport->keepsComputerTime());
     return live();
 }
 
 void DeviceLink::runReader()
 {
+    const CrashStop::Stack ownStack;
     if (!waitUntilOpened())
         return;
     Transport::Buffer buffer{};
     for (;;) {
         waitForRoom();
+        const Clock::time_point began = Clock::now();
         const Transport::ReadResult result = m_transport->read(buffer, readTimeout);
+        const bool waited = Clock::now() - began > hadToWait;
         if (result.outcome == Transport::Outcome::Report)
             take(ReportView(buffer).first(std::min(result.size, buffer.size())));
         else if (result.outcome == Transport::Outcome::Timeout)
             m_watch.nothingCame(Clock::now());
         const Lock lock(m_mutex);
+        if (result.outcome == Transport::Outcome::Timeout)
+            m_control.heard(began + readTimeout, Clock::now());
+        else if (waited)
+            m_control.heard(began, Clock::now());
         if (result.outcome == Transport::Outcome::Lost)
             lose({ErrorCode::DeviceLost, {m_address, Words::tr("it was unplugged or switched off")}});
         else if (result.outcome == Transport::Outcome::Ended)
             endReplay();
-        else if (result.outcome == Transport::Outcome::Timeout && silentFor(silenceLimit, Clock::now()))
+        else if (result.outcome == Transport::Outcome::Timeout &&
+                 silentFor(m_limits.silenceLimit, Clock::now()))
             lose({ErrorCode::DeviceLost, {m_address, Words::tr("it sent nothing for a second")}});
-        const bool closing = m_state == LinkState::Closing;
-        if ((closing && result.outcome != Transport::Outcome::Report) || (!closing && !live()))
+        if (m_state == LinkState::Closing ? mayStopReading(result.outcome) : !live())
             return;
     }
+}
+
+bool DeviceLink::mayStopReading(Transport::Outcome last) const
+{
+    // What a last stop brings about is still to be seen.
+    const bool nothingWaits = last != Transport::Outcome::Report;
+    const bool gone = last == Transport::Outcome::Lost || last == Transport::Outcome::Ended;
+    return gone || (nothingWaits && m_control.mayClose(Clock::now()));
 }
 
 void DeviceLink::waitForRoom()
@@ -88,6 +130,8 @@ void DeviceLink::take(ReportView bytes)
     const ReportDecoder::Taken taken = m_decoder->take(bytes, m_batch);
     if (std::holds_alternative<DecodeError>(taken)) {
         m_watch.reportWasBad();
+        const Lock lock(m_mutex);
+        m_control.takeBadReport(Clock::now());
         return;
     }
     if (const auto* answer = std::get_if<Acknowledgement>(&taken))
@@ -100,9 +144,14 @@ void DeviceLink::take(ReportView bytes)
     m_lastReport = now;
     m_unansweredSince.reset();
     if (std::holds_alternative<ReportDecoder::Restarted>(taken))
-        lose({ErrorCode::DeviceLost, {m_address, Words::tr("it restarted")}});
-    else if (const auto* stream = std::get_if<ReportDecoder::Stream>(&taken))
-        takeState(stream->state);
+        return lose({ErrorCode::DeviceLost, {m_address, Words::tr("it restarted")}});
+    if (!live() && m_state != LinkState::Closing)
+        return;
+    m_control.takeSamples(m_batch, m_samples.pushed(), now);
+    if (const auto* stream = std::get_if<ReportDecoder::Stream>(&taken))
+        m_control.takeState(stream->state, now);
+    if (m_control.wantsToWrite(now))
+        m_changed.notify_all();
 }
 
 void DeviceLink::takeSamples(Clock::time_point now)
@@ -116,83 +165,41 @@ void DeviceLink::takeSamples(Clock::time_point now)
     m_droppedSamples.fetch_add(m_batch.size() - pushed, std::memory_order_relaxed);
 }
 
-void DeviceLink::takeState(const ReportDecoder::DeviceState& state)
-{
-    if (m_understandsCommands && !olderThanAnswer(state))
-        follow(state.status, state.excitation, state.excitationNumber);
-}
-
-bool DeviceLink::olderThanAnswer(const ReportDecoder::DeviceState& state)
-{
-    if (m_lastAnswer_us && static_cast<std::int32_t>(state.timestamp_us - *m_lastAnswer_us) < 0)
-        return true;
-    m_lastAnswer_us.reset(); // so that it does not look new again when the device's clock has gone round
-    return false;
-}
-
 void DeviceLink::takeAcknowledgement(const Acknowledgement& answer)
 {
     const Lock lock(m_mutex);
     m_lastReport = Clock::now();
     m_unansweredSince.reset();
-    if (const auto outcome = m_commands.acknowledge(answer)) {
-        settle(*outcome);
-        m_changed.notify_all();
-    }
-    m_lastAnswer_us = answer.timestamp_us;
-    follow(answer.status, answer.excitation, answer.excitationNumber);
+    m_control.takeAnswer(answer, m_lastReport);
+    m_changed.notify_all();
 }
 
 void DeviceLink::runWriter()
 {
+    const CrashStop::Stack ownStack;
     Lock lock(m_mutex);
     m_changed.wait(lock, [&] { return m_state != LinkState::Opening; });
-    while (live() || (m_state == LinkState::Closing && m_commands.stopping())) {
-        const bool last = m_state == LinkState::Closing;
+    while (mayWrite(Clock::now())) {
         const Clock::time_point now = Clock::now();
-        if (const std::optional<Report> report = nextReport(now)) {
-            if (!m_unansweredSince)
-                m_unansweredSince = now;
-            lock.unlock();
-            const bool written = m_transport->write(*report);
-            lock.lock();
-            if (last)
-                return;
-            // A transport that does not take it now is asked again with the command's next attempt.
-            if (!written)
-                m_changed.wait_for(lock, std::chrono::milliseconds(1));
-        } else if (const auto outcome = m_commands.expired(now)) {
-            refuse(*outcome);
-        } else {
-            m_changed.wait_until(lock, writerWakesAt(now));
+        const std::optional<Report> report = m_control.next(now, timePoint(m_aliveAt_ns.load()));
+        if (!report) {
+            m_changed.wait_until(lock, m_control.wakeAt(now));
+            continue;
         }
+        if (!m_unansweredSince)
+            m_unansweredSince = now;
+        lock.unlock();
+        const bool written = m_transport->write(*report);
+        lock.lock();
+        // A transport that does not take it now is asked again with the command's next attempt.
+        if (!written && live())
+            m_changed.wait_for(lock, std::chrono::milliseconds(1));
     }
 }
 
-std::optional<Report> DeviceLink::nextReport(Clock::time_point now)
+bool DeviceLink::mayWrite(Clock::time_point now) const
 {
-    if (!m_commands.stopping() && heartbeatDue(now)) {
-        m_lastHeartbeat = now;
-        return m_commands.heartbeat();
-    }
-    return m_commands.next(now);
-}
-
-bool DeviceLink::heartbeatDue(Clock::time_point now) const
-{
-    if (m_state != LinkState::Armed || now < m_lastHeartbeat + heartbeatPeriod)
-        return false;
-    const auto aliveAt = Clock::time_point(
-        std::chrono::duration_cast<Clock::duration>(std::chrono::nanoseconds(m_aliveAt_ns.load())));
-    return now - aliveAt < aliveFor;
-}
-
-DeviceLink::Clock::time_point DeviceLink::writerWakesAt(Clock::time_point now) const
-{
-    const Clock::time_point heartbeat = now + heartbeatPeriod;
-    const Clock::time_point due = m_lastHeartbeat + heartbeatPeriod;
-    return std::min(
-        {heartbeat, m_state == LinkState::Armed && due > now ? due : heartbeat, m_commands.wakeAt()});
+    return live() || (m_state == LinkState::Closing && !m_control.mayClose(now));
 }
 
 } // namespace gripscope

@@ -1,13 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/acquisition/device_port.h"
 
-#include "devices/acquisition/bounded_thread.h"
+#include "core/session/connection/report_log.h"
 #include "devices/acquisition/device_link.h"
-#include "devices/acquisition/logged_transport.h"
+#include "devices/acquisition/open_links.h"
+#include "devices/transport/bounded_thread.h"
 
+#include <algorithm>
 #include <atomic>
+#include <utility>
 
 namespace gripscope {
+
+namespace {
+
+/// Any transport, with what passed last kept in a log.
+class LoggedTransport : public Transport {
+public:
+    LoggedTransport(std::shared_ptr<Transport> inner, std::shared_ptr<ReportLog> log)
+        : m_inner(std::move(inner)), m_log(std::move(log))
+    {
+    }
+
+    Expected<void> open() override { return m_inner->open(); }
+    Expected<protocol::Report> feature(protocol::ReportId id) override
+    {
+        Expected<protocol::Report> report = m_inner->feature(id);
+        if (report)
+            m_log->add(ReportDirection::Feature, *report);
+        return report;
+    }
+    ReadResult read(Buffer& buffer, std::chrono::milliseconds timeout) override
+    {
+        const ReadResult result = m_inner->read(buffer, timeout);
+        if (result.outcome == Outcome::Report)
+            m_log->add(ReportDirection::In,
+                       protocol::ReportView(buffer).first(std::min(result.size, buffer.size())));
+        return result;
+    }
+    bool write(const protocol::Report& report) override
+    {
+        const bool taken = m_inner->write(report);
+        m_log->add(ReportDirection::Out, report, taken);
+        return taken;
+    }
+    void close() noexcept override { m_inner->close(); }
+    void writeOnCrash(const protocol::Report& report) override { m_inner->writeOnCrash(report); }
+    [[nodiscard]] Place place() const override { return m_inner->place(); }
+    [[nodiscard]] bool streamsAlways() const override { return m_inner->streamsAlways(); }
+    [[nodiscard]] bool keepsComputerTime() const override { return m_inner->keepsComputerTime(); }
+    [[nodiscard]] bool waitsForReader() const override { return m_inner->waitsForReader(); }
+    [[nodiscard]] bool takesCommands() const override { return m_inner->takesCommands(); }
+    void note(const QString& text) override { m_inner->note(text); }
+    [[nodiscard]] QString keptSession() const override { return m_inner->keptSession(); }
+
+private:
+    const std::shared_ptr<Transport> m_inner;
+    const std::shared_ptr<ReportLog> m_log;
+};
+
+} // namespace
 
 namespace {
 /// close() in all: below the second it promises.
@@ -20,6 +72,7 @@ struct DevicePort::Private {
     TransportMaker makeTransport;
     DecoderMaker makeDecoder;
     std::size_t queueCapacity;
+    LinkLimits limits;
     std::shared_ptr<ReportLog> log = std::make_shared<ReportLog>();
     /// Guards the pointer only: stop() and confirmAlive() may come from any thread while open() puts a new
     /// link.
@@ -35,13 +88,14 @@ struct DevicePort::Private {
 };
 
 DevicePort::DevicePort(QString address, TransportMaker makeTransport, std::size_t queueCapacity,
-                       DecoderMaker makeDecoder)
+                       DecoderMaker makeDecoder, const LinkLimits& limits)
     : d(std::make_unique<Private>())
 {
     d->address = std::move(address);
     d->makeTransport = std::move(makeTransport);
     d->makeDecoder = std::move(makeDecoder);
     d->queueCapacity = queueCapacity;
+    d->limits = limits;
 }
 
 DevicePort::~DevicePort()
@@ -53,12 +107,13 @@ void DevicePort::open()
 {
     close();
     auto transport = std::make_shared<LoggedTransport>(d->makeTransport(), d->log);
-    auto link =
-        std::make_shared<DeviceLink>(std::move(transport), d->makeDecoder(), d->address, d->queueCapacity);
+    auto link = std::make_shared<DeviceLink>(std::move(transport), d->makeDecoder(), d->address,
+                                             d->queueCapacity, d->limits);
     {
         const std::lock_guard lock(d->mutex);
         d->link = link;
     }
+    addOpenLink(link);
     d->opener = BoundedThread([link] { link->runOpener(); });
     d->reader = BoundedThread([link] { link->runReader(); });
     d->writer = BoundedThread([link] { link->runWriter(); });
@@ -134,6 +189,18 @@ SqueezeState DevicePort::squeezeState() const
     return link ? link->squeezeState() : SqueezeState::Idle;
 }
 
+StopState DevicePort::stopState() const
+{
+    const auto link = d->current();
+    return link ? link->stopState() : StopState::None;
+}
+
+std::optional<Error> DevicePort::disarmReason() const
+{
+    const auto link = d->current();
+    return link ? link->disarmReason() : std::nullopt;
+}
+
 void DevicePort::finishExcitation()
 {
     if (const auto link = d->current())
@@ -158,9 +225,9 @@ void DevicePort::confirmAlive() noexcept
         link->confirmAlive();
 }
 
-const ReportLog& DevicePort::reportLog() const
+const ReportLog* DevicePort::reportLog() const
 {
-    return *d->log;
+    return d->log.get();
 }
 
 } // namespace gripscope

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/gripper_port.h"
+#include "core/session/connection/gripper_port.h"
+#include "core/session/connection/report_log.h"
 #include "devices/acquisition/gripscope_decoder.h"
-#include "devices/acquisition/report_log.h"
+#include "devices/acquisition/link_limits.h"
 #include "devices/acquisition/sample_queue.h"
-#include "devices/transport.h"
+#include "devices/transport/transport.h"
 
 #include <memory>
 
@@ -21,7 +22,7 @@ public:
     /// Both makers are called at each open(): a connection never uses what an earlier one left behind.
     DevicePort(QString address, TransportMaker makeTransport,
                std::size_t queueCapacity = SampleQueue::defaultCapacity,
-               DecoderMaker makeDecoder = &GripscopeDecoder::make);
+               DecoderMaker makeDecoder = &GripscopeDecoder::make, const LinkLimits& limits = {});
     ~DevicePort() override;
     DevicePort(const DevicePort&) = delete;
     DevicePort& operator=(const DevicePort&) = delete;
@@ -37,13 +38,15 @@ public:
     void disarm() override;
     void startExcitation(const AdmittedExcitation& excitation) override;
     [[nodiscard]] SqueezeState squeezeState() const override;
+    [[nodiscard]] StopState stopState() const override;
+    [[nodiscard]] std::optional<Error> disarmReason() const override;
     void finishExcitation() override;
     void stop() noexcept override;
     void confirmAlive() noexcept override;
     /// Adds which sample was drained last.
     void note(const QString& text) override;
     /// The last reports that passed, of this connection and those before it. May be copied from any thread.
-    [[nodiscard]] const ReportLog& reportLog() const;
+    [[nodiscard]] const ReportLog* reportLog() const override;
 
 private:
     struct Private;

@@ -3,7 +3,7 @@
 #define GRIPSCOPE_PROTOCOL_H
 
 /*
- * The device's side of the Gripscope protocol 1.0 (devices/PROTOCOL.md) for firmware, in C11: what a gripper
+ * The device's side of the Gripscope protocol 1.1 (devices/PROTOCOL.md) for firmware, in C11: what a gripper
  * sends into 64 bytes, what it is told out of them. Freestanding but for memcpy and memset; no memory of its
  * own, no allocation, any byte order of the processor. A double is 8 bytes of IEEE 754.
  *
@@ -25,7 +25,7 @@ extern "C" {
 
 enum {
     GRIPSCOPE_REPORT_SIZE = 64,
-    GRIPSCOPE_PROTOCOL_VERSION = 0x10, /* 1.0 */
+    GRIPSCOPE_PROTOCOL_VERSION = 0x11, /* 1.1 */
     GRIPSCOPE_SAMPLES_PER_REPORT = 5,
     GRIPSCOPE_FORCES_PER_UPLOAD = 12
 };
@@ -74,6 +74,25 @@ enum {
     GRIPSCOPE_UNKNOWN_COMMAND = 9,
     GRIPSCOPE_FAULT = 10
 };
+
+/* Which number of Set limits was refused: the detail of its answer. */
+enum { GRIPSCOPE_DETAIL_FORCE = 1, GRIPSCOPE_DETAIL_TRAVEL = 2 };
+
+/* What a gripper must keep to; sections 1 and 6 of the document. A Measurement feature outside these ranges
+ * cannot be read or, where it says so, only be listened to. */
+enum {
+    GRIPSCOPE_WATCHDOG_MIN_MS = 100, /* outside: only listened to */
+    GRIPSCOPE_WATCHDOG_MAX_MS = 200,
+    GRIPSCOPE_LONGEST_REPORT_PERIOD_MS = 20, /* longer: only listened to */
+    GRIPSCOPE_SHORTEST_REST_MS = 20,         /* before and after an excitation */
+    GRIPSCOPE_BUTTON_AND_FAULT_MS = 20,      /* shown at least so long */
+    GRIPSCOPE_SAMPLES_ABOVE_LIMIT = 3        /* in a row, until a measured force or travel stops it */
+};
+#define GRIPSCOPE_PER_COUNT_MIN 1e-12
+#define GRIPSCOPE_PER_COUNT_MAX 1e6
+#define GRIPSCOPE_SAMPLE_TIME_MIN_S 1e-6
+#define GRIPSCOPE_SAMPLE_TIME_MAX_S 1.0 /* above 0.02: only listened to */
+#define GRIPSCOPE_LAG_MAX_S 0.1         /* either way */
 
 /* Excitation states. */
 enum {
@@ -147,6 +166,8 @@ typedef struct {
 typedef struct {
     uint8_t id; /* GRIPSCOPE_ARM to GRIPSCOPE_FINISH, or one that is not known */
     uint16_t number;
+    uint32_t bad_detail;           /* what to answer as the detail of GRIPSCOPE_ANSWER_BAD */
+    uint32_t token;                /* arm; 0: the program has none */
     int32_t max_force, max_travel; /* set limits */
     uint16_t excitation;           /* upload, start, finish */
     uint32_t first;                /* upload: index of the first force */
@@ -161,7 +182,7 @@ typedef enum {
     GRIPSCOPE_DROP,           /* length, CRC or major version: count it, answer nothing */
     GRIPSCOPE_OBEY,           /* a command whose form is right: do it and answer */
     GRIPSCOPE_ANSWER_UNKNOWN, /* answer GRIPSCOPE_UNKNOWN_COMMAND */
-    GRIPSCOPE_ANSWER_BAD      /* answer GRIPSCOPE_BAD_VALUE */
+    GRIPSCOPE_ANSWER_BAD      /* answer GRIPSCOPE_BAD_VALUE, with bad_detail */
 } gripscope_reading;
 
 /* CRC-16/CCITT-FALSE; begin with 0xFFFF and go on with what came out. */
@@ -317,11 +338,16 @@ static inline bool gripscope_read_fields(const uint8_t* report, gripscope_comman
 {
     switch (command->id) {
     case GRIPSCOPE_ARM:
+        command->token = gripscope_load32(report + 8);
         return memcmp(report + 4, "ARM!", 4) == 0;
     case GRIPSCOPE_SET_LIMITS:
         command->max_force = gripscope_load_signed(report + 4);
         command->max_travel = gripscope_load_signed(report + 8);
-        return command->max_force > 0 && command->max_travel > 0;
+        if (command->max_force <= 0)
+            command->bad_detail = GRIPSCOPE_DETAIL_FORCE;
+        else if (command->max_travel <= 0)
+            command->bad_detail = GRIPSCOPE_DETAIL_TRAVEL;
+        return command->bad_detail == 0;
     case GRIPSCOPE_UPLOAD:
         command->excitation = gripscope_load16(report + 4);
         command->force_count = report[6];
@@ -359,6 +385,45 @@ static inline gripscope_reading gripscope_read_command(const uint8_t* report, si
     if (command->id < GRIPSCOPE_ARM || command->id > GRIPSCOPE_FINISH)
         return GRIPSCOPE_ANSWER_UNKNOWN;
     return gripscope_read_fields(report, command) ? GRIPSCOPE_OBEY : GRIPSCOPE_ANSWER_BAD;
+}
+
+/* What to answer to an Arm whose form is right; GRIPSCOPE_DONE: arm now, and clear the limit and watchdog
+ * bits. *last_token is 0 at power-up and the device's to keep. The same token never arms twice, so that a
+ * repeat whose first answer was lost cannot arm a gripper that has stopped since. */
+static inline uint8_t gripscope_answer_arm(uint32_t token, uint32_t* last_token, bool fault, bool armed)
+{
+    if (token != 0 && token == *last_token)
+        return GRIPSCOPE_REPEATED;
+    if (fault)
+        return GRIPSCOPE_FAULT;
+    if (token != 0)
+        *last_token = token;
+    return armed ? GRIPSCOPE_REPEATED : GRIPSCOPE_DONE;
+}
+
+/* Whether a command with that answer starts the watchdog's time anew. */
+static inline bool gripscope_feeds_watchdog(uint8_t id, uint8_t result)
+{
+    switch (id) {
+    case GRIPSCOPE_ARM:
+        return result == GRIPSCOPE_DONE;
+    case GRIPSCOPE_HEARTBEAT:
+    case GRIPSCOPE_SET_LIMITS:
+    case GRIPSCOPE_UPLOAD:
+    case GRIPSCOPE_START:
+    case GRIPSCOPE_FINISH:
+        return result == GRIPSCOPE_DONE || result == GRIPSCOPE_REPEATED;
+    default:
+        return false; /* disarm, stop and whatever is not known */
+    }
+}
+
+/* The measured force, in counts, beyond which GRIPSCOPE_SAMPLES_ABOVE_LIMIT samples in a row stop an armed
+ * gripper: 5 % of the limit in force and 1 % of the largest force of the Limits feature above the limit, so
+ * that no noise does. What is commanded is compared with the limit itself. */
+static inline int64_t gripscope_protective_force(int32_t limit, int32_t own_limit)
+{
+    return (int64_t)limit + limit / 20 + own_limit / 100;
 }
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/words.h"
+#include "core/base/words.h"
 #include "devices/hid/hid_discovery.h"
 
 #include <QDir>

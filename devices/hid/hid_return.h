@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/gripper_return.h"
-#include "devices/device_address.h"
+#include "core/session/connection/gripper_return.h"
+#include "devices/address/device_address.h"
 #include "devices/hid/hid_watcher.h"
 
 #include <chrono>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/hid/hid_transport.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
 
 #include <QStringList>
 #include <hidapi/hidapi.h>
@@ -21,6 +21,10 @@ std::mutex& openingMutex()
     static std::mutex mutex;
     return mutex;
 }
+
+/// A connection that was closed lets go of its node once its threads have ended, which is bounded by a
+/// second.
+constexpr std::chrono::milliseconds formerLinkMayTake{1500};
 
 bool matches(const HidAddress& address, const HidNode& node)
 {
@@ -101,11 +105,11 @@ HidTransport::~HidTransport() = default;
 Expected<void> HidTransport::open()
 {
     const std::vector<HidNode> nodes = listHidNodes();
-    const Expected<HidNode> node = chooseHidNode(m_address, nodes);
-    if (!node)
-        return tl::unexpected<Error>(node.error());
-    m_path = node->path;
-    m_place = {addressOf(*node, nodes), node->port};
+    ASSIGN_OR_RETURN(const HidNode node, chooseHidNode(m_address, nodes));
+    m_path = node.path;
+    m_place = {addressOf(node, nodes), node.port};
+    ASSIGN_OR_RETURN(NodeClaim claim, NodeClaim::take(m_path, formerLinkMayTake));
+    m_claim = std::move(claim);
     const std::lock_guard lock(openingMutex());
     m_reader.reset(hid_open_path(m_path.toUtf8().constData()));
     m_writer.reset(hid_open_path(m_path.toUtf8().constData()));

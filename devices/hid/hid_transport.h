@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/device_address.h"
+#include "devices/address/device_address.h"
 #include "devices/hid/hid_discovery.h"
-#include "devices/transport.h"
+#include "devices/hid/node_claim.h"
+#include "devices/transport/transport.h"
 
 #include <atomic>
 #include <memory>
@@ -35,6 +36,7 @@ public:
     Expected<protocol::Report> feature(protocol::ReportId id) override;
     ReadResult read(Buffer& buffer, std::chrono::milliseconds timeout) override;
     bool write(const protocol::Report& report) override;
+    void writeOnCrash(const protocol::Report& report) override { m_claim.writeOnCrash(report); }
     [[nodiscard]] Place place() const override { return m_place; }
     /// The handles stay open until the last user of this object lets go of it: hidapi must not close one that
     /// another thread is using.
@@ -48,7 +50,8 @@ private:
 
     HidAddress m_address;
     QString m_path;
-    Place m_place; ///< set by open()
+    Place m_place;     ///< set by open()
+    NodeClaim m_claim; ///< held until the handles are closed
     Handle m_reader, m_writer;
     bool m_freshened = false; ///< reader's own: old reports were thrown away
     std::atomic<bool> m_closed{false};

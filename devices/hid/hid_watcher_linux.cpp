@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/acquisition/bounded_thread.h"
 #include "devices/hid/hid_watcher.h"
+#include "devices/transport/bounded_thread.h"
 
 #include <QByteArray>
 #include <QFile>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/transport.h"
+#include "devices/transport/transport.h"
 
 #include <atomic>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/words.h"
+#include "core/base/words.h"
 #include "devices/hid/uhid_gripper.h"
 #include "devices/protocol/codec.h"
 #include "devices/protocol/report_descriptor.h"
@@ -67,13 +67,11 @@ Expected<void> UhidGripper::Private::send(const uhid_event& event) const
 
 Expected<void> UhidGripper::Private::plugIn() const
 {
-    const Expected<protocol::Report> report = transport->feature(protocol::ReportId::Identity);
-    if (!report)
-        return tl::unexpected<Error>(report.error());
-    const auto identity = protocol::decodeIdentity(*report);
+    ASSIGN_OR_RETURN(const protocol::Report report, transport->feature(protocol::ReportId::Identity));
+    const auto identity = protocol::decodeIdentity(report);
     if (!identity)
         return failure(ErrorCode::DeviceRefused,
-                       {Words::tr("say what it is"), Words::tr(describe(identity.error()))});
+                       {Words::tr("say what it is"), protocol::describe(identity.error())});
     const std::vector<std::uint8_t> descriptor = protocol::reportDescriptor();
     uhid_event event{};
     event.type = UHID_CREATE2;
@@ -132,8 +130,7 @@ Expected<void> UhidGripper::Private::takeEvents(int wait_ms) const
         uhid_event event{};
         if (::read(file, &event, sizeof event) <= 0)
             return failure(ErrorCode::DeviceLost, {uhidPath, Words::tr("the system closed it")});
-        if (const Expected<void> taken = take(event); !taken)
-            return taken;
+        RETURN_IF_ERROR(take(event));
     }
     return {};
 }
@@ -160,8 +157,7 @@ Expected<std::unique_ptr<UhidGripper>> UhidGripper::createOn(int file, std::shar
     auto made = std::make_unique<Private>();
     made->file = file;
     made->transport = std::move(transport);
-    if (const Expected<void> plugged = made->plugIn(); !plugged)
-        return tl::unexpected<Error>(plugged.error());
+    RETURN_IF_ERROR(made->plugIn());
     return std::unique_ptr<UhidGripper>(new UhidGripper(std::move(made)));
 }
 
@@ -197,8 +193,7 @@ Expected<void> UhidGripper::Private::stream(const std::atomic<bool>& ending,
         event.type = UHID_INPUT2;
         event.u.input2.size = static_cast<std::uint16_t>(std::min(result.size, buffer.size()));
         std::copy_n(buffer.begin(), event.u.input2.size, event.u.input2.data);
-        if (const Expected<void> sent = send(event); !sent)
-            return sent;
+        RETURN_IF_ERROR(send(event));
     }
     return {};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/device_address.h"
+#include "devices/address/device_address.h"
 #include "devices/hid/hid_discovery.h"
 #include "devices/hid/hid_transport.h"
 #include "devices/inspection/device_facts.h"

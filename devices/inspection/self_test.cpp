@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/inspection/self_test.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
 #include "devices/inspection/self_test_lines.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/inspection/self_test_lines.h"
 
-#include "core/signal/units.h"
-#include "core/words.h"
+#include "core/base/words.h"
+#include "core/signal/recording/units.h"
 #include "devices/protocol/report_words.h"
 
 #include <QStringList>
@@ -179,16 +179,17 @@ SelfTestLine clockLine(const SelfTestEvidence& evidence)
     SelfTestLine out = line(u"clock"_qs, Words::tr("Clock"));
     out.limit = Words::tr("no jump, within %1 ppm of the computer's").arg(largestDrift_ppm);
     const std::uint64_t steps = evidence.after.clockSteps - evidence.before.clockSteps;
-    const std::optional<double>& drift = evidence.after.clockDrift_ppm;
+    const std::optional<RateDifference>& drift = evidence.after.clocks.clock;
     QStringList found;
     if (steps > 0)
         found << u"%1 jumps"_qs.arg(steps);
     if (drift)
-        found << u"%1%2 ppm"_qs.arg(*drift >= 0 ? u"+"_qs : QString(), figure(*drift));
+        found << u"%1%2 ppm"_qs.arg(drift->ppm >= 0 ? u"+"_qs : QString(), figure(drift->ppm));
     out.figure = found.isEmpty() ? Words::tr("not known") : found.join(u", "_qs);
-    out.value = drift;
+    if (drift)
+        out.value = drift->ppm;
     if (!found.isEmpty())
-        judge(out, steps == 0 && std::abs(drift.value_or(0)) <= largestDrift_ppm,
+        judge(out, steps == 0 && !(drift && drift->beyond(largestDrift_ppm)),
               Words::tr("Check the gripper's power supply; if it stays, its firmware keeps time badly."));
     return out;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/field_values.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
 namespace gripscope {
 
 using namespace Qt::StringLiterals;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/gripper_profile.h"
 
-#include "core/session/device_button.h"
+#include "core/session/connection/device_button.h"
 
 #include <array>
 #include <utility>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/profile_checks.h"
 
-#include "core/signal/units.h"
-#include "core/words.h"
+#include "core/base/words.h"
+#include "core/signal/recording/recording_limits.h"
+#include "core/signal/recording/units.h"
 
 #include <cmath>
 
@@ -11,6 +12,9 @@ namespace gripscope {
 using namespace Qt::StringLiterals;
 
 namespace {
+
+/// Of scales and offsets: with 32 bits of counts the readings stay in range (recording_limits.h).
+constexpr double largestFactor = 1e12;
 
 class Checks {
 public:
@@ -74,6 +78,9 @@ void Checks::checkDevice()
 
 void Checks::checkReport()
 {
+    if (!isSampleTime(m_profile.sampleTime_s()))
+        report(u"/report/samples_per_second"_s, QString::number(m_profile.samplesPerSecond),
+               Words::tr("a sample time of %1").arg(sampleTimeExpectation().describe()));
     if (m_profile.samples > 1 && m_profile.stride == 0)
         report(u"/report"_s, Words::tr("%1 samples without a stride").arg(m_profile.samples),
                Words::tr("a stride, the bytes from one sample to the next"));
@@ -119,6 +126,12 @@ void Checks::checkChannel(const QString& name, const ProfileChannel& channel, bo
     if (channel.scale == 0 || !std::isfinite(channel.scale))
         report(at(name, u"scale"_s), QString::number(channel.scale),
                Words::tr("a number other than 0: all values would be the same"));
+    else if (std::abs(channel.scale) > largestFactor)
+        report(at(name, u"scale"_s), QString::number(channel.scale),
+               Words::tr("a number of at most %1").arg(largestFactor));
+    if (std::abs(channel.offset) > largestFactor)
+        report(at(name, u"offset"_s), QString::number(channel.offset),
+               Words::tr("a number of at most %1").arg(largestFactor));
     if (channel.saturatesBelow && channel.saturatesAbove &&
         *channel.saturatesBelow >= *channel.saturatesAbove)
         report(at(name, u"saturates_below"_s), QString::number(*channel.saturatesBelow),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/profile_counter.h"
 
-#include "core/signal/sample_clock.h"
+#include "core/signal/preparation/sample_clock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 namespace gripscope {
 
 namespace {
-constexpr std::uint64_t furthestDuplicate = 64; ///< as many reports as the kernel's ring holds
-constexpr double shareOfRound = 1.0 / 16;       ///< what of a round may be taken for reports that came twice
+constexpr std::uint64_t furthestProfileDuplicate = 64; ///< as many reports as the kernel's ring holds
+constexpr double shareOfRound = 1.0 / 16; ///< what of a round may be taken for reports that came twice
 /// Below a minute a number that is half a round ahead is as likely after a loss as after a restart.
 constexpr double restartRound_s = 60;
 } // namespace
@@ -34,8 +34,9 @@ ProfileCounter::Wheel ProfileCounter::makeWheel(const ProfileField& field, doubl
     wheel.field = &field;
     wheel.secondsPerCount = secondsPerCount;
     wheel.round = std::uint64_t(1) << field.width();
-    const double duplicates = std::min(static_cast<double>(furthestDuplicate) * report_s / secondsPerCount,
-                                       shareOfRound * static_cast<double>(wheel.round));
+    const double duplicates =
+        std::min(static_cast<double>(furthestProfileDuplicate) * report_s / secondsPerCount,
+                 shareOfRound * static_cast<double>(wheel.round));
     wheel.behind = static_cast<std::uint64_t>(duplicates);
     wheel.tellsRestart = wheel.roundSeconds() >= restartRound_s;
     return wheel;

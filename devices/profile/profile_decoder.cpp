@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/profile_decoder.h"
 
+#include "core/signal/recording/recording_limits.h"
 #include "devices/profile/profile_note.h"
-
-#include <cmath>
 
 namespace gripscope {
 
@@ -72,7 +71,7 @@ bool ProfileDecoder::readSamples(protocol::ReportView bytes)
         Sample& sample = m_read[i];
         sample.force = m_profile.force.value(force);
         sample.position = m_profile.position.value(position);
-        if (!std::isfinite(sample.force) || !std::isfinite(sample.position))
+        if (!isReading(sample.force) || !isReading(sample.position))
             return false;
         sample.status = status;
         if (m_profile.force.saturated(force))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/profile_encoder.h"
 
-#include "core/signal/units.h"
+#include "core/signal/recording/units.h"
 
 #include <cmath>
 

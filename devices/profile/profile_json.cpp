@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/profile_json.h"
 
-#include "core/words.h"
+#include "core/base/bounded_file.h"
+#include "core/base/words.h"
 #include "devices/profile/profile_checks.h"
 
-#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -14,6 +14,9 @@ namespace gripscope {
 using namespace Qt::StringLiterals;
 
 namespace {
+
+/// A hundred times the longest that makes sense.
+constexpr qint64 largestProfile = megabyte;
 
 // Reading: the document has passed the schema, so every value has the type it is read as.
 
@@ -210,12 +213,15 @@ Error toError(const ProfileProblem& problem, const QString& file)
              Words::tr("expected %1").arg(problem.expected)}};
 }
 
+Expected<QByteArray> readProfileBytes(const QString& file)
+{
+    return readBounded(file, largestProfile);
+}
+
 Expected<GripperProfile> readProfileFile(const QString& file)
 {
-    QFile in(file);
-    if (!in.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::FileUnreadable, {file, in.errorString()});
-    ProfileReading reading = readProfile(in.readAll());
+    ASSIGN_OR_RETURN(const QByteArray json, readProfileBytes(file));
+    ProfileReading reading = readProfile(json);
     if (!reading.profile)
         return tl::unexpected<Error>(toError(reading.problems.front(), file));
     return std::move(*reading.profile);

@@ -13,6 +13,8 @@ struct ProfileReading {
 };
 [[nodiscard]] ProfileReading readProfile(const QByteArray& json);
 
+/// The bytes of a file that may be a profile, which is no larger than 1 MB. FileUnreadable.
+[[nodiscard]] Expected<QByteArray> readProfileBytes(const QString& file);
 /// FileUnreadable, or BadInput with the first of the problems.
 [[nodiscard]] Expected<GripperProfile> readProfileFile(const QString& file);
 /// BadInput with the place FILE#/fields/force/byte (or FILE:LINE:COLUMN), what was found, what was expected.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/profile_library.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,15 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/profiled_device.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
 #include "devices/hid/hid_transport.h"
-#include "devices/profile/listening_transport.h"
 #include "devices/profile/virtual_robot_transport.h"
+#include "devices/transport/transport.h"
 #include "devices/virtual/virtual_transport.h"
 
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
+
+namespace {
+
+/// Another transport, of which only the reading end is let through: whatever is asked of this one, nothing
+/// goes to the device. For grippers that are known by a profile, which would not understand what is written
+/// and might move.
+class ListeningTransport : public Transport {
+public:
+    explicit ListeningTransport(std::shared_ptr<Transport> inner) : m_inner(std::move(inner)) {}
+
+    Expected<void> open() override { return m_inner->open(); }
+    Expected<protocol::Report> feature(protocol::ReportId) override
+    {
+        return failure(ErrorCode::DeviceRefused,
+                       {Words::tr("be asked"), Words::tr("it is known by a profile, and only "
+                                                         "listened to")});
+    }
+    ReadResult read(Buffer& buffer, std::chrono::milliseconds timeout) override
+    {
+        return m_inner->read(buffer, timeout);
+    }
+    bool write(const protocol::Report&) override { return false; }
+    void close() noexcept override { m_inner->close(); }
+    [[nodiscard]] Place place() const override { return m_inner->place(); }
+    [[nodiscard]] bool streamsAlways() const override { return m_inner->streamsAlways(); }
+    [[nodiscard]] bool keepsComputerTime() const override { return m_inner->keepsComputerTime(); }
+    [[nodiscard]] bool takesCommands() const override { return false; }
+
+private:
+    const std::shared_ptr<Transport> m_inner;
+};
+
+} // namespace
 
 namespace {
 
@@ -101,19 +134,15 @@ std::optional<ProfiledDeviceMakers> profiledDevice(const HidAddress& address)
 
 Expected<std::shared_ptr<Transport>> listenAt(const QString& address)
 {
-    const Expected<DeviceAddress> parsed = parseDeviceAddress(address);
-    if (!parsed)
-        return tl::unexpected<Error>(parsed.error());
+    ASSIGN_OR_RETURN(const DeviceAddress parsed, parseDeviceAddress(address));
     std::shared_ptr<Transport> transport;
-    if (const auto* hid = std::get_if<HidAddress>(&*parsed)) {
+    if (const auto* hid = std::get_if<HidAddress>(&parsed)) {
         transport = std::make_shared<HidTransport>(*hid);
-    } else if (const auto* gripper = std::get_if<VirtualAddress>(&*parsed); gripper && isProfiled(*gripper)) {
+    } else if (const auto* gripper = std::get_if<VirtualAddress>(&parsed); gripper && isProfiled(*gripper)) {
         transport = robotAt(*gripper);
     } else if (gripper) {
-        const Expected<std::shared_ptr<VirtualTransport>> made = VirtualTransport::make(*gripper);
-        if (!made)
-            return tl::unexpected<Error>(made.error());
-        transport = *made;
+        ASSIGN_OR_RETURN(const std::shared_ptr<VirtualTransport> made, VirtualTransport::make(*gripper));
+        transport = made;
     } else {
         return failure(ErrorCode::Usage, {Words::tr("A replay has no bytes to watch; name a gripper.")});
     }
@@ -122,12 +151,10 @@ Expected<std::shared_ptr<Transport>> listenAt(const QString& address)
 
 Expected<GripperProfile> profileAt(const QString& address)
 {
-    const Expected<DeviceAddress> parsed = parseDeviceAddress(address);
-    if (!parsed)
-        return tl::unexpected<Error>(parsed.error());
-    if (const auto* hid = std::get_if<HidAddress>(&*parsed); hid && isProfiled(*hid))
+    ASSIGN_OR_RETURN(const DeviceAddress parsed, parseDeviceAddress(address));
+    if (const auto* hid = std::get_if<HidAddress>(&parsed); hid && isProfiled(*hid))
         return profileOf(*hid);
-    if (const auto* gripper = std::get_if<VirtualAddress>(&*parsed); gripper && isProfiled(*gripper))
+    if (const auto* gripper = std::get_if<VirtualAddress>(&parsed); gripper && isProfiled(*gripper))
         return profileOf(*gripper);
     return failure(ErrorCode::NotFound,
                    {Words::tr("profile for %1: it is no gripper of another maker").arg(address)});

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/acquisition/report_decoder.h"
-#include "devices/device_address.h"
+#include "devices/address/device_address.h"
 #include "devices/profile/profile_decoder.h"
 #include "devices/profile/profile_library.h"
+#include "devices/transport/report_decoder.h"
 
 namespace gripscope {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/acquisition/bounded_thread.h"
 #include "devices/profile/gripper_profile.h"
 #include "devices/profile/report_statistics.h"
-#include "devices/transport.h"
+#include "devices/transport/bounded_thread.h"
+#include "devices/transport/transport.h"
 
 #include <map>
 #include <tuple>

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/virtual_robot_transport.h"
 
-#include "core/session/device_button.h"
-#include "core/words.h"
+#include "core/base/words.h"
+#include "core/session/connection/device_button.h"
+#include "core/signal/excitation/excitation.h"
 #include "devices/virtual/virtual_button.h"
 #include "devices/virtual/virtual_plug.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace gripscope {
 
@@ -14,9 +17,68 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+constexpr std::uint64_t noRobotSqueeze = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t robotNoisePurpose = 2;
+
+std::uint64_t samplesIn(double seconds, double sampleTime_s)
+{
+    return static_cast<std::uint64_t>(std::max(1.0, std::round(seconds / sampleTime_s)));
+}
+
+} // namespace
+
+VirtualRobot::VirtualRobot(const VirtualRobotOptions& options)
+    : m_options(options),
+      m_step(discretize(options.object.draw(options.seed, 0), options.sampleTime_s, options.hold)),
+      m_noise(options.seed, noRobotSqueeze, robotNoisePurpose),
+      m_restSamples(samplesIn(rest_s, options.sampleTime_s)),
+      m_squeezeSamples(samplesIn(squeeze_s, options.sampleTime_s))
+{
+    planSqueeze(0);
+}
+
+void VirtualRobot::planSqueeze(std::uint64_t number)
+{
+    ExcitationOptions excitation;
+    excitation.bias = bias_N;
+    excitation.peak = peak_N;
+    excitation.sampleTime_s = m_options.sampleTime_s;
+    excitation.bit_s = std::max(excitation.bit_s, 2 * m_options.sampleTime_s);
+    excitation.samples = m_squeezeSamples;
+    excitation.seed = m_options.seed + number;
+    // Options that make no sense would leave the fingers at rest.
+    m_squeeze_N = makeExcitation(excitation).value_or(std::vector<double>(m_squeezeSamples, 0.0));
+}
+
+double VirtualRobot::plannedForce(std::uint64_t sample) const
+{
+    const std::uint64_t inCycle = sample % (m_restSamples + m_squeezeSamples);
+    return inCycle < m_restSamples ? 0.0 : m_squeeze_N[inCycle - m_restSamples];
+}
+
+VirtualRobot::Reading VirtualRobot::next()
+{
+    const std::uint64_t cycle = m_restSamples + m_squeezeSamples;
+    if (m_sample > 0 && m_sample % cycle == 0)
+        planSqueeze(m_sample / cycle);
+    const double force_N = plannedForce(m_sample);
+    Reading reading;
+    reading.moving = m_sample % cycle >= m_restSamples;
+    reading.force_N = force_N + m_options.forceNoise_N * m_noise.normal();
+    reading.position_m = contact_m + m_state[0] + m_options.positionNoise_m * m_noise.normal();
+    // Every cycle begins at rest, so that the last force of one is followed by none.
+    const bool last = (m_sample + 1) % cycle == 0;
+    const double after_N = last ? 0.0 : plannedForce(m_sample + 1);
+    m_state = (m_step.phi * m_state + m_step.gamma0 * force_N + m_step.gamma1 * after_N).eval();
+    ++m_sample;
+    return reading;
+}
+
+namespace {
+
 constexpr std::uint64_t faultPurpose = 5;
 /// Reports that wait for a reader; the newest are dropped behind that, as a kernel does.
-constexpr std::size_t wireCapacity = 4096;
+constexpr std::size_t robotWireCapacity = 4096;
 
 } // namespace
 
@@ -29,29 +91,23 @@ VirtualRobotTransport::VirtualRobotTransport(VirtualAddress address,
 
 Expected<void> VirtualRobotTransport::open()
 {
-    const Expected<GripperProfile> profile = m_findProfile();
-    if (!profile)
-        return tl::unexpected<Error>(profile.error());
-    const Expected<VirtualObject> object = VirtualObject::fromText(m_address.object);
-    if (!object)
-        return tl::unexpected<Error>(object.error());
-    Expected<std::vector<FaultEvent>> faults = withScript(m_address.faults, m_address.script);
-    if (!faults)
-        return tl::unexpected<Error>(faults.error());
+    ASSIGN_OR_RETURN(const GripperProfile profile, m_findProfile());
+    ASSIGN_OR_RETURN(const VirtualObject object, VirtualObject::fromText(m_address.object));
+    ASSIGN_OR_RETURN(std::vector<FaultEvent> faults, withScript(m_address.faults, m_address.script));
     const std::optional<virtual_plug::Past> past = virtual_plug::plugIn(m_address);
     if (!past)
         return failure(
             ErrorCode::DeviceNotFound,
             {u"virtual:"_s, Words::tr("It is unplugged; its faults plug it in again by themselves.")});
     VirtualRobotOptions options;
-    options.object = *object;
+    options.object = object;
     options.seed = m_address.seed;
-    options.sampleTime_s = profile->sampleTime_s();
-    options.hold = profile->hold;
+    options.sampleTime_s = profile.sampleTime_s();
+    options.hold = profile.hold;
     options.positionNoise_m = m_address.positionNoise_m.value_or(options.positionNoise_m);
     const std::lock_guard lock(m_mutex);
-    m_device = std::make_unique<Device>(*profile, options);
-    m_faults = FaultTimeline(std::move(*faults));
+    m_device = std::make_unique<Device>(profile, options);
+    m_faults = FaultTimeline(std::move(faults));
     m_faultsBefore_s = past->faults_s;
     m_start = Clock::now();
     return {};
@@ -126,10 +182,8 @@ void VirtualRobotTransport::pass(std::vector<std::uint8_t> report)
     const bool doubled = m_faultDice.uniform() < faults.duplicate;
     const bool damaged = m_faultDice.uniform() < faults.badCrc;
     const std::uint64_t bit = m_faultDice.bits() % (8 * report.size());
-    if (lost || faults.stalled || m_wire.size() >= wireCapacity) {
-        ++m_lostReports;
+    if (lost || faults.stalled || m_wire.size() >= robotWireCapacity)
         return;
-    }
     if (damaged)
         report[bit / 8] = static_cast<std::uint8_t>(report[bit / 8] ^ (1U << bit % 8));
     if (doubled)
@@ -181,12 +235,6 @@ void VirtualRobotTransport::close() noexcept
         m_closed = true;
     }
     m_wake.notify_all();
-}
-
-std::uint64_t VirtualRobotTransport::lostReports()
-{
-    const std::lock_guard lock(m_mutex);
-    return m_lostReports;
 }
 
 } // namespace gripscope

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/protocol/codec.h"
 
-#include "core/words.h"
 #include "devices/protocol/byte_order.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace gripscope::protocol {
 
@@ -15,10 +14,19 @@ constexpr std::uint32_t armKey = 0x214D5241; ///< the bytes "ARM!": no slip of a
 constexpr std::size_t samplesOffset = 20;
 constexpr std::size_t forcesOffset = 12;
 
-template <typename Enum>
-constexpr bool within(std::uint8_t value, Enum last)
+/// The first of some checks that failed, as the error of a decoder.
+using Problem = std::optional<FieldProblem>;
+std::optional<DecodeError> firstOf(std::initializer_list<Problem> checks)
 {
-    return value <= static_cast<std::uint8_t>(last);
+    const auto failed = std::find_if(checks.begin(), checks.end(), [](const Problem& p) { return p; });
+    return failed == checks.end() ? std::nullopt : std::optional(DecodeError::badField(**failed));
+}
+
+/// A number that names one of an enumeration whose last is `last`.
+template <typename Enum>
+Problem notNamed(Field field, std::uint8_t value, Enum last)
+{
+    return outside(field, value, 0, static_cast<std::uint8_t>(last));
 }
 
 Report blank(ReportId id)
@@ -38,7 +46,10 @@ Overloaded(Handlers...) -> Overloaded<Handlers...>;
 void storeBody(Report& report, const CommandBody& body)
 {
     std::visit(Overloaded{
-                   [&](const ArmCommand&) { store(report, 4, armKey); },
+                   [&](const ArmCommand& arm) {
+                       store(report, 4, armKey);
+                       store(report, 8, arm.token);
+                   },
                    [&](const SetLimitsCommand& limits) {
                        store(report, 4, limits.maxForce);
                        store(report, 8, limits.maxTravel);
@@ -71,8 +82,9 @@ Decoded<InputMessage> decodeStream(ReportView bytes)
     message.timestamp_us = load<std::uint32_t>(bytes, 12);
     message.count = bytes[17];
     message.excitationNumber = load<std::uint16_t>(bytes, 18);
-    if (!within(bytes[16], ExcitationState::Stopped) || message.count > maxSamplesPerReport)
-        return tl::unexpected(DecodeError::BadField);
+    if (const auto error = firstOf({notNamed(Field::ExcitationState, bytes[16], ExcitationState::Stopped),
+                                    outside(Field::SampleCount, message.count, 0, maxSamplesPerReport)}))
+        return tl::unexpected(*error);
     message.excitation = static_cast<ExcitationState>(bytes[16]);
     for (std::size_t i = 0; i < message.count; ++i) {
         message.samples[i].force = load<std::int32_t>(bytes, samplesOffset + 8 * i);
@@ -83,8 +95,9 @@ Decoded<InputMessage> decodeStream(ReportView bytes)
 
 Decoded<InputMessage> decodeAcknowledgement(ReportView bytes)
 {
-    if (!within(bytes[7], CommandResult::Fault) || !within(bytes[16], ExcitationState::Stopped))
-        return tl::unexpected(DecodeError::BadField);
+    if (const auto error = firstOf({notNamed(Field::Result, bytes[7], CommandResult::Fault),
+                                    notNamed(Field::ExcitationState, bytes[16], ExcitationState::Stopped)}))
+        return tl::unexpected(*error);
     Acknowledgement message;
     message.status = load<std::uint16_t>(bytes, 2);
     message.commandNumber = load<std::uint16_t>(bytes, 4);
@@ -103,8 +116,8 @@ Decoded<CommandBody> decodeUpload(ReportView bytes)
     upload.excitationNumber = load<std::uint16_t>(bytes, 4);
     upload.count = bytes[6];
     upload.offset = load<std::uint32_t>(bytes, 8);
-    if (upload.count < 1 || upload.count > maxForcesPerUpload)
-        return tl::unexpected(DecodeError::BadField);
+    if (const auto problem = outside(Field::ForceCount, upload.count, 1, maxForcesPerUpload))
+        return tl::unexpected(DecodeError::badField(*problem));
     for (std::size_t i = 0; i < upload.count; ++i)
         upload.forces[i] = load<std::int32_t>(bytes, forcesOffset + 4 * i);
     return upload;
@@ -114,9 +127,9 @@ Decoded<CommandBody> decodeBody(ReportView bytes)
 {
     switch (static_cast<ReportId>(bytes[0])) {
     case ReportId::Arm:
-        if (load<std::uint32_t>(bytes, 4) != armKey)
-            return tl::unexpected(DecodeError::BadField);
-        return ArmCommand{};
+        if (const auto problem = outside(Field::ArmKey, load<std::uint32_t>(bytes, 4), armKey, armKey))
+            return tl::unexpected(DecodeError::badField(*problem));
+        return ArmCommand{load<std::uint32_t>(bytes, 8)};
     case ReportId::Disarm:
         return DisarmCommand{};
     case ReportId::Stop:
@@ -133,7 +146,7 @@ Decoded<CommandBody> decodeBody(ReportView bytes)
     case ReportId::Finish:
         return FinishCommand{load<std::uint16_t>(bytes, 4)};
     default:
-        return tl::unexpected(DecodeError::UnknownReport);
+        return tl::unexpected(DecodeError::unknownReport(bytes[0]));
     }
 }
 
@@ -142,7 +155,7 @@ std::optional<DecodeError> checkFeature(ReportView bytes, ReportId id)
     if (const auto error = checkReport(bytes))
         return error;
     if (bytes[0] != static_cast<std::uint8_t>(id))
-        return DecodeError::UnknownReport;
+        return DecodeError::unknownReport(bytes[0]);
     return std::nullopt;
 }
 
@@ -197,7 +210,7 @@ Report encode(const IdentityFeature& message)
     storeText(report, 4, 24, message.serial);
     storeText(report, 28, 10, message.firmware);
     storeText(report, 38, 24, message.name);
-    seal(report);
+    seal(report, message.protocolMinor);
     return report;
 }
 
@@ -237,7 +250,7 @@ Decoded<InputMessage> decodeInput(ReportView bytes)
     case ReportId::Acknowledgement:
         return decodeAcknowledgement(bytes);
     default:
-        return tl::unexpected(DecodeError::UnknownReport);
+        return tl::unexpected(DecodeError::unknownReport(bytes[0]));
     }
 }
 
@@ -268,11 +281,16 @@ Decoded<MeasurementFeature> decodeMeasurement(ReportView bytes)
     message.positionPerCount = loadDouble(bytes, 16);
     message.sampleTime_s = loadDouble(bytes, 24);
     message.forceLag_s = loadDouble(bytes, 32);
-    const auto usable = [](double value) { return std::isfinite(value) && value > 0; };
-    if (!within(bytes[2], ForceUnit::Kilonewton) || !within(bytes[3], PositionUnit::Micrometre) ||
-        bytes[4] > 1 || bytes[5] > 1 || !usable(message.forcePerCount) || !usable(message.positionPerCount) ||
-        !usable(message.sampleTime_s) || !std::isfinite(message.forceLag_s))
-        return tl::unexpected(DecodeError::BadField);
+    if (const auto error = firstOf(
+            {notNamed(Field::ForceUnit, bytes[2], ForceUnit::Kilonewton),
+             notNamed(Field::PositionUnit, bytes[3], PositionUnit::Micrometre),
+             outside(Field::ForceBetweenSamples, bytes[4], 0, 1),
+             outside(Field::TakesCommands, bytes[5], 0, 1),
+             outside(Field::ForcePerCount, message.forcePerCount, leastPerCount, mostPerCount),
+             outside(Field::PositionPerCount, message.positionPerCount, leastPerCount, mostPerCount),
+             outside(Field::SampleTime, message.sampleTime_s, shortestSampleTime_s, longestSampleTime_s),
+             outside(Field::Lag, message.forceLag_s, -longestLag_s, longestLag_s)}))
+        return tl::unexpected(*error);
     message.forceUnit = static_cast<ForceUnit>(bytes[2]);
     message.positionUnit = static_cast<PositionUnit>(bytes[3]);
     message.hold = bytes[4] == 1 ? ForceHold::First : ForceHold::Zero;
@@ -286,8 +304,10 @@ Decoded<LimitsFeature> decodeLimits(ReportView bytes)
         return tl::unexpected(*error);
     LimitsFeature message{load<std::int32_t>(bytes, 4), load<std::int32_t>(bytes, 8),
                           load<std::uint32_t>(bytes, 12)};
-    if (message.maxForce < 0 || message.maxTravel < 0)
-        return tl::unexpected(DecodeError::BadField);
+    constexpr double most = std::numeric_limits<std::int32_t>::max();
+    if (const auto error = firstOf({outside(Field::LargestForce, message.maxForce, 0, most),
+                                    outside(Field::LongestTravel, message.maxTravel, 0, most)}))
+        return tl::unexpected(*error);
     return message;
 }
 
@@ -307,52 +327,6 @@ std::uint16_t forcesCrc(const std::vector<std::int32_t>& forces)
         for (int shift = 0; shift < 32; shift += 8)
             bytes.push_back(static_cast<std::uint8_t>(static_cast<std::uint32_t>(force) >> shift));
     return crc16(bytes);
-}
-
-const char* describe(CommandResult result)
-{
-    switch (result) {
-    case CommandResult::Done:
-        return QT_TRANSLATE_NOOP("Words", "done");
-    case CommandResult::Repeated:
-        return QT_TRANSLATE_NOOP("Words", "it was done before");
-    case CommandResult::NotArmed:
-        return QT_TRANSLATE_NOOP("Words", "it is not armed");
-    case CommandResult::Busy:
-        return QT_TRANSLATE_NOOP("Words", "a squeeze is running");
-    case CommandResult::LimitExceeded:
-        return QT_TRANSLATE_NOOP("Words", "a value is above a limit");
-    case CommandResult::BadValue:
-        return QT_TRANSLATE_NOOP("Words", "a value is outside its range");
-    case CommandResult::Incomplete:
-        return QT_TRANSLATE_NOOP("Words", "a part of the force signal is missing");
-    case CommandResult::ChecksumDiffers:
-        return QT_TRANSLATE_NOOP("Words", "the force signal arrived damaged");
-    case CommandResult::Spent:
-        return QT_TRANSLATE_NOOP("Words", "this squeeze was started before");
-    case CommandResult::UnknownCommand:
-        return QT_TRANSLATE_NOOP("Words", "it does not know this command");
-    case CommandResult::Fault:
-        return QT_TRANSLATE_NOOP("Words", "it reports a fault");
-    }
-    return "unknown";
-}
-
-const char* describe(DecodeError error)
-{
-    switch (error) {
-    case DecodeError::Length:
-        return QT_TRANSLATE_NOOP("Words", "the report is not 64 bytes long");
-    case DecodeError::Crc:
-        return QT_TRANSLATE_NOOP("Words", "the checksum differs");
-    case DecodeError::Version:
-        return QT_TRANSLATE_NOOP("Words", "the protocol version is not 1");
-    case DecodeError::UnknownReport:
-        return QT_TRANSLATE_NOOP("Words", "the report is of an unknown kind");
-    case DecodeError::BadField:
-        return QT_TRANSLATE_NOOP("Words", "a field is outside its range");
-    }
-    return "unknown";
 }
 
 } // namespace gripscope::protocol

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/protocol/descriptor_words.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
 #include "devices/protocol/report_words.h"
 
 #include <QStringList>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/signal/recording.h"
+#include "core/signal/recording/recording.h"
 #include "devices/protocol/report.h"
 
 #include <string>
@@ -46,7 +46,10 @@ struct Acknowledgement {
     friend bool operator==(const Acknowledgement&, const Acknowledgement&) = default;
 };
 
+/// A program of version 1.1 gives each wish to arm a token of its own and repeats it with the same: a device
+/// that took that token answers Repeated and arms no more. 0: a program of version 1.0, which has none.
 struct ArmCommand {
+    std::uint32_t token = 0;
     friend bool operator==(const ArmCommand&, const ArmCommand&) = default;
 };
 struct DisarmCommand {
@@ -84,6 +87,8 @@ struct FinishCommand {
     std::uint16_t excitationNumber = 0;
     friend bool operator==(const FinishCommand&, const FinishCommand&) = default;
 };
+/// From this minor version on a device remembers the token of an Arm, so that an Arm may be repeated.
+inline constexpr std::uint8_t minorWithArmToken = 1;
 using CommandBody = std::variant<ArmCommand, DisarmCommand, StopCommand, HeartbeatCommand, SetLimitsCommand,
                                  UploadCommand, StartCommand, FinishCommand>;
 struct Command {
@@ -92,7 +97,8 @@ struct Command {
     friend bool operator==(const Command&, const Command&) = default;
 };
 
-/// Feature 0x10. UTF-8; at most 24, 10 and 24 bytes. The minor version is that of the report's version byte.
+/// Feature 0x10. UTF-8; at most 24, 10 and 24 bytes. The minor version, 0 to 15, is that of the report's
+/// version byte: what the device knows.
 struct IdentityFeature {
     std::string serial, firmware, name;
     std::uint8_t protocolMinor = versionMinor;
@@ -116,7 +122,7 @@ struct MeasurementFeature {
     friend bool operator==(const MeasurementFeature&, const MeasurementFeature&) = default;
 };
 
-/// Feature 0x12, in counts.
+/// Feature 0x12, in counts; 0: none is stated, and the device cannot be armed.
 struct LimitsFeature {
     std::int32_t maxForce = 0;
     std::int32_t maxTravel = 0;

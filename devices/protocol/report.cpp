@@ -23,17 +23,17 @@ std::uint16_t crc16(ReportView bytes)
 std::optional<DecodeError> checkReport(ReportView bytes)
 {
     if (bytes.size() != reportSize)
-        return DecodeError::Length;
+        return DecodeError(DecodeError::Length, bytes.size());
     if (load<std::uint16_t>(bytes, crcOffset) != crc16(bytes.first(crcOffset)))
         return DecodeError::Crc;
     if (bytes[1] >> 4 != versionMajor)
-        return DecodeError::Version;
+        return DecodeError(DecodeError::Version, bytes[1]);
     return std::nullopt;
 }
 
-void seal(Report& report)
+void seal(Report& report, std::uint8_t minor)
 {
-    report[1] = versionByte;
+    report[1] = static_cast<std::uint8_t>(versionMajor << 4 | (minor & 0x0F));
     store(report, crcOffset, crc16(ReportView(report).first(crcOffset)));
 }
 

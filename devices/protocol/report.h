@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "devices/protocol/field_problem.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,8 +21,7 @@ inline constexpr std::uint16_t vendorId = 0x1209;  ///< pid.codes, open source h
 inline constexpr std::uint16_t productId = 0x0001; ///< its test identity; a product needs its own
 
 inline constexpr std::uint8_t versionMajor = 1; ///< high half of the version byte: must match
-inline constexpr std::uint8_t versionMinor = 0; ///< low half: newer ones only add
-inline constexpr std::uint8_t versionByte = versionMajor << 4 | versionMinor;
+inline constexpr std::uint8_t versionMinor = 1; ///< low half: newer ones only add
 
 enum class ReportId : std::uint8_t {
     Stream = 0x01,
@@ -48,7 +49,7 @@ enum class CommandResult : std::uint8_t {
     BadValue = 5,
     Incomplete = 6, ///< Start: samples are missing; detail is the first one
     ChecksumDiffers = 7,
-    Spent = 8, ///< Upload: this excitation was started before
+    Spent = 8, ///< Upload, Start: the number is not ahead of the last start's, which is the detail
     UnknownCommand = 9,
     Fault = 10, ///< Arm: the device found something wrong with itself
 };
@@ -59,12 +60,29 @@ enum class ExcitationState : std::uint8_t { None = 0, Loading = 1, Running = 2, 
 [[nodiscard]] std::uint16_t crc16(ReportView bytes);
 
 /// Why a report was not understood.
-enum class DecodeError { Length, Crc, Version, UnknownReport, BadField };
+struct DecodeError {
+    enum Kind { Length, Crc, Version, UnknownReport, BadField };
+
+    // Implicit, so that a decoder can say `DecodeError::Crc` where there is nothing to add.
+    DecodeError(Kind what, std::size_t found = 0) : kind(what), came(found) {}
+    [[nodiscard]] static DecodeError badField(const FieldProblem& problem)
+    {
+        DecodeError error(BadField);
+        error.field = problem;
+        return error;
+    }
+    [[nodiscard]] static DecodeError unknownReport(std::uint8_t id) { return {UnknownReport, id}; }
+
+    Kind kind;
+    std::size_t came;                  ///< Length: how many bytes; Version: that byte; UnknownReport: the ID
+    std::optional<FieldProblem> field; ///< BadField: which one
+    friend bool operator==(const DecodeError&, const DecodeError&) = default;
+};
 
 /// Checks length, version and CRC; the report ID as it stands (it may be one that is not known here).
 [[nodiscard]] std::optional<DecodeError> checkReport(ReportView bytes);
 
 /// Puts version and CRC in their places.
-void seal(Report& report);
+void seal(Report& report, std::uint8_t minor = versionMinor);
 
 } // namespace gripscope::protocol

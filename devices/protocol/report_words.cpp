@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/protocol/report_words.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
 #include "devices/protocol/codec.h"
 
 #include <QStringList>
@@ -73,11 +73,17 @@ Fields fieldsOf(const Acknowledgement& m)
             {Words::tr("command"), Words::tr("%1, number %2")
                                        .arg(reportName(static_cast<std::uint8_t>(m.command)))
                                        .arg(m.commandNumber)},
-            {u"result"_qs, Words::tr(describe(m.result))},
+            {Words::tr("result"), describe(m.command, m.result, m.detail)},
             {Words::tr("detail"), number(m.detail)},
             {Words::tr("device time"), seconds(m.timestamp_us)},
             {Words::tr("excitation"),
              Words::tr("%1, number %2").arg(words(m.excitation)).arg(m.excitationNumber)}};
+}
+
+Fields fieldsOf(const ArmCommand& m)
+{
+    return {{Words::tr("token"),
+             m.token == 0 ? Words::tr("none") : u"0x%1"_qs.arg(m.token, 8, 16, QLatin1Char('0'))}};
 }
 
 Fields fieldsOf(const SetLimitsCommand& m)
@@ -157,7 +163,7 @@ void fill(ReportWords& out, const Decoded<Message>& message)
     if (message)
         out.fields = fieldsOf(*message);
     else
-        out.problem = Words::tr(describe(message.error()));
+        out.problem = describe(message.error());
 }
 
 } // namespace
@@ -219,12 +225,12 @@ QString hexDump(ReportView bytes)
     return text;
 }
 
-ReportWords inWords(ReportView bytes)
+ReportWords reportInWords(ReportView bytes)
 {
     ReportWords out;
     if (bytes.empty()) {
         out.kind = Words::tr("empty report");
-        out.problem = Words::tr(describe(DecodeError::Length));
+        out.problem = describe(DecodeError(DecodeError::Length));
         return out;
     }
     out.kind = reportName(bytes[0]);
@@ -243,7 +249,7 @@ ReportWords inWords(ReportView bytes)
         if (const Decoded<InputMessage> message = decodeInput(bytes))
             out.fields = std::visit([](const auto& m) { return fieldsOf(m); }, *message);
         else
-            out.problem = Words::tr(describe(message.error()));
+            out.problem = describe(message.error());
         return out;
     default:
         fill(out, decodeCommand(bytes));

@@ -23,7 +23,7 @@ struct ReportWords {
 
 /// Input, output and feature reports alike, each by its report ID. Of a damaged one the kind, the problem and
 /// no fields.
-[[nodiscard]] ReportWords inWords(ReportView bytes);
+[[nodiscard]] ReportWords reportInWords(ReportView bytes);
 
 /// "armed, moving"; "none" for 0; bits without a meaning as "bit 9".
 [[nodiscard]] QString statusWords(std::uint16_t status);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/protocol/stream_assembler.h"
 
-#include "core/signal/sample_clock.h"
+#include "core/signal/preparation/sample_clock.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/gripper_port.h"
+#include "core/session/connection/gripper_port.h"
 #include "devices/protocol/codec.h"
 
 #include <optional>

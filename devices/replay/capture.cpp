@@ -17,12 +17,10 @@ Expected<std::vector<CaptureRecord>> readAll(Expected<CaptureReader> reader)
         return tl::unexpected<Error>(reader.error());
     std::vector<CaptureRecord> records;
     for (;;) {
-        Expected<std::optional<CaptureRecord>> record = reader->next();
+        ASSIGN_OR_RETURN(std::optional<CaptureRecord> record, reader->next());
         if (!record)
-            return tl::unexpected<Error>(record.error());
-        if (!*record)
             return records;
-        records.push_back(std::move(**record));
+        records.push_back(std::move(*record));
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 #include <QByteArray>
 #include <QString>
@@ -18,6 +18,7 @@ enum class CaptureKind : std::uint16_t { Input = 0, Feature = 1, Output = 2, Not
 
 inline constexpr std::size_t longestCapturedReport = 128;
 inline constexpr std::size_t longestCaptureNote = 65535;
+inline constexpr std::uint64_t latestCapturedTime_us = 31'622'400'000'000; ///< a year
 inline constexpr qsizetype captureRecordHead = 12; ///< bytes before those of the report
 
 struct CaptureRecord {

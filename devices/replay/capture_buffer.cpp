@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/capture_buffer.h"
 
-#include "core/session/squeeze_notes.h"
+#include "core/session/squeeze/squeeze_notes.h"
 
 #include <algorithm>
 

@@ -12,18 +12,14 @@ namespace {
 /// The profile stands before the first report.
 Expected<std::optional<ProfiledDevice>> keptProfile(const QString& file)
 {
-    Expected<CaptureReader> reader = CaptureReader::open(file);
-    if (!reader)
-        return tl::unexpected<Error>(reader.error());
+    ASSIGN_OR_RETURN(CaptureReader reader, CaptureReader::open(file));
     for (;;) {
-        const Expected<std::optional<CaptureRecord>> record = reader->next();
-        if (!record)
-            return tl::unexpected<Error>(record.error());
-        if (!*record || (*record)->kind == CaptureKind::Input)
+        ASSIGN_OR_RETURN(const std::optional<CaptureRecord> record, reader.next());
+        if (!record || record->kind == CaptureKind::Input)
             return std::nullopt;
-        if ((*record)->kind != CaptureKind::Note)
+        if (record->kind != CaptureKind::Note)
             continue;
-        if (std::optional<ProfiledDevice> device = profiledDeviceOf((*record)->note()))
+        if (std::optional<ProfiledDevice> device = profiledDeviceOf(record->note()))
             return device;
     }
 }
@@ -32,11 +28,9 @@ Expected<std::optional<ProfiledDevice>> keptProfile(const QString& file)
 
 Expected<DeviceDescription> CaptureDecoder::describe(Transport& transport, const QString& address)
 {
-    const Expected<std::optional<ProfiledDevice>> kept = keptProfile(m_file);
-    if (!kept)
-        return tl::unexpected<Error>(kept.error());
-    if (*kept)
-        m_inner = std::make_unique<ProfileDecoder>([device = **kept] { return device; });
+    ASSIGN_OR_RETURN(const std::optional<ProfiledDevice> kept, keptProfile(m_file));
+    if (kept)
+        m_inner = std::make_unique<ProfileDecoder>([device = *kept] { return device; });
     else
         m_inner = std::make_unique<GripscopeDecoder>();
     return m_inner->describe(transport, address);

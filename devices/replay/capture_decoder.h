@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/acquisition/report_decoder.h"
+#include "devices/transport/report_decoder.h"
 
 namespace gripscope {
 

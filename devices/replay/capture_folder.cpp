@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/capture_folder.h"
 
-#include "core/words.h"
+#include "core/base/bounded_file.h"
+#include "core/base/words.h"
 #include "devices/replay/capture_reader.h"
 
 #include <QCryptographicHash>
@@ -22,6 +23,7 @@ namespace {
 
 const QString listName = u"SHA256SUMS"_s;
 constexpr int lockPatience_ms = 5000;
+constexpr qint64 largestList = 16 * megabyte; ///< of a hundred thousand parts
 
 tl::unexpected<Error> cannotList(const QString& reason)
 {
@@ -39,10 +41,10 @@ std::map<QString, Listed> readList(const QString& file)
     static const QRegularExpression comment(u"^# (\\S+): (\\d+) squeezes$"_s);
     static const QRegularExpression entry(u"^([0-9a-f]{64})  (\\S+)$"_s);
     std::map<QString, Listed> listed;
-    QFile in(file);
-    if (!in.open(QIODevice::ReadOnly | QIODevice::Text))
+    const Expected<QByteArray> text = readBounded(file, largestList);
+    if (!text)
         return listed;
-    for (const QString& line : QString::fromUtf8(in.readAll()).split(u'\n')) {
+    for (const QString& line : QString::fromUtf8(*text).split(u'\n')) {
         if (const auto match = comment.match(line); match.hasMatch())
             listed[match.captured(1)].squeezes = match.captured(2).toLongLong();
         if (const auto match = entry.match(line); match.hasMatch())
@@ -63,11 +65,7 @@ QByteArray listLines(const CaptureFolder::Part& part)
 CaptureFolder::Checked checkRecords(CaptureFolder::Checked checked, const QString& file)
 {
     using Condition = CaptureFolder::Condition;
-    QFile in(file);
-    Expected<CaptureReader> reader =
-        in.open(QIODevice::ReadOnly)
-            ? CaptureReader::over(in.readAll(), file)
-            : Expected<CaptureReader>(failure(ErrorCode::FileUnreadable, {file, in.errorString()}));
+    Expected<CaptureReader> reader = CaptureReader::openPart(file);
     checked.condition = Condition::Unreadable;
     if (!reader) {
         checked.words = reader.error().describe();
@@ -127,9 +125,12 @@ CaptureFolder::Checked CaptureFolder::check(const Part& part) const
         return checkRecords(std::move(checked), filePath(part.name));
     QFile in(filePath(part.name));
     QCryptographicHash hash(QCryptographicHash::Sha256);
-    if (!in.open(QIODevice::ReadOnly) || !hash.addData(&in)) {
+    const Expected<void> opened = openRegular(in);
+    if (!opened || !hash.addData(&in)) {
         checked.condition = Condition::Unreadable;
-        checked.words = Error{ErrorCode::FileUnreadable, {in.fileName(), in.errorString()}}.describe();
+        checked.words =
+            (opened ? Error{ErrorCode::FileUnreadable, {in.fileName(), in.errorString()}} : opened.error())
+                .describe();
     } else if (QString::fromLatin1(hash.result().toHex()) != part.hash) {
         checked.condition = Condition::Changed;
         checked.words = Words::tr("changed since it was closed: its SHA-256 is not the one listed");
@@ -174,8 +175,7 @@ Expected<std::vector<CaptureFolder::Part>> CaptureFolder::prune(qint64 most, con
         removed.push_back(part);
     }
     if (!removed.empty())
-        if (const Expected<void> written = rewriteList(removed); !written)
-            return tl::unexpected<Error>(written.error());
+        RETURN_IF_ERROR(rewriteList(removed));
     return removed;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/capture_reader.h"
 
-#include "core/words.h"
+#include "core/base/bounded_file.h"
+#include "core/base/words.h"
 
 #include <QBuffer>
 #include <QDir>
@@ -54,11 +55,19 @@ QStringList capturePartsFrom(const QString& file)
 
 Expected<CaptureReader> CaptureReader::open(const QString& file)
 {
+    return over(capturePartsFrom(file));
+}
+
+Expected<CaptureReader> CaptureReader::openPart(const QString& file)
+{
+    return over(QStringList{file});
+}
+
+Expected<CaptureReader> CaptureReader::over(QStringList parts)
+{
     CaptureReader reader;
-    reader.m_parts = capturePartsFrom(file);
-    const Expected<bool> begun = reader.beginNextPart();
-    if (!begun)
-        return tl::unexpected<Error>(begun.error());
+    reader.m_parts = std::move(parts);
+    RETURN_IF_ERROR(reader.beginNextPart());
     return reader;
 }
 
@@ -68,9 +77,7 @@ Expected<CaptureReader> CaptureReader::over(const QByteArray& bytes, const QStri
     buffer->setData(bytes);
     buffer->open(QIODevice::ReadOnly);
     CaptureReader reader;
-    const Expected<void> begun = reader.begin(std::move(buffer), name);
-    if (!begun)
-        return tl::unexpected<Error>(begun.error());
+    RETURN_IF_ERROR(reader.begin(std::move(buffer), name));
     return reader;
 }
 
@@ -96,12 +103,23 @@ Expected<bool> CaptureReader::beginNextPart()
         return false;
     auto file = std::make_unique<QFile>(m_parts.takeFirst());
     const QString name = file->fileName();
-    if (!file->open(QIODevice::ReadOnly))
-        return failure(ErrorCode::FileUnreadable, {name, file->errorString()});
+    RETURN_IF_ERROR(openRegular(*file));
     return begin(std::move(file), name).map([] { return true; });
 }
 
 Expected<std::optional<CaptureRecord>> CaptureReader::next()
+{
+    for (;;) {
+        Expected<std::optional<CaptureRecord>> record = nextInPart();
+        if (!record || *record)
+            return record;
+        ASSIGN_OR_RETURN(const bool more, beginNextPart());
+        if (!more)
+            return std::optional<CaptureRecord>();
+    }
+}
+
+Expected<std::optional<CaptureRecord>> CaptureReader::nextInPart()
 {
     const QByteArray head = m_part->read(captureRecordHead);
     const auto length =
@@ -121,14 +139,16 @@ Expected<std::optional<CaptureRecord>> CaptureReader::next()
         if (record.time_us < m_lastTime)
             return bad(m_name, m_at, Words::tr("a time before that of the record in front"),
                        Words::tr("expected times in order"));
+        if (record.time_us > latestCapturedTime_us)
+            return bad(
+                m_name, m_at,
+                Words::tr("a record %1 s after the first").arg(1e-6 * static_cast<double>(record.time_us)),
+                Words::tr("expected a session of less than a year"));
     }
     const QByteArray bytes = m_part->read(length);
     if (head.size() < captureRecordHead || bytes.size() < length) {
         m_left = head.size() + bytes.size();
-        const Expected<bool> more = beginNextPart();
-        if (!more)
-            return tl::unexpected<Error>(more.error());
-        return *more ? next() : std::optional<CaptureRecord>();
+        return std::optional<CaptureRecord>();
     }
     m_lastTime = record.time_us;
     m_at += captureRecordHead + length;

@@ -18,6 +18,8 @@ class CaptureReader {
 public:
     /// FileUnreadable, BadInput.
     [[nodiscard]] static Expected<CaptureReader> open(const QString& file);
+    /// One file, though its session may have other parts. FileUnreadable, BadInput.
+    [[nodiscard]] static Expected<CaptureReader> openPart(const QString& file);
     /// Over bytes in memory; `name` stands for the file in messages.
     [[nodiscard]] static Expected<CaptureReader> over(const QByteArray& bytes, const QString& name);
 
@@ -32,6 +34,9 @@ private:
     CaptureReader() = default;
     Expected<void> begin(std::unique_ptr<QIODevice> part, const QString& name);
     Expected<bool> beginNextPart(); ///< false: there is none
+    /// The next record of this part; nothing where it ends, whole or not.
+    Expected<std::optional<CaptureRecord>> nextInPart();
+    static Expected<CaptureReader> over(QStringList parts);
 
     std::unique_ptr<QIODevice> m_part;
     QString m_name;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/capture_session.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
 #include "devices/replay/capture_folder.h"
 
 #include <QCoreApplication>
@@ -13,6 +13,43 @@
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
+
+Expected<std::unique_ptr<CapturePart>> CapturePart::create(const QString& file, Existing existing)
+{
+    auto part = std::unique_ptr<CapturePart>(new CapturePart(file));
+    const QIODevice::OpenMode mode =
+        QIODevice::WriteOnly | QIODevice::Unbuffered |
+        (existing == Existing::Refuse ? QIODevice::NewOnly : QIODevice::Truncate);
+    if (!part->m_file.open(mode))
+        return failure(ErrorCode::FileUnwritable, {file, part->m_file.errorString()});
+    return part;
+}
+
+Expected<void> CapturePart::add(const char* bytes, qint64 size)
+{
+    qint64 done = 0;
+    while (done < size) {
+        const qint64 written = m_file.write(bytes + done, size - done);
+        if (written <= 0) {
+            const QString reason = m_file.errorString();
+            if (!m_file.isSequential() && m_file.resize(m_size))
+                m_file.seek(m_size);
+            return failure(ErrorCode::FileUnwritable, {m_file.fileName(), reason});
+        }
+        done += written;
+    }
+    m_hash.addData(QByteArrayView(bytes, size));
+    m_size += size;
+    return {};
+}
+
+Expected<QString> CapturePart::close()
+{
+    m_file.close();
+    if (m_file.error() != QFileDevice::NoError && !m_file.exists())
+        return failure(ErrorCode::FileUnwritable, {m_file.fileName(), m_file.errorString()});
+    return QString::fromLatin1(m_hash.result().toHex());
+}
 
 namespace {
 
@@ -44,11 +81,9 @@ CaptureSession::CaptureSession(CaptureDestination destination, QString session,
 
 Expected<void> CaptureSession::createFile()
 {
-    Expected<std::unique_ptr<CapturePart>> part =
-        CapturePart::create(m_destination.file, CapturePart::Existing::Replace);
-    if (!part)
-        return tl::unexpected<Error>(part.error());
-    m_part = std::move(*part);
+    ASSIGN_OR_RETURN(std::unique_ptr<CapturePart> part,
+                     CapturePart::create(m_destination.file, CapturePart::Existing::Replace));
+    m_part = std::move(part);
     return {};
 }
 
@@ -92,12 +127,10 @@ Expected<void> CaptureSession::write(const Chunk& chunk, const CaptureBuffer& bu
 {
     const std::uint64_t time_us = firstTime(chunk);
     if (inFolder() && partIsDue()) {
-        if (const Expected<void> closed = closePart(); !closed)
-            return closed;
+        RETURN_IF_ERROR(closePart());
         // The first part gets its features as they come, unless they were lost.
         const QByteArray features = m_records > 0 || m_lostAny ? buffer.features(time_us) : QByteArray();
-        if (const Expected<void> begun = beginPart(features, time_us); !begun)
-            return begun;
+        RETURN_IF_ERROR(beginPart(features, time_us));
     }
     if (!m_part)
         return failure(ErrorCode::FileUnwritable, {m_destination.file, Words::tr("it is closed")});
@@ -106,12 +139,10 @@ Expected<void> CaptureSession::write(const Chunk& chunk, const CaptureBuffer& bu
         before += captureHeader() + sessionNote(time_us);
     if (m_untold > 0)
         before += note(time_us, u"dropped\nrecords: %1\n"_s.arg(m_untold));
-    if (const Expected<void> told = m_part->add(before.constData(), before.size()); !told)
-        return told;
+    RETURN_IF_ERROR(m_part->add(before.constData(), before.size()));
     m_untold = 0;
     const auto* bytes = reinterpret_cast<const char*>(chunk.bytes.data());
-    if (const Expected<void> added = m_part->add(bytes, static_cast<qint64>(chunk.bytes.size())); !added)
-        return added;
+    RETURN_IF_ERROR(m_part->add(bytes, static_cast<qint64>(chunk.bytes.size())));
     m_records += chunk.records;
     m_partSqueezes += static_cast<qint64>(chunk.squeezes);
     return {};
@@ -129,14 +160,11 @@ Expected<void> CaptureSession::beginPart(const QByteArray& features, std::uint64
     if (!QDir().mkpath(folder.path()))
         return failure(ErrorCode::FileUnwritable, {folder.path(), Words::tr("the folder cannot be made")});
     const qint64 room = m_destination.limits.totalBytes - m_destination.limits.partBytes;
-    if (const auto pruned = folder.prune(room); !pruned)
-        return tl::unexpected<Error>(pruned.error());
+    RETURN_IF_ERROR(folder.prune(room));
     const QString name = u"%1.part%2.gscap"_s.arg(m_session).arg(m_parts + 1, 4, 10, QLatin1Char('0'));
-    Expected<std::unique_ptr<CapturePart>> part =
-        CapturePart::create(folder.filePath(name), CapturePart::Existing::Refuse);
-    if (!part)
-        return tl::unexpected<Error>(part.error());
-    m_part = std::move(*part);
+    ASSIGN_OR_RETURN(std::unique_ptr<CapturePart> part,
+                     CapturePart::create(folder.filePath(name), CapturePart::Existing::Refuse));
+    m_part = std::move(part);
     ++m_parts;
     m_partBegan = Clock::now();
     m_partSqueezes = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/capture_transport.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
 
 #include <algorithm>
 
@@ -13,16 +13,16 @@ namespace {
 /// For what waits for the disk when a session ends, within the second that closing a port may take; a disk
 /// that takes longer goes on by itself.
 constexpr std::chrono::milliseconds closingTakes{450};
+/// Feature reports that stand in front of the first sample; a device has three, and every part repeats them.
+constexpr std::size_t mostReplayedFeatures = 1000;
 } // namespace
 
 Expected<void> CapturingTransport::open()
 {
-    Expected<std::unique_ptr<CaptureWriter>> writer = CaptureWriter::create(m_destination, m_monitor);
-    if (!writer)
-        return tl::unexpected<Error>(writer.error());
+    ASSIGN_OR_RETURN(std::unique_ptr<CaptureWriter> writer, CaptureWriter::create(m_destination, m_monitor));
     {
         const std::lock_guard lock(m_mutex);
-        m_writer = std::move(*writer);
+        m_writer = std::move(writer);
     }
     return m_inner->open();
 }
@@ -80,12 +80,9 @@ QString CapturingTransport::keptSession() const
 
 Expected<void> CaptureReplayTransport::open()
 {
-    Expected<CaptureReader> reader = CaptureReader::open(m_file);
-    if (!reader)
-        return tl::unexpected<Error>(reader.error());
-    m_reader = std::move(*reader);
-    if (const Expected<void> found = findNextInput(); !found)
-        return found;
+    ASSIGN_OR_RETURN(CaptureReader reader, CaptureReader::open(m_file));
+    m_reader = std::move(reader);
+    RETURN_IF_ERROR(findNextInput());
     if (!m_nextInput)
         return failure(ErrorCode::BadInput,
                        {m_file, Words::tr("no report of a gripper"), Words::tr("expected at least one")});
@@ -97,17 +94,15 @@ Expected<void> CaptureReplayTransport::findNextInput()
 {
     m_nextInput.reset();
     for (;;) {
-        Expected<std::optional<CaptureRecord>> record = m_reader->next();
+        ASSIGN_OR_RETURN(std::optional<CaptureRecord> record, m_reader->next());
         if (!record)
-            return tl::unexpected<Error>(record.error());
-        if (!*record)
             return {};
-        if ((*record)->kind == CaptureKind::Input) {
-            m_nextInput = std::move(*record);
+        if (record->kind == CaptureKind::Input) {
+            m_nextInput = std::move(record);
             return {};
         }
-        if ((*record)->kind == CaptureKind::Feature && !m_started)
-            m_features.push_back(std::move(**record));
+        if (record->kind == CaptureKind::Feature && !m_started && m_features.size() < mostReplayedFeatures)
+            m_features.push_back(std::move(*record));
     }
 }
 

@@ -3,7 +3,7 @@
 
 #include "devices/replay/capture_reader.h"
 #include "devices/replay/capture_writer.h"
-#include "devices/transport.h"
+#include "devices/transport/transport.h"
 
 #include <atomic>
 #include <condition_variable>
@@ -30,8 +30,10 @@ public:
     ReadResult read(Buffer& buffer, std::chrono::milliseconds timeout) override;
     bool write(const protocol::Report& report) override;
     void close() noexcept override;
+    void writeOnCrash(const protocol::Report& report) override { m_inner->writeOnCrash(report); }
     [[nodiscard]] Place place() const override { return m_inner->place(); }
     [[nodiscard]] bool streamsAlways() const override { return m_inner->streamsAlways(); }
+    [[nodiscard]] bool keepsComputerTime() const override { return m_inner->keepsComputerTime(); }
     [[nodiscard]] bool takesCommands() const override { return m_inner->takesCommands(); }
     void note(const QString& text) override;
     [[nodiscard]] QString keptSession() const override;

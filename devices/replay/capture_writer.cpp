@@ -29,8 +29,7 @@ Expected<std::unique_ptr<CaptureWriter>> CaptureWriter::create(const CaptureDest
         monitor = std::make_shared<CaptureMonitor>();
     auto writing = std::make_shared<CaptureSession>(destination, session, monitor);
     if (!destination.file.isEmpty())
-        if (const Expected<void> created = writing->createFile(); !created)
-            return tl::unexpected<Error>(created.error());
+        RETURN_IF_ERROR(writing->createFile());
     auto buffer = std::make_shared<CaptureBuffer>(destination.limits.bufferBytes, std::move(monitor));
     return std::unique_ptr<CaptureWriter>(
         new CaptureWriter(buffer, session, BoundedThread([writing, buffer] { writing->run(*buffer); })));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/acquisition/bounded_thread.h"
 #include "devices/replay/capture_buffer.h"
+#include "devices/transport/bounded_thread.h"
 
 namespace gripscope {
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/captured_session.h"
 
+#include "core/base/words.h"
 #include "core/calibration/calibration_facts.h"
-#include "core/session/squeeze_notes.h"
-#include "core/signal/stream_account.h"
-#include "core/words.h"
+#include "core/session/connection/identity_limits.h"
+#include "core/session/squeeze/squeeze_notes.h"
+#include "core/signal/recording/stream_account.h"
 #include "devices/acquisition/sample_queue.h"
 #include "devices/replay/capture_decoder.h"
 #include "devices/replay/capture_transport.h"
@@ -17,6 +18,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+/// A shift has 400; a capture that says more only keeps the program busy.
+constexpr std::size_t mostSqueezes = 10'000;
+
 /// Takes the records of a session in their order.
 class SessionCutter {
 public:
@@ -24,7 +28,16 @@ public:
     {
     }
 
-    void take(const CaptureRecord& record)
+    /// BadInput where there are more squeezes than any session has.
+    Expected<void> take(const CaptureRecord& record)
+    {
+        if (m_session.squeezes.size() > mostSqueezes)
+            return failure(ErrorCode::BadInput, {Words::tr("found more than %1 squeezes").arg(mostSqueezes),
+                                                 Words::tr("expected fewer in one session")});
+        follow(record);
+        return {};
+    }
+    void follow(const CaptureRecord& record)
     {
         m_now_s = 1e-6 * static_cast<double>(record.time_us);
         switch (record.kind) {
@@ -182,25 +195,24 @@ void SessionCutter::fail(const QString& reason)
 Expected<CapturedSession> readCapturedSession(const QString& file)
 {
     CaptureReplayTransport transport(file, 0);
-    if (const Expected<void> opened = transport.open(); !opened)
-        return tl::unexpected<Error>(opened.error());
+    RETURN_IF_ERROR(transport.open());
     CaptureDecoder decoder(file);
-    Expected<DeviceDescription> device = decoder.describe(transport, u"replay:"_s + file);
-    if (!device)
-        return tl::unexpected<Error>(device.error());
-    Expected<CaptureReader> reader = CaptureReader::open(file);
-    if (!reader)
-        return tl::unexpected<Error>(reader.error());
+    ASSIGN_OR_RETURN(DeviceDescription device, decoder.describe(transport, u"replay:"_s + file));
+    if (const std::optional<Finding> reason = outOfRange(device.identity))
+        return failure(ErrorCode::BadInput, {file, *reason, Words::tr("expected a gripper that can be")});
+    ASSIGN_OR_RETURN(CaptureReader reader, CaptureReader::open(file));
     CapturedSession session;
-    session.identity = device->identity;
+    session.identity = device.identity;
     SessionCutter cutter(session, decoder);
     for (;;) {
-        const Expected<std::optional<CaptureRecord>> record = reader->next();
+        ASSIGN_OR_RETURN(const std::optional<CaptureRecord> record, reader.next());
         if (!record)
-            return tl::unexpected<Error>(record.error());
-        if (!*record)
             break;
-        cutter.take(**record);
+        if (const Expected<void> taken = cutter.take(*record); !taken) {
+            Error inFile = taken.error();
+            inFile.arguments.insert(inFile.arguments.begin(), file);
+            return tl::unexpected<Error>(inFile);
+        }
     }
     cutter.finish();
     return session;

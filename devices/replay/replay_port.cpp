@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/replay_port.h"
 
-#include "core/signal/recording_csv.h"
-#include "core/words.h"
+#include "core/base/words.h"
+#include "core/signal/recording/recording_csv.h"
 
 #include <QFileInfo>
 

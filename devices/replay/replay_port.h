@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/gripper_port.h"
-#include "core/signal/recording.h"
-#include "devices/acquisition/bounded_thread.h"
+#include "core/session/connection/gripper_port.h"
+#include "core/signal/recording/recording.h"
+#include "devices/transport/bounded_thread.h"
 
 #include <chrono>
 #include <memory>

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t streamPurpose = 3;
 constexpr std::uint64_t acknowledgementPurpose = 4;
-constexpr std::uint64_t noSqueeze = ~std::uint64_t(0);
+constexpr std::uint64_t noInjectedSqueeze = ~std::uint64_t(0);
 
 bool isStream(const protocol::Report& report)
 {
@@ -27,8 +27,8 @@ std::uint64_t samplesIn(const protocol::Report& report)
 } // namespace
 
 FaultInjector::FaultInjector(std::uint64_t seed)
-    : m_seed(seed), m_stream(seed, noSqueeze, streamPurpose),
-      m_acknowledgements(seed, noSqueeze, acknowledgementPurpose)
+    : m_seed(seed), m_stream(seed, noInjectedSqueeze, streamPurpose),
+      m_acknowledgements(seed, noInjectedSqueeze, acknowledgementPurpose)
 {
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/random_stream.h"
+#include "devices/address/fault_script.h"
 #include "devices/protocol/report.h"
-#include "devices/virtual/fault_script.h"
-#include "devices/virtual/random_stream.h"
 
 #include <deque>
 

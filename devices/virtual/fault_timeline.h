@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/virtual/fault_script.h"
+#include "devices/address/fault_script.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/virtual/virtual_firmware.h"
 
-#include "core/session/device_button.h"
+#include "core/session/connection/device_button.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,11 +25,17 @@ std::int32_t toCounts(double value, double perCount)
     return static_cast<std::int32_t>(std::lround(value / perCount));
 }
 
+/// Measured, not commanded: so far above the limit that no noise of the sensor stops a squeeze.
+std::int64_t protectiveForce(std::int32_t limit)
+{
+    return std::int64_t(limit) + limit / 20 + VirtualFirmware::ownForce / 100;
+}
+
 } // namespace
 
 VirtualFirmware::VirtualFirmware(VirtualFirmwareOptions options)
-    : m_options(std::move(options)), m_maxForce(toCounts(maxForce_N, forcePerCount_N)),
-      m_maxTravel(toCounts(maxTravel_m, positionPerCount_m)), m_noise(m_options.seed, noSqueeze, noisePurpose)
+    : m_options(std::move(options)), m_maxForce(ownForce), m_maxTravel(ownTravel),
+      m_noise(m_options.seed, noSqueeze, noisePurpose)
 {
 }
 
@@ -44,7 +50,7 @@ std::optional<Report> VirtualFirmware::feature(std::uint8_t reportId) const
         identity.serial = "VG-" + std::to_string(m_options.seed);
         identity.firmware = "virtual 1";
         identity.name = name.toStdString();
-        return encode(identity);
+        return sealed(encode(identity));
     }
     case ReportId::Measurement: {
         MeasurementFeature measurement;
@@ -53,72 +59,27 @@ std::optional<Report> VirtualFirmware::feature(std::uint8_t reportId) const
         measurement.positionPerCount = m_options.millimetres ? 1000 * positionPerCount_m : positionPerCount_m;
         measurement.sampleTime_s = sampleTime_s;
         measurement.commandable = true;
-        measurement.watchdog_ms = watchdog_us / 1000;
-        return encode(measurement);
+        measurement.watchdog_ms = m_options.watchdog_ms;
+        return sealed(encode(measurement));
     }
     case ReportId::Limits:
-        return encode(LimitsFeature{toCounts(maxForce_N, forcePerCount_N),
-                                    toCounts(maxTravel_m, positionPerCount_m), maxSamples});
+        return sealed(encode(LimitsFeature{ownForce, ownTravel, maxSamples}));
     default:
         return std::nullopt;
     }
 }
 
-void VirtualFirmware::receive(ReportView bytes, std::uint64_t now_us)
+Report VirtualFirmware::sealed(Report report) const
 {
-    const Decoded<Command> command = decodeCommand(bytes);
-    if (command) {
-        if (m_armed || std::holds_alternative<ArmCommand>(command->body))
-            m_heartbeat_us = now_us;
-        acknowledge(command->number, reportId(command->body), execute(command->body));
-        return;
-    }
-    // The CRC says that the bytes are what was sent, so the sender can be told; otherwise even the number is
-    // in doubt.
-    const bool intact =
-        command.error() == DecodeError::UnknownReport || command.error() == DecodeError::BadField;
-    if (!intact)
-        return;
-    const auto result =
-        command.error() == DecodeError::BadField ? CommandResult::BadValue : CommandResult::UnknownCommand;
-    acknowledge(static_cast<std::uint16_t>(bytes[2] | bytes[3] << 8), static_cast<ReportId>(bytes[0]),
-                {result, 0});
+    seal(report, m_options.protocolMinor);
+    return report;
 }
 
-VirtualFirmware::Answer VirtualFirmware::execute(const CommandBody& body)
+void VirtualFirmware::watch(std::uint64_t now_us)
 {
-    if (std::holds_alternative<ArmCommand>(body))
-        return arm();
-    if (std::holds_alternative<DisarmCommand>(body) || std::holds_alternative<StopCommand>(body))
-        return disarm();
-    if (const auto* limits = std::get_if<SetLimitsCommand>(&body))
-        return setLimits(*limits);
-    if (const auto* chunk = std::get_if<UploadCommand>(&body))
-        return upload(*chunk);
-    if (const auto* order = std::get_if<StartCommand>(&body))
-        return start(*order);
-    if (const auto* early = std::get_if<FinishCommand>(&body))
-        return finish(*early);
-    return {}; // Heartbeat: its arrival is all it says.
-}
-
-VirtualFirmware::Answer VirtualFirmware::arm()
-{
-    constexpr std::uint32_t faultCode = 1; // the one fault it can have
-    if (m_faults.broken)
-        return {CommandResult::Fault, faultCode};
-    if (m_armed)
-        return {CommandResult::Repeated, m_lastStarted};
-    m_armed = true;
-    m_latched = 0;
-    return {CommandResult::Done, m_lastStarted};
-}
-
-VirtualFirmware::Answer VirtualFirmware::disarm()
-{
-    const bool nothingToDo = !m_armed && m_phase == Phase::Idle;
-    halt(0);
-    return {nothingToDo ? CommandResult::Repeated : CommandResult::Done, 0};
+    if (m_options.hasWatchdog && !m_faults.noWatchdog && m_armed && m_options.watchdog_ms > 0 &&
+        now_us > m_fed_us + 1000 * std::uint64_t(m_options.watchdog_ms))
+        halt(StatusWatchdog);
 }
 
 void VirtualFirmware::halt(std::uint16_t cause)
@@ -126,117 +87,26 @@ void VirtualFirmware::halt(std::uint16_t cause)
     flush(); // what was sampled before belongs to the state before
     m_armed = false;
     m_latched |= cause;
-    if (m_phase == Phase::RestBefore || m_phase == Phase::Moving) {
+    if (restsOrMoves()) {
         m_phase = Phase::RestAfter;
         m_phaseIndex = 0;
+    }
+    if (running()) {
         m_excitation = ExcitationState::Stopped;
     } else if (m_excitation == ExcitationState::Loading) {
         m_excitation = ExcitationState::None;
+        m_excitationNumber = 0;
         m_uploadedEnd = 0;
         std::fill(m_uploaded.begin(), m_uploaded.end(), false);
     }
 }
 
-VirtualFirmware::Answer VirtualFirmware::setLimits(const SetLimitsCommand& limits)
-{
-    if (busy() && !settling())
-        return {CommandResult::Busy, 0};
-    if (limits.maxForce <= 0 || limits.maxTravel <= 0)
-        return {CommandResult::BadValue, 0};
-    if (limits.maxForce > toCounts(maxForce_N, forcePerCount_N) ||
-        limits.maxTravel > toCounts(maxTravel_m, positionPerCount_m))
-        return {CommandResult::LimitExceeded, 0};
-    m_maxForce = limits.maxForce;
-    m_maxTravel = limits.maxTravel;
-    return {};
-}
-
-VirtualFirmware::Answer VirtualFirmware::refuseForces(const std::int32_t* forces, std::size_t count,
-                                                      std::uint32_t firstIndex) const
-{
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto index = static_cast<std::uint32_t>(firstIndex + i);
-        if (forces[i] < 0)
-            return {CommandResult::BadValue, index};
-        if (forces[i] > m_maxForce)
-            return {CommandResult::LimitExceeded, index};
-    }
-    return {};
-}
-
-VirtualFirmware::Answer VirtualFirmware::upload(const UploadCommand& chunk)
-{
-    if (busy() && !settling())
-        return {CommandResult::Busy, 0};
-    if (static_cast<std::int16_t>(chunk.excitationNumber - m_lastStarted) <= 0)
-        return {CommandResult::Spent, m_lastStarted};
-    if (chunk.offset >= maxSamples || chunk.offset + chunk.count > maxSamples)
-        return {CommandResult::BadValue, chunk.offset};
-    const Answer refused = refuseForces(chunk.forces.data(), chunk.count, chunk.offset);
-    if (refused.result != CommandResult::Done)
-        return refused;
-    if (m_excitation != ExcitationState::Loading || m_excitationNumber != chunk.excitationNumber) {
-        m_excitation = ExcitationState::Loading;
-        m_excitationNumber = chunk.excitationNumber;
-        m_forces.assign(maxSamples, 0);
-        m_uploaded.assign(maxSamples, false);
-        m_uploadedEnd = 0;
-    }
-    for (std::uint32_t i = 0; i < chunk.count; ++i) {
-        m_forces[chunk.offset + i] = chunk.forces[i];
-        m_uploaded[chunk.offset + i] = true;
-    }
-    m_uploadedEnd = std::max(m_uploadedEnd, chunk.offset + chunk.count);
-    return {};
-}
-
-VirtualFirmware::Answer VirtualFirmware::start(const StartCommand& order)
-{
-    if (m_squeezes > 0 && order.excitationNumber == m_lastStarted)
-        return {CommandResult::Repeated, 0};
-    if (!m_armed)
-        return {CommandResult::NotArmed, 0};
-    if (busy() && !settling())
-        return {CommandResult::Busy, 0};
-    if (static_cast<std::int16_t>(order.excitationNumber - m_lastStarted) <= 0)
-        return {CommandResult::Spent, m_lastStarted};
-    if (order.samples == 0 || order.samples > maxSamples)
-        return {CommandResult::BadValue, 0};
-    if (m_excitation != ExcitationState::Loading || m_excitationNumber != order.excitationNumber)
-        return {CommandResult::Incomplete, 0};
-    const auto end = m_uploaded.begin() + static_cast<std::ptrdiff_t>(order.samples);
-    const auto missing = std::find(m_uploaded.begin(), end, false);
-    if (missing != end)
-        return {CommandResult::Incomplete, static_cast<std::uint32_t>(missing - m_uploaded.begin())};
-    if (m_uploadedEnd > order.samples)
-        return {CommandResult::BadValue, m_uploadedEnd};
-    const std::vector<std::int32_t> forces(m_forces.begin(),
-                                           m_forces.begin() + static_cast<std::ptrdiff_t>(order.samples));
-    if (forcesCrc(forces) != order.forcesCrc)
-        return {CommandResult::ChecksumDiffers, 0};
-    // The limits may have been lowered since the upload.
-    const Answer refused = refuseForces(forces.data(), forces.size(), 0);
-    if (refused.result != CommandResult::Done)
-        return refused;
-    m_length = order.samples;
-    beginSqueeze();
-    return {};
-}
-
-VirtualFirmware::Answer VirtualFirmware::finish(const FinishCommand& early)
-{
-    if (early.excitationNumber != m_lastStarted || (m_phase != Phase::RestBefore && m_phase != Phase::Moving))
-        return {CommandResult::Repeated, 0};
-    flush(); // what was sampled before was sampled in motion
-    m_phase = Phase::RestAfter;
-    m_phaseIndex = 0;
-    return {};
-}
-
 void VirtualFirmware::setFaults(const FirmwareFaults& faults)
 {
-    if (faults.broken && !m_faults.broken)
+    if (faults.broken && !m_faults.broken) {
         halt(0);
+        m_faultShownUntil = m_sampleCount + faultShownSamples;
+    }
     if (!faults.sensorStuck)
         m_stuckPosition.reset();
     if (faults.clock_s != m_faults.clock_s)
@@ -250,39 +120,41 @@ void VirtualFirmware::beginSqueeze()
     const MassDampingStiffness object = m_options.object.draw(m_options.seed, m_squeezes);
     m_noise = RandomStream(m_options.seed, m_squeezes, noisePurpose);
     ++m_squeezes;
-    m_step = discretize(object, sampleTime_s, ForceHold::Zero);
+    m_step = discretize(object, sampleTime_s / (1 + m_faults.clockRate), ForceHold::Zero);
     m_state.setZero();
     m_lastStarted = m_excitationNumber;
+    m_anyStarted = true;
     m_excitation = ExcitationState::Running;
     m_phase = Phase::RestBefore;
     m_phaseIndex = 0;
 }
 
-void VirtualFirmware::acknowledge(std::uint16_t number, ReportId command, Answer answer)
-{
-    Acknowledgement message;
-    message.status = status();
-    message.commandNumber = number;
-    message.command = command;
-    message.result = answer.result;
-    message.detail = answer.detail;
-    message.timestamp_us = timestamp_us(m_sampleCount);
-    message.excitation = m_excitation;
-    message.excitationNumber = m_excitationNumber;
-    m_outbox.push_back(encode(message));
-}
-
 void VirtualFirmware::sample(std::uint64_t now_us)
 {
-    if (m_options.hasWatchdog && m_armed && now_us > m_heartbeat_us + watchdog_us)
-        halt(StatusWatchdog);
-    if (m_phase == Phase::Moving && m_state[0] > m_maxTravel * positionPerCount_m)
-        halt(StatusTravelLimit);
+    watch(now_us);
     const double force_N = nextForce();
-    put(read(force_N));
+    const Reading reading = read(force_N);
+    put(reading);
+    protect(reading.raw);
     m_state = (m_step.phi * m_state + m_step.gamma0 * force_N).eval();
     ++m_sampleCount;
     advancePhase();
+}
+
+void VirtualFirmware::protect(const RawSample& measured)
+{
+    if (!m_armed)
+        return;
+    const bool moving = m_phase == Phase::Moving;
+    if (moving && m_phaseIndex == 0)
+        m_travelFrom = measured.position;
+    const auto travel = std::int64_t(measured.position) - m_travelFrom;
+    m_forceBeyond = measured.force > protectiveForce(m_maxForce) ? m_forceBeyond + 1 : 0;
+    m_travelBeyond = moving && travel > m_maxTravel ? m_travelBeyond + 1 : 0;
+    if (m_forceBeyond >= samplesBeyond)
+        halt(StatusForceLimit);
+    else if (m_travelBeyond >= samplesBeyond)
+        halt(StatusTravelLimit);
 }
 
 double VirtualFirmware::nextForce()
@@ -303,7 +175,7 @@ void VirtualFirmware::advancePhase()
         m_phaseIndex = 0;
     } else if (m_phase == Phase::RestAfter && m_phaseIndex == restAfterSamples) {
         m_phase = Phase::Idle;
-        if (m_excitation == ExcitationState::Running)
+        if (running())
             m_excitation = ExcitationState::Finished;
         flush(); // so that the last samples and the end are known though no further sample may follow
     }
@@ -313,7 +185,7 @@ std::uint16_t VirtualFirmware::status() const
 {
     return static_cast<std::uint16_t>(
         m_latched | (m_armed ? StatusArmed : 0) | (m_phase == Phase::Moving ? StatusMoving : 0) |
-        (m_faults.broken ? StatusFault : 0) | (m_faults.buttonDown ? statusButton : 0));
+        (faultShown() ? StatusFault : 0) | (m_faults.buttonDown ? statusButton : 0));
 }
 
 VirtualFirmware::Reading VirtualFirmware::read(double force_N)
@@ -362,7 +234,7 @@ void VirtualFirmware::flush()
     m_pending.reportSequence = m_reportSequence++;
     m_pending.excitation = m_excitation;
     m_pending.excitationNumber = m_excitationNumber;
-    m_outbox.push_back(encode(m_pending));
+    m_outbox.push_back(sealed(encode(m_pending)));
     m_pending = {};
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/identification/discretization.h"
+#include "core/base/random_stream.h"
+#include "core/identification/model/discretization.h"
+#include "devices/address/virtual_object.h"
 #include "devices/protocol/codec.h"
-#include "devices/virtual/random_stream.h"
-#include "devices/virtual/virtual_object.h"
 
 #include <deque>
 #include <optional>
@@ -24,7 +24,9 @@ struct VirtualFirmwareOptions {
     /// and its bias on m, b and k (noise to signal power, 4e-6) is far below their standard errors.
     double forceNoise_N = 0.02;
     bool millimetres = false; ///< states positions in mm instead of m
-    bool hasWatchdog = true;  ///< off where time does not run by itself
+    bool hasWatchdog = true;  ///< off where time does not run by itself; what is stated stays
+    std::uint16_t watchdog_ms = 100;
+    std::uint8_t protocolMinor = protocol::versionMinor; ///< 0: it knows no token of an Arm
 };
 
 /// What can be wrong with the device itself, at any time.
@@ -35,6 +37,8 @@ struct FirmwareFaults {
     double clock_s = 0;                    ///< its clock is ahead by so much
     double load_N = 0;                     ///< a weight hangs on the force sensor
     bool buttonDown = false;               ///< a person holds its button
+    bool noWatchdog = false;               ///< nothing trips when it hears nothing
+    double clockRate = 0; ///< its time is fast by this share: its samples come sooner than it says
 };
 
 /// A gripper without hardware: what its firmware would do, sample for sample, in the bytes of
@@ -51,12 +55,18 @@ public:
     static constexpr double positionPerCount_m = 20e-6; ///< the step of its encoder
     static constexpr double maxForce_N = 100;
     static constexpr double maxTravel_m = 0.025;
+    static constexpr std::int32_t ownForce = 100'000; ///< counts of it
+    static constexpr std::int32_t ownTravel = 1'250;
+    static_assert(ownForce * forcePerCount_N == maxForce_N && ownTravel * positionPerCount_m == maxTravel_m);
     static constexpr std::uint32_t maxSamples = 32768;
     /// At rest before and after an excitation, 50 and 60 ms: enough to keep 20 ms of it though reports get
     /// lost.
     static constexpr std::uint32_t restBeforeSamples = 100;
     static constexpr std::uint32_t restAfterSamples = 120;
-    static constexpr std::uint64_t watchdog_us = 100000;
+    /// A fault is shown at least so long, and a measured force or travel stops it when that many samples in a
+    /// row are beyond: 20 ms of reports are not all lost, and three samples are not one spark.
+    static constexpr std::uint64_t faultShownSamples = 40;
+    static constexpr int samplesBeyond = 3;
 
     explicit VirtualFirmware(VirtualFirmwareOptions options);
 
@@ -89,15 +99,26 @@ private:
     };
 
     Answer execute(const protocol::CommandBody& body);
-    Answer arm();
+    Answer arm(const protocol::ArmCommand& command);
     Answer disarm();
     Answer setLimits(const protocol::SetLimitsCommand& limits);
     Answer upload(const protocol::UploadCommand& upload);
     Answer start(const protocol::StartCommand& start);
     Answer finish(const protocol::FinishCommand& finish);
     Answer refuseForces(const std::int32_t* forces, std::size_t count, std::uint32_t firstIndex) const;
+    [[nodiscard]] static bool feedsWatchdog(const protocol::CommandBody& body,
+                                            protocol::CommandResult result);
+    void watch(std::uint64_t now_us); ///< the watchdog
     void acknowledge(std::uint16_t number, protocol::ReportId command, Answer answer);
     void halt(std::uint16_t cause); ///< force off, disarmed, cause shown until the next Arm
+    void protect(const protocol::RawSample& measured); ///< stops it beyond the limits
+    [[nodiscard]] bool faultShown() const { return m_faults.broken || m_sampleCount < m_faultShownUntil; }
+    /// The force is still to come or on; while it settles behind that, the next excitation may be uploaded.
+    [[nodiscard]] bool restsOrMoves() const
+    {
+        return m_phase == Phase::RestBefore || m_phase == Phase::Moving;
+    }
+    [[nodiscard]] bool running() const { return m_excitation == protocol::ExcitationState::Running; }
     void beginSqueeze();
     double nextForce(); ///< what is applied from this sample to the next, N
     void advancePhase();
@@ -105,6 +126,7 @@ private:
     [[nodiscard]] Reading read(double force_N);
     void put(const Reading& reading);
     void flush();
+    [[nodiscard]] protocol::Report sealed(protocol::Report report) const; ///< with its own version
     [[nodiscard]] std::uint32_t timestamp_us(std::uint64_t sample) const;
 
     VirtualFirmwareOptions m_options;
@@ -115,9 +137,13 @@ private:
     std::uint64_t m_sampleCount = 0;
 
     bool m_armed = false;
-    std::uint16_t m_latched = 0; ///< status bits that stay until the next Arm
-    std::uint64_t m_heartbeat_us = 0;
-    std::int32_t m_maxForce, m_maxTravel; ///< counts
+    std::uint16_t m_latched = 0;               ///< status bits that stay until the next Arm
+    std::uint32_t m_lastToken = 0;             ///< of the Arm that was taken last
+    std::uint64_t m_fed_us = 0;                ///< when the watchdog's time began anew
+    std::uint64_t m_faultShownUntil = 0;       ///< sample
+    std::int32_t m_maxForce, m_maxTravel;      ///< counts
+    std::int32_t m_travelFrom = 0;             ///< counts: the position of the first moving sample
+    int m_forceBeyond = 0, m_travelBeyond = 0; ///< samples in a row
 
     std::vector<std::int32_t> m_forces;
     std::vector<bool> m_uploaded;
@@ -125,12 +151,13 @@ private:
     protocol::ExcitationState m_excitation = protocol::ExcitationState::None;
     std::uint16_t m_excitationNumber = 0;
     std::uint16_t m_lastStarted = 0;
+    bool m_anyStarted = false; ///< since it was switched on
 
     Phase m_phase = Phase::Idle;
     std::uint32_t m_phaseIndex = 0;
     std::uint32_t m_length = 0;
     std::uint64_t m_squeezes = 0;
-    Discretization m_step;
+    ExactStep<2> m_step;
     Eigen::Vector2d m_state = Eigen::Vector2d::Zero(); ///< position from the contact point and speed, SI
     RandomStream m_noise;
     std::optional<std::int32_t> m_stuckPosition;

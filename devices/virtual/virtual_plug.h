@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/device_address.h"
+#include "devices/address/device_address.h"
 
 #include <chrono>
 

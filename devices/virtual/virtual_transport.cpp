@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/virtual/virtual_transport.h"
 
-#include "core/words.h"
+#include "core/base/words.h"
 #include "devices/virtual/virtual_button.h"
 #include "devices/virtual/virtual_plug.h"
 
@@ -19,11 +19,9 @@ constexpr std::size_t wireCapacity = 4096;
 
 Expected<std::shared_ptr<VirtualTransport>> VirtualTransport::make(const VirtualAddress& address)
 {
-    Expected<VirtualObject> object = VirtualObject::fromText(address.object);
-    if (!object)
-        return tl::unexpected(object.error());
+    ASSIGN_OR_RETURN(VirtualObject object, VirtualObject::fromText(address.object));
     VirtualFirmwareOptions options;
-    options.object = *object;
+    options.object = object;
     options.objectName = address.object;
     options.seed = address.seed;
     if (address.positionNoise_m)
@@ -40,16 +38,14 @@ VirtualTransport::VirtualTransport(const VirtualAddress& address, VirtualFirmwar
 
 Expected<void> VirtualTransport::open()
 {
-    Expected<std::vector<FaultEvent>> faults = withScript(m_address.faults, m_address.script);
-    if (!faults)
-        return tl::unexpected<Error>(faults.error());
+    ASSIGN_OR_RETURN(std::vector<FaultEvent> faults, withScript(m_address.faults, m_address.script));
     const std::optional<virtual_plug::Past> past = virtual_plug::plugIn(m_address);
     if (!past)
         return failure(
             ErrorCode::DeviceNotFound,
             {u"virtual:"_qs, Words::tr("It is unplugged; its faults plug it in again by themselves.")});
     const std::lock_guard lock(m_mutex);
-    m_timeline = FaultTimeline(std::move(*faults));
+    m_timeline = FaultTimeline(std::move(faults));
     m_faultsBefore_s = past->faults_s;
     m_firmware.goOnAfter(past->squeezes);
     m_squeezesSeen = past->squeezes;
@@ -75,7 +71,10 @@ void VirtualTransport::followFaults()
     m_timeline.advanceTo(faults_s());
     const FaultState& now = m_timeline.state();
     m_firmware.setFaults({now.saturate_N, now.stuck, now.broken, now.clock_s, now.load_N,
-                          now.buttonDown || virtual_button::down()});
+                          now.buttonDown || virtual_button::down(), now.noWatchdog, now.clockRate});
+    if (const double rate = m_address.speed * (1 + now.clockRate) / (1e6 * VirtualFirmware::sampleTime_s);
+        rate != m_pace.rate)
+        m_pace = {m_pace.at_us(m_firmware.samplesTaken()), m_firmware.samplesTaken(), rate};
     if (now.unplugged && !m_unplugged) {
         m_unplugged = true;
         rememberUnplug();
@@ -151,11 +150,12 @@ void VirtualTransport::advance()
             takeSample(0);
         return;
     }
-    const double rate = m_address.speed / VirtualFirmware::sampleTime_s * 1e-6; // samples in a microsecond
     const std::uint64_t now_us = hostTime_us();
-    const auto due = static_cast<std::uint64_t>(static_cast<double>(now_us) * rate);
-    while (m_firmware.samplesTaken() < due && !m_unplugged) {
-        const auto at_us = static_cast<std::uint64_t>(static_cast<double>(m_firmware.samplesTaken()) / rate);
+    for (;;) {
+        const auto at_us = static_cast<std::uint64_t>(m_pace.at_us(m_firmware.samplesTaken()));
+        const auto next_us = static_cast<std::uint64_t>(m_pace.at_us(m_firmware.samplesTaken() + 1));
+        if (next_us > now_us || m_unplugged)
+            return;
         takeSample(std::min(at_us, now_us));
     }
 }

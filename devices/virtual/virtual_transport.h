@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/device_address.h"
-#include "devices/transport.h"
+#include "devices/address/device_address.h"
+#include "devices/transport/transport.h"
 #include "devices/virtual/fault_injector.h"
 #include "devices/virtual/fault_timeline.h"
 #include "devices/virtual/virtual_firmware.h"
@@ -36,6 +36,7 @@ public:
     bool write(const protocol::Report& report) override;
     void close() noexcept override;
     [[nodiscard]] bool streamsAlways() const override { return m_address.speed > 0; }
+    [[nodiscard]] bool keepsComputerTime() const override { return m_address.speed == 1; }
 
     /// What the faults did so far.
     [[nodiscard]] FaultCounts faultCounts();
@@ -45,6 +46,16 @@ private:
     using Lock = std::unique_lock<std::mutex>;
     [[nodiscard]] bool realTime() const { return m_address.speed > 0; }
     [[nodiscard]] std::uint64_t hostTime_us() const;
+    /// When samples are taken, in the computer's time: from one of them on at one rate.
+    struct Pace {
+        double from_us = 0;
+        std::uint64_t sample = 0;
+        double rate = 0; ///< samples in a microsecond
+        [[nodiscard]] double at_us(std::uint64_t n) const
+        {
+            return rate > 0 ? from_us + static_cast<double>(n - sample) / rate : from_us;
+        }
+    };
     void advance(); ///< to now, or at speed 0 until a report is there or the squeeze is over
     void takeSample(std::uint64_t now_us);
     void deliver();      ///< from the firmware onto the wire, through the faults
@@ -64,6 +75,7 @@ private:
     std::uint64_t m_squeezesSeen = 0;
     std::deque<protocol::Report> m_wire;
     Clock::time_point m_start;
+    Pace m_pace;
     bool m_open = false;
     bool m_closed = false;
     bool m_unplugged = false;

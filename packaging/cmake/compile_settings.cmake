@@ -35,7 +35,14 @@ if(GRIPSCOPE_MOLD AND NOT GRIPSCOPE_FUZZ)
   add_link_options(-fuse-ld=mold)
 endif()
 
-add_compile_options(-Wall -Wextra -Wpedantic -Wshadow
+# With several files in one translation unit (CMAKE_UNITY_BUILD) a file's locals would "shadow" its neighbours' constants,
+# and a private class of a file that is included would be taken for a header's.
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options(-Wshadow=local $<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)
+else()
+  add_compile_options(-Wshadow)
+endif()
+add_compile_options(-Wall -Wextra -Wpedantic
                     $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor>
                     $<$<COMPILE_LANGUAGE:CXX>:-Woverloaded-virtual>)
 if(GRIPSCOPE_WARNINGS_AS_ERRORS)

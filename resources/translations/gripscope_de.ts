@@ -196,6 +196,18 @@
         <source>%1 was cancelled.</source>
         <translation>Abgebrochen: %1.</translation>
     </message>
+    <message>
+        <source>The gripper was not armed: %1.</source>
+        <translation>Der Greifer wurde nicht scharf geschaltet: %1.</translation>
+    </message>
+    <message>
+        <source>The gripper was stopped: %1.</source>
+        <translation>Der Greifer wurde angehalten: %1.</translation>
+    </message>
+    <message>
+        <source>The gripper did not obey Stop. Switch off its power.</source>
+        <translation>Der Greifer hat STOPP nicht befolgt. Schalten Sie ihn stromlos.</translation>
+    </message>
 </context>
 <context>
     <name>InspectHint</name>
@@ -270,6 +282,22 @@
     <message>
         <source>The gripper&apos;s button squeezes once a gripper is connected and armed here</source>
         <translation>Der Knopf des Greifers drückt, sobald ein Greifer verbunden und hier scharf ist</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>The gripper is not armed. Place the part, hands clear, then arm it</source>
+        <translation>Der Greifer ist nicht scharf. Teil einlegen, Hände weg, dann scharf schalten</translation>
+    </message>
+    <message>
+        <source>Not stopped</source>
+        <translation>Nicht angehalten</translation>
+    </message>
+    <message>
+        <source>The last part: %1, %2</source>
+        <translation>Das letzte Teil: %1, %2</translation>
     </message>
 </context>
 <context>
@@ -423,13 +451,6 @@ m  %3</translation>
         <source>A check</source>
         <translation>Eine Kontrolle</translation>
     </message>
-    <message numerus="yes">
-        <source>%n squeezes of %1 ± %2 N</source>
-        <translation>
-            <numerusform>%n Druckversuch mit %1 ± %2 N</numerusform>
-            <numerusform>%n Druckversuche mit %1 ± %2 N</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Holds for</source>
         <translation>Gilt</translation>
@@ -472,6 +493,13 @@ m  %3</translation>
     <message>
         <source>Not valid, so nothing is said of the gripper: %1</source>
         <translation>Ungültig, also sagt das nichts über den Greifer: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n squeezes of %1</source>
+        <translation>
+            <numerusform>%n Druckversuch mit %1</numerusform>
+            <numerusform>%n Druckversuche mit %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -665,22 +693,6 @@ m  %3</translation>
         <translation>schnelle Zeitkonstante</translation>
     </message>
     <message>
-        <source>squeeze with faster changes of force, or sample faster</source>
-        <translation>mit schnelleren Kraftänderungen drücken oder schneller abtasten</translation>
-    </message>
-    <message>
-        <source>squeeze for longer, or with more force</source>
-        <translation>länger oder mit mehr Kraft drücken</translation>
-    </message>
-    <message>
-        <source>squeeze for longer, or with slower changes of force</source>
-        <translation>länger oder mit langsameren Kraftänderungen drücken</translation>
-    </message>
-    <message>
-        <source>%1 is at most %2 %3: this record does not tell it from zero; %4</source>
-        <translation>%1 beträgt höchstens %2 %3: Diese Aufnahme unterscheidet sie nicht von null; %4</translation>
-    </message>
-    <message>
         <source>the mass cannot be told from zero beside a cubic spring; excite faster, or sample faster</source>
         <translation>die Masse ist neben einer kubischen Feder nicht von null zu unterscheiden; schneller anregen oder schneller abtasten</translation>
     </message>
@@ -791,10 +803,6 @@ m  %3</translation>
     <message>
         <source>there are fewer samples than there are unknowns; record for longer</source>
         <translation>weniger Abtastwerte als Unbekannte; länger aufnehmen</translation>
-    </message>
-    <message>
-        <source>this force does not determine m, b and k; squeeze with a richer one</source>
-        <translation>diese Kraft bestimmt m, b und k nicht; mit einer reicheren drücken</translation>
     </message>
     <message>
         <source>%1 us, known to %2 us</source>
@@ -1079,14 +1087,6 @@ m  %3</translation>
     <message>
         <source>no sample is missing</source>
         <translation>kein Abtastwert fehlt</translation>
-    </message>
-    <message>
-        <source>no sample is marked as saturated</source>
-        <translation>kein Abtastwert ist als übersteuert markiert</translation>
-    </message>
-    <message>
-        <source>%1 samples are at the end of a sensor&apos;s range. Squeeze with less force.</source>
-        <translation>%1 Abtastwerte liegen am Ende des Messbereichs. Mit weniger Kraft drücken.</translation>
     </message>
     <message>
         <source>nothing in the recording was beyond mending</source>
@@ -2057,10 +2057,6 @@ m  %3</translation>
         <translation>die Grundkraft muss eine Zahl sein</translation>
     </message>
     <message>
-        <source>the sample time must be above 0 s</source>
-        <translation>die Abtastzeit muss über 0 s liegen</translation>
-    </message>
-    <message>
         <source>samples must be from 1 to %1</source>
         <translation>die Zahl der Abtastwerte muss 1 bis %1 sein</translation>
     </message>
@@ -2089,12 +2085,12 @@ m  %3</translation>
         <translation>Grundkraft und Spitze sind zu groß</translation>
     </message>
     <message>
-        <source>expected three numbers from 0 up with commas between: m,b,k</source>
-        <translation>erwartet: drei Zahlen ab 0, durch Kommas getrennt: m,b,k</translation>
+        <source>expected three numbers from 0 to %1 with commas between: m,b,k</source>
+        <translation>erwartet: drei Zahlen von 0 bis %1, durch Kommas getrennt: m,b,k</translation>
     </message>
     <message>
-        <source>expected a number from 0 up</source>
-        <translation>erwartet: eine Zahl ab 0</translation>
+        <source>expected a number from 0 to %1</source>
+        <translation>erwartet: eine Zahl von 0 bis %1</translation>
     </message>
     <message>
         <source>the channels differ in length, or hold numbers that are not finite, or the sample time is not above zero</source>
@@ -2193,16 +2189,8 @@ m  %3</translation>
         <translation>gefunden: Abtastzeit </translation>
     </message>
     <message>
-        <source>expected seconds above 0</source>
-        <translation>erwartet: Sekunden über 0</translation>
-    </message>
-    <message>
         <source>found the force lag </source>
         <translation>gefunden: Zeitversatz der Kraft </translation>
-    </message>
-    <message>
-        <source>expected seconds</source>
-        <translation>erwartet: Sekunden</translation>
     </message>
     <message>
         <source>found the force hold </source>
@@ -2283,10 +2271,6 @@ m  %3</translation>
     <message>
         <source>expected a second one, to tell the sample time</source>
         <translation>erwartet: eine zweite, um die Abtastzeit zu bestimmen</translation>
-    </message>
-    <message>
-        <source>median step of time_s</source>
-        <translation>mittlerer Schritt von time_s</translation>
     </message>
     <message>
         <source>found steps of %1 s in time_s</source>
@@ -2563,10 +2547,6 @@ m  %3</translation>
     <message>
         <source>place the squeeze</source>
         <translation>Druckversuch zuordnen</translation>
-    </message>
-    <message>
-        <source>The channels of the recording differ in length.</source>
-        <translation>Die Kanäle der Aufnahme sind verschieden lang.</translation>
     </message>
     <message>
         <source>it does not begin like one</source>
@@ -3083,16 +3063,8 @@ m  %3</translation>
         <translation>er kennt diesen Befehl nicht</translation>
     </message>
     <message>
-        <source>the report is not 64 bytes long</source>
-        <translation>der Report ist nicht 64 Bytes lang</translation>
-    </message>
-    <message>
         <source>the checksum differs</source>
         <translation>die Prüfsumme weicht ab</translation>
-    </message>
-    <message>
-        <source>the protocol version is not 1</source>
-        <translation>die Protokollversion ist nicht 1</translation>
     </message>
     <message>
         <source>the report is of an unknown kind</source>
@@ -3463,10 +3435,6 @@ m  %3</translation>
         <translation>zurückgenommen</translation>
     </message>
     <message>
-        <source>%1 is measured, above the limit of %2</source>
-        <translation>gemessen werden %1, mehr als die Grenze von %2</translation>
-    </message>
-    <message>
         <source>The recipe has no crush limit. Give the most force and travel that the part bears.</source>
         <translation>Das Rezept hat keine Bruchgrenze. Größte Kraft und größten Weg angeben, die das Teil verträgt.</translation>
     </message>
@@ -3553,10 +3521,6 @@ m  %3</translation>
     <message>
         <source>%1 got the code %2 for scanners.</source>
         <translation>%1 bekam den Scannercode %2.</translation>
-    </message>
-    <message>
-        <source>a fault is loss:P, duplicate:P, crc:P, saturate:N, stall:S, unplug:S, replug:S, deaf:S, hang-feature:S, hang-write:S, broken:S, button:S, stuck or units</source>
-        <translation>ein Fehler ist loss:P, duplicate:P, crc:P, saturate:N, stall:S, unplug:S, replug:S, deaf:S, hang-feature:S, hang-write:S, broken:S, button:S, stuck oder units</translation>
     </message>
     <message>
         <source>button</source>
@@ -4262,6 +4226,522 @@ m  %3</translation>
         <source>the end of the line; a comment begins with #</source>
         <translation>das Ende der Zeile; ein Kommentar beginnt mit #</translation>
     </message>
+    <message>
+        <source>the largest force is above its own limit</source>
+        <translation>die größte Kraft liegt über seiner eigenen Grenze</translation>
+    </message>
+    <message>
+        <source>the largest force is not above zero</source>
+        <translation>die größte Kraft liegt nicht über null</translation>
+    </message>
+    <message>
+        <source>the longest travel is above its own limit</source>
+        <translation>der größte Weg liegt über seiner eigenen Grenze</translation>
+    </message>
+    <message>
+        <source>the longest travel is not above zero</source>
+        <translation>der größte Weg liegt nicht über null</translation>
+    </message>
+    <message>
+        <source>force %1 of the signal is above the limit</source>
+        <translation>Kraft %1 des Signals liegt über der Grenze</translation>
+    </message>
+    <message>
+        <source>force %1 of the signal is outside its range</source>
+        <translation>Kraft %1 des Signals liegt außerhalb ihres Bereichs</translation>
+    </message>
+    <message>
+        <source>force %1 of the signal is missing</source>
+        <translation>Kraft %1 des Signals fehlt</translation>
+    </message>
+    <message>
+        <source>squeeze %1 was started already; this one is not behind it</source>
+        <translation>Druckversuch %1 wurde schon gestartet; dieser liegt nicht dahinter</translation>
+    </message>
+    <message>
+        <source>it reports a fault: its code %1</source>
+        <translation>er meldet einen Fehler: seine Nummer %1</translation>
+    </message>
+    <message>
+        <source>the report has %1 bytes, not 64 bytes</source>
+        <translation>der Report hat %1 Bytes, nicht 64</translation>
+    </message>
+    <message>
+        <source>it speaks version %1 of the protocol, this program %2</source>
+        <translation>er spricht Version %1 des Protokolls, dieses Programm %2</translation>
+    </message>
+    <message>
+        <source>excitation state</source>
+        <translation>Zustand der Anregung</translation>
+    </message>
+    <message>
+        <source>number of samples</source>
+        <translation>Zahl der Abtastwerte</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>number of forces</source>
+        <translation>Zahl der Kräfte</translation>
+    </message>
+    <message>
+        <source>force unit</source>
+        <translation>Einheit der Kraft</translation>
+    </message>
+    <message>
+        <source>position unit</source>
+        <translation>Einheit des Wegs</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2; it must be %3</source>
+        <translation>Feld „%1“: %2; erlaubt ist %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2; it must be from %3 to %4</source>
+        <translation>Feld „%1“: %2; erlaubt ist %3 bis %4</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>sie ist größer als %1 MB</translation>
+    </message>
+    <message>
+        <source>it is a pipe or a device and not a file</source>
+        <translation>das ist eine Pipe oder ein Gerät und keine Datei</translation>
+    </message>
+    <message>
+        <source>the force stands at the end of its sensor&apos;s range in %1 of %2 samples.</source>
+        <translation>die Kraft steht in %1 von %2 Abtastwerten am Ende des Bereichs ihres Sensors.</translation>
+    </message>
+    <message>
+        <source>the position stands at the end of its sensor&apos;s range in %1 of %2 samples.</source>
+        <translation>der Weg steht in %1 von %2 Abtastwerten am Ende des Bereichs seines Sensors.</translation>
+    </message>
+    <message>
+        <source>The gripper itself did not notice.</source>
+        <translation>Der Greifer selbst hat es nicht bemerkt.</translation>
+    </message>
+    <message>
+        <source>Squeeze with less force, and check where the sensor&apos;s range ends.</source>
+        <translation>Mit weniger Kraft drücken und prüfen, wo der Bereich des Sensors endet.</translation>
+    </message>
+    <message>
+        <source>no sample stands at the end of a sensor&apos;s range</source>
+        <translation>kein Abtastwert steht am Ende des Bereichs eines Sensors</translation>
+    </message>
+    <message>
+        <source>no channel stood still while the other moved</source>
+        <translation>kein Kanal stand still, während der andere sich bewegte</translation>
+    </message>
+    <message>
+        <source>the position channel is stuck: it stands at %1 in %2 of %3 samples while the force moves. Check the position sensor and its cable, then squeeze again.</source>
+        <translation>der Wegkanal steckt fest: Er steht in %2 von %3 Abtastwerten auf %1, während die Kraft sich bewegt. Wegsensor und Kabel prüfen, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>the force channel is stuck: it stands at %1 in %2 of %3 samples while the position moves. Check the force sensor and its cable, then squeeze again.</source>
+        <translation>der Kraftkanal steckt fest: Er steht in %2 von %3 Abtastwerten auf %1, während der Weg sich bewegt. Kraftsensor und Kabel prüfen, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>the gripper reported no fault of its own</source>
+        <translation>der Greifer meldete keinen eigenen Fehler</translation>
+    </message>
+    <message>
+        <source>the gripper reported a fault of its own in %1 of %2 samples, so what it measured cannot be relied on. Find out what is wrong with it, then squeeze again.</source>
+        <translation>der Greifer meldete in %1 von %2 Abtastwerten einen eigenen Fehler; auf das Gemessene ist kein Verlass. Herausfinden, was ihm fehlt, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 ppm</source>
+        <translation>%1 ppm</translation>
+    </message>
+    <message>
+        <source>the sample time that the gripper states, %1 ms, does not hold: its time stamps come every %2 ms, and m, b and k are wrong. Correct the stated sample time, then squeeze again.</source>
+        <translation>die Abtastzeit, die der Greifer angibt, %1 ms, stimmt nicht: Seine Zeitstempel kommen alle %2 ms, und m, b und k sind falsch. Die angegebene Abtastzeit berichtigen, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>the sample time that the gripper states, %1 ms, does not hold: its clock contradicts its sample count %2 times, and m, b and k are wrong. Correct the stated sample time, then squeeze again.</source>
+        <translation>die Abtastzeit, die der Greifer angibt, %1 ms, stimmt nicht: Seine Uhr widerspricht seiner Zählung der Abtastwerte %2-mal, und m, b und k sind falsch. Die angegebene Abtastzeit berichtigen, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>the sample time that the gripper states, %1 ms, does not hold: by the computer&apos;s clock its samples come %2 too often, and m is off by about %3 %. Correct the stated sample time, then squeeze again.</source>
+        <translation>die Abtastzeit, die der Greifer angibt, %1 ms, stimmt nicht: Nach der Uhr des Rechners kommen seine Abtastwerte um %2 zu oft, und m ist um etwa %3 % falsch. Die angegebene Abtastzeit berichtigen, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>the sample time that the gripper states, %1 ms, does not hold: by the computer&apos;s clock its samples come %2 too seldom, and m is off by about %3 %. Correct the stated sample time, then squeeze again.</source>
+        <translation>die Abtastzeit, die der Greifer angibt, %1 ms, stimmt nicht: Nach der Uhr des Rechners kommen seine Abtastwerte um %2 zu selten, und m ist um etwa %3 % falsch. Die angegebene Abtastzeit berichtigen, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>not judged yet: the connection is too young to hold the gripper&apos;s clock against the computer&apos;s</source>
+        <translation>noch nicht beurteilt: Die Verbindung ist zu jung, um die Uhr des Greifers mit der des Rechners zu vergleichen</translation>
+    </message>
+    <message>
+        <source>not judged: the recording does not tell how the gripper&apos;s clock ran beside a computer&apos;s</source>
+        <translation>nicht beurteilt: Die Aufnahme sagt nicht, wie die Uhr des Greifers neben der eines Rechners ging</translation>
+    </message>
+    <message>
+        <source>the gripper&apos;s clock and the computer&apos;s differ by %1 ± %2 ppm</source>
+        <translation>die Uhren des Greifers und des Rechners unterscheiden sich um %1 ± %2 ppm</translation>
+    </message>
+    <message>
+        <source>the gripper&apos;s clock is %1 fast beside the computer&apos;s: m is off by about %2 %. Have its clock mended, then squeeze again.</source>
+        <translation>die Uhr des Greifers geht um %1 schneller als die des Rechners: m ist um etwa %2 % falsch. Seine Uhr instand setzen lassen, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>the gripper&apos;s clock is %1 slow beside the computer&apos;s: m is off by about %2 %. Have its clock mended, then squeeze again.</source>
+        <translation>die Uhr des Greifers geht um %1 langsamer als die des Rechners: m ist um etwa %2 % falsch. Seine Uhr instand setzen lassen, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>the samples come as often as the gripper&apos;s own clock says, which is off</source>
+        <translation>die Abtastwerte kommen so oft, wie die Uhr des Greifers sagt, und die geht falsch</translation>
+    </message>
+    <message>
+        <source>the samples come as often as the gripper states</source>
+        <translation>die Abtastwerte kommen so oft, wie der Greifer angibt</translation>
+    </message>
+    <message>
+        <source>the samples come as often as the time stamps say</source>
+        <translation>die Abtastwerte kommen so oft, wie die Zeitstempel sagen</translation>
+    </message>
+    <message>
+        <source>the estimator found no answer</source>
+        <translation>der Schätzer fand kein Ergebnis</translation>
+    </message>
+    <message>
+        <source>the estimator found no answer: %1</source>
+        <translation>der Schätzer fand kein Ergebnis: %1</translation>
+    </message>
+    <message>
+        <source>Who may arm changed</source>
+        <translation>Wer scharf schalten darf, geändert</translation>
+    </message>
+    <message>
+        <source>Gripper armed</source>
+        <translation>Greifer scharf geschaltet</translation>
+    </message>
+    <message>
+        <source>Arming the gripper</source>
+        <translation>Scharfschalten des Greifers</translation>
+    </message>
+    <message>
+        <source>Suspect measurement: %1</source>
+        <translation>Fragliche Messung: %1</translation>
+    </message>
+    <message>
+        <source>its sample time is %1 s and not %2</source>
+        <translation>seine Abtastzeit ist %1 s und nicht %2</translation>
+    </message>
+    <message>
+        <source>its force lag is %1 s, at most %2 s can be</source>
+        <translation>sein Kraftversatz ist %1 s, höchstens %2 s sind möglich</translation>
+    </message>
+    <message>
+        <source>%1 was measured, above the limit of %2</source>
+        <translation>%1 wurden gemessen, mehr als die Grenze von %2</translation>
+    </message>
+    <message>
+        <source>%1 of its reports since then could not be read, and no other told of a movement</source>
+        <translation>%1 seiner Reports seither waren nicht lesbar, und kein anderer meldete eine Bewegung</translation>
+    </message>
+    <message>
+        <source>what a recording can hold</source>
+        <translation>was eine Aufzeichnung fasst</translation>
+    </message>
+    <message>
+        <source>the sample time must be %1</source>
+        <translation>die Abtastzeit muss %1 sein</translation>
+    </message>
+    <message>
+        <source>found a line of %1 bytes: %2</source>
+        <translation>gefunden: eine Zeile von %1 Bytes: %2</translation>
+    </message>
+    <message>
+        <source>expected at most %1 bytes a line</source>
+        <translation>erwartet: höchstens %1 Bytes je Zeile</translation>
+    </message>
+    <message>
+        <source>expected seconds from -%1 to %1</source>
+        <translation>erwartet: Sekunden von -%1 bis %1</translation>
+    </message>
+    <message>
+        <source>found more than %1 facts</source>
+        <translation>gefunden: mehr als %1 Angaben</translation>
+    </message>
+    <message>
+        <source>expected the rows</source>
+        <translation>erwartet: die Zeilen</translation>
+    </message>
+    <message>
+        <source>expected a number from %1 to %2</source>
+        <translation>erwartet: eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>found more than %1 samples</source>
+        <translation>gefunden: mehr als %1 Abtastwerte</translation>
+    </message>
+    <message>
+        <source>expected fewer: cut the recording into parts</source>
+        <translation>erwartet: weniger; die Aufzeichnung in Teile schneiden</translation>
+    </message>
+    <message>
+        <source>The recording can&apos;t be kept: %1.</source>
+        <translation>Die Aufzeichnung kann nicht behalten werden: %1.</translation>
+    </message>
+    <message>
+        <source>seconds from %1 to %2</source>
+        <translation>Sekunden von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>its channels differ in length</source>
+        <translation>ihre Kanäle sind verschieden lang</translation>
+    </message>
+    <message>
+        <source>it has %1 samples, at most %2 can be kept</source>
+        <translation>sie hat %1 Abtastwerte, höchstens %2 können behalten werden</translation>
+    </message>
+    <message>
+        <source>more than %1 facts stand beside its samples</source>
+        <translation>neben ihren Abtastwerten stehen mehr als %1 Angaben</translation>
+    </message>
+    <message>
+        <source>one of its numbers is not finite, or beyond %1</source>
+        <translation>eine ihrer Zahlen ist nicht endlich oder jenseits von %1</translation>
+    </message>
+    <message>
+        <source>its times do not increase</source>
+        <translation>ihre Zeiten steigen nicht an</translation>
+    </message>
+    <message>
+        <source>a number of its measuring chain is not finite, or beyond %1</source>
+        <translation>eine Zahl ihrer Messkette ist nicht endlich oder jenseits von %1</translation>
+    </message>
+    <message>
+        <source>it runs a program of its own, the %1 %2, which no library does</source>
+        <translation>sie führt ein eigenes Programm aus, %1 %2, was keine Bibliothek tut</translation>
+    </message>
+    <message>
+        <source>policies</source>
+        <translation>Richtlinien</translation>
+    </message>
+    <message>
+        <source>it says that it has %1 bytes, at most %2 can be</source>
+        <translation>sie gibt %1 Bytes an, höchstens %2 sind möglich</translation>
+    </message>
+    <message>
+        <source>%1 needs somebody who has signed in. Sign in, then try again.</source>
+        <translation>%1 braucht jemanden, der angemeldet ist. Melden Sie sich an und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>read its policies</source>
+        <translation>ihre Richtlinien lesen</translation>
+    </message>
+    <message>
+        <source>store the policy</source>
+        <translation>die Richtlinie speichern</translation>
+    </message>
+    <message>
+        <source>good samples do not come, or come too seldom</source>
+        <translation>gute Abtastwerte kommen nicht oder zu selten</translation>
+    </message>
+    <message>
+        <source>its reports come every %1 ms; a gripper that is to be stopped in time sends one every %2 ms at least. It can be listened to</source>
+        <translation>seine Reports kommen alle %1 ms; ein Greifer, der rechtzeitig anhalten soll, sendet mindestens alle %2 ms einen. Er kann abgehört werden</translation>
+    </message>
+    <message>
+        <source>it answered too late, and is disarmed again</source>
+        <translation>er hat zu spät geantwortet und ist wieder entschärft</translation>
+    </message>
+    <message>
+        <source>left without heartbeats it disarmed itself, but not with its watchdog bit</source>
+        <translation>ohne Lebenszeichen entschärfte er sich, aber nicht mit seinem Watchdog-Bit</translation>
+    </message>
+    <message>
+        <source>its watchdog trips after %1 ms already; it states %2 ms</source>
+        <translation>sein Watchdog löst schon nach %1 ms aus; angegeben sind %2 ms</translation>
+    </message>
+    <message>
+        <source>left without heartbeats for %1 ms it stayed armed: its watchdog of %2 ms does not work, and nothing would stop it if this program or the cable failed</source>
+        <translation>ohne Lebenszeichen blieb er %1 ms lang scharf: Sein Watchdog von %2 ms wirkt nicht, und nichts hielte ihn an, wenn dieses Programm oder das Kabel versagt</translation>
+    </message>
+    <message>
+        <source>another program sends it commands. Close that program first</source>
+        <translation>ein anderes Programm sendet ihm Befehle. Schließen Sie erst jenes Programm</translation>
+    </message>
+    <message>
+        <source>it is armed, though this program did not arm it</source>
+        <translation>er ist scharf, obwohl dieses Programm ihn nicht scharf geschaltet hat</translation>
+    </message>
+    <message>
+        <source>another program sends it commands. Close that program, then arm again</source>
+        <translation>ein anderes Programm sendet ihm Befehle. Schließen Sie jenes Programm und schalten Sie dann wieder scharf</translation>
+    </message>
+    <message>
+        <source>its reports arrive damaged (length, version or checksum wrong), so that nobody would see what it does</source>
+        <translation>seine Reports kommen beschädigt an (Länge, Version oder Prüfsumme falsch), sodass niemand sähe, was er tut</translation>
+    </message>
+    <message>
+        <source>no samples came for %1 ms, so that nobody would see what it does</source>
+        <translation>%1 ms lang kamen keine Abtastwerte, sodass niemand sähe, was er tut</translation>
+    </message>
+    <message>
+        <source>the program&apos;s window stood still, so that nobody could have pressed Stop</source>
+        <translation>das Fenster des Programms stand still, sodass niemand STOPP hätte drücken können</translation>
+    </message>
+    <message>
+        <source>it disarmed itself, without a reason</source>
+        <translation>er hat sich ohne Angabe eines Grundes entschärft</translation>
+    </message>
+    <message>
+        <source>answer</source>
+        <translation>antworten</translation>
+    </message>
+    <message>
+        <source>a fault is loss:P, duplicate:P, crc:P, saturate:N, stall:S, unplug:S, replug:S, deaf:S, hang-feature:S, hang-write:S, broken:S, button:S, clock-rate:R, stuck or units</source>
+        <translation>ein Fehler ist loss:P, duplicate:P, crc:P, saturate:N, stall:S, unplug:S, replug:S, deaf:S, hang-feature:S, hang-write:S, broken:S, button:S, clock-rate:R, stuck oder units</translation>
+    </message>
+    <message>
+        <source>another program uses it. Close that program or disconnect the gripper there, then connect again</source>
+        <translation>ein anderes Programm benutzt ihn. Schließen Sie jenes Programm oder trennen Sie den Greifer dort und verbinden Sie dann neu</translation>
+    </message>
+    <message>
+        <source>a sample time of %1</source>
+        <translation>eine Abtastzeit von %1</translation>
+    </message>
+    <message>
+        <source>a number of at most %1</source>
+        <translation>eine Zahl von höchstens %1</translation>
+    </message>
+    <message>
+        <source>token</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>a record %1 s after the first</source>
+        <translation>ein Eintrag %1 s nach dem ersten</translation>
+    </message>
+    <message>
+        <source>expected a session of less than a year</source>
+        <translation>erwartet: eine Sitzung von weniger als einem Jahr</translation>
+    </message>
+    <message>
+        <source>found more than %1 squeezes</source>
+        <translation>gefunden: mehr als %1 Druckversuche</translation>
+    </message>
+    <message>
+        <source>expected fewer in one session</source>
+        <translation>erwartet: weniger in einer Sitzung</translation>
+    </message>
+    <message>
+        <source>expected a gripper that can be</source>
+        <translation>erwartet: ein Greifer, den es geben kann</translation>
+    </message>
+    <message>
+        <source>a share from -0.5 to 0.5</source>
+        <translation>ein Anteil von -0.5 bis 0.5</translation>
+    </message>
+    <message>
+        <source>ARX(2,1,1)</source>
+        <translation>ARX(2,1,1)</translation>
+    </message>
+    <message>
+        <source>ARX, mean force</source>
+        <translation>ARX, mittlere Kraft</translation>
+    </message>
+    <message>
+        <source>ARX(2,2,1)</source>
+        <translation>ARX(2,2,1)</translation>
+    </message>
+    <message>
+        <source>instrumental var.</source>
+        <translation>Hilfsvariablen</translation>
+    </message>
+    <message>
+        <source>output error</source>
+        <translation>Ausgangsfehler</translation>
+    </message>
+    <message>
+        <source>cubic spring</source>
+        <translation>kubische Feder</translation>
+    </message>
+    <message>
+        <source>periodic</source>
+        <translation>periodisch</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>Wahrsch.</translation>
+    </message>
+    <message>
+        <source>Mass m</source>
+        <translation>Masse m</translation>
+    </message>
+    <message>
+        <source>Damping b</source>
+        <translation>Dämpfung b</translation>
+    </message>
+    <message>
+        <source>Stiffness k</source>
+        <translation>Steifigkeit k</translation>
+    </message>
+    <message>
+        <source>Simulation fit</source>
+        <translation>Simulationsfit</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Los</translation>
+    </message>
+    <message>
+        <source>Estimator</source>
+        <translation>Schätzer</translation>
+    </message>
+    <message>
+        <source>Software</source>
+        <translation>Software</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>
@@ -4455,6 +4935,29 @@ m  %3</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::Attendance</name>
+    <message>
+        <source>Disarmed: the station was locked.</source>
+        <translation>Entschärft: Die Station wurde gesperrt.</translation>
+    </message>
+    <message>
+        <source>Disarmed: the station went to sleep.</source>
+        <translation>Entschärft: Der Rechner ging schlafen.</translation>
+    </message>
+    <message>
+        <source>Disarmed: another user took the station over.</source>
+        <translation>Entschärft: Ein anderer Benutzer hat die Station übernommen.</translation>
+    </message>
+    <message>
+        <source>Disarmed: nothing was done for %1 min.</source>
+        <translation>Entschärft: %1 min lang wurde nichts getan.</translation>
+    </message>
+    <message>
+        <source>Disarmed: the person who worked here has signed out.</source>
+        <translation>Entschärft: Wer hier gearbeitet hat, hat sich abgemeldet.</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::AuditDialog</name>
     <message>
         <source>Verify</source>
@@ -4543,6 +5046,10 @@ m  %3</translation>
     <message>
         <source>Audit trail written to %1</source>
         <translation>Änderungsprotokoll geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Arming</source>
+        <translation>Scharfschalten</translation>
     </message>
 </context>
 <context>
@@ -4953,14 +5460,6 @@ m  %3</translation>
         <translation>Standardunsicherheit</translation>
     </message>
     <message>
-        <source>In newtons, the least first</source>
-        <translation>In Newton, die kleinste zuerst</translation>
-    </message>
-    <message>
-        <source>In millimetres, the least first</source>
-        <translation>In Millimetern, die kleinste zuerst</translation>
-    </message>
-    <message>
         <source>No gripper is connected. Choose one at the top.</source>
         <translation>Kein Greifer ist verbunden. Oben einen wählen.</translation>
     </message>
@@ -4991,6 +5490,10 @@ m  %3</translation>
     <message>
         <source>Force, with a load cell</source>
         <translation>Kraft, mit einer Kraftmessdose</translation>
+    </message>
+    <message>
+        <source>In %1, the least first</source>
+        <translation>In %1, die kleinste zuerst</translation>
     </message>
 </context>
 <context>
@@ -5778,6 +6281,10 @@ sd</translation>
         <source>%1 went away during the squeeze, so nothing was measured. Plug it in again, arm it, then repeat the squeeze.</source>
         <translation>%1 verschwand während des Druckversuchs, also wurde nichts gemessen. Wieder anstecken, scharf schalten, dann erneut drücken.</translation>
     </message>
+    <message>
+        <source>silent</source>
+        <translation>stumm</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::CorrelationPlot</name>
@@ -5951,10 +6458,6 @@ sd</translation>
         <translation>Seine eigenen Grenzen</translation>
     </message>
     <message>
-        <source>%1 N, %2 mm, %3 samples</source>
-        <translation>%1 N, %2 mm, %3 Abtastwerte</translation>
-    </message>
-    <message>
         <source>There is no report descriptor: this is no USB device.</source>
         <translation>Es gibt keinen Report-Deskriptor: Dies ist kein USB-Gerät.</translation>
     </message>
@@ -6027,12 +6530,16 @@ sd</translation>
         <translation>Uhr gegenüber der des Rechners</translation>
     </message>
     <message>
-        <source>%1 ppm</source>
-        <translation>%1 ppm</translation>
-    </message>
-    <message>
         <source>Until the program took a sample over</source>
         <translation>Bis das Programm einen Abtastwert übernahm</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 ppm</source>
+        <translation>%1 ± %2 ppm</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 samples</source>
+        <translation>%1, %2, %3 Abtastwerte</translation>
     </message>
 </context>
 <context>
@@ -6396,20 +6903,20 @@ max. (95 %)</translation>
         <translation>Weggrenze</translation>
     </message>
     <message>
-        <source>The push and release is larger than the preload: the gripper would have to pull. Raise the preload to at least %1 N.</source>
-        <translation>Drücken und Nachlassen ist größer als die Vorlast: Der Greifer müsste ziehen. Die Vorlast auf mindestens %1 N erhöhen.</translation>
-    </message>
-    <message>
-        <source>The largest force is %1 N, and this gripper allows %2 N. Choose less.</source>
-        <translation>Die größte Kraft ist %1 N, dieser Greifer erlaubt %2 N. Weniger wählen.</translation>
-    </message>
-    <message>
         <source>This gripper holds at most %1 s of force. Choose a shorter squeeze.</source>
         <translation>Dieser Greifer fasst höchstens %1 s Kraftverlauf. Einen kürzeren Druckversuch wählen.</translation>
     </message>
     <message>
-        <source>The force goes from %1 to %2 N for %3 s. The gripper stops by itself at %4 N or %5 mm.</source>
-        <translation>Die Kraft geht %3 s lang von %1 bis %2 N. Der Greifer hält bei %4 N oder %5 mm von selbst an.</translation>
+        <source>The push and release is larger than the preload: the gripper would have to pull. Raise the preload to at least %1.</source>
+        <translation>Drücken und Nachlassen ist größer als die Vorlast: Der Greifer müsste ziehen. Die Vorlast auf mindestens %1 erhöhen.</translation>
+    </message>
+    <message>
+        <source>The largest force is %1, and this gripper allows %2. Choose less.</source>
+        <translation>Die größte Kraft ist %1, dieser Greifer erlaubt %2. Weniger wählen.</translation>
+    </message>
+    <message>
+        <source>The force goes from %1 to %2 for %3 s. The gripper stops by itself at %4 or %5.</source>
+        <translation>Die Kraft geht %3 s lang von %1 bis %2. Der Greifer hält bei %4 oder %5 von selbst an.</translation>
     </message>
 </context>
 <context>
@@ -6494,12 +7001,12 @@ max. (95 %)</translation>
         </translation>
     </message>
     <message>
-        <source>Force: %1 to %2 N for %3 s</source>
-        <translation>Kraft: %L1 bis %L2 N, %L3 s lang</translation>
+        <source>Force: %1 to %2 for %3 s</source>
+        <translation>Kraft: %1 bis %2, %3 s lang</translation>
     </message>
     <message>
-        <source>Crush limit: %1 N, %2 mm</source>
-        <translation>Bruchgrenze: %L1 N, %L2 mm</translation>
+        <source>Crush limit: %1, %2</source>
+        <translation>Bruchgrenze: %1, %2</translation>
     </message>
 </context>
 <context>
@@ -6696,10 +7203,6 @@ Fit</translation>
     <message>
         <source>Accepted and stored.</source>
         <translation>Angenommen und gespeichert.</translation>
-    </message>
-    <message>
-        <source>Another squeeze is under way. Wait for its end, then try again.</source>
-        <translation>Ein anderer Druckversuch läuft. Das Ende abwarten, dann erneut versuchen.</translation>
     </message>
     <message>
         <source>by the operator</source>
@@ -6949,10 +7452,6 @@ Fit</translation>
         <translation>Bild…</translation>
     </message>
     <message>
-        <source>%1 N</source>
-        <translation>%L1 N</translation>
-    </message>
-    <message>
         <source>Code of %1</source>
         <translation>Code von %1</translation>
     </message>
@@ -7154,6 +7653,22 @@ Vorh. %</translation>
     <message>
         <source>Give of the frame</source>
         <translation>Nachgiebigkeit</translation>
+    </message>
+    <message>
+        <source>Stuck channel</source>
+        <translation>Feststeckender Kanal</translation>
+    </message>
+    <message>
+        <source>Gripper&apos;s own fault</source>
+        <translation>Eigener Fehler des Greifers</translation>
+    </message>
+    <message>
+        <source>Gripper&apos;s clock</source>
+        <translation>Uhr des Greifers</translation>
+    </message>
+    <message>
+        <source>Sample time</source>
+        <translation>Abtastzeit</translation>
     </message>
 </context>
 <context>
@@ -7413,34 +7928,6 @@ Vorh. %</translation>
         <source>± 2 sd</source>
         <translation>± 2 sd</translation>
     </message>
-    <message>
-        <source>ARX(2,1,1)</source>
-        <translation>ARX(2,1,1)</translation>
-    </message>
-    <message>
-        <source>ARX, mean force</source>
-        <translation>ARX, mittlere Kraft</translation>
-    </message>
-    <message>
-        <source>ARX(2,2,1)</source>
-        <translation>ARX(2,2,1)</translation>
-    </message>
-    <message>
-        <source>instrumental var.</source>
-        <translation>Hilfsvariablen</translation>
-    </message>
-    <message>
-        <source>output error</source>
-        <translation>Ausgangsfehler</translation>
-    </message>
-    <message>
-        <source>cubic spring</source>
-        <translation>kubische Feder</translation>
-    </message>
-    <message>
-        <source>periodic</source>
-        <translation>periodisch</translation>
-    </message>
 </context>
 <context>
     <name>gripscope::FitSummary</name>
@@ -7508,10 +7995,6 @@ Vorh. %</translation>
         <translation>Versuche</translation>
     </message>
     <message>
-        <source>Another squeeze is under way. Wait for its end, then try again.</source>
-        <translation>Ein anderer Druckversuch läuft. Das Ende abwarten, dann erneut versuchen.</translation>
-    </message>
-    <message>
         <source>No gripper is connected. Choose one at the top.</source>
         <translation>Kein Greifer ist verbunden. Oben einen wählen.</translation>
     </message>
@@ -7539,18 +8022,6 @@ Vorh. %</translation>
         <translation>Schärfen</translation>
     </message>
     <message>
-        <source>STOP</source>
-        <translation>STOPP</translation>
-    </message>
-    <message>
-        <source>Stop the gripper and disarm it</source>
-        <translation>Den Greifer anhalten und entschärfen</translation>
-    </message>
-    <message>
-        <source>Stop the gripper and disarm it (Esc)</source>
-        <translation>Den Greifer anhalten und entschärfen (Esc)</translation>
-    </message>
-    <message>
         <source>Armed</source>
         <translation>Scharf</translation>
     </message>
@@ -7573,6 +8044,10 @@ Vorh. %</translation>
     <message>
         <source>No gripper that can be commanded is connected</source>
         <translation>Kein steuerbarer Greifer ist verbunden</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
     </message>
 </context>
 <context>
@@ -7776,74 +8251,6 @@ Vorh. %</translation>
     <message>
         <source>No.</source>
         <translation>Nr.</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Expected</source>
-        <translation>Erwartet</translation>
-    </message>
-    <message>
-        <source>Outcome</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Typ</translation>
-    </message>
-    <message>
-        <source>Posterior</source>
-        <translation>Wahrsch.</translation>
-    </message>
-    <message>
-        <source>Operator</source>
-        <translation>Bediener</translation>
-    </message>
-    <message>
-        <source>Number</source>
-        <translation>Nummer</translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation>Art</translation>
-    </message>
-    <message>
-        <source>Mass m</source>
-        <translation>Masse m</translation>
-    </message>
-    <message>
-        <source>Damping b</source>
-        <translation>Dämpfung b</translation>
-    </message>
-    <message>
-        <source>Stiffness k</source>
-        <translation>Steifigkeit k</translation>
-    </message>
-    <message>
-        <source>Simulation fit</source>
-        <translation>Simulationsfit</translation>
-    </message>
-    <message>
-        <source>Length</source>
-        <translation>Dauer</translation>
-    </message>
-    <message>
-        <source>Gripper</source>
-        <translation>Greifer</translation>
-    </message>
-    <message>
-        <source>Estimator</source>
-        <translation>Schätzer</translation>
-    </message>
-    <message>
-        <source>Software</source>
-        <translation>Software</translation>
-    </message>
-    <message>
-        <source>Batch</source>
-        <translation>Los</translation>
     </message>
 </context>
 <context>
@@ -8536,10 +8943,6 @@ Vorh. %</translation>
         <translation>Greifer scharf schalten</translation>
     </message>
     <message>
-        <source>Another squeeze is under way. Wait for its end, then try again.</source>
-        <translation>Ein anderer Druckversuch läuft. Das Ende abwarten, dann erneut versuchen.</translation>
-    </message>
-    <message>
         <source>Squeezing…</source>
         <translation>Drückt…</translation>
     </message>
@@ -8570,10 +8973,6 @@ Vorh. %</translation>
     <message>
         <source>Squeeze again (Space)</source>
         <translation>Erneut drücken (Leertaste)</translation>
-    </message>
-    <message>
-        <source>%1 ± %2 N</source>
-        <translation>%1 ± %2 N</translation>
     </message>
 </context>
 <context>
@@ -8679,10 +9078,6 @@ Vorh. %</translation>
         <translation>Zeitversatz der Kanäle</translation>
     </message>
     <message>
-        <source>A gripper samples the position a little later than the force. A lag of 100 µs that nobody knows of changes the mass of a can by a tenth. Grip something firm, a spring or a can of any type, and leave it there: the gripper squeezes it %1 times, with %2 ± %3 N for %4 s.</source>
-        <translation>Ein Greifer tastet den Weg etwas später ab als die Kraft. Ein unbekannter Zeitversatz von 100 µs ändert die Masse einer Dose um ein Zehntel. Etwas Festes greifen, eine Feder oder eine Dose beliebigen Typs, und dort lassen: Der Greifer drückt sie %1-mal, mit %2 ± %3 N, je %4 s lang.</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -8705,6 +9100,10 @@ Vorh. %</translation>
     <message>
         <source>Measure again</source>
         <translation>Neu messen</translation>
+    </message>
+    <message>
+        <source>A gripper samples the position a little later than the force. A lag of 100 µs that nobody knows of changes the mass of a can by a tenth. Grip something firm, a spring or a can of any type, and leave it there: the gripper squeezes it %1 times, with %2 for %3 s.</source>
+        <translation>Ein Greifer tastet den Weg etwas später ab als die Kraft. Ein unbekannter Zeitversatz von 100 µs ändert die Masse einer Dose um ein Zehntel. Etwas Festes greifen, eine Feder oder eine Dose beliebigen Typs, und dort lassen: Der Greifer drückt sie %1-mal, mit %2, je %3 s lang.</translation>
     </message>
 </context>
 <context>
@@ -9146,10 +9545,6 @@ Vorh. %</translation>
         <translation>Dieser Greifer sendet nur: mit seinem eigenen Programm drücken und aufnehmen.</translation>
     </message>
     <message>
-        <source>Hands clear, then arm: a trial squeeze pushes with %1 ± %2 N for %3 s.</source>
-        <translation>Hände weg, dann scharf schalten: Ein Probedruck drückt mit %1 ± %2 N, %3 s lang.</translation>
-    </message>
-    <message>
         <source>Armed. The result of a trial squeeze opens on the Fit page; nothing is stored.</source>
         <translation>Scharf. Das Ergebnis eines Probedrucks öffnet sich auf der Seite Fit; nichts wird gespeichert.</translation>
     </message>
@@ -9168,6 +9563,10 @@ Vorh. %</translation>
     <message>
         <source>A marker needs something measured. Connect a gripper first.</source>
         <translation>Eine Marke braucht etwas Gemessenes. Erst einen Greifer verbinden.</translation>
+    </message>
+    <message>
+        <source>Hands clear, then arm: a trial squeeze pushes with %1 for %2 s.</source>
+        <translation>Hände weg, dann scharf schalten: Ein Probedruck drückt mit %1, %2 s lang.</translation>
     </message>
 </context>
 <context>
@@ -9212,10 +9611,6 @@ Vorh. %</translation>
 </context>
 <context>
     <name>gripscope::LiveTrial</name>
-    <message>
-        <source>Another squeeze is under way. Wait for its end, then try again.</source>
-        <translation>Ein anderer Druckversuch läuft. Das Ende abwarten, dann erneut versuchen.</translation>
-    </message>
     <message>
         <source>Trial squeeze %1</source>
         <translation>Probedruck %1</translation>
@@ -9511,6 +9906,18 @@ Vorh. %</translation>
         <source>measurement not valid; part not judged</source>
         <translation>Messung ungültig; Teil nicht beurteilt</translation>
     </message>
+    <message>
+        <source>suspect: %1</source>
+        <translation>fraglich: %1</translation>
+    </message>
+    <message>
+        <source>SUSPECT: %1</source>
+        <translation>FRAGLICH: %1</translation>
+    </message>
+    <message>
+        <source>Suspect: %1</source>
+        <translation>Fraglich: %1</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::PairPlots</name>
@@ -9606,6 +10013,18 @@ Vorh. %</translation>
     <message>
         <source>Reactivate</source>
         <translation>Entsperren</translation>
+    </message>
+    <message>
+        <source>everybody who has signed in</source>
+        <translation>alle, die angemeldet sind</translation>
+    </message>
+    <message>
+        <source>supervisors; others ask one each time</source>
+        <translation>Aufsicht; andere fragen jedes Mal</translation>
+    </message>
+    <message>
+        <source>Who may arm the gripper</source>
+        <translation>Wer scharf schalten darf</translation>
     </message>
 </context>
 <context>
@@ -10482,10 +10901,6 @@ Vorh. %</translation>
         <translation>Was zu tun ist</translation>
     </message>
     <message>
-        <source>A squeeze is under way. Wait for its end, then test the gripper.</source>
-        <translation>Ein Druckversuch läuft. Das Ende abwarten, dann den Greifer prüfen.</translation>
-    </message>
-    <message>
         <source>Listening…</source>
         <translation>Hört zu…</translation>
     </message>
@@ -10748,6 +11163,18 @@ Vorh. %</translation>
         <source>never</source>
         <translation>nie</translation>
     </message>
+    <message>
+        <source>Disarm when nothing is done</source>
+        <translation>Entschärfen, wenn nichts getan wird</translation>
+    </message>
+    <message>
+        <source>After so many minutes without a key, a click, a scan or a squeeze.</source>
+        <translation>Nach so vielen Minuten ohne Taste, Klick, Scan oder Druckversuch.</translation>
+    </message>
+    <message>
+        <source>What STOP is was read</source>
+        <translation>Gelesen, was STOPP ist</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::SettingRow</name>
@@ -10845,6 +11272,10 @@ Vorh. %</translation>
         <source>Reset all</source>
         <translation>Alle zurücksetzen</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::SettingsExchange</name>
@@ -10886,6 +11317,10 @@ Vorh. %</translation>
     <message>
         <source>%1 was signed out: nobody has done anything here for a while.</source>
         <translation>%1 wurde abgemeldet: Hier hat eine Weile niemand etwas getan.</translation>
+    </message>
+    <message>
+        <source>Sign in, then arm the gripper: the library keeps who armed it.</source>
+        <translation>Erst anmelden, dann scharf schalten: Die Bibliothek hält fest, wer es war.</translation>
     </message>
 </context>
 <context>
@@ -11022,6 +11457,10 @@ Vorh. %</translation>
         <source>library %1 v%2</source>
         <translation>Bibliothek %1 v%2</translation>
     </message>
+    <message>
+        <source>stopped: not armed</source>
+        <translation>angehalten: nicht scharf</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::StepBar</name>
@@ -11078,6 +11517,40 @@ Vorh. %</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::StopButton</name>
+    <message>
+        <source>STOP</source>
+        <translation>STOPP</translation>
+    </message>
+    <message>
+        <source>Stop the gripper and disarm it</source>
+        <translation>Den Greifer anhalten und entschärfen</translation>
+    </message>
+    <message>
+        <source>Stop the gripper and disarm it (Esc)</source>
+        <translation>Den Greifer anhalten und entschärfen (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::StopStrip</name>
+    <message>
+        <source>The gripper is squeezing.</source>
+        <translation>Der Greifer drückt.</translation>
+    </message>
+    <message>
+        <source>The gripper is armed: it may move.</source>
+        <translation>Der Greifer ist scharf: Er kann sich bewegen.</translation>
+    </message>
+    <message>
+        <source>Stopped. The gripper is not armed.</source>
+        <translation>Angehalten. Der Greifer ist nicht scharf.</translation>
+    </message>
+    <message>
+        <source>The gripper is not armed.</source>
+        <translation>Der Greifer ist nicht scharf.</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::StripChart</name>
     <message>
         <source>%1 min</source>
@@ -11086,6 +11559,13 @@ Vorh. %</translation>
     <message>
         <source>%1 s</source>
         <translation>%L1 s</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::TextQuestion</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -11170,20 +11650,20 @@ Vorh. %</translation>
         <translation>Noch keine Typen. Einen einlernen, um seine Lage zu sehen.</translation>
     </message>
     <message>
-        <source>stiffness (kN/m)</source>
-        <translation>Steifigkeit (kN/m)</translation>
+        <source>stiffness (%1)</source>
+        <translation>Steifigkeit (%1)</translation>
     </message>
     <message>
         <source>this part</source>
         <translation>dieses Teil</translation>
     </message>
     <message>
-        <source>b (N s/m)</source>
-        <translation>b (N s/m)</translation>
+        <source>b (%1)</source>
+        <translation>b (%1)</translation>
     </message>
     <message>
-        <source>damping (N s/m)</source>
-        <translation>Dämpfung (N s/m)</translation>
+        <source>damping (%1)</source>
+        <translation>Dämpfung (%1)</translation>
     </message>
 </context>
 <context>
@@ -11551,6 +12031,20 @@ Vorh. %</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::WindowHost</name>
+    <message>
+        <source>STOP is not an emergency stop: it asks the gripper&apos;s own electronics, over USB. For the safety of people fit a switch that takes the power from the gripper&apos;s drive.</source>
+        <translation>STOPP ist kein Not-Halt: Er bittet die Elektronik des Greifers, über USB. Für die Sicherheit von Menschen gehört ein Schalter dazu, der dem Antrieb des Greifers die Energie nimmt.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::Words::Words</name>
+    <message>
+        <source>this force does not determine m, b and k; squeeze with a richer one</source>
+        <translation>diese Kraft bestimmt m, b und k nicht; mit einer reicheren drücken</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::Workbench</name>
     <message>
         <source>operator not named</source>
@@ -11570,6 +12064,10 @@ Vorh. %</translation>
     <message>
         <source>Check on the reference spring: %1 Make it on the Calibrate page.</source>
         <translation>Kontrolle an der Referenzfeder: %1 Auf der Seite Kalibrieren machen.</translation>
+    </message>
+    <message>
+        <source>Another squeeze is under way. Wait for its end, then try again.</source>
+        <translation>Ein anderer Druckversuch läuft. Das Ende abwarten, dann erneut versuchen.</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the History page asks of a library with 100,000 inspections, each on the library's thread.
-#include "core/store/history.h"
-#include "core/store/library.h"
-#include "tests/core/store/many_inspections.h"
+#include "core/library/library.h"
+#include "core/library/records/history.h"
+#include "tests/core/library/many_inspections.h"
 
 #include <QCoreApplication>
 #include <QTemporaryDir>
@@ -47,7 +47,7 @@ void list(benchmark::State& state, const HistoryQuery& query)
 void sorted(benchmark::State& state)
 {
     HistoryQuery query;
-    query.order = HistoryOrder(state.range(0));
+    query.order = HistoryColumn(state.range(0));
     list(state, query);
 }
 
@@ -90,7 +90,7 @@ void points(benchmark::State& state)
         benchmark::DoNotOptimize(library().historyPoints({}));
 }
 
-BENCHMARK(sorted)->DenseRange(0, int(HistoryOrder::Program))->Unit(benchmark::kMillisecond);
+BENCHMARK(sorted)->DenseRange(0, int(HistoryColumn::Program))->Unit(benchmark::kMillisecond);
 BENCHMARK(filtered)->DenseRange(0, 7)->Unit(benchmark::kMillisecond);
 BENCHMARK(jumpToTheMiddle)->Unit(benchmark::kMillisecond);
 BENCHMARK(counts)->Unit(benchmark::kMillisecond);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an identification costs, and reading a file of the same length.
-#include "core/identification/arx.h"
-#include "core/identification/discretization.h"
+#include "core/identification/arx/arx.h"
 #include "core/identification/identification.h"
-#include "core/identification/output_error.h"
-#include "core/signal/excitation.h"
-#include "core/signal/gaussian.h"
-#include "core/signal/recording_csv.h"
+#include "core/identification/model/discretization.h"
+#include "core/identification/output_error/output_error.h"
+#include "core/math/gaussian.h"
+#include "core/signal/excitation/excitation.h"
+#include "core/signal/recording/recording_csv.h"
 
 #include <benchmark/benchmark.h>
 #include <cstdlib>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/kmeans.h"
-#include "core/recognition/paper_appendix.h"
-#include "core/recognition/verdict.h"
+#include "core/clustering/feature_scaling.h"
+#include "core/clustering/kmeans.h"
+#include "core/recognition/types/paper_appendix.h"
+#include "core/recognition/verdict/verdict.h"
+#include "core/research/paper_reproduction.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // K-means on a million items. With GRIPSCOPE_PEER_FOLDER set, tables, starts and results are written there
 // for kmeans_peer.py, which times scikit-learn on the same.
-#include "core/recognition/kmeans.h"
-#include "core/signal/gaussian.h"
+#include "core/clustering/kmeans.h"
+#include "core/math/gaussian.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opening a library: types, squeezes, models, counts; what the Inspect page needs before the first squeeze.
-#include "core/session/comparable_units.h"
-#include "tests/core/store/raw_database.h"
+#include "core/session/squeeze/comparable_units.h"
+#include "tests/core/library/raw_database.h"
 
 #include <QCoreApplication>
 #include <QTemporaryDir>

@@ -3,10 +3,10 @@
 // before: a frame with 60 s of force and position shown, and the memory held after an hour. Needs a display:
 //   xvfb-run -a -s "-screen 0 1600x1000x24" build/bench/bin/live_page_bench
 #include "ui/charts/strip_chart.h"
-#include "ui/main_window.h"
+#include "ui/context/workbench.h"
 #include "ui/pages/page.h"
+#include "ui/shell/main_window.h"
 #include "ui/theme/theme.h"
-#include "ui/workbench.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -77,7 +77,7 @@ public:
         if (!file.open(QIODevice::WriteOnly) || file.write(profile) < 0)
             qFatal("the profile could not be written");
         bool loaded = false;
-        bench.ask<void>(
+        bench.background().ask<void>(
             nullptr, [](Library& library) { return library.loadExampleTypes(); },
             [&](const Expected<void>&) { loaded = true; });
         window.resize(1440, 900);
@@ -96,7 +96,7 @@ public:
         bench.connectTo(
             u"virtual:?profile=%1&speed=%2"_s.arg(m_folder.filePath(u"profile.json"_s)).arg(speed));
         waitUntil([&] { return bench.connection().state() == ConnectSession::State::Connected; }, 30);
-        waitUntil([&] { return bench.liveHistory().newestTime_s() >= seconds; },
+        waitUntil([&] { return bench.live().history().newestTime_s() >= seconds; },
                   static_cast<int>(60 + 3 * seconds / speed));
     }
     void showLast(const QString& span)
@@ -122,7 +122,7 @@ void frame(benchmark::State& state)
     LiveWindow live;
     live.connectTo(1, 1);
     live.showLast(u"1 min"_s);
-    waitUntil([&] { return live.bench.liveHistory().newestTime_s() >= 62; }, 200);
+    waitUntil([&] { return live.bench.live().history().newestTime_s() >= 62; }, 200);
 
     double before_s = threadTime_s();
     bool painted = false;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a verdict costs, and a look at a squeeze that may end early.
-#include "core/identification/discretization.h"
-#include "core/recognition/early_stop.h"
-#include "core/signal/excitation.h"
-#include "core/signal/gaussian.h"
+#include "core/identification/model/discretization.h"
+#include "core/math/gaussian.h"
+#include "core/recognition/early/early_stop.h"
+#include "core/signal/excitation/excitation.h"
 
 #include <benchmark/benchmark.h>
 #include <cmath>

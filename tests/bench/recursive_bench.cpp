@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What following a squeeze costs: each sample counted in and the estimate with its covariance read.
-#include "core/identification/discretization.h"
-#include "core/identification/recursive_estimator.h"
-#include "core/signal/excitation.h"
-#include "core/signal/gaussian.h"
+#include "core/identification/model/discretization.h"
+#include "core/identification/recursive/recursive_estimator.h"
+#include "core/math/gaussian.h"
+#include "core/signal/excitation/excitation.h"
 
 #include <benchmark/benchmark.h>
 

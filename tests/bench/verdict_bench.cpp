@@ -3,11 +3,11 @@
 // gripper: median and 99th percentile, with 4 types and with 100. What a technician waits is to be under 100
 // ms.
 //   verdict_bench [--squeezes N]
-#include "core/store/library.h"
-#include "ui/main_window.h"
+#include "core/library/library.h"
+#include "ui/context/workbench.h"
+#include "ui/shell/main_window.h"
 #include "ui/theme/theme.h"
-#include "ui/widgets/verdict_panel.h"
-#include "ui/workbench.h"
+#include "ui/widgets/outcome_view.h"
 
 #include <QApplication>
 #include <QStandardPaths>

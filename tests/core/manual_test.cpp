@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The manual that is compiled in: whole, and about what the program says.
+#include "core/identification/estimators/estimator_table.h"
 #include "core/identification/identification.h"
-#include "core/identification/recursive_estimator.h"
+#include "core/identification/recursive/recursive_estimator.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -99,9 +100,8 @@ private slots:
     void everyEstimatorIsExplained()
     {
         const QString text = page(u"identification.md"_s);
-        for (int i = 0; i <= static_cast<int>(Estimator::Periodic); ++i)
-            QVERIFY2(explains(text, toString(static_cast<Estimator>(i))),
-                     qPrintable(toString(static_cast<Estimator>(i))));
+        for (const Estimator estimator : allEstimators())
+            QVERIFY2(explains(text, toString(estimator)), qPrintable(toString(estimator)));
     }
     void everyStatusIsExplained()
     {

@@ -69,7 +69,7 @@ private slots:
     void withoutAnAnswerTheSameBytesGoOutAgainAndThenItIsTold()
     {
         CommandQueue queue;
-        queue.push(ArmCommand{});
+        queue.push(SetLimitsCommand{1, 2});
         const std::optional<Report> first = queue.next(start);
         auto now = start;
         for (int i = 1; i < CommandQueue::attempts; ++i) {
@@ -86,20 +86,56 @@ private slots:
         QVERIFY(queue.empty());
     }
 
-    void stopThrowsAwayWhatWaitsAndGoesFirst()
+    void armIsRepeatedSoonerThanItsWatchdogTripsAndNotAtAllWhereThatCouldArmAnew()
     {
         CommandQueue queue;
-        queue.push(ArmCommand{});
+        queue.push(ArmCommand{7});
+        const std::optional<Report> first = queue.next(start);
+        QVERIFY(!queue.next(start + CommandQueue::armPatience - 1ms));
+        QVERIFY(queue.next(start + CommandQueue::armPatience) == first);
+
+        CommandQueue toAnOldDevice(100, false);
+        toAnOldDevice.push(ArmCommand{7});
+        QVERIFY(toAnOldDevice.next(start).has_value());
+        QVERIFY(!toAnOldDevice.next(start + CommandQueue::armPatience));
+        const auto outcome = toAnOldDevice.expired(start + CommandQueue::armPatience);
+        QVERIFY(outcome && !outcome->result);
+    }
+
+    void aHaltThrowsAwayWhatWaitsAndItsAnswerIsKnown()
+    {
+        CommandQueue queue;
+        queue.push(SetLimitsCommand{1, 2});
         queue.push(StartCommand{});
         static_cast<void>(queue.next(start));
-        queue.stop();
-        const Command stop = sent(queue, start);
+        const Command stop = decodeCommand(queue.halt(StopCommand{})).value();
         QVERIFY(std::holds_alternative<StopCommand>(stop.body));
-        QVERIFY(queue.next(start + CommandQueue::stopPatience).has_value()); // again soon
-        queue.push(ArmCommand{});
-        QVERIFY(!queue.next(start + CommandQueue::stopPatience)); // not before the stop was confirmed
-        QVERIFY(queue.acknowledge(answerTo(stop)).has_value());
-        QVERIFY(std::holds_alternative<ArmCommand>(sent(queue, start).body));
+        QVERIFY(queue.empty() && !queue.next(start + CommandQueue::patience));
+        const auto outcome = queue.acknowledge(answerTo(stop));
+        QVERIFY(outcome && std::holds_alternative<StopCommand>(outcome->body));
+        QVERIFY(!queue.acknowledge(answerTo(stop)));
+    }
+
+    void whatThisProgramDidNotSendIsSomebodyElses()
+    {
+        CommandQueue queue(65534, true); // numbers go round
+        const auto answer = [](std::uint16_t number, ReportId command) {
+            Acknowledgement out;
+            out.commandNumber = number;
+            out.command = command;
+            return out;
+        };
+        QVERIFY(!queue.sentHere(answer(65534, ReportId::Heartbeat)));
+        static_cast<void>(queue.heartbeat());
+        static_cast<void>(queue.halt(StopCommand{}));
+        QVERIFY(queue.sentHere(answer(65535, ReportId::Heartbeat)));
+        QVERIFY(queue.sentHere(answer(0, ReportId::Stop)));
+        QVERIFY(!queue.sentHere(answer(0, ReportId::Heartbeat)));
+        QVERIFY(!queue.sentHere(answer(1, ReportId::Stop)));
+        for (int i = 0; i < 2000; ++i)
+            static_cast<void>(queue.heartbeat());
+        QVERIFY(!queue.sentHere(answer(0, ReportId::Stop))); // nobody answers that late
+        QVERIFY(queue.sentHere(answer(2000, ReportId::Heartbeat)));
     }
 
     void answersNobodyWaitsForAreIgnored()
@@ -107,7 +143,7 @@ private slots:
         CommandQueue queue;
         queue.push(ArmCommand{});
         Acknowledgement answer;
-        answer.commandNumber = 1;
+        answer.commandNumber = 1; // the first there is
         answer.command = ReportId::Arm;
         QVERIFY(!queue.acknowledge(answer)); // not sent yet
         const Command arm = sent(queue, start);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/connect_session.h"
-#include "core/session/squeeze_job.h"
+#include "core/session/connection/connect_session.h"
+#include "core/session/squeeze/squeeze_job.h"
 #include "tests/devices/port_helpers.h"
 
 namespace gripscope::test {
 
 /// A session on a gripper, driven as a program drives it.
 struct ConnectedProgram {
-    DeviceFactory factory;
+    DeviceFactory factory = patientFactory();
     ConnectSession connection{factory};
     SqueezeJob job{connection};
     std::function<void()> alsoDrive; ///< what else has to run meanwhile, such as a device
@@ -41,10 +41,20 @@ struct ConnectedProgram {
     {
         return connection.connectTo(address).has_value() && untilState(ConnectSession::State::Connected);
     }
+    /// Asked for again each second: a gripper that a busy computer kept waiting ends its arming by its
+    /// watchdog, and asking twice is harmless.
     bool arm()
     {
-        return connection.arm(QStringLiteral("tester")).has_value() &&
-               until([&] { return connection.armed(); });
+        const auto ask = [this] { return connection.arm(QStringLiteral("tester")).has_value(); };
+        auto asked = std::chrono::steady_clock::now();
+        return ask() && until([&] {
+                   if (connection.armed() ||
+                       std::chrono::steady_clock::now() - asked < std::chrono::seconds(1))
+                       return connection.armed();
+                   asked = std::chrono::steady_clock::now();
+                   static_cast<void>(ask()); // refused while it is not ready; then the next one
+                   return false;
+               });
     }
     /// To its end, good or bad; false: it did not begin.
     bool squeeze(double seconds = 0.2)

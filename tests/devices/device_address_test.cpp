@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/device_address.h"
-#include "devices/gripper_factory.h"
+#include "devices/address/device_address.h"
+#include "devices/factory/gripper_factory.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -69,9 +69,9 @@ private slots:
         const auto events = parseFaultScript(script, u"f.txt"_qs);
         QVERIFY(!events);
         QVERIFY(events.error().code == ErrorCode::BadInput);
-        QCOMPARE(events.error().arguments[0], place);
-        QCOMPARE(events.error().arguments[1], found);
-        QVERIFY2(events.error().arguments[2].contains(expected), qPrintable(events.error().arguments[2]));
+        QCOMPARE(events.error().argument(0), place);
+        QCOMPARE(events.error().argument(1), found);
+        QVERIFY2(events.error().argument(2).contains(expected), qPrintable(events.error().argument(2)));
     }
 
     void theManualsScriptIsUnderstoodAndItsTableIsWhole()
@@ -86,7 +86,7 @@ private slots:
         QVERIFY2(events.has_value(), events ? "" : qPrintable(events.error().describe()));
         QCOMPARE(events->size(), std::size_t(7));
         const auto unknown = parseFaultScript("0 fire", u"x"_qs);
-        const QString words = unknown.error().arguments[2].section(u"one of "_qs, 1);
+        const QString words = unknown.error().argument(2).section(u"one of "_qs, 1);
         for (const QString& word : words.split(u", "_qs))
             QVERIFY2(text.contains('`' + word.toUtf8() + '`') || text.contains('`' + word.toUtf8() + ' '),
                      qPrintable(word));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The header for firmware, compiled as C11, against the program's own codec: the same bytes both ways.
+#include "devices/protocol/arming_obstacle.h"
 #include "devices/protocol/codec.h"
 #include "devices/protocol/report_descriptor.h"
+#include "devices/virtual/virtual_firmware.h"
 #include "tests/devices/firmware/compiled_header.h"
 #include "tests/support/test_registry.h"
 
@@ -163,6 +165,8 @@ private slots:
     {
         QCOMPARE(int(readBack(ArmCommand{}, 511).id), int(GRIPSCOPE_ARM));
         QCOMPARE(readBack(ArmCommand{}, 511).number, std::uint16_t(511));
+        QCOMPARE(readBack(ArmCommand{}, 511).token, 0u);
+        QCOMPARE(readBack(ArmCommand{0x2C81F96B}, 511).token, 0x2C81F96Bu);
         QCOMPARE(int(readBack(DisarmCommand{}, 1).id), int(GRIPSCOPE_DISARM));
         QCOMPARE(int(readBack(StopCommand{}, 1).id), int(GRIPSCOPE_STOP));
         QCOMPARE(int(readBack(HeartbeatCommand{}, 1).id), int(GRIPSCOPE_HEARTBEAT));
@@ -217,7 +221,90 @@ private slots:
                  GRIPSCOPE_ANSWER_BAD);
         QCOMPARE(reading(encode(Command{9, SetLimitsCommand{1, 1}}), 4, 0, number), GRIPSCOPE_ANSWER_BAD);
         QCOMPARE(reading(encode(Command{9, StopCommand{}}), 1, 0x20, number), GRIPSCOPE_DROP); // version 2
-        QCOMPARE(reading(encode(Command{9, StopCommand{}}), 1, 0x11, number), GRIPSCOPE_OBEY); // version 1.1
+        for (const std::uint8_t version : {0x10, 0x11, 0x1F}) // a newer minor only adds
+            QCOMPARE(reading(encode(Command{9, StopCommand{}}), 1, version, number), GRIPSCOPE_OBEY);
+    }
+    void refusedLimitsSayWhichOfThem()
+    {
+        const auto detail = [](std::int32_t force, std::int32_t travel) {
+            const Report report = encode(Command{1, SetLimitsCommand{force, travel}});
+            gripscope_command command{};
+            compiled_command(report.data(), report.size(), &command);
+            return command.bad_detail;
+        };
+        QCOMPARE(detail(1, 1), 0u);
+        QCOMPARE(detail(0, 1), std::uint32_t(GRIPSCOPE_DETAIL_FORCE));
+        QCOMPARE(detail(1, -1), std::uint32_t(GRIPSCOPE_DETAIL_TRAVEL));
+        QCOMPARE(detail(-1, -1), limitsDetailForce);
+        QCOMPARE(std::uint32_t(GRIPSCOPE_DETAIL_TRAVEL), limitsDetailTravel);
+    }
+    void theRangesAreThoseOfTheProgram()
+    {
+        QCOMPARE(int(GRIPSCOPE_WATCHDOG_MIN_MS), int(shortestWatchdog_ms));
+        QCOMPARE(int(GRIPSCOPE_WATCHDOG_MAX_MS), int(longestWatchdog_ms));
+        QCOMPARE(double(GRIPSCOPE_LONGEST_REPORT_PERIOD_MS) / 1000, longestReportPeriod_s);
+        QCOMPARE(GRIPSCOPE_PER_COUNT_MIN, leastPerCount);
+        QCOMPARE(GRIPSCOPE_PER_COUNT_MAX, mostPerCount);
+        QCOMPARE(GRIPSCOPE_SAMPLE_TIME_MIN_S, shortestSampleTime_s);
+        QCOMPARE(GRIPSCOPE_SAMPLE_TIME_MAX_S, longestSampleTime_s);
+        QCOMPARE(GRIPSCOPE_LAG_MAX_S, longestLag_s);
+        QCOMPARE(int(GRIPSCOPE_SAMPLES_ABOVE_LIMIT), VirtualFirmware::samplesBeyond);
+        QCOMPARE(int(GRIPSCOPE_PROTOCOL_VERSION), versionMajor << 4 | versionMinor);
+    }
+    void anArmIsAnsweredByItsToken_data()
+    {
+        QTest::addColumn<unsigned>("token");
+        QTest::addColumn<unsigned>("last");
+        QTest::addColumn<bool>("fault");
+        QTest::addColumn<bool>("armed");
+        QTest::addColumn<int>("answer");
+        QTest::addColumn<unsigned>("kept");
+        const auto row = [](const char* name, unsigned token, unsigned last, bool fault, bool armed,
+                            int answer, unsigned kept) {
+            QTest::newRow(name) << token << last << fault << armed << answer << kept;
+        };
+        row("the first", 7, 0, false, false, GRIPSCOPE_DONE, 7);
+        row("repeated while armed", 7, 7, false, true, GRIPSCOPE_REPEATED, 7);
+        row("repeated after a stop", 7, 7, false, false, GRIPSCOPE_REPEATED, 7);
+        row("repeated in a fault", 7, 7, true, false, GRIPSCOPE_REPEATED, 7);
+        row("another while armed is remembered", 8, 7, false, true, GRIPSCOPE_REPEATED, 8);
+        row("another after a stop", 8, 7, false, false, GRIPSCOPE_DONE, 8);
+        row("another in a fault is not remembered", 8, 7, true, false, GRIPSCOPE_FAULT, 7);
+        row("without a token", 0, 7, false, false, GRIPSCOPE_DONE, 7);
+        row("without a token, again", 0, 0, false, false, GRIPSCOPE_DONE, 0);
+        row("without a token, armed", 0, 7, false, true, GRIPSCOPE_REPEATED, 7);
+        row("without a token, in a fault", 0, 7, true, false, GRIPSCOPE_FAULT, 7);
+    }
+    void anArmIsAnsweredByItsToken()
+    {
+        QFETCH(unsigned, token);
+        QFETCH(unsigned, last);
+        QFETCH(bool, fault);
+        QFETCH(bool, armed);
+        QFETCH(int, answer);
+        QFETCH(unsigned, kept);
+        std::uint32_t remembered = last;
+        QCOMPARE(int(compiled_answer_arm(token, &remembered, fault, armed)), answer);
+        QCOMPARE(remembered, kept);
+    }
+    void onlyACommandThatWasTakenFeedsTheWatchdog()
+    {
+        for (int id = 0; id < 0x30; ++id)
+            for (int result = GRIPSCOPE_DONE; result <= GRIPSCOPE_FAULT; ++result) {
+                const bool taken =
+                    result == GRIPSCOPE_DONE || (result == GRIPSCOPE_REPEATED && id != GRIPSCOPE_ARM);
+                const bool known = id >= GRIPSCOPE_ARM && id <= GRIPSCOPE_FINISH;
+                const bool ends = id == GRIPSCOPE_STOP || id == GRIPSCOPE_DISARM;
+                QCOMPARE(compiled_feeds_watchdog(std::uint8_t(id), std::uint8_t(result)),
+                         taken && known && !ends);
+            }
+    }
+    void theProtectiveForceIsAboveTheLimitByWhatIsStated()
+    {
+        QCOMPARE(compiled_protective_force(30000, 100000), std::int64_t(32500));
+        QCOMPARE(compiled_protective_force(19, 99), std::int64_t(19)); // fractions of a count are left out
+        QCOMPARE(compiled_protective_force(0x7FFFFFFF, 0x7FFFFFFF),
+                 std::int64_t(0x7FFFFFFF) + 0x7FFFFFFF / 20 + 0x7FFFFFFF / 100);
     }
 };
 

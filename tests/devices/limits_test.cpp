@@ -18,8 +18,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr std::int32_t deviceForce = 100'000; ///< counts: 100 N
-constexpr std::uint64_t watchdogSamples = VirtualFirmware::watchdog_us / 500;
+constexpr std::int32_t deviceForce = 100'000;                                   ///< counts: 100 N
+const std::uint64_t watchdogSamples = 2 * VirtualFirmwareOptions().watchdog_ms; ///< of 0.5 ms
 
 /// A program that sends any command at any time, and a witness who only believes the answers and the sensor.
 class Adversary {
@@ -28,9 +28,17 @@ public:
 
     void act()
     {
-        const Acknowledgement answer = send(anyCommand());
-        m_silence = 0;
+        const CommandBody body = anyCommand();
+        const Acknowledgement answer = send(body);
         const bool done = answer.result == CommandResult::Done;
+        const bool arms = answer.command == ReportId::Arm;
+        const bool ends = answer.command == ReportId::Stop || answer.command == ReportId::Disarm;
+        if (!ends && (done || (answer.result == CommandResult::Repeated && !arms)))
+            m_silence = 0; // nothing else tells the device that somebody is there
+        if (arms)
+            judgeArming(std::get<ArmCommand>(body).token, answer);
+        m_armed = answer.status & StatusArmed;
+        m_answered_us = answer.timestamp_us;
         if (answer.command == ReportId::SetLimits && done)
             m_limit = m_limits.maxForce;
         if (answer.command == ReportId::SetLimits && !done)
@@ -45,7 +53,7 @@ public:
     }
 
     std::string broken; ///< what was seen that must not be
-    int started = 0, refusedLimits = 0, pushed = 0, watchdogs = 0;
+    int started = 0, refusedLimits = 0, pushed = 0, watchdogs = 0, lateArms = 0;
 
 private:
     static VirtualFirmwareOptions options()
@@ -82,7 +90,7 @@ private:
         switch (any(0, 12)) {
         case 0:
         case 1:
-            return ArmCommand{};
+            return ArmCommand{static_cast<std::uint32_t>(any(0, 7) == 0 ? m_token : any(0, 1000))};
         case 2:
             return any(0, 3) == 0 ? CommandBody(DisarmCommand{}) : CommandBody(HeartbeatCommand{});
         case 3:
@@ -139,11 +147,21 @@ private:
     {
         for (const Report& bytes : m_firmware.outbox()) {
             const StreamReport report = std::get<StreamReport>(*decodeInput(bytes));
+            if (report.timestamp_us >= m_answered_us) // an older one may come behind an answer
+                m_armed = report.status & StatusArmed;
             watchdogs += report.status & StatusWatchdog ? 1 : 0;
             for (std::size_t i = 0; i < report.count; ++i)
                 judge(report, report.samples[i].force);
         }
         m_firmware.outbox().clear();
+    }
+    void judgeArming(std::uint32_t token, const Acknowledgement& answer)
+    {
+        const bool wasUsed = token != 0 && token == m_token;
+        lateArms += wasUsed && !m_armed ? 1 : 0;
+        if (wasUsed && !m_armed && answer.status & StatusArmed)
+            broken = "armed twice by one wish";
+        m_token = token == 0 ? m_token : token;
     }
     void judge(const StreamReport& report, std::int32_t force)
     {
@@ -162,6 +180,9 @@ private:
     VirtualFirmware m_firmware;
     std::uint64_t m_now_us = 0, m_silence = 0;
     std::uint16_t m_number = 0, m_excitation = 1;
+    std::uint32_t m_token = 0;       ///< of the last Arm
+    bool m_armed = false;            ///< by the last report
+    std::uint32_t m_answered_us = 0; ///< the device's time of the last answer
     std::int32_t m_limit = deviceForce, m_limitOfSqueeze = 0;
     SetLimitsCommand m_limits;
     std::vector<std::int32_t> m_forces;
@@ -174,7 +195,7 @@ class LimitsTest : public QObject {
 private slots:
     void noOrderOfCommandsPassesTheLimitsOfTheDevice()
     {
-        int started = 0, refused = 0, pushed = 0, watchdogs = 0;
+        int started = 0, refused = 0, pushed = 0, watchdogs = 0, lateArms = 0;
         for (std::uint64_t seed = 1; seed <= 50; ++seed) {
             Adversary adversary(seed);
             for (int i = 0; i < 4000; ++i) {
@@ -185,14 +206,18 @@ private slots:
             refused += adversary.refusedLimits;
             pushed += adversary.pushed;
             watchdogs += adversary.watchdogs;
+            lateArms += adversary.lateArms;
         }
         // It did get to where limits matter.
-        QVERIFY2(started > 1000 && pushed > 10000 && refused > 100 && watchdogs > 100,
-                 qPrintable(u"%1 squeezes, %2 samples of force, %3 limits refused, %4 with the watchdog"_s
-                                .arg(started)
-                                .arg(pushed)
-                                .arg(refused)
-                                .arg(watchdogs)));
+        QVERIFY2(
+            started > 1000 && pushed > 5000 && refused > 100 && watchdogs > 100 && lateArms > 100,
+            qPrintable(
+                u"%1 squeezes, %2 samples of force, %3 limits refused, %4 with the watchdog, %5 late Arms"_s
+                    .arg(started)
+                    .arg(pushed)
+                    .arg(refused)
+                    .arg(watchdogs)
+                    .arg(lateArms)));
     }
 
     void aForceUpToTheLimitIsTakenAndNotPassed_data()

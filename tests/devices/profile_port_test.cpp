@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Another maker's gripper as the sessions see it: found by its profile, listened to, never written to.
 #include "core/identification/identification.h"
-#include "core/session/connect_session.h"
-#include "core/session/squeeze_job.h"
-#include "core/signal/units.h"
+#include "core/session/connection/connect_session.h"
+#include "core/session/squeeze/squeeze_job.h"
+#include "core/signal/recording/units.h"
 #include "devices/acquisition/device_port.h"
 #include "devices/profile/profiled_device.h"
 #include "devices/profile/report_watch.h"
@@ -182,7 +182,7 @@ private slots:
         const Recording blind = listenTo(u"virtual:?speed=0&fault=loss:0.05&profile=example_bare"_s, 1);
         QVERIFY(blind.provenance[u"losses"_s].startsWith(u"cannot be seen"_s));
         for (const ValidityCheck& check : identify(blind).validity.checks)
-            QVERIFY(check.id != u"samples_lost" || check.message.contains(u"cannot be seen"));
+            QVERIFY(check.id != u"samples_lost" || check.message.describe().contains(u"cannot be seen"));
         const Recording seen = listenTo(u"virtual:?speed=0&profile=walkthrough"_s, 1);
         QVERIFY(seen.size() > 0 && !seen.provenance.contains(u"losses"_s));
     }

@@ -10,7 +10,7 @@
 using namespace gripscope;
 using namespace gripscope::test;
 using namespace Qt::StringLiterals;
-using State = ConnectSession::State;
+using LinkPhase = ConnectSession::State;
 
 class ReconnectTest : public QObject {
     Q_OBJECT
@@ -19,10 +19,10 @@ private slots:
     {
         ConnectedProgram program;
         QVERIFY(program.connectTo(u"virtual:?seed=5&fault=unplug:0.1,replug:0.05"_qs));
-        QVERIFY(program.untilState(State::Lost));
+        QVERIFY(program.untilState(LinkPhase::Lost));
         QVERIFY(program.connection.awaiting());
         QVERIFY(program.connection.counters().samples > 0);
-        QVERIFY(program.untilState(State::Connected));
+        QVERIFY(program.untilState(LinkPhase::Connected));
         QCOMPARE(program.connection.identity().serial, u"VG-5"_qs);
         QVERIFY(program.untilSamples(1));
         QCOMPARE(program.connection.reconnections(), 1);
@@ -32,7 +32,7 @@ private slots:
     {
         ConnectedProgram program;
         QVERIFY(program.connectTo(u"virtual:?fault=unplug:0.05"_qs));
-        QVERIFY(program.untilState(State::Lost));
+        QVERIFY(program.untilState(LinkPhase::Lost));
         QVERIFY(!program.connection.awaiting());
     }
 
@@ -47,7 +47,7 @@ private slots:
         QVERIFY(program.squeeze());
         QCOMPARE(program.job.state(), SqueezeJob::State::Failed);
         QCOMPARE(program.job.error()->code, ErrorCode::DeviceLost);
-        QVERIFY(program.untilState(State::Connected));
+        QVERIFY(program.untilState(LinkPhase::Connected));
         QVERIFY(!program.connection.armed());
         QVERIFY(!program.squeeze()); // not before a person armed it again
         QVERIFY(program.arm());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/recording_csv.h"
+#include "core/signal/recording/recording_csv.h"
 #include "devices/replay/capture.h"
 #include "tests/devices/port_helpers.h"
 #include "tests/support/test_registry.h"
@@ -179,7 +179,7 @@ private slots:
         const auto capture = parse(bytes);
         QVERIFY(!capture);
         QVERIFY(capture.error().code == ErrorCode::BadInput);
-        QCOMPARE(capture.error().arguments.first(), place);
+        QCOMPARE(capture.error().argument(0), place);
     }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/acquisition/report_log.h"
+#include "core/session/connection/report_log.h"
 #include "devices/protocol/codec.h"
 #include "devices/protocol/descriptor_words.h"
 #include "devices/protocol/report_descriptor.h"
@@ -40,7 +40,7 @@ private slots:
         stream.excitationNumber = 8;
         stream.count = 2;
         stream.samples[1] = {-8, 617};
-        const ReportWords words = inWords(encode(stream));
+        const ReportWords words = reportInWords(encode(stream));
         QCOMPARE(words.kind, u"Stream"_s);
         QVERIFY(words.problem.isEmpty());
         QCOMPARE(field(words, u"status"_s), u"armed, force saturated"_s);
@@ -58,38 +58,43 @@ private slots:
                                               StartCommand{5, 6, 7},  FinishCommand{8}};
         QStringList kinds;
         for (const CommandBody& body : bodies) {
-            const ReportWords words = inWords(encode(Command{600, body}));
+            const ReportWords words = reportInWords(encode(Command{600, body}));
             QVERIFY(words.problem.isEmpty());
             QCOMPARE(field(words, u"number"_s), u"600"_s);
             kinds << words.kind;
         }
         QCOMPARE(kinds.join(u", "_s), u"Arm, Disarm, Stop, Heartbeat, Set limits, Upload, Start, Finish"_s);
+        QCOMPARE(field(reportInWords(encode(Command{1, ArmCommand{0x5EED}})), u"token"_s), u"0x00005eed"_s);
+        QCOMPARE(field(reportInWords(encode(Command{1, ArmCommand{}})), u"token"_s), u"none"_s);
         IdentityFeature identity;
         identity.serial = "GS-7";
-        QCOMPARE(field(inWords(encode(identity)), u"serial number"_s), u"GS-7"_s);
+        QCOMPARE(field(reportInWords(encode(identity)), u"serial number"_s), u"GS-7"_s);
         MeasurementFeature measurement;
         measurement.sampleTime_s = 0.0005;
-        QCOMPARE(field(inWords(encode(measurement)), u"sample time"_s), u"0.0005 s"_s);
-        QCOMPARE(field(inWords(encode(LimitsFeature{100, 200, 300})), u"longest travel"_s), u"200 counts"_s);
+        QCOMPARE(field(reportInWords(encode(measurement)), u"sample time"_s), u"0.0005 s"_s);
+        QCOMPARE(field(reportInWords(encode(LimitsFeature{100, 200, 300})), u"longest travel"_s),
+                 u"200 counts"_s);
         Acknowledgement answer;
         answer.command = ReportId::Upload;
         answer.commandNumber = 513;
         answer.result = CommandResult::LimitExceeded;
-        QCOMPARE(field(inWords(encode(answer)), u"command"_s), u"Upload, number 513"_s);
-        QCOMPARE(field(inWords(encode(answer)), u"result"_s), u"a value is above a limit"_s);
+        answer.detail = 24;
+        QCOMPARE(field(reportInWords(encode(answer)), u"command"_s), u"Upload, number 513"_s);
+        QCOMPARE(field(reportInWords(encode(answer)), u"result"_s),
+                 u"force 24 of the signal is above the limit"_s);
     }
 
     void whatIsDamagedSaysSo()
     {
         Report report = encode(Command{1, StopCommand{}});
         report[5] ^= 1;
-        QCOMPARE(inWords(report).kind, u"Stop"_s);
-        QCOMPARE(inWords(report).problem, u"the checksum differs"_s);
-        QVERIFY(inWords(report).fields.empty());
-        QVERIFY(!inWords({}).problem.isEmpty());
-        QVERIFY(inWords(ReportView(report).first(3)).problem.contains(u"64 bytes"_s));
+        QCOMPARE(reportInWords(report).kind, u"Stop"_s);
+        QCOMPARE(reportInWords(report).problem, u"the checksum differs"_s);
+        QVERIFY(reportInWords(report).fields.empty());
+        QVERIFY(!reportInWords({}).problem.isEmpty());
+        QVERIFY(reportInWords(ReportView(report).first(3)).problem.contains(u"64 bytes"_s));
         report[0] = 0x7F;
-        QCOMPARE(inWords(report).kind, u"unknown report 0x7f"_s);
+        QCOMPARE(reportInWords(report).kind, u"unknown report 0x7f"_s);
     }
 
     void theReportDescriptorIsReadItemByItem()

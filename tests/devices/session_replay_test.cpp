@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A session with a bad cable, replayed: the same samples, the same squeezes, the same estimates, the same
 // verdicts, bit for bit.
-#include "core/session/enroll_session.h"
-#include "core/session/inspect_session.h"
-#include "core/signal/recording_csv.h"
+#include "core/session/enroll/enroll_session.h"
+#include "core/session/inspect/inspect_session.h"
+#include "core/signal/recording/recording_csv.h"
 #include "devices/replay/capture_reader.h"
 #include "devices/replay/captured_session.h"
 #include "tests/devices/port_helpers.h"

@@ -1,94 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/device_button.h"
-#include "devices/virtual/virtual_firmware.h"
+#include "core/session/connection/device_button.h"
+#include "tests/devices/bare_device.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
 
 using namespace gripscope;
 using namespace gripscope::protocol;
+using namespace gripscope::test;
 using namespace Qt::StringLiterals;
 
 // The device itself, by its bytes alone: what protects a hand must hold whatever a program sends.
 
 namespace {
 
-struct Device {
-    explicit Device(const QString& object = u"A"_qs) : firmware(options(object)) {}
-
-    static VirtualFirmwareOptions options(const QString& object)
-    {
-        VirtualFirmwareOptions out;
-        out.object = VirtualObject::fromText(object).value();
-        out.objectName = object;
-        return out;
-    }
-
-    Acknowledgement send(const CommandBody& body) { return send(Command{++number, body}); }
-    Acknowledgement send(const Command& command)
-    {
-        firmware.receive(encode(command), now_us);
-        for (const Report& report : firmware.outbox()) {
-            const Decoded<InputMessage> message = decodeInput(report);
-            if (const auto* samples = std::get_if<StreamReport>(&*message))
-                stream.push_back(*samples);
-        }
-        const Acknowledgement answer = std::get<Acknowledgement>(*decodeInput(firmware.outbox().back()));
-        firmware.outbox().clear();
-        return answer;
-    }
-
-    /// Lets `samples` pass, with a heartbeat each 50 ms unless told otherwise.
-    void run(std::size_t samples, bool heartbeats = true)
-    {
-        for (std::size_t i = 0; i < samples; ++i) {
-            now_us += 500;
-            firmware.sample(now_us);
-            if (heartbeats && i % 100 == 0)
-                send(HeartbeatCommand{});
-        }
-        for (const Report& report : firmware.outbox())
-            stream.push_back(std::get<StreamReport>(*decodeInput(report)));
-        firmware.outbox().clear();
-    }
-
-    CommandResult upload(const std::vector<std::int32_t>& forces, std::uint16_t excitation)
-    {
-        for (std::size_t first = 0; first < forces.size(); first += maxForcesPerUpload) {
-            UploadCommand chunk;
-            chunk.excitationNumber = excitation;
-            chunk.offset = static_cast<std::uint32_t>(first);
-            chunk.count = static_cast<std::uint8_t>(std::min(maxForcesPerUpload, forces.size() - first));
-            std::copy_n(forces.begin() + static_cast<std::ptrdiff_t>(first), chunk.count,
-                        chunk.forces.begin());
-            if (const CommandResult result = send(chunk).result; result != CommandResult::Done)
-                return result;
-        }
-        return CommandResult::Done;
-    }
-    CommandResult start(const std::vector<std::int32_t>& forces, std::uint16_t excitation)
-    {
-        return send(StartCommand{excitation, static_cast<std::uint32_t>(forces.size()), forcesCrc(forces)})
-            .result;
-    }
-
-    /// Samples in which the force was on, by the sensor, which has 20 counts of noise.
-    std::size_t pushedSamples() const
-    {
-        std::size_t count = 0;
-        for (const StreamReport& report : stream)
-            for (std::size_t i = 0; i < report.count; ++i)
-                count += report.samples[i].force > 500 ? 1 : 0;
-        return count;
-    }
-    std::uint16_t lastStatus() const { return stream.back().status; }
-
-    VirtualFirmware firmware;
-    std::vector<StreamReport> stream;
-    std::uint64_t now_us = 0;
-    std::uint16_t number = 0;
-};
-
+using Device = BareDevice;
 const std::vector<std::int32_t> push(200, 10000); // 10 N for 100 ms
 
 } // namespace

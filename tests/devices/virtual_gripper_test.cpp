@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/discretization.h"
-#include "devices/virtual/virtual_object.h"
+#include "core/identification/model/discretization.h"
+#include "devices/address/virtual_object.h"
 #include "tests/devices/port_helpers.h"
 #include "tests/support/test_registry.h"
 

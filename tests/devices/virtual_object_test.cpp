@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/paper_appendix.h"
-#include "devices/virtual/virtual_object.h"
+#include "core/recognition/types/paper_appendix.h"
+#include "devices/address/virtual_object.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

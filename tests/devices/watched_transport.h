@@ -44,6 +44,7 @@ public:
     }
     void close() noexcept override { m_inner->close(); }
     bool streamsAlways() const override { return m_inner->streamsAlways(); }
+    bool keepsComputerTime() const override { return m_inner->keepsComputerTime(); }
     FaultCounts faultCounts() const { return m_inner->faultCounts(); }
 
     std::chrono::milliseconds openTakes{0};

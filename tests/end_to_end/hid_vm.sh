@@ -13,11 +13,15 @@ mkdir -p "$work/debs" "$work/system"
 
 # 1. The machine: QEMU where it is not installed, a shell, the kernel.
 if [[ ! -e $work/unpacked ]]; then
-  names=(busybox-static cpio)
-  command -v qemu-system-x86_64 >/dev/null || mapfile -t -O 2 names < <(
-    apt-get install --simulate --no-install-recommends qemu-system-x86 | awk '/^Inst/ {print $2}')
-  names+=("$(apt-cache depends linux-image-cloud-amd64 | awk '/Depends: linux-image/ {print $2; exit}')")
-  (cd "$work/debs" && apt-get download "${names[@]}" 2>/dev/null) ||
+  download() {
+    names=(busybox-static cpio)
+    command -v qemu-system-x86_64 >/dev/null || mapfile -t -O 2 names < <(
+      apt-get install --simulate --no-install-recommends qemu-system-x86 | awk '/^Inst/ {print $2}')
+    names+=("$(apt-cache depends linux-image-cloud-amd64 | awk '/Depends: linux-image/ {print $2; exit}')")
+    (cd "$work/debs" && apt-get download "${names[@]}" 2>/dev/null)
+  }
+  # The package lists may be old or absent: fetch them, where one may, when the first try fails.
+  download || { [[ $EUID -eq 0 ]] && apt-get update -qq && download; } ||
     { echo "hid_vm: not run, these packages cannot be had: ${names[*]}"; exit 77; }
   for package in "$work"/debs/*.deb; do dpkg-deb -x "$package" "$work/system"; done
   touch "$work/unpacked"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A power cut, a crash, a kill: whatever was told as added is in the library afterwards, and the library
 // opens.
-#include "core/store/library.h"
+#include "core/library/library.h"
 #include "tests/end_to_end/program_run.h"
 #include "tests/support/test_registry.h"
 

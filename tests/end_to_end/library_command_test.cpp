@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Commands that look at whole libraries: tables that are enrolled, drift, transfer.
-#include "core/signal/gaussian.h"
-#include "core/store/library.h"
+#include "core/library/library.h"
+#include "core/math/gaussian.h"
 #include "tests/end_to_end/program_run.h"
 #include "tests/support/test_registry.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the library knows of a gripper's channels reaches its recordings, and files tell the hold together.
-#include "core/store/library.h"
+#include "core/library/library.h"
 #include "tests/end_to_end/program_run.h"
 #include "tests/support/test_registry.h"
 

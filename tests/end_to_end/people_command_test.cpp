@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/store/audit_trail.h"
-#include "core/store/library.h"
-#include "core/store/people_register.h"
+#include "core/library/audit/audit_trail.h"
+#include "core/library/library.h"
+#include "core/library/people/people_register.h"
 #include "tests/end_to_end/program_run.h"
 #include "tests/support/test_registry.h"
 
@@ -18,6 +18,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 const QByteArray pin = "2468135790";
+const QByteArray ollisSecret = "ein langes Wort";
 
 /// A terminal of the test's own, for a program to ask on.
 class Terminal {
@@ -95,11 +96,32 @@ class PeopleCommandTest : public QObject {
         QByteArray onTerminal;
         if (secret)
             onTerminal = terminal.answer(*secret);
-        const bool ended = process.waitForFinished(120'000) && process.exitStatus() == QProcess::NormalExit;
+        const bool ended = process.waitForFinished(300'000) && process.exitStatus() == QProcess::NormalExit;
         if (shown)
             *shown = onTerminal + (secret ? terminal.rest() : QByteArray());
         return {ended ? process.exitCode() : -1, process.readAllStandardOutput(),
                 process.readAllStandardError()};
+    }
+
+    /// The audit trail, newest first.
+    [[nodiscard]] QJsonArray entries() const
+    {
+        return run({u"audit"_s, u"--limit"_s, u"100"_s}).json()[u"entries"_s].toArray();
+    }
+    static void actAsSam(Library& library)
+    {
+        const auto sam = library.people().named(u"Sam"_s);
+        const auto authority = library.people().signIn(sam->id, Secret(QString::fromLatin1(pin)));
+        QVERIFY(authority);
+        library.actAs({{}, *authority, {}});
+    }
+    void addOlli() const
+    {
+        const auto library = Library::open(file());
+        QVERIFY(library);
+        actAsSam(**library);
+        QVERIFY(
+            (*library)->people().add(u"Olli"_s, Role::Operator, Secret(QString::fromLatin1(ollisSecret))));
     }
 
 private slots:
@@ -152,6 +174,84 @@ private slots:
         const ProgramRun done = run(enroll + QStringList{u"--operator"_s, u"Mai"_s}, u"Sam"_s, pin);
         QVERIFY2(done.exit == 0, done.out + done.err);
         QCOMPARE(done.json()[u"squeezes"_s].toInt(), 11);
+    }
+    void armingNeedsOneOfThePeopleAndIsKept()
+    {
+        const QStringList record{u"record"_s,    u"--device"_s,   u"virtual:?object=A&seed=9&speed=0"_s,
+                                 u"--seconds"_s, u"0.2"_s,        u"--arm"_s,
+                                 u"-o"_s,        u"squeeze.csv"_s};
+        addOlli();
+        const qint64 before = entries().size();
+        const ProgramRun unnamed = run(record);
+        QCOMPARE(unnamed.exit, 2);
+        QVERIFY(unnamed.json()[u"error"_s][u"message"_s].toString().contains(u"GRIPSCOPE_PERSON"_s));
+        QCOMPARE(run(record, u"Olli"_s).exit, 2);      // no terminal to ask on
+        QCOMPARE(run(record, u"Olli"_s, pin).exit, 2); // that is Sam's
+        QCOMPARE(entries().size(), before + 1);        // the wrong try
+        QVERIFY(!QFile::exists(m_work.path(u"squeeze.csv"_s)));
+
+        const ProgramRun done = run(record, u"Olli"_s, ollisSecret);
+        QVERIFY2(done.exit == 0, done.out + done.err);
+        QVERIFY(QFile::exists(m_work.path(u"squeeze.csv"_s)));
+        const QJsonObject armed = entries()[0].toObject();
+        QCOMPARE(armed[u"action"_s].toString(), u"gripper.armed"_s);
+        QCOMPARE(armed[u"person"_s].toString(), u"Olli"_s);
+        QCOMPARE(armed[u"role"_s].toString(), u"operator"_s);
+        QCOMPARE(armed[u"subject"_s].toString(), u"VG-9"_s);
+        QCOMPARE(armed[u"details"_s][u"from"_s].toString(), u"command line"_s);
+        QCOMPARE(armed[u"details"_s][u"largest_force_N"_s].toDouble(), 30.0);
+        QCOMPARE(armed[u"details"_s][u"force_limit_N"_s].toDouble(), 33.0);
+        QFile recording(m_work.path(u"squeeze.csv"_s));
+        QVERIFY(recording.open(QIODevice::ReadOnly));
+        QVERIFY(recording.readAll().contains("# operator: Olli\n"));
+
+        // Listening moves nothing and needs nobody.
+        QStringList listen = record;
+        listen.removeAll(u"--arm"_s);
+        listen[2] = u"virtual:?object=A&seed=9"_s; // which streams all the time
+        QCOMPARE(run(listen).exit, 0);
+    }
+    void armingIsTheSupervisorsWhereThePolicySaysSo()
+    {
+        const QStringList record{u"record"_s,    u"--device"_s,   u"virtual:?object=A&seed=9&speed=0"_s,
+                                 u"--seconds"_s, u"0.2"_s,        u"--arm"_s,
+                                 u"-o"_s,        u"squeeze.csv"_s};
+        addOlli();
+        {
+            const auto library = Library::open(file());
+            actAsSam(**library);
+            QVERIFY((*library)->people().setArming(ArmingPolicy::Supervisors));
+        }
+        const ProgramRun refused = run(record, u"Olli"_s, ollisSecret);
+        QCOMPARE(refused.exit, 2);
+        QVERIFY2(refused.json()[u"error"_s][u"message"_s].toString().contains(u"supervisor"_s), refused.out);
+        QVERIFY(run(record).json()[u"error"_s][u"message"_s].toString().contains(u"a supervisor"_s));
+        QCOMPARE(run(record, u"Sam"_s, pin).exit, 0);
+        QCOMPARE(entries()[0][u"action"_s].toString(), u"gripper.armed"_s);
+        QCOMPARE(entries()[0][u"role"_s].toString(), u"supervisor"_s);
+    }
+    void anotherLibraryIsNoWayRoundThePeopleInTheUsersOwn()
+    {
+        const QStringList record{u"record"_s,    u"--device"_s,    u"virtual:?object=A&seed=9&speed=0"_s,
+                                 u"--seconds"_s, u"0.2"_s,         u"--arm"_s,
+                                 u"-o"_s,        u"squeeze.csv"_s, u"--json"_s};
+        // Nobody is in either: nobody is asked, and it is kept where a library is.
+        QFile::rename(file(), m_work.path(u"people.db"_s));
+        QCOMPARE(m_work.cli(record).exit, 0); // there is no library at all
+        QVERIFY(Library::open(file()));
+        QCOMPARE(m_work.cli(record + QStringList{u"--library"_s, u"lib.db"_s}).exit, 0);
+        const QJsonObject armed = entries()[0].toObject();
+        QCOMPARE(armed[u"action"_s].toString(), u"gripper.armed"_s);
+        QCOMPARE(armed[u"person"_s].toString(), u"tester"_s); // of this computer
+        QCOMPARE(armed[u"role"_s].toString(), QString());
+        // The user's own library has people now: the other one does not help.
+        QVERIFY(QDir().mkpath(m_work.path(u"gripscope"_s)));
+        QVERIFY(QFile::copy(m_work.path(u"people.db"_s), m_work.path(u"gripscope/library.db"_s)));
+        QFile::remove(m_work.path(u"squeeze.csv"_s));
+        const ProgramRun round = m_work.cli(record + QStringList{u"--library"_s, u"lib.db"_s});
+        QCOMPARE(round.exit, 2);
+        QVERIFY(!QFile::exists(m_work.path(u"squeeze.csv"_s)));
+        QCOMPARE(m_work.cli(record).exit, 2);
     }
     void theTrailIsListedAndVerified()
     {

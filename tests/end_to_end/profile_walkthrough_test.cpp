@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The manual's walkthrough of writing a profile, followed word by word.
-#include "core/signal/units.h"
-#include "devices/virtual/virtual_object.h"
+#include "core/signal/recording/units.h"
+#include "devices/address/virtual_object.h"
 #include "tests/end_to_end/program_run.h"
 #include "tests/support/test_registry.h"
 

@@ -69,7 +69,7 @@ public:
         QProcess process;
         prepare(process, arguments);
         process.start();
-        const bool ended = process.waitForFinished(120'000) && process.exitStatus() == QProcess::NormalExit;
+        const bool ended = process.waitForFinished(300'000) && process.exitStatus() == QProcess::NormalExit;
         return {ended ? process.exitCode() : -1, process.readAllStandardOutput(),
                 process.readAllStandardError()};
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/gripper_factory.h"
+#include "devices/factory/gripper_factory.h"
 #include "devices/replay/capture_folder.h"
 #include "tests/end_to_end/program_run.h"
 #include "tests/support/test_registry.h"
@@ -109,7 +109,7 @@ private slots:
             factory.keepSessions(KeepSessions{path, {}, true});
             const auto port = factory.create(u"virtual:"_s).value();
             port->open();
-            QTRY_VERIFY_WITH_TIMEOUT(port->counters().samples > 0, 30000);
+            QTRY_VERIFY_WITH_TIMEOUT(port->counters().samples > 0, gripscope::test::longEnough_ms);
             port->close();
         }
         const CaptureFolder folder(path);

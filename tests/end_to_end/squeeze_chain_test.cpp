@@ -163,15 +163,15 @@ private slots:
         QProcess process;
         m_work.prepare(process, {u"record"_s, u"--device"_s, u"virtual:"_s, u"--seconds"_s, u"8"_s,
                                  u"--arm"_s, u"-o"_s, u"never.csv"_s});
-        QElapsedTimer timer;
-        timer.start();
         process.start();
         QVERIFY(process.waitForStarted());
         process.setReadChannel(QProcess::StandardError);
         while (!process.canReadLine())
-            QVERIFY(process.waitForReadyRead(30'000)); // "Squeezing..."
+            QVERIFY(process.waitForReadyRead(60'000)); // "Squeezing..."
+        QElapsedTimer timer;
+        timer.start();
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
-        QVERIFY(process.waitForFinished(30'000));
+        QVERIFY(process.waitForFinished(60'000));
         QCOMPARE(process.exitStatus(), QProcess::NormalExit);
         QCOMPARE(process.exitCode(), 4);
         QVERIFY(process.readAllStandardError().contains("cancelled"));

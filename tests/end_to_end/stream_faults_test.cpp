@@ -38,7 +38,7 @@ private slots:
             << fast << QByteArray("0.5 clock +0.3\n") << u"clock_steps"_s << u"clock jumped"_s;
         QTest::newRow("clock set back")
             << fast << QByteArray("0.5 clock -0.2\n") << u"clock_steps"_s << u"clock jumped"_s;
-        // Opening, arming and uploading take less than a second.
+        // Listened to; in a squeeze it is stopped, see below.
         QTest::newRow("stall") << QString() << QByteArray("2.0 stall\n2.3 resume\n") << u"stalls"_s
                                << u"fell silent"_s;
     }
@@ -51,8 +51,11 @@ private slots:
         m_work.write(u"faults.txt"_s, script);
         const QString device = u"virtual:?seed=3&"_s + options + u"script="_s + m_work.path(u"faults.txt"_s);
         const QString seconds = options.isEmpty() ? u"4"_s : u"1"_s;
-        const ProgramRun run = m_work.cli({u"record"_s, u"--device"_s, device, u"--seconds"_s, seconds,
-                                           u"--arm"_s, u"-o"_s, u"squeeze.csv"_s, u"--json"_s});
+        QStringList arguments{u"record"_s, u"--device"_s, device,           u"--seconds"_s,
+                              seconds,     u"-o"_s,       u"squeeze.csv"_s, u"--json"_s};
+        if (!options.isEmpty())
+            arguments << u"--arm"_s;
+        const ProgramRun run = m_work.cli(arguments);
         QVERIFY2(run.exit == 0, run.err.constData());
         const QJsonObject stream = run.json()[u"stream"].toObject();
         for (const QString& name :
@@ -69,6 +72,30 @@ private slots:
         QCOMPARE(check[u"ok"].toBool(), word.isEmpty());
         QVERIFY2(check[u"message"].toString().contains(word), qPrintable(check[u"message"].toString()));
         QCOMPARE(document[u"validity"][u"verdict"].toString() == u"valid"_s, word.isEmpty());
+    }
+
+    void aStallInASqueezeStopsItWithWords_data()
+    {
+        QTest::addColumn<QByteArray>("script");
+        QTest::addColumn<QByteArray>("told");
+        // Opening, arming and uploading take less than four seconds, the squeeze eight.
+        QTest::newRow("it is heard again in time")
+            << QByteArray("4.0 stall\n4.1 resume\n") << QByteArray("no samples came for 50 ms");
+        // Nobody saw that it stopped.
+        QTest::newRow("it stays silent") << QByteArray("4.0 stall\n4.5 resume\n")
+                                         << QByteArray("did not obey Stop. Switch off its power.");
+    }
+    void aStallInASqueezeStopsItWithWords()
+    {
+        QFETCH(QByteArray, script);
+        QFETCH(QByteArray, told);
+        m_work.write(u"silence.txt"_s, script);
+        const ProgramRun run =
+            m_work.cli({u"record"_s, u"--device"_s, u"virtual:?script="_s + m_work.path(u"silence.txt"_s),
+                        u"--seconds"_s, u"8"_s, u"--arm"_s, u"-o"_s, u"silence.csv"_s});
+        QCOMPARE(run.exit, 4);
+        QVERIFY2(run.err.contains(told), run.err.constData());
+        QVERIFY(!QFile::exists(m_work.path(u"silence.csv"_s)));
     }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/store/library.h"
+#include "core/library/library.h"
 #include "tests/end_to_end/program_run.h"
 #include "tests/support/test_registry.h"
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/people_window.h"
-#include "ui/models/audit_csv.h"
-#include "ui/models/audit_model.h"
-#include "ui/people/audit_dialog.h"
+#include "ui/people/people_dialogs.h"
 
 #include <QAbstractItemModelTester>
 #include <QFile>
@@ -17,9 +15,7 @@ using gripscope::test::PeopleWindow;
 
 namespace {
 
-constexpr int patience_ms = PeopleWindow::patience_ms;
-
-std::vector<AuditEntry> page(qint64 newest, int count)
+std::vector<AuditEntry> auditPage(qint64 newest, int count)
 {
     std::vector<AuditEntry> entries;
     for (int i = 0; i < count; ++i) {
@@ -47,23 +43,23 @@ private slots:
         AuditModel model;
         const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
         QSignalSpy asked(&model, &AuditModel::pageAsked);
-        model.restart(5, page(5, 3));
+        model.restart(5, auditPage(5, 3));
         model.fetchMore({}); // the tester has asked for more already; the first answer is still on its way
         QCOMPARE(asked.size(), 1);
         QCOMPARE(asked.first().first().toInt(), 3);
-        model.append(1, page(2, 2)); // an older question
+        model.append(1, auditPage(2, 2)); // an older question
         QCOMPARE(model.rowCount(), 3);
-        model.append(3, page(2, 2));
+        model.append(3, auditPage(2, 2));
         QCOMPARE(model.rowCount(), 5);
         QVERIFY(!model.canFetchMore({}));
-        model.restart(9, page(9, 4));
+        model.restart(9, auditPage(9, 4));
         model.append(4, {}); // there is no more
         QCOMPARE(model.total(), 4);
     }
     void anEntryIsWorded()
     {
         AuditModel model;
-        model.restart(1, page(1, 1));
+        model.restart(1, auditPage(1, 1));
         const auto text = [&model](AuditModel::Column column) {
             return model.index(0, static_cast<int>(column)).data().toString();
         };
@@ -71,7 +67,7 @@ private slots:
         QCOMPARE(text(AuditModel::Column::Action), u"Type approved"_s);
         QCOMPARE(text(AuditModel::Column::Details), u"version: 7"_s);
         QCOMPARE(text(AuditModel::Column::Time).size(), 19); // to the second
-        std::vector<AuditEntry> consent = page(1, 1);
+        std::vector<AuditEntry> consent = auditPage(1, 1);
         consent.front().action = u"authorised"_s;
         consent.front().subject = u"change_settings"_s;
         model.restart(1, consent);
@@ -79,7 +75,7 @@ private slots:
     }
     void theCsvHasEveryFieldOfTheChain()
     {
-        const QString text = QString::fromUtf8(toCsv(page(3, 1)));
+        const QString text = QString::fromUtf8(toCsv(auditPage(3, 1)));
         QVERIFY(text.startsWith(u"number,time_utc,station,person,role,action,subject,reason,details,"
                                 "previous_hash,hash\n3,2026-01-01T12:00:00.000Z,,Sam,supervisor,type.approve,"
                                 "\"Cola, \"\"330 ml\"\"\",,\"{\"\"version\"\":7}\",,\n"_s));
@@ -90,19 +86,19 @@ private slots:
         auto* dialog = new AuditDialog(*f.bench, f.window.get());
         dialog->open();
         auto* model = f.find<QTableView>("auditTable")->model();
-        QTRY_COMPARE_WITH_TIMEOUT(model->rowCount(), 4, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(model->rowCount(), 4, gripscope::test::longEnough_ms);
         f.find<QComboBox>("auditAction")->setCurrentIndex(3); // people
-        QTRY_COMPARE_WITH_TIMEOUT(model->rowCount(), 2, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(model->rowCount(), 2, gripscope::test::longEnough_ms);
         QTest::keyClicks(f.find<QLineEdit>("auditText"), u"olli"_s);
-        QTRY_COMPARE_WITH_TIMEOUT(model->rowCount(), 1, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(model->rowCount(), 1, gripscope::test::longEnough_ms);
         f.click(f.find<QPushButton>("auditVerify"));
         auto* result = f.find<QLabel>("auditResult");
         QTRY_VERIFY_WITH_TIMEOUT(result->text().startsWith(u"All 4 entries are as they were written"_s),
-                                 patience_ms);
+                                 gripscope::test::longEnough_ms);
         const QTemporaryDir folder;
         const QString file = folder.filePath(u"trail.csv"_s);
         dialog->exportTo(file);
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file), gripscope::test::longEnough_ms);
         QFile csv(file);
         QVERIFY(csv.open(QIODevice::ReadOnly));
         const QList<QByteArray> lines = csv.readAll().split('\n');

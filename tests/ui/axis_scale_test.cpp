@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
-#include "ui/charts/channel_scale.h"
-#include "ui/scene/axis_scale.h"
+#include "ui/charts/axis_ticks.h"
+#include "ui/format/channel_scale.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
-#include "ui/widgets/axis_ticks.h"
+#include "ui/charts/axis_ticks.h"
 
 #include <QTest>
 

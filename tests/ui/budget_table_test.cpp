@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
+#include "ui/format/interval_text.h"
 #include "ui/models/budget_table_model.h"
-#include "ui/models/interval_text.h"
-#include "ui/pages/fit_page_budget.h"
+#include "ui/pages/fit/fit_page_summary.h"
 #include "ui/theme/theme.h"
 
 #include <QLabel>
@@ -16,7 +16,7 @@ using namespace gripscope;
 namespace {
 
 /// Noise of 3 and a lag of 4 per cent of m = 0.04 kg, b = 40 N s/m, k = 10 kN/m: 5 % combined.
-UncertaintyBudget example()
+UncertaintyBudget exampleBudget()
 {
     UncertaintyBudget budget;
     budget.parameters = MassDampingStiffness{0.04, 40, 10000};
@@ -55,7 +55,7 @@ private slots:
     void everyEffectIsALineAndTheSumsComeLast()
     {
         BudgetTableModel model;
-        model.setBudget(example(), QStringLiteral("N"), QStringLiteral("m"));
+        model.setBudget(exampleBudget(), QStringLiteral("N"), QStringLiteral("m"));
         QCOMPARE(model.rowCount(), 4);
         QCOMPARE(model.index(0, 0).data().toString(), QStringLiteral("Position noise"));
         QCOMPARE(model.headerData(1, Qt::Horizontal, Qt::DisplayRole).toString(), QStringLiteral("u(m)\ng"));
@@ -69,7 +69,7 @@ private slots:
     void unitsOfTheChannelsGoToSi()
     {
         BudgetTableModel model;
-        model.setBudget(example(), QStringLiteral("N"), QStringLiteral("mm"));
+        model.setBudget(exampleBudget(), QStringLiteral("N"), QStringLiteral("mm"));
         // 0.04 N s^2/mm are 40 kg: 3 % of them are 1.2 kg.
         QCOMPARE(model.headerData(1, Qt::Horizontal, Qt::DisplayRole).toString(), QStringLiteral("u(m)\nkg"));
         QVERIFY(std::abs(number(model, 0, Column::Mass) - 1.2) < 1e-12);
@@ -77,7 +77,7 @@ private slots:
     void textReadsBackWithFullPrecision()
     {
         BudgetTableModel model;
-        model.setBudget(example(), QStringLiteral("N"), QStringLiteral("m"));
+        model.setBudget(exampleBudget(), QStringLiteral("N"), QStringLiteral("m"));
         const QStringList lines = model.toTsv().split(u'\n', Qt::SkipEmptyParts);
         QCOMPARE(lines.size(), qsizetype(5));
         QVERIFY(lines[0].startsWith(QStringLiteral("effect\tu(m) (kg)\t")));
@@ -93,7 +93,7 @@ private slots:
     void theWordsFollowTheRow()
     {
         BudgetPanel panel;
-        panel.setBudget(example(), QStringLiteral("N"), QStringLiteral("m"));
+        panel.setBudget(exampleBudget(), QStringLiteral("N"), QStringLiteral("m"));
         panel.show();
         auto* table = panel.findChild<QTableView*>();
         const auto said = [&] {
@@ -111,7 +111,7 @@ private slots:
     {
         BudgetPanel panel;
         panel.resize(372, 300);
-        panel.setBudget(example(), QStringLiteral("N"), QStringLiteral("m"));
+        panel.setBudget(exampleBudget(), QStringLiteral("N"), QStringLiteral("m"));
         panel.show();
         auto* table = panel.findChild<QTableView*>();
         table->clearSelection();

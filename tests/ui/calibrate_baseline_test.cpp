@@ -10,10 +10,6 @@ using namespace gripscope;
 using namespace gripscope::test;
 using namespace Qt::StringLiterals;
 
-namespace {
-constexpr int patience_ms = 60000;
-}
-
 /// The empty gripper, with a virtual one whose fingers are the object.
 class CalibrateBaselineTest : public QObject {
     Q_OBJECT
@@ -21,10 +17,10 @@ class CalibrateBaselineTest : public QObject {
     {
         using Found = std::optional<MeasuringChainRecord>;
         std::optional<Found> found;
-        f.bench->ask<Found>(
+        f.bench->background().ask<Found>(
             nullptr, [](Library& library) { return library.measuringChain(u"VG-5"_s); },
             [&](Expected<Found> record) { found = record.value(); });
-        if (!QTest::qWaitFor([&] { return found.has_value(); }, patience_ms))
+        if (!QTest::qWaitFor([&] { return found.has_value(); }, longEnough_ms))
             qFatal("the library did not answer");
         return *found;
     }
@@ -32,7 +28,7 @@ class CalibrateBaselineTest : public QObject {
 private slots:
     void aPersonMeasuresTheEmptyGripperAndTakesItOff()
     {
-        WindowFixture f(false, u"virtual:?object=0.012,9,3000&seed=5"_s);
+        WindowFixture f(false, u"virtual:?object=0.012,9,3000&seed=5&speed=0"_s);
         f.window->showPage(u"calibrate"_s);
         auto* tabs = f.find<QTabBar>("calibrateTabs");
         QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(2).center());
@@ -41,18 +37,18 @@ private slots:
         auto* act = f.find<QPushButton>("baselineAct");
         QCOMPARE(act->text(), u"Arm"_s);
         f.click(act);
-        QTRY_VERIFY_WITH_TIMEOUT(act->text().startsWith(u"Squeeze nothing"_s), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(act->text().startsWith(u"Squeeze nothing"_s), longEnough_ms);
         QTest::keyClick(f.page(u"calibrate"_s), Qt::Key_Space);
-        QTRY_COMPARE_WITH_TIMEOUT(act->text(), u"Take it off from now on"_s, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(act->text(), u"Take it off from now on"_s, longEnough_ms);
         QVERIFY(!stored(f)); // nothing before it is accepted
         f.click(act);
-        QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().measuringChain().baseline, patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().measuringChain().baseline, longEnough_ms);
         const auto kept = stored(f);
         QVERIFY(kept && kept->chain.baseline && kept->operatorName == u"Mai"_s);
         QVERIFY(std::abs(kept->chain.baseline->parameters[2] / 3000 - 1) < 0.05);
         QTRY_VERIFY(f.find<QPushButton>("baselineRemove")->isVisible());
         f.click(f.find<QPushButton>("baselineRemove"));
-        QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().measuringChain().baseline, patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().measuringChain().baseline, longEnough_ms);
         QVERIFY(!stored(f)->chain.baseline);
     }
 

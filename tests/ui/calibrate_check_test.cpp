@@ -2,10 +2,10 @@
 #include "core/calibration/calibration_record.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/models/reference_check_model.h"
-#include "ui/models/reference_words.h"
-#include "ui/pages/reference_dialog.h"
-#include "ui/status_line.h"
+#include "ui/format/reference_words.h"
+#include "ui/models/calibration_models.h"
+#include "ui/pages/calibrate/calibrate_parts.h"
+#include "ui/shell/window_bars.h"
 
 #include <QAbstractItemModelTester>
 #include <QDoubleSpinBox>
@@ -20,8 +20,6 @@ using namespace gripscope::test;
 using namespace Qt::StringLiterals;
 
 namespace {
-
-constexpr int patience_ms = 60000;
 
 ReferenceCheckRecord exampleCheck(CheckVerdict verdict)
 {
@@ -59,16 +57,16 @@ class CalibrateCheckTest : public QObject {
         dialog->findChild<QDoubleSpinBox*>(u"referenceTolerance2"_s)->setValue(10);
         QTRY_VERIFY(keep->isEnabled());
         f.click(keep);
-        QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().calibration().reference(), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().calibration().reference(), longEnough_ms);
     }
     static std::vector<ReferenceCheckRecord> stored(WindowFixture& f)
     {
         using Checks = std::vector<ReferenceCheckRecord>;
         std::optional<Checks> found;
-        f.bench->ask<Checks>(
+        f.bench->background().ask<Checks>(
             nullptr, [](Library& library) { return library.referenceChecks(u"VG-5"_s, 9); },
             [&](Expected<Checks> checks) { found = checks.value(); });
-        if (!QTest::qWaitFor([&] { return found.has_value(); }, patience_ms))
+        if (!QTest::qWaitFor([&] { return found.has_value(); }, longEnough_ms))
             qFatal("the library did not answer");
         return *found;
     }
@@ -77,19 +75,19 @@ class CalibrateCheckTest : public QObject {
 private slots:
     void aPersonStatesASpringArmsAndChecks()
     {
-        WindowFixture f(false);
+        WindowFixture f(false, gripscope::test::unhurriedA);
         showChecks(f);
         auto* act = f.find<QPushButton>("checkAct");
         QVERIFY(!act->isEnabled()); // on what?
         stateSpring(f, 9990);
         auto* standing = f.find<QLabel>("checkStanding");
-        QTRY_VERIFY_WITH_TIMEOUT(standing->text().startsWith(u"Due"_s), patience_ms);
-        QTRY_VERIFY_WITH_TIMEOUT(statusLine(f).contains(u"spring check due"_s), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(standing->text().startsWith(u"Due"_s), longEnough_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(statusLine(f).contains(u"spring check due"_s), longEnough_ms);
         QCOMPARE(act->text(), u"Arm"_s);
         f.click(act);
-        QTRY_VERIFY_WITH_TIMEOUT(act->text().startsWith(u"Check now"_s), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(act->text().startsWith(u"Check now"_s), longEnough_ms);
         QTest::keyClick(f.page(u"calibrate"_s), Qt::Key_Space);
-        QTRY_COMPARE_WITH_TIMEOUT(f.find<QTableView>("checkList")->model()->rowCount(), 1, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.find<QTableView>("checkList")->model()->rowCount(), 1, longEnough_ms);
         const auto checks = stored(f);
         QCOMPARE(checks.size(), std::size_t(1));
         QVERIFY2(checks[0].verdict == CheckVerdict::Passed,
@@ -98,26 +96,26 @@ private slots:
         QVERIFY(standing->text().startsWith(u"Passed"_s));
         QVERIFY2(f.find<QLabel>("checkOutcome")->text().contains(u"En "_s),
                  qPrintable(f.find<QLabel>("checkOutcome")->text()));
-        QTRY_VERIFY_WITH_TIMEOUT(statusLine(f).contains(u"spring check this hour"_s), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(statusLine(f).contains(u"spring check this hour"_s), longEnough_ms);
         QVERIFY(!f.bench->squeezing());
     }
 
     void aFailedCheckIsToldWhereverTheGripperIsConnected()
     {
-        WindowFixture f(false);
+        WindowFixture f(false, gripscope::test::unhurriedA);
         showChecks(f);
         stateSpring(f, 8000);
         auto* act = f.find<QPushButton>("checkAct");
         f.click(act);
-        QTRY_VERIFY_WITH_TIMEOUT(act->text().startsWith(u"Check now"_s), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(act->text().startsWith(u"Check now"_s), longEnough_ms);
         f.click(act);
         auto* standing = f.find<QLabel>("checkStanding");
         QTRY_VERIFY2_WITH_TIMEOUT(standing->text().startsWith(u"Failed"_s), qPrintable(standing->text()),
-                                  patience_ms);
+                                  longEnough_ms);
         QVERIFY(stored(f).at(0).verdict == CheckVerdict::Failed);
         f.connectTo(u"virtual:?object=A&seed=5"_s);
-        QTRY_VERIFY_WITH_TIMEOUT(f.window->message().contains(u"reference spring"_s), patience_ms);
-        QTRY_VERIFY_WITH_TIMEOUT(statusLine(f).contains(u"spring check failed"_s), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(f.window->message().contains(u"reference spring"_s), longEnough_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(statusLine(f).contains(u"spring check failed"_s), longEnough_ms);
     }
 
     void anotherTabOrPageStopsTheCheck()
@@ -127,11 +125,11 @@ private slots:
         stateSpring(f, 9990);
         auto* act = f.find<QPushButton>("checkAct");
         f.click(act);
-        QTRY_VERIFY_WITH_TIMEOUT(act->text().startsWith(u"Check now"_s), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(act->text().startsWith(u"Check now"_s), longEnough_ms);
         f.click(act);
-        QTRY_VERIFY_WITH_TIMEOUT(f.bench->squeezing(), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->squeezing(), longEnough_ms);
         f.find<QTabBar>("calibrateTabs")->setCurrentIndex(0);
-        QTRY_VERIFY_WITH_TIMEOUT(!f.bench->squeezing(), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!f.bench->squeezing(), longEnough_ms);
         QVERIFY(stored(f).empty());
     }
 

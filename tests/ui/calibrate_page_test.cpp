@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/models/calibration_list_model.h"
-#include "ui/models/calibration_points_model.h"
-#include "ui/pages/calibrate_example.h"
-#include "ui/reports/calibration_certificate.h"
-#include "ui/status_line.h"
+#include "ui/models/calibration_models.h"
+#include "ui/pages/calibrate/calibrate_page.h"
+#include "ui/reports/reports.h"
+#include "ui/shell/window_bars.h"
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
@@ -23,8 +22,6 @@ using namespace gripscope::test;
 using namespace Qt::StringLiterals;
 
 namespace {
-
-constexpr int patience_ms = 30000;
 
 CalibrationRecord exampleRecord()
 {
@@ -51,7 +48,7 @@ class CalibratePageTest : public QObject {
     }
     static bool channelSays(WindowFixture& f, double load_N)
     {
-        const LiveHistory& history = f.bench->liveHistory();
+        const LiveHistory& history = f.bench->live().history();
         const auto stretches = history.columns(LiveHistory::Channel::Force, history.newestTime_s(), 0.2, 4);
         return !stretches.empty() && !stretches.back().empty() &&
                std::abs(stretches.back().back().y - load_N) < 1 &&
@@ -76,24 +73,24 @@ private slots:
         for (const double load_N : {0.0, 10.0, 20.0}) {
             QCOMPARE(f.find<QLabel>("calibrationLoad")->text().replace(QChar(QChar::Nbsp), u' '),
                      u"%1 N"_s.arg(load_N));
-            QTRY_VERIFY_WITH_TIMEOUT(channelSays(f, load_N), patience_ms);
+            QTRY_VERIFY_WITH_TIMEOUT(channelSays(f, load_N), longEnough_ms);
             auto* steady = f.find<QLabel>("calibrationSteady");
-            QTRY_VERIFY_WITH_TIMEOUT(steady->text().contains(u"rests"_s), patience_ms);
+            QTRY_VERIFY_WITH_TIMEOUT(steady->text().contains(u"rests"_s), longEnough_ms);
             QTest::keyClick(f.page(u"calibrate"_s), Qt::Key_Space);
             const int row = int(load_N / 10);
             QTRY_VERIFY_WITH_TIMEOUT(!points->model()->index(row, 3).data().toString().isEmpty(),
-                                     patience_ms);
+                                     longEnough_ms);
             QVERIFY2(!f.find<QLabel>("calibrationWords")->isVisible(),
                      qPrintable(f.find<QLabel>("calibrationWords")->text()));
         }
         QTRY_VERIFY(f.find<QPushButton>("calibrationAccept")->isVisible());
         f.click(f.find<QPushButton>("calibrationAccept"));
         auto* list = f.find<QTableView>("calibrationList");
-        QTRY_COMPARE_WITH_TIMEOUT(list->model()->rowCount(), 1, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(list->model()->rowCount(), 1, longEnough_ms);
         QCOMPARE(list->model()->index(0, 5).data().toString(), u"Mai"_s);
         QVERIFY(f.bench->connection().calibration().record(SensorChannel::Force));
         auto* line = f.window->findChild<StatusLine*>();
-        QTRY_VERIFY_WITH_TIMEOUT(line->text().contains(u"force cal. due in 36"_s), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(line->text().contains(u"force cal. due in 36"_s), longEnough_ms);
         QTRY_VERIFY(f.find<QLabel>("forceCalibrationStatus")->text().startsWith(u"Holds until"_s));
     }
 
@@ -111,7 +108,7 @@ private slots:
         shown->setValue(0.25);
         auto* points = f.find<QTableView>("calibrationPoints");
         QTest::keyClick(f.page(u"calibrate"_s), Qt::Key_Space);
-        QTRY_VERIFY_WITH_TIMEOUT(!points->model()->index(0, 3).data().toString().isEmpty(), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!points->model()->index(0, 3).data().toString().isEmpty(), longEnough_ms);
         QCOMPARE(points->model()->index(0, 1).data().toString(), u"0.25"_s);
         QCOMPARE(shown->value(), 10.0); // the next one's
         QTest::keyClick(f.page(u"calibrate"_s), Qt::Key_Backspace);
@@ -133,7 +130,7 @@ private slots:
         QVERIFY(!f.find<QPushButton>("calibrationBegin")->isEnabled());
         f.find<QLineEdit>("calibrationLoads")->setText(u"0, 10, 20"_s);
         f.bench->arm();
-        QTRY_VERIFY_WITH_TIMEOUT(words->text().contains(u"armed"_s), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(words->text().contains(u"armed"_s), longEnough_ms);
     }
 
     void anOverdueCalibrationIsToldAndNamed()
@@ -143,14 +140,14 @@ private slots:
         overdue.gripperSerial = u"VG-1"_s;
         overdue.due = QDate::currentDate().addDays(-2);
         bool stored = false;
-        f.bench->ask<void>(
+        f.bench->background().ask<void>(
             nullptr, [overdue](Library& library) { return library.addCalibration(overdue); },
             [&](const Expected<void>& done) { stored = done.has_value(); });
-        QTRY_VERIFY_WITH_TIMEOUT(stored, patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(stored, longEnough_ms);
         f.connectTo(u"virtual:"_s);
         f.window->showPage(u"calibrate"_s);
         QTRY_VERIFY_WITH_TIMEOUT(f.find<QLabel>("forceCalibrationStatus")->text().startsWith(u"Overdue"_s),
-                                 patience_ms);
+                                 longEnough_ms);
     }
 
     void theCertificateSaysWhoWhatAndHowWell()

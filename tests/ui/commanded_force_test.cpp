@@ -2,7 +2,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
 #include "ui/charts/strip_chart.h"
-#include "ui/commanded_force.h"
+#include "ui/feed/live_squeeze.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -73,20 +73,20 @@ private slots:
     /// From the click to the chart: the virtual gripper reports what it applies, with 0.02 N of noise.
     void aTrialSqueezeShowsWhatWasAskedBesideWhatWasMeasured()
     {
-        constexpr int patience_ms = 20000;
         WindowFixture f(false);
         f.window->showPage(u"live"_s);
         QTRY_VERIFY(f.find<QPushButton>("trialButton")->isEnabled());
         StripChart* force = f.window->findChildren<StripChart*>().first();
         QVERIFY(force->commanded().empty());
-        f.bench->arm();
-        QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
-        f.click(f.find<QPushButton>("trialButton"));
         const auto* legend = f.find<QLabel>("commandedForce");
-        QTRY_VERIFY_WITH_TIMEOUT(legend->text().contains(u" N"_s), patience_ms);
-        QTRY_VERIFY_WITH_TIMEOUT(f.bench->fitSubject(), patience_ms);
-        const Recording& recording = f.bench->fitSubject()->recording;
-        const LiveHistory& history = f.bench->liveHistory();
+        bool told = false;
+        QVERIFY(f.inRealTime([&f] { f.clickWhenEnabled(f.find<QPushButton>("trialButton")); },
+                             [&] {
+                                 told = told || legend->text().contains(u" N"_s);
+                                 return told && f.bench->navigator().fitSubject();
+                             }));
+        const Recording& recording = f.bench->navigator().fitSubject()->recording;
+        const LiveHistory& history = f.bench->live().history();
         int compared = 0;
         for (std::size_t i = 0; i < recording.size(); ++i) {
             const auto asked = history.reading(LiveHistory::Channel::CommandedForce, recording.time_s[i]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "ui/models/comparison_table_model.h"
-#include "ui/pages/fit_page_models.h"
+#include "ui/pages/fit/fit_page_summary.h"
 #include "ui/theme/theme.h"
 
 #include <QLabel>
@@ -12,7 +12,7 @@ using namespace gripscope;
 
 namespace {
 
-ModelComparison example()
+ModelComparison exampleComparison()
 {
     ModelComparison comparison;
     comparison.criterion = QStringLiteral("BIC");
@@ -41,7 +41,7 @@ private slots:
     void theBestModelComesFirstWithItsNumbers()
     {
         ComparisonTableModel model;
-        model.setComparison(example());
+        model.setComparison(exampleComparison());
         const auto text = [&](int row, Column column) {
             return model.index(row, int(column)).data().toString();
         };
@@ -56,7 +56,7 @@ private slots:
     void theSentenceIsSaidInFull()
     {
         ModelPanel panel;
-        panel.setComparison(example());
+        panel.setComparison(exampleComparison());
         const auto said = [&] { return panel.findChild<QLabel*>()->text(); };
         QCOMPARE(said(), QStringLiteral("A stiffening spring explains this squeeze better."));
         QVERIFY(panel.findChild<QTableView*>()->isVisibleTo(&panel));

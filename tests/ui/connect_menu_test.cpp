@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/access_dialog.h"
-#include "ui/connect_menu.h"
+#include "ui/shell/connect_menu.h"
 
 #include <QPlainTextEdit>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
-#include "ui/models/cursor_reading.h"
+#include "ui/format/cursor_reading.h"
 
 #include <QTest>
 

@@ -2,8 +2,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
 #include "ui/inspector/device_inspector.h"
-#include "ui/inspector/reports_tab.h"
-#include "ui/inspector/self_test_tab.h"
+#include "ui/inspector/inspector_tabs.h"
 
 #include <QComboBox>
 #include <QPushButton>
@@ -15,7 +14,6 @@ using namespace Qt::StringLiterals;
 using gripscope::test::WindowFixture;
 
 namespace {
-constexpr int patience_ms = 30000;
 
 QString cell(const QTableWidget& table, const QString& name, int column)
 {
@@ -43,8 +41,9 @@ private slots:
         WindowFixture f(false, u"virtual:?seed=7"_s);
         DeviceInspector* inspector = DeviceInspector::open(*f.bench, f.window.get());
         auto* identity = inspector->findChild<QTableWidget*>(u"identity"_s);
-        QTRY_COMPARE_WITH_TIMEOUT(cell(*identity, u"Serial number"_s, 1), u"VG-7"_s, patience_ms);
-        QCOMPARE(cell(*identity, u"Protocol"_s, 1), u"1.0"_s);
+        QTRY_COMPARE_WITH_TIMEOUT(cell(*identity, u"Serial number"_s, 1), u"VG-7"_s,
+                                  gripscope::test::longEnough_ms);
+        QCOMPARE(cell(*identity, u"Protocol"_s, 1), u"1.1"_s);
         auto* descriptor = inspector->findChild<QTableWidget*>(u"descriptor"_s);
         QCOMPARE(descriptor->item(0, 1)->text(), u"Usage page 0xff00 (vendor-defined)"_s);
     }
@@ -54,7 +53,8 @@ private slots:
         WindowFixture f(false);
         DeviceInspector* inspector = DeviceInspector::open(*f.bench, f.window.get());
         const ReportTableModel& model = inspector->reports().model();
-        QTRY_VERIFY_WITH_TIMEOUT(model.rowCount() == int(ReportLog::capacity), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(model.rowCount() == int(ReportLog::capacity),
+                                 gripscope::test::longEnough_ms);
         QCOMPARE(model.index(0, ReportTableModel::Report).data().toString(), u"Stream"_s);
         auto* freeze = inspector->findChild<QPushButton*>(u"freezeReports"_s);
         freeze->setChecked(true);
@@ -62,7 +62,7 @@ private slots:
         QTest::qWait(600); // three refreshes
         QCOMPARE(model.at(0).number, newest);
         freeze->setChecked(false);
-        QTRY_VERIFY_WITH_TIMEOUT(model.at(0).number > newest, patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(model.at(0).number > newest, gripscope::test::longEnough_ms);
         // A stop, and the answer to it, among the stream; the filter finds them.
         f.bench->connection().stop();
         auto* kinds = inspector->reports().findChild<QComboBox*>();
@@ -71,8 +71,9 @@ private slots:
             return model.rowCount() > 0 &&
                    model.index(0, ReportTableModel::Report).data().toString() == u"Stop"_s;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(stopped() || (f.bench->connection().stop(), false), patience_ms);
-        QVERIFY(model.asText().contains(u"\tStop\t22 10 "_s));
+        QTRY_VERIFY_WITH_TIMEOUT(stopped() || (f.bench->connection().stop(), false),
+                                 gripscope::test::longEnough_ms);
+        QVERIFY(model.asText().contains(u"\tStop\t22 11 "_s));
     }
 
     void countsSinceSomeoneLooked()
@@ -83,7 +84,7 @@ private slots:
         const auto samples = [&](int column) {
             return cell(*counters, u"Samples"_s, column).remove(QRegularExpression(u"[^0-9]"_s)).toLongLong();
         };
-        QTRY_VERIFY_WITH_TIMEOUT(samples(1) > 2000, patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(samples(1) > 2000, gripscope::test::longEnough_ms);
         f.click(inspector->findChild<QPushButton*>(u"countFromHere"_s));
         QVERIFY(samples(2) < samples(1));
     }
@@ -93,7 +94,8 @@ private slots:
         WindowFixture f(false, u"virtual:?fault=duplicate:0.05"_s);
         DeviceInspector* inspector = DeviceInspector::open(*f.bench, f.window.get());
         inspector->selfTest().start();
-        QTRY_VERIFY_WITH_TIMEOUT(inspector->selfTest().test().state() == SelfTest::State::Done, patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(inspector->selfTest().test().state() == SelfTest::State::Done,
+                                 gripscope::test::longEnough_ms);
         auto* lines = inspector->findChild<QTableWidget*>(u"selfTestLines"_s);
         QTRY_COMPARE(lines->rowCount(), 8);
         QVERIFY(cell(*lines, u"Nothing lost"_s, 1).contains(u"twice"_s));

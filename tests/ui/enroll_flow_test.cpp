@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/pages/enroll_picture_field.h"
-#include "ui/pages/part_picture_view.h"
-#include "ui/part_picture_reader.h"
+#include "ui/pages/enroll/enroll_picture_field.h"
+#include "ui/pages/part_picture.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -17,13 +16,12 @@
 
 using namespace Qt::StringLiterals;
 using namespace gripscope;
+using gripscope::test::unhurriedA;
 using gripscope::test::WindowFixture;
 using Step = EnrollSession::Step;
 using Activity = EnrollSession::Activity;
 
 namespace {
-
-constexpr int patience_ms = 20000;
 
 template <typename T>
 T ask(WindowFixture& f, std::function<Expected<T>(Library&)> work)
@@ -51,17 +49,19 @@ void goToSqueezes(WindowFixture& f, const QString& name)
 {
     enterName(f, name);
     QTest::keyClick(f.window->focusWidget(), Qt::Key_Return);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), Step::Squeeze, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), Step::Squeeze, gripscope::test::longEnough_ms);
     f.click(f.find<QPushButton>("enrollArmButton"));
 }
 
 void squeeze(WindowFixture& f, Activity then)
 {
     auto* button = f.find<QPushButton>("enrollSqueezeButton");
-    QTRY_VERIFY_WITH_TIMEOUT(button->isEnabled(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(button->isEnabled(), gripscope::test::longEnough_ms);
+    const std::size_t before = f.bench->enrollment().squeezes().size();
     f.click(button);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().activity(), Activity::Squeezing, patience_ms);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().activity(), then, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().squeezes().size(), before + 1,
+                              gripscope::test::longEnough_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().activity(), then, gripscope::test::longEnough_ms);
 }
 
 /// Half red, half blue, with a note that the camera was held on its side.
@@ -105,27 +105,29 @@ private slots:
 
 void EnrollFlowTest::whatIsLeftForLaterIsGoneOnWith()
 {
-    WindowFixture f(false);
+    WindowFixture f(false, unhurriedA);
     goToSqueezes(f, u"Cola 330 ml"_s);
     squeeze(f, Activity::Waiting); // accepted by itself
     f.find<QCheckBox>("acceptByItself")->click();
     squeeze(f, Activity::Deciding);
     f.click(f.find<QPushButton>("leaveForLater"));
     QTRY_COMPARE(f.bench->enrollment().step(), Step::Name);
-    QTRY_VERIFY_WITH_TIMEOUT(f.window->findChild<QPushButton*>(u"goOnWithDraft"_s), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.window->findChild<QPushButton*>(u"goOnWithDraft"_s),
+                             gripscope::test::longEnough_ms);
     QCOMPARE(drafts(f).front().squeezes, 1);
     bool told = false;
     for (const QLabel* label : f.page(u"enroll"_s)->findChildren<QLabel*>())
         told |= label->text().contains(u"1 of 10 squeezes, and one to decide on"_s);
     QVERIFY(told);
     f.click(f.find<QPushButton>("goOnWithDraft"));
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().activity(), Activity::Deciding, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().activity(), Activity::Deciding,
+                              gripscope::test::longEnough_ms);
     QCOMPARE(f.bench->enrollment().typeName(), u"Cola 330 ml"_s);
     QCOMPARE(f.bench->enrollment().acceptedCount(), 1);
     auto* accept = f.find<QPushButton>("acceptButton");
     QTRY_VERIFY(accept->isVisible() && accept->isEnabled());
     f.click(accept);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 2, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 2, gripscope::test::longEnough_ms);
     QCOMPARE(ask<std::vector<TypeRecord>>(f, [](Library& l) { return l.types(); })[0].squeezes, 2);
 }
 
@@ -134,27 +136,29 @@ void EnrollFlowTest::aDiscardedEnrolmentCanBeBroughtBack()
     WindowFixture f(false);
     enterName(f, u"Cola"_s);
     f.click(f.find<QPushButton>("leaveForLater"));
-    QTRY_VERIFY_WITH_TIMEOUT(f.window->findChild<QPushButton*>(u"discardDraft"_s), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.window->findChild<QPushButton*>(u"discardDraft"_s),
+                             gripscope::test::longEnough_ms);
     f.click(f.find<QPushButton>("discardDraft"));
     auto* undo = f.find<QPushButton>("undoStep");
-    QTRY_VERIFY_WITH_TIMEOUT(undo->isEnabled(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(undo->isEnabled(), gripscope::test::longEnough_ms);
     QVERIFY(drafts(f).empty());
     f.click(undo);
-    QTRY_VERIFY_WITH_TIMEOUT(!undo->isEnabled(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!undo->isEnabled(), gripscope::test::longEnough_ms);
     QCOMPARE(drafts(f).front().name, u"Cola"_s);
     QTRY_VERIFY(f.window->findChild<QPushButton*>(u"goOnWithDraft"_s));
 }
 
 void EnrollFlowTest::goodSqueezesAreAcceptedByThemselvesAndUndone()
 {
-    WindowFixture f(false);
+    WindowFixture f(false, unhurriedA);
     goToSqueezes(f, u"Can"_s);
     squeeze(f, Activity::Waiting);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, gripscope::test::longEnough_ms);
     Page* page = f.page(u"enroll"_s);
     f.makeActive();
     QTest::keyClick(page, Qt::Key_Z, Qt::ControlModifier);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().activity(), Activity::Deciding, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().activity(), Activity::Deciding,
+                              gripscope::test::longEnough_ms);
     QTest::qWait(300);
     QCOMPARE(f.bench->enrollment().activity(), Activity::Deciding); // it is not accepted again by itself
     QCOMPARE(f.bench->enrollment().acceptedCount(), 0);
@@ -163,7 +167,7 @@ void EnrollFlowTest::goodSqueezesAreAcceptedByThemselvesAndUndone()
     f.click(f.find<QPushButton>("redoStep"));
     QTRY_COMPARE(f.bench->enrollment().activity(), Activity::Deciding);
     f.click(f.find<QPushButton>("redoStep"));
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, gripscope::test::longEnough_ms);
     const auto changes = ask<std::vector<LibraryChange>>(f, [](Library& l) { return l.changes(10); });
     QVERIFY(changes[0].kind == ChangeKind::Undrop && changes[1].kind == ChangeKind::Drop);
 }
@@ -173,12 +177,12 @@ void EnrollFlowTest::theSqueezeUnderWayShowsWhatIsKnownSoFar()
     WindowFixture f(false);
     goToSqueezes(f, u"Can"_s);
     auto* button = f.find<QPushButton>("enrollSqueezeButton");
-    QTRY_VERIFY_WITH_TIMEOUT(button->isEnabled(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(button->isEnabled(), gripscope::test::longEnough_ms);
     f.click(button);
     const auto* words = f.find<QLabel>("squeezeWords");
-    QTRY_VERIFY_WITH_TIMEOUT(words->text().contains(u"so far"_s), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(words->text().contains(u"so far"_s), gripscope::test::longEnough_ms);
     QVERIFY(f.bench->enrollment().activity() == Activity::Squeezing);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, gripscope::test::longEnough_ms);
 }
 
 void EnrollFlowTest::theRecipesCrushLimitHolds()
@@ -202,7 +206,7 @@ void EnrollFlowTest::theRecipesCrushLimitHolds()
     limit->selectAll();
     QTest::keyClicks(limit, u"33"_s);
     QTest::keyClick(limit, Qt::Key_Return);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), Step::Squeeze, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), Step::Squeeze, gripscope::test::longEnough_ms);
     QTRY_COMPARE(drafts(f).front().recipe.maxForce_N, 33.0);
 }
 
@@ -222,17 +226,18 @@ void EnrollFlowTest::aPictureIsDroppedPastedAndStoredWithTheType()
     QVERIFY(QCoreApplication::sendEvent(field, &enter) && enter.isAccepted());
     QDropEvent drop(QPointF(5, 5), Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(field, &drop);
-    QTRY_VERIFY_WITH_TIMEOUT(view->hasPicture(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(view->hasPicture(), gripscope::test::longEnough_ms);
     QCOMPARE(f.bench->enrollment().picture()->format, u"jpeg"_s);
     // Pasted over it: a picture.
     QImage image(40, 30, QImage::Format_RGB32);
     image.fill(Qt::blue);
     QGuiApplication::clipboard()->setImage(image);
     f.click(f.find<QPushButton>("pastePicture"));
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().picture()->format, u"png"_s, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().picture()->format, u"png"_s,
+                              gripscope::test::longEnough_ms);
     goToSqueezes(f, u"Can"_s);
     squeeze(f, Activity::Waiting);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, gripscope::test::longEnough_ms);
     const auto picture = ask<std::optional<PartPicture>>(f, [](Library& l) {
         return l.types().and_then([&l](const auto& types) { return l.typePicture(types[0].id); });
     });
@@ -273,7 +278,8 @@ void EnrollFlowTest::aFileThatIsNoPictureIsToldWithTheReason()
     write(name, bytes);
     f.find<EnrollPictureField>("pictureField")->readFile(name);
     const auto* words = f.find<QLabel>("pictureWords");
-    QTRY_VERIFY2_WITH_TIMEOUT(words->text().contains(word), qPrintable(words->text()), patience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(words->text().contains(word), qPrintable(words->text()),
+                              gripscope::test::longEnough_ms);
     QVERIFY(words->text().contains(name));
     QVERIFY(!f.bench->enrollment().picture());
 }
@@ -282,7 +288,7 @@ void EnrollFlowTest::enterWalksThroughTheFormsAndNeverArmsOrSqueezes()
 {
     WindowFixture f(false);
     goToSqueezes(f, u"Can"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), gripscope::test::longEnough_ms);
     f.bench->stop();
     QTRY_VERIFY(!f.bench->connection().armed());
     for (int i = 0; i < 3; ++i) {

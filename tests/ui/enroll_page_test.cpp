@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/pages/enroll_recipe_form.h"
-#include "ui/pages/enroll_review_panel.h"
-#include "ui/pages/enroll_squeeze_model.h"
-#include "ui/widgets/step_line.h"
+#include "ui/pages/enroll/enroll_review_panel.h"
+#include "ui/pages/enroll/enroll_squeeze_panel.h"
+#include "ui/pages/shared/enroll_recipe_form.h"
+#include "ui/widgets/progress.h"
+#include "ui/windows/question.h"
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
-#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -20,13 +20,12 @@
 
 using namespace Qt::StringLiterals;
 using namespace gripscope;
+using gripscope::test::unhurriedA;
 using gripscope::test::WindowFixture;
 
 namespace {
 
-constexpr int patience_ms = 15000;
-
-void goToSqueezes(WindowFixture& f, const QString& name)
+void pageAtSqueezes(WindowFixture& f, const QString& name)
 {
     f.window->showPage(u"enroll"_s);
     auto* field = f.find<QLineEdit>("typeName");
@@ -34,21 +33,23 @@ void goToSqueezes(WindowFixture& f, const QString& name)
     QTest::keyClick(field, Qt::Key_Return);
     QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Recipe);
     f.click(f.find<QPushButton>("recipeNext"));
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Squeeze, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Squeeze,
+                              gripscope::test::longEnough_ms);
     f.find<QCheckBox>("acceptByItself")->setChecked(false); // each is decided on here
 }
 
 void squeezeAndAccept(WindowFixture& f)
 {
     auto* squeeze = f.find<QPushButton>("enrollSqueezeButton");
-    QTRY_VERIFY_WITH_TIMEOUT(squeeze->isEnabled(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(squeeze->isEnabled(), gripscope::test::longEnough_ms);
     const int before = f.bench->enrollment().acceptedCount();
     f.click(squeeze);
     auto* accept = f.find<QPushButton>("acceptButton");
-    QTRY_VERIFY_WITH_TIMEOUT(accept->isVisible(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(accept->isVisible(), gripscope::test::longEnough_ms);
     QVERIFY2(accept->isEnabled(), qPrintable(f.bench->enrollment().squeezes().back().reason));
     f.click(accept);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), before + 1, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), before + 1,
+                              gripscope::test::longEnough_ms);
 }
 
 } // namespace
@@ -69,8 +70,8 @@ private slots:
 
 void EnrollPageTest::enrollsATypeFromNameToApproval()
 {
-    WindowFixture f(true, u"virtual:?object=0.031,52,13500&seed=3"_s);
-    goToSqueezes(f, u"Cola 330 ml"_s);
+    WindowFixture f(true, u"virtual:?object=0.031,52,13500&seed=3&speed=0"_s);
+    pageAtSqueezes(f, u"Cola 330 ml"_s);
     QVERIFY(!f.find<QPushButton>("enrollSqueezeButton")->isVisible());
     f.click(f.find<QPushButton>("enrollArmButton"));
     for (int i = 0; i < EnrollSession::leastSqueezes; ++i) {
@@ -80,17 +81,21 @@ void EnrollPageTest::enrollsATypeFromNameToApproval()
     QTRY_VERIFY(f.find<QPushButton>("reviewButton")->isEnabled());
     f.click(f.find<QPushButton>("reviewButton"));
     QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Review);
-    QTRY_VERIFY_WITH_TIMEOUT(f.find<QLabel>("distanceLabel")->text().contains(u" sd away"_s), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.find<QLabel>("distanceLabel")->text().contains(u" sd away"_s),
+                             gripscope::test::longEnough_ms);
     // Four types of ten, one of three: each squeeze is judged by the others.
     auto* table = f.find<QTableWidget>("heldOutTable");
-    QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 5, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 5, gripscope::test::longEnough_ms);
     QVERIFY(f.find<QLabel>("heldOutWords")->text().contains(u"wrong of 43"_s));
     f.click(f.find<QPushButton>("approveButton"));
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Approved, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Approved,
+                              gripscope::test::longEnough_ms);
     QTRY_VERIFY(f.find<QLabel>("doneLabel")->text().contains(u"Cola 330 ml"_s));
     // It is a type that inspections know from now on.
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().types().size(), std::size_t{5}, patience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->inspection().models().find(u"Cola 330 ml"_s), patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().types().size(), std::size_t{5},
+                              gripscope::test::longEnough_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->inspection().models().find(u"Cola 330 ml"_s),
+                             gripscope::test::longEnough_ms);
     const TypeModel* model = f.bench->inspection().models().find(u"Cola 330 ml"_s);
     QCOMPARE(model->squeezes, EnrollSession::leastSqueezes);
     // The virtual gripper scatters stiffness by about 5 % a squeeze; three squeezes' mean is within 15 %.
@@ -102,8 +107,8 @@ void EnrollPageTest::enrollsATypeFromNameToApproval()
 
 void EnrollPageTest::aSqueezeCanBeRejectedOrDroppedWithAReason()
 {
-    WindowFixture f(false);
-    goToSqueezes(f, u"Can"_s);
+    WindowFixture f(false, unhurriedA);
+    pageAtSqueezes(f, u"Can"_s);
     auto* table = f.find<QTableView>("squeezeTable");
     const QAbstractItemModelTester tester(table->model(),
                                           QAbstractItemModelTester::FailureReportingMode::Fatal);
@@ -111,7 +116,7 @@ void EnrollPageTest::aSqueezeCanBeRejectedOrDroppedWithAReason()
     squeezeAndAccept(f);
     f.click(f.find<QPushButton>("enrollSqueezeButton"));
     auto* reject = f.find<QPushButton>("rejectButton");
-    QTRY_VERIFY_WITH_TIMEOUT(reject->isVisible(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(reject->isVisible(), gripscope::test::longEnough_ms);
     f.click(reject);
     QTRY_COMPARE(f.bench->enrollment().activity(), EnrollSession::Activity::Waiting);
     QCOMPARE(f.bench->enrollment().acceptedCount(), 1);
@@ -123,26 +128,27 @@ void EnrollPageTest::aSqueezeCanBeRejectedOrDroppedWithAReason()
     table->selectRow(0);
     QTRY_VERIFY(drop->isEnabled());
     f.click(drop);
-    QTRY_VERIFY(f.window->findChild<QInputDialog*>(u"dropDialog"_s));
-    auto* dialog = f.window->findChild<QInputDialog*>(u"dropDialog"_s);
-    dialog->setTextValue(u"slipped"_s);
+    QTRY_VERIFY(f.window->findChild<TextQuestion*>(u"dropDialog"_s));
+    auto* dialog = f.window->findChild<TextQuestion*>(u"dropDialog"_s);
+    dialog->field()->setText(u"slipped"_s);
     dialog->accept();
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 0, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 0, gripscope::test::longEnough_ms);
     const auto last = static_cast<int>(EnrollSqueezeModel::Column::Verdict);
     QTRY_COMPARE(table->model()->index(0, last).data().toString(), u"rejected: slipped"_s);
 }
 
 void EnrollPageTest::spaceSqueezesAndAccepts()
 {
-    WindowFixture f(false);
-    goToSqueezes(f, u"Can"_s);
+    WindowFixture f(false, unhurriedA);
+    pageAtSqueezes(f, u"Can"_s);
     f.bench->arm();
-    QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("enrollSqueezeButton")->isEnabled(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("enrollSqueezeButton")->isEnabled(),
+                             gripscope::test::longEnough_ms);
     QTest::keyClick(f.page(u"enroll"_s), Qt::Key_Space);
     QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().activity(), EnrollSession::Activity::Deciding,
-                              patience_ms);
+                              gripscope::test::longEnough_ms);
     QTest::keyClick(f.page(u"enroll"_s), Qt::Key_Space);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, gripscope::test::longEnough_ms);
 }
 
 void EnrollPageTest::aRecipeAboveItsLimitIsRefusedBeforeItIsSent()
@@ -218,15 +224,17 @@ void EnrollPageTest::anOutlierIsMarkedWithItsReasonAndOfferedToDrop()
 void EnrollPageTest::theSqueezeStepSaysWhetherItIsEnoughAndKeepsTheParts()
 {
     WindowFixture f(true, u"virtual:?object=0.031,52,13500&seed=3&speed=0"_s);
-    goToSqueezes(f, u"Cola"_s);
+    pageAtSqueezes(f, u"Cola"_s);
     f.click(f.find<QPushButton>("enrollArmButton"));
     QTest::keyClicks(f.find<QLineEdit>("partField"), u"12"_s);
     squeezeAndAccept(f);
     QCOMPARE(f.bench->enrollment().squeezes().back().part, u"12"_s);
     QTRY_VERIFY_WITH_TIMEOUT(
-        f.find<QLabel>("adviceLabel")->text().contains(u"One squeeze tells the stiffness"_s), patience_ms);
+        f.find<QLabel>("adviceLabel")->text().contains(u"One squeeze tells the stiffness"_s),
+        gripscope::test::longEnough_ms);
     squeezeAndAccept(f);
-    QTRY_VERIFY_WITH_TIMEOUT(!f.find<QLabel>("adviceLabel")->text().contains(u"One squeeze"_s), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!f.find<QLabel>("adviceLabel")->text().contains(u"One squeeze"_s),
+                             gripscope::test::longEnough_ms);
     QVERIFY(f.find<QLabel>("adviceLabel")->text().contains(u"is called unknown"_s));
 }
 

@@ -2,7 +2,6 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/identification_example.h"
 #include "ui/charts/region_plot.h"
-#include "ui/models/estimate_region.h"
 #include "ui/theme/theme.h"
 
 #include <Eigen/LU>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/identification_example.h"
-#include "ui/models/derived_quantities.h"
+#include "ui/format/derived_quantities.h"
+#include "ui/format/estimate_words.h"
 #include "ui/models/estimate_table_model.h"
-#include "ui/models/estimate_words.h"
 
 #include <QAbstractItemModelTester>
 #include <QTest>
@@ -12,12 +12,12 @@
 #include <numbers>
 
 using namespace gripscope;
-using Column = EstimateTableModel::Column;
+using EstimateColumn = EstimateTableModel::Column;
 
 class EstimateTableModelTest : public QObject {
     Q_OBJECT
 
-    static QVariant cell(const EstimateTableModel& model, Estimator estimator, Column column,
+    static QVariant cell(const EstimateTableModel& model, Estimator estimator, EstimateColumn column,
                          int role = Qt::EditRole)
     {
         return model.index(model.rowOf(estimator), int(column)).data(role);
@@ -40,15 +40,17 @@ private slots:
         model.setIdentification(found, QStringLiteral("N"), QStringLiteral("m"));
         const Estimate* best = found.find(Estimator::OutputError);
         QVERIFY(best && best->parameters);
-        QCOMPARE(cell(model, Estimator::OutputError, Column::Mass).toDouble(), best->parameters->m * 1e3);
-        QCOMPARE(cell(model, Estimator::OutputError, Column::Stiffness).toDouble(),
+        QCOMPARE(cell(model, Estimator::OutputError, EstimateColumn::Mass).toDouble(),
+                 best->parameters->m * 1e3);
+        QCOMPARE(cell(model, Estimator::OutputError, EstimateColumn::Stiffness).toDouble(),
                  best->parameters->k * 1e-3);
         const double half =
-            cell(model, Estimator::OutputError, Column::Mass, EstimateTableModel::HalfWidthRole).toDouble();
+            cell(model, Estimator::OutputError, EstimateColumn::Mass, EstimateTableModel::HalfWidthRole)
+                .toDouble();
         QVERIFY(std::abs(half / (1.959963984540054e3 * (*best->standardErrors())[0]) - 1) < 1e-12);
-        QCOMPARE(model.headerData(int(Column::Mass), Qt::Horizontal, Qt::DisplayRole).toString(),
+        QCOMPARE(model.headerData(int(EstimateColumn::Mass), Qt::Horizontal, Qt::DisplayRole).toString(),
                  QStringLiteral("m\ng"));
-        QCOMPARE(model.headerData(int(Column::Stiffness), Qt::Horizontal, Qt::DisplayRole).toString(),
+        QCOMPARE(model.headerData(int(EstimateColumn::Stiffness), Qt::Horizontal, Qt::DisplayRole).toString(),
                  QStringLiteral("k\nkN/m"));
     }
     void millimetresAreShownInSi()
@@ -57,16 +59,16 @@ private slots:
         EstimateTableModel model;
         model.setIdentification(found, QStringLiteral("N"), QStringLiteral("mm"));
         // The same numbers in N and mm mean a thousand times as much in SI: 39.6 N s^2/mm are 39.6 t.
-        const double m = cell(model, Estimator::OutputError, Column::Mass).toDouble();
+        const double m = cell(model, Estimator::OutputError, EstimateColumn::Mass).toDouble();
         QVERIFY(std::abs(m / (found.find(Estimator::OutputError)->parameters->m * 1e3) - 1) < 1e-12);
-        QCOMPARE(model.headerData(int(Column::Mass), Qt::Horizontal, Qt::DisplayRole).toString(),
+        QCOMPARE(model.headerData(int(EstimateColumn::Mass), Qt::Horizontal, Qt::DisplayRole).toString(),
                  QStringLiteral("m\nkg"));
     }
     void unitsAsPrintedShowNone()
     {
         EstimateTableModel model;
         model.setIdentification(test::identifiedCanA(), QStringLiteral("1"), QStringLiteral("1"));
-        QCOMPARE(model.headerData(int(Column::Mass), Qt::Horizontal, Qt::DisplayRole).toString(),
+        QCOMPARE(model.headerData(int(EstimateColumn::Mass), Qt::Horizontal, Qt::DisplayRole).toString(),
                  QStringLiteral("m"));
     }
     void aBiasedEstimateSaysSoInNumbers()
@@ -89,7 +91,7 @@ private slots:
         found.estimates.push_back(failed);
         EstimateTableModel model;
         model.setIdentification(found, QStringLiteral("N"), QStringLiteral("m"));
-        QVERIFY(!cell(model, Estimator::Duffing, Column::Mass).isValid());
+        QVERIFY(!cell(model, Estimator::Duffing, EstimateColumn::Mass).isValid());
         QVERIFY(model.toTsv().contains(QStringLiteral("duffing\t\t\t\t\t\t\t\t\tnot applicable\t\t")));
     }
     void tabSeparatedTextReadsBack()

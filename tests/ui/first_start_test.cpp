@@ -11,7 +11,6 @@ using gripscope::test::WindowFixture;
 
 namespace {
 
-constexpr int patience_ms = 20000;
 constexpr int mostClicksAndKeys = 12;
 
 /// Presses keys and buttons as a newcomer would, and counts them. A key goes to whatever has the focus: what
@@ -56,35 +55,36 @@ void FirstStartTest::aNewcomerGetsAVerdictInTwelveClicksOrKeys()
     EnrollSession& session = f.bench->enrollment();
 
     QCOMPARE(f.window->currentPage()->id(), u"live"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->liveHistory().newestTime_s() > 0.1, patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->live().history().newestTime_s() > 0.1, gripscope::test::longEnough_ms);
 
     newcomer.click("rail-enroll");
     QTRY_COMPARE(f.find<QLineEdit>("typeName")->text(), u"Type 1"_s);
     newcomer.press(Qt::Key_Return);
     QTRY_COMPARE(session.step(), EnrollSession::Step::Recipe);
     newcomer.press(Qt::Key_Return);
-    QTRY_COMPARE_WITH_TIMEOUT(session.step(), EnrollSession::Step::Squeeze, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(session.step(), EnrollSession::Step::Squeeze, gripscope::test::longEnough_ms);
     QCOMPARE(f.bench->connection().armed(), false);
     newcomer.press(Qt::Key_Space); // on "Arm the gripper", which has the focus
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), gripscope::test::longEnough_ms);
     // Four squeezes give a type its first gate.
     for (int squeezes = 1; squeezes <= 4; ++squeezes) {
-        QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("enrollSqueezeButton")->hasFocus(), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("enrollSqueezeButton")->hasFocus(),
+                                 gripscope::test::longEnough_ms);
         newcomer.press(Qt::Key_Space);
-        QTRY_COMPARE_WITH_TIMEOUT(session.acceptedCount(), squeezes, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(session.acceptedCount(), squeezes, gripscope::test::longEnough_ms);
     }
     newcomer.click("reviewButton");
     QTRY_COMPARE(session.step(), EnrollSession::Step::Review);
     newcomer.press(Qt::Key_Space);
-    QTRY_COMPARE_WITH_TIMEOUT(session.step(), EnrollSession::Step::Approved, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(session.step(), EnrollSession::Step::Approved, gripscope::test::longEnough_ms);
     newcomer.press(Qt::Key_Space);
     QTRY_COMPARE(f.window->currentPage()->id(), u"inspect"_s);
     QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("squeezeButton")->hasFocus() &&
                                  f.bench->inspection().models().find(u"Type 1"_s),
-                             patience_ms);
+                             gripscope::test::longEnough_ms);
     newcomer.press(Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(f.bench->inspection().result() && f.bench->inspection().result()->number != 0,
-                             patience_ms);
+                             gripscope::test::longEnough_ms);
     QVERIFY(f.bench->inspection().result()->outcome != InspectionOutcome::NotValid);
     QVERIFY2(newcomer.count() <= mostClicksAndKeys, qPrintable(QString::number(newcomer.count())));
 
@@ -106,9 +106,10 @@ void FirstStartTest::exampleTypesAreOfferedWhereNothingIsEnrolled()
     f.window->showPage(u"inspect"_s);
     auto* load = f.page(u"inspect"_s)->findChild<QPushButton*>(u"loadExampleTypes"_s);
     QVERIFY(load);
-    QTRY_VERIFY_WITH_TIMEOUT(load->isVisible(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(load->isVisible(), gripscope::test::longEnough_ms);
     f.click(load);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().types().size(), std::size_t(4), patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().types().size(), std::size_t(4),
+                              gripscope::test::longEnough_ms);
     QTRY_VERIFY(!load->isVisible());
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
-#include "ui/pages/fit_page_checks.h"
+#include "ui/pages/fit/fit_page_summary.h"
 #include "ui/theme/theme.h"
 
 #include <QLabel>

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/recording_csv.h"
+#include "core/signal/recording/recording_csv.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/identification_example.h"
 #include "tests/ui/science_pages.h"
 #include "ui/charts/fit_plots.h"
 #include "ui/charts/region_plot.h"
-#include "ui/charts/time_plot.h"
 #include "ui/models/estimate_table_model.h"
-#include "ui/pages/fit_page.h"
-#include "ui/pages/fit_page_export.h"
-#include "ui/pages/fit_page_summary.h"
+#include "ui/pages/fit/fit_page.h"
+#include "ui/pages/fit/fit_page_export.h"
+#include "ui/pages/fit/fit_page_summary.h"
 
 #include <QClipboard>
 #include <QContextMenuEvent>
@@ -83,8 +82,9 @@ private slots:
         page.resize(1200, 800);
         page.show();
         const Recording recording = simulatedSqueeze(test::canA, 3);
-        fixture.bench.setFitSubject({QStringLiteral("A, squeeze 3"), recording, identify(recording)});
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        fixture.bench.navigator().setFitSubject(
+            {QStringLiteral("A, squeeze 3"), recording, identify(recording)});
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
         QTRY_VERIFY(allText(page).contains(QStringLiteral("(95 %)"))); // labels appear with the next event
         QVERIFY(allText(page).contains(QStringLiteral("A, squeeze 3")));
         QVERIFY(allText(page).contains(QStringLiteral("Measurement valid")));
@@ -97,7 +97,7 @@ private slots:
         FitPage page(fixture.bench);
         page.show();
         page.prepareTour();
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
         auto* table = estimatorTable(page);
         const auto* model = page.findChild<EstimateTableModel*>();
         const auto* plots = page.findChild<FitPlots*>();
@@ -114,9 +114,9 @@ private slots:
         FitPage page(fixture.bench);
         page.show();
         page.openRecording(file);
-        QTRY_VERIFY_WITH_TIMEOUT(fixture.bench.fitSubject().has_value(), test::patience_ms);
-        QCOMPARE(fixture.bench.fitSubject()->title, QStringLiteral("squeeze.csv"));
-        const Estimate* best = fixture.bench.fitSubject()->identification.best();
+        QTRY_VERIFY_WITH_TIMEOUT(fixture.bench.navigator().fitSubject().has_value(), test::longEnough_ms);
+        QCOMPARE(fixture.bench.navigator().fitSubject()->title, QStringLiteral("squeeze.csv"));
+        const Estimate* best = fixture.bench.navigator().fitSubject()->identification.best();
         QVERIFY(best && std::abs(best->parameters->k / test::canA.k - 1) < 0.01);
         QVERIFY(fixture.reports.isEmpty());
     }
@@ -126,9 +126,9 @@ private slots:
         FitPage page(fixture.bench);
         page.show();
         page.openRecording(fixture.folder.filePath(QStringLiteral("absent.csv")));
-        QTRY_COMPARE_WITH_TIMEOUT(fixture.reports.size(), 1, test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.reports.size(), 1, test::longEnough_ms);
         QVERIFY(fixture.reports.first().first().toString().contains(QStringLiteral("absent.csv")));
-        QVERIFY(!fixture.bench.fitSubject());
+        QVERIFY(!fixture.bench.navigator().fitSubject());
     }
     void aMeasurementWithoutForceSaysSo()
     {
@@ -137,8 +137,8 @@ private slots:
         std::fill(flat.force.begin(), flat.force.end(), 20.0);
         FitPage page(fixture.bench);
         page.show();
-        fixture.bench.setFitSubject({QStringLiteral("flat"), flat, identify(flat)});
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        fixture.bench.navigator().setFitSubject({QStringLiteral("flat"), flat, identify(flat)});
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
         QVERIFY(allText(page).contains(QStringLiteral("Measurement not valid")));
         // What failed is in view without a click.
         const auto* tabs = page.findChild<QTabWidget*>();
@@ -150,7 +150,7 @@ private slots:
         FitPage page(fixture.bench);
         page.show();
         page.prepareTour();
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
         button(page, QStringLiteral("Copy numbers"))->click();
         const QString text = QGuiApplication::clipboard()->text();
         QVERIFY(text.startsWith(QStringLiteral("estimator\tm (kg)")));
@@ -166,9 +166,9 @@ private slots:
         page.resize(1200, 800);
         page.show();
         page.prepareTour();
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
         page.activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(&page));
+        QVERIFY(QTest::qWaitForWindowActive(&page, gripscope::test::longEnough_ms));
         auto* table = estimatorTable(page);
         table->setFocus();
         QGuiApplication::clipboard()->clear();
@@ -183,11 +183,11 @@ private slots:
         page.resize(1200, 800);
         page.show();
         page.prepareTour();
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
         auto* exporter = page.findChild<FitExporter*>();
         const QDir folder(fixture.folder.path());
         exporter->saveAll(folder.path());
-        QTRY_COMPARE_WITH_TIMEOUT(exporter->pending(), 0, test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(exporter->pending(), 0, test::longEnough_ms);
         QVERIFY(fixture.reports.isEmpty());
         for (const char* name :
              {"position", "force", "residuals", "autocorrelation", "cross-correlation", "joint-region"}) {
@@ -209,9 +209,9 @@ private slots:
         FitPage page(fixture.bench);
         page.show();
         page.prepareTour();
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
         page.findChild<FitExporter*>()->saveAll(fixture.folder.filePath(QStringLiteral("absent/folder")));
-        QTRY_COMPARE_WITH_TIMEOUT(fixture.reports.size(), 1, test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.reports.size(), 1, test::longEnough_ms);
         const QString said = fixture.reports.first().first().toString();
         QVERIFY(said.contains(QStringLiteral("Choose a folder")) && said.contains(QStringLiteral("absent")));
     }
@@ -222,7 +222,7 @@ private slots:
         page.resize(1200, 800);
         page.show();
         page.prepareTour();
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
         auto* plot = page.findChild<FitPlots*>()->residuals();
         const auto menu = [&] { return plot->findChild<QMenu*>(QStringLiteral("plotMenu")); };
         QTest::keyClick(plot, Qt::Key_F10, Qt::ShiftModifier);
@@ -259,7 +259,7 @@ private slots:
         page.resize(928, 520); // what a window of 1024 x 640 leaves
         page.show();
         page.prepareTour();
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
         QVERIFY(page.minimumSizeHint().width() <= 928);
         QVERIFY2(page.minimumSizeHint().height() <= 520,
                  qPrintable(QString::number(page.minimumSizeHint().height())));
@@ -285,7 +285,7 @@ private slots:
         page.resize(1200, 800);
         page.show();
         page.prepareTour();
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
         auto* tabs = page.findChild<QTabWidget*>();
         tabs->tabBar()->setFocus();
         QTest::keyClick(tabs->tabBar(), Qt::Key_Right);
@@ -305,7 +305,7 @@ private slots:
         page.show();
         page.resize(1200, 800);
         page.prepareTour();
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
         const auto* plots = page.findChild<FitPlots*>();
         Theme::instance().apply(ThemeKind::Dark);
         QCOMPARE(plots->response()->grab().toImage().pixelColor(3, 60), themeTokens(ThemeKind::Dark).surface);

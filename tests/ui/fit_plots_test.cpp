@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/identification_example.h"
-#include "ui/charts/correlation_plot.h"
 #include "ui/charts/fit_plots.h"
-#include "ui/charts/time_plot.h"
 #include "ui/theme/theme.h"
 
 #include <QTest>
@@ -21,7 +19,7 @@ class FitPlotsTest : public QObject {
         plots.resize(800, 640);
         plots.show(test::identifiedCanA(), Estimator::OutputError, QStringLiteral("N"), QStringLiteral("m"));
         plots.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&plots));
+        QVERIFY(QTest::qWaitForWindowExposed(&plots, gripscope::test::longEnough_ms));
     }
 
 private slots:
@@ -51,7 +49,7 @@ private slots:
         TimePlot plot;
         plot.resize(500, 200);
         plot.QWidget::show();
-        QVERIFY(QTest::qWaitForWindowExposed(&plot));
+        QVERIFY(QTest::qWaitForWindowExposed(&plot, gripscope::test::longEnough_ms));
         auto x = std::make_shared<std::vector<double>>(200000);
         std::iota(x->begin(), x->end(), 0.0);
         auto y = std::make_shared<std::vector<double>>(*x);

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/validation_records.h"
-#include "core/session/enrollment_storage.h"
-#include "core/signal/recording_csv.h"
+#include "core/identification/validation/validation.h"
+#include "core/session/enroll/enrollment_storage.h"
+#include "core/signal/recording/recording_csv.h"
 #include "tests/core/identification/controlled_gripper.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/identification_example.h"
 #include "tests/ui/science_pages.h"
-#include "ui/charts/time_plot.h"
-#include "ui/models/validation_words.h"
-#include "ui/pages/fit_page.h"
-#include "ui/pages/fit_page_validate.h"
-#include "ui/pages/fit_page_validation.h"
+#include "ui/charts/fit_plots.h"
+#include "ui/format/validation_words.h"
+#include "ui/pages/fit/fit_page.h"
+#include "ui/pages/fit/fit_page_validation.h"
 
 #include <QLabel>
 #include <QMenu>
@@ -30,11 +29,11 @@ struct Shown {
     {
         page.resize(1200, 800);
         page.show();
-        fixture.bench.setFitSubject({u"A, squeeze 3"_s, recording, identify(recording)});
+        fixture.bench.navigator().setFitSubject({u"A, squeeze 3"_s, recording, identify(recording)});
     }
     [[nodiscard]] bool ready()
     {
-        return QTest::qWaitFor([this] { return page.tourReady(); }, test::patience_ms);
+        return QTest::qWaitFor([this] { return page.tourReady(); }, test::longEnough_ms);
     }
     [[nodiscard]] ValidationPanel* panel() const { return page.findChild<ValidationPanel*>(); }
     [[nodiscard]] QString words() const
@@ -46,7 +45,7 @@ struct Shown {
     }
     [[nodiscard]] bool saysSoon(const QString& text)
     {
-        return QTest::qWaitFor([&] { return words().contains(text); }, test::patience_ms);
+        return QTest::qWaitFor([&] { return words().contains(text); }, test::longEnough_ms);
     }
 };
 
@@ -97,7 +96,7 @@ private slots:
         QVERIFY(shown.ready());
         const QString before = shown.words();
         shown.page.findChild<ValidationChooser*>()->useFile(u"/absent/squeeze.csv"_s);
-        QTRY_COMPARE_WITH_TIMEOUT(shown.fixture.reports.size(), 1, test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(shown.fixture.reports.size(), 1, test::longEnough_ms);
         QCOMPARE(shown.words(), before);
     }
     void aStoredSqueezeIsChosenFromTheMenu()
@@ -105,7 +104,7 @@ private slots:
         Shown shown;
         QVERIFY(shown.ready());
         bool stored = false;
-        shown.fixture.bench.ask<StoredSqueeze>(
+        shown.fixture.bench.background().ask<StoredSqueeze>(
             &shown.page,
             [](Library& library) {
                 const Recording recording = simulatedSqueeze(test::canA, 7);
@@ -113,17 +112,17 @@ private slots:
                                     {u"Cola"_s, {}, makeGrasp(recording, identify(recording), {}, {})});
             },
             [&](const Expected<StoredSqueeze>& answer) { stored = answer.has_value(); });
-        QTRY_VERIFY_WITH_TIMEOUT(stored, test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(stored, test::longEnough_ms);
         shown.page.findChild<QTabWidget*>()->setCurrentIndex(4);
         QMenu* const menu = shown.panel()->choices();
         menu->popup(shown.page.mapToGlobal(QPoint(600, 100)));
-        QTRY_VERIFY_WITH_TIMEOUT(actionNamed(menu, u"Cola"_s), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(actionNamed(menu, u"Cola"_s), test::longEnough_ms);
         QMenu* const type = actionNamed(menu, u"Cola"_s)->menu();
         QAction* const squeeze = actionNamed(type, u"Squeeze 1"_s);
         QVERIFY(squeeze);
         QTest::mouseClick(menu, Qt::LeftButton, {},
                           menu->actionGeometry(actionNamed(menu, u"Cola"_s)).center());
-        QTRY_VERIFY_WITH_TIMEOUT(type->isVisible(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(type->isVisible(), test::longEnough_ms);
         QTest::mouseClick(type, Qt::LeftButton, {}, type->actionGeometry(squeeze).center());
         QVERIFY2(shown.saysSoon(u"Cola, squeeze 1"_s), qPrintable(shown.words()));
         QVERIFY(shown.words().contains(u"The misfit is no larger than noise"_s));

@@ -2,11 +2,11 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/layout_walk.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/help/about_dialog.h"
-#include "ui/language.h"
-#include "ui/pages/enrolled_types_dialog.h"
-#include "ui/profile_dialog.h"
-#include "ui/rates_dialog.h"
+#include "ui/context/language.h"
+#include "ui/help/help_windows.h"
+#include "ui/pages/enroll/enrolled_types_dialog.h"
+#include "ui/pages/inspect/inspect_parts.h"
+#include "ui/profiles/profile_dialog.h"
 #include "ui/settings/settings_dialog.h"
 
 using namespace Qt::StringLiterals;
@@ -40,7 +40,7 @@ private slots:
         WindowFixture f(true, u"virtual:"_s);
         f.window->showPage(id);
         f.page(id)->prepareTour();
-        QTRY_VERIFY_WITH_TIMEOUT(f.page(id)->tourReady(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(f.page(id)->tourReady(), gripscope::test::longEnough_ms);
         f.window->showPage(id);
         QVERIFY(isSound(*f.window, u"at work"_s, {{1024, 640}}));
         QCOMPARE(f.window->size(), QSize(1024, 640));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
-#include "ui/charts/color_scale.h"
 #include "ui/charts/heat_map.h"
 #include "ui/theme/theme.h"
 
@@ -13,7 +12,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 /// 3 x 4 units with the numbers 0 to 11; the lower row is another cluster.
-MapPlanes example()
+MapPlanes examplePlanes()
 {
     MapPlanes map;
     map.rows = 3;
@@ -59,7 +58,7 @@ private slots:
     {
         HeatMap map;
         map.resize(160, 160);
-        map.setPlane(example(), 0, false);
+        map.setPlane(examplePlanes(), 0, false);
         const QImage picture = map.grab().toImage();
         for (int unit = 0; unit < 12; ++unit) {
             const QPointF at = map.cell(unit).center() * map.devicePixelRatioF();
@@ -72,7 +71,7 @@ private slots:
     {
         HeatMap map;
         map.resize(160, 160);
-        map.setPlane(example(), 0, true);
+        map.setPlane(examplePlanes(), 0, true);
         const QImage picture = map.grab().toImage();
         for (int unit = 0; unit < 12; ++unit) {
             const QPointF at = map.cell(unit).center() * map.devicePixelRatioF();
@@ -83,7 +82,7 @@ private slots:
     {
         HeatMap map;
         map.resize(160, 160);
-        map.setPlane(example(), 0, false);
+        map.setPlane(examplePlanes(), 0, false);
         map.show();
         QSignalSpy spy(&map, &HeatMap::pointedAt);
         QTest::mouseMove(&map, map.cell(6).center().toPoint());
@@ -96,7 +95,7 @@ private slots:
     void arrowKeysGoFromUnitToUnit()
     {
         HeatMap map;
-        map.setPlane(example(), 0, false);
+        map.setPlane(examplePlanes(), 0, false);
         const auto press = [&](Qt::Key key) {
             QTest::keyClick(&map, key);
             return map.marked();
@@ -115,7 +114,7 @@ private slots:
         QTest::keyClick(&map, Qt::Key_Right);
         QCOMPARE(map.marked(), -1);
         QVERIFY(!map.grab().isNull());
-        MapPlanes flat = example();
+        MapPlanes flat = examplePlanes();
         flat.planes[0].values.setConstant(3);
         flat.planes[0].scale.low = flat.planes[0].scale.high = 3;
         map.setPlane(flat, 0, false);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/history_document.h"
+#include "core/session/library/history_document.h"
 #include "tests/support/test_registry.h"
-#include "ui/models/history_delegate.h"
 #include "ui/models/history_model.h"
 
 #include <QAbstractItemModelTester>
@@ -10,7 +9,6 @@
 
 using namespace gripscope;
 using namespace Qt::StringLiterals;
-using Column = HistoryModel::Column;
 
 namespace {
 
@@ -82,7 +80,7 @@ private slots:
         QCOMPARE(model.pageKeys(499).size(), std::size_t(200));
         QCOMPARE(model.pageKeys(499).back(), u"g1"_s);
         model.setPage(499, page(200, 200));
-        QCOMPARE(model.index(99'999, int(Column::Number)).data().toLongLong(), 1);
+        QCOMPARE(model.index(99'999, int(HistoryColumn::Number)).data().toLongLong(), 1);
         model.index(50'000, 0).data();
         model.forgetRequest(250);
         model.index(50'000, 0).data();
@@ -114,23 +112,25 @@ private slots:
     {
         HistoryModel model;
         QSignalSpy asked(&model, &HistoryModel::sortAsked);
-        model.sort(int(Column::Stiffness), Qt::AscendingOrder);
+        model.sort(int(HistoryColumn::Stiffness), Qt::AscendingOrder);
         QCOMPARE(asked.size(), 1);
-        QVERIFY(HistoryModel::order(asked[0][0].value<Column>()) == HistoryOrder::Stiffness);
+        QVERIFY(asked[0][0].value<HistoryColumn>() == HistoryColumn::Stiffness);
     }
     void holdsRawValuesAndWordsThemInTheDelegate()
     {
         HistoryModel model;
         model.restart(keysDownFrom(3), page(3, 2));
-        const auto cell = [&](int row, Column column) { return model.index(row, int(column)); };
-        QCOMPARE(cell(0, Column::Mass).data(HistoryModel::SortRole).toDouble(), 0.0396);
-        QCOMPARE(HistoryDelegate::text(cell(0, Column::Mass)), u"39.6"_s);
-        QCOMPARE(cell(1, Column::Outcome).data(Qt::EditRole).toInt(), int(InspectionOutcome::OtherType));
-        QCOMPARE(HistoryDelegate::text(cell(0, Column::Outcome)), u"as expected"_s);
-        QCOMPARE(HistoryDelegate::text(cell(0, Column::Posterior)), u"0.9998"_s);
-        QVERIFY(HistoryDelegate::text(cell(0, Column::Time)).startsWith(u"2020-03-01"_s));
-        QCOMPARE(HistoryDelegate::text(cell(0, Column::Device)), QString(QChar(0x2013))); // not known
-        QCOMPARE(HistoryDelegate::text(cell(2, Column::Type)), QString(QChar(0x2026)));   // not there yet
+        const auto cell = [&](int row, HistoryColumn column) { return model.index(row, int(column)); };
+        QCOMPARE(cell(0, HistoryColumn::Mass).data(HistoryModel::SortRole).toDouble(), 0.0396);
+        QCOMPARE(HistoryDelegate::text(cell(0, HistoryColumn::Mass)), u"39.6"_s);
+        QCOMPARE(cell(1, HistoryColumn::Outcome).data(Qt::EditRole).toInt(),
+                 int(InspectionOutcome::OtherType));
+        QCOMPARE(HistoryDelegate::text(cell(0, HistoryColumn::Outcome)), u"as expected"_s);
+        QCOMPARE(HistoryDelegate::text(cell(0, HistoryColumn::Posterior)), u"0.9998"_s);
+        QVERIFY(HistoryDelegate::text(cell(0, HistoryColumn::Time)).startsWith(u"2020-03-01"_s));
+        QCOMPARE(HistoryDelegate::text(cell(0, HistoryColumn::Device)), QString(QChar(0x2013))); // not known
+        QCOMPARE(HistoryDelegate::text(cell(2, HistoryColumn::Type)),
+                 QString(QChar(0x2026))); // not there yet
     }
     void aPartOfNoTypeHasNoPosterior()
     {
@@ -138,7 +138,7 @@ private slots:
         HistoryEntry stranger = inspection(1);
         stranger.verdict = VerdictKind::Unknown;
         model.restart(keysDownFrom(1), {stranger});
-        QVERIFY(!model.index(0, int(Column::Posterior)).data(Qt::EditRole).isValid());
+        QVERIFY(!model.index(0, int(HistoryColumn::Posterior)).data(Qt::EditRole).isValid());
     }
     void csvKeepsEveryDigitAndQuotesNames()
     {

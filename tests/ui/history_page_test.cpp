@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/core/store/raw_database.h"
+#include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/science_pages.h"
-#include "ui/charts/trend_view.h"
+#include "ui/charts/trend_plot.h"
 #include "ui/models/history_model.h"
-#include "ui/page_state.h"
-#include "ui/pages/history_details.h"
-#include "ui/pages/history_page.h"
-#include "ui/pages/reidentify_dialog.h"
+#include "ui/pages/history/history_page.h"
+#include "ui/pages/history/history_parts.h"
+#include "ui/pages/page_state.h"
+#include "ui/pages/types/reidentify_dialog.h"
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>
@@ -39,7 +39,7 @@ class HistoryPageTest : public QObject {
             page.setActive(true);
             page.prepareTour();
             if (!QTest::qWaitFor([this] { return page.tourReady() && page.model()->rowCount() == 48; },
-                                 test::patience_ms))
+                                 test::longEnough_ms))
                 qFatal("the examples were not inspected");
         }
         [[nodiscard]] int rows() const { return page.model()->rowCount(); }
@@ -94,7 +94,7 @@ private slots:
                     return true;
             return false;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(told(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(told(), test::longEnough_ms);
     }
     void squeezesAreListedNewestFirst()
     {
@@ -108,17 +108,17 @@ private slots:
     {
         Filled f;
         f.choose("historyOutcome", int(InspectionOutcome::Unknown));
-        QTRY_COMPARE_WITH_TIMEOUT(f.rows(), 1, test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.rows(), 1, test::longEnough_ms);
         f.choose("historyOutcome", {});
         f.choose("historyKind", u"inspection"_s);
-        QTRY_COMPARE_WITH_TIMEOUT(f.rows(), 8, test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.rows(), 8, test::longEnough_ms);
         QTest::keyClicks(f.page.findChild<QLineEdit*>(u"historyText"_s), u"no such type"_s);
-        QTRY_COMPARE_WITH_TIMEOUT(f.rows(), 0, test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.rows(), 0, test::longEnough_ms);
         f.click("historyMore");
         f.click("historyClear");
-        QTRY_COMPARE_WITH_TIMEOUT(f.rows(), 48, test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.rows(), 48, test::longEnough_ms);
         f.choose("historyType", u"A"_s);
-        QTRY_VERIFY_WITH_TIMEOUT(f.rows() > 9 && f.rows() < 20, test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(f.rows() > 9 && f.rows() < 20, test::longEnough_ms);
         QCOMPARE(f.at(0)->type, u"A"_s);
     }
     void aClickOnAHeaderSortsAndKeepsTheSelection()
@@ -130,7 +130,7 @@ private slots:
         const int column = int(HistoryModel::Column::Number);
         QTest::mouseClick(header->viewport(), Qt::LeftButton, {},
                           QPoint(header->sectionViewportPosition(column) + 10, header->height() / 2));
-        QTRY_COMPARE_WITH_TIMEOUT(f.at(0)->number, 1, test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.at(0)->number, 1, test::longEnough_ms);
         const QModelIndexList rows = f.table()->selectionModel()->selectedRows();
         QCOMPARE(rows.size(), 1);
         QCOMPARE(f.page.model()->key(rows[0].row()), chosen);
@@ -159,37 +159,37 @@ private slots:
     void enterOpensTheRecordingOnFit()
     {
         Filled f;
-        QSignalSpy requested(&f.fixture.bench, &Workbench::fitRequested);
+        QSignalSpy requested(&f.fixture.bench.navigator(), &Navigator::pageRequested);
         f.clickRow(2);
         QTest::keyClick(f.table(), Qt::Key_Return);
-        QTRY_COMPARE_WITH_TIMEOUT(requested.size(), 1, test::patience_ms);
-        QCOMPARE(f.fixture.bench.fitSubject()->title, u"Inspection 6"_s);
-        QVERIFY(f.fixture.bench.fitSubject()->identification.best());
+        QTRY_COMPARE_WITH_TIMEOUT(requested.size(), 1, test::longEnough_ms);
+        QCOMPARE(f.fixture.bench.navigator().fitSubject()->title, u"Inspection 6"_s);
+        QVERIFY(f.fixture.bench.navigator().fitSubject()->identification.best());
     }
     void theDetailsTellOfTheChosenSqueeze()
     {
         Filled f;
         f.clickRow(1);
-        QTRY_VERIFY_WITH_TIMEOUT(f.details().startsWith(u"Inspection 7"_s), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(f.details().startsWith(u"Inspection 7"_s), test::longEnough_ms);
         const QString told = f.details();
         for (const QString& fact : {u"output error"_s, u"simulated"_s, QStringLiteral(GRIPSCOPE_VERSION),
-                                    u"Uncertainty of m, b, k comes from"_s, f.at(1)->reason})
+                                    u"Uncertainty of m, b, k comes from"_s, f.at(1)->reason.describe()})
             QVERIFY2(told.contains(fact), qPrintable(fact));
     }
     void csvAndJsonHoldAllFilteredRows()
     {
         Filled f;
         f.choose("historyKind", u"inspection"_s);
-        QTRY_COMPARE_WITH_TIMEOUT(f.rows(), 8, test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.rows(), 8, test::longEnough_ms);
         const QString csv = f.fixture.folder.filePath(u"history.csv"_s);
         f.page.exportTo(csv, HistoryFormat::Csv);
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(csv), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(csv), test::longEnough_ms);
         QCOMPARE(bytesOf(csv).count('\n'), 9); // a header and eight rows
         QTRY_VERIFY_WITH_TIMEOUT(f.page.findChild<QPushButton*>(u"historyExport"_s)->isEnabled(),
-                                 test::patience_ms);
+                                 test::longEnough_ms);
         const QString json = f.fixture.folder.filePath(u"history.json"_s);
         f.page.exportTo(json, HistoryFormat::Json);
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(json), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(json), test::longEnough_ms);
         const QJsonObject document = QJsonDocument::fromJson(bytesOf(json)).object();
         QCOMPARE(document.value(u"format"_s).toString(), u"gripscope-history"_s);
         QCOMPARE(document.value(u"filter"_s).toObject().value(u"kind"_s).toString(), u"inspection"_s);
@@ -200,14 +200,14 @@ private slots:
             QCOMPARE(one.value(u"number"_s).toInt(), int(f.at(i)->number));
             QCOMPARE(one.value(u"type"_s).toString(), f.at(i)->type);
             QCOMPARE(one.value(u"parameters"_s).toObject().value(u"k"_s).toDouble(), f.at(i)->parameters->k);
-            QCOMPARE(one.value(u"reason"_s).toString(), f.at(i)->reason);
+            QCOMPARE(one.value(u"reason"_s).toString(), f.at(i)->reason.describe());
         }
     }
     void aFileThatCannotBeWrittenIsReported()
     {
         Filled f;
         f.page.exportTo(f.fixture.folder.filePath(u"none/history.csv"_s), HistoryFormat::Csv);
-        QTRY_COMPARE_WITH_TIMEOUT(f.fixture.reports.size(), 1, test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.fixture.reports.size(), 1, test::longEnough_ms);
         QVERIFY(f.fixture.reports[0][0].toString().contains(u"history.csv"_s));
     }
     void recordingsOfTheSelectedRowsBecomeFiles()
@@ -220,7 +220,7 @@ private slots:
             return f.fixture.folder.filePath(u"inspection_00000%1.csv"_s.arg(number));
         };
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file(8)) && QFile::exists(file(7)) && QFile::exists(file(6)),
-                                 test::patience_ms);
+                                 test::longEnough_ms);
         QVERIFY(bytesOf(file(8)).startsWith("# gripscope-recording"));
     }
     void aReportIsAPdf()
@@ -228,20 +228,20 @@ private slots:
         Filled f;
         const QString file = f.fixture.folder.filePath(u"report.pdf"_s);
         f.page.reportTo(file);
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file), test::longEnough_ms);
         QVERIFY(bytesOf(file).startsWith("%PDF"));
-        QTRY_COMPARE_WITH_TIMEOUT(f.fixture.reports.size(), 1, test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.fixture.reports.size(), 1, test::longEnough_ms);
     }
     void aPointOfTheChartsChoosesItsRow()
     {
         Filled f;
         f.choose("historyKind", u"inspection"_s);
-        QTRY_COMPARE_WITH_TIMEOUT(f.rows(), 8, test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.rows(), 8, test::longEnough_ms);
         f.click("historyCharts");
         f.click("historyByPlace");
         auto* view = f.page.findChild<TrendView*>();
         QTRY_VERIFY_WITH_TIMEOUT(view->content().points && view->content().points->points.size() == 8,
-                                 test::patience_ms);
+                                 test::longEnough_ms);
         // The oldest is the leftmost.
         const TrendPlot plot(view->content(), 0, QRectF(0, 0, view->width(), (view->height() - 18) / 3.0),
                              false);
@@ -253,8 +253,8 @@ private slots:
         QVERIFY(at);
         QTest::mouseClick(view, Qt::LeftButton, {}, *at);
         QTRY_VERIFY_WITH_TIMEOUT(f.table()->currentIndex().isValid() && f.table()->currentIndex().row() == 7,
-                                 test::patience_ms);
-        QTRY_VERIFY_WITH_TIMEOUT(f.details().startsWith(u"Inspection 1"_s), test::patience_ms);
+                                 test::longEnough_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(f.details().startsWith(u"Inspection 1"_s), test::longEnough_ms);
     }
     void selectedSqueezesAreIdentifiedAgainAndKept()
     {
@@ -271,7 +271,7 @@ private slots:
         estimator->setCurrentIndex(estimator->findData(int(Estimator::Arx)));
         QTest::mouseClick(dialog->findChild<QPushButton*>(u"reidentifyStart"_s), Qt::LeftButton);
         auto* keep = dialog->findChild<QPushButton*>(u"reidentifyKeep"_s);
-        QTRY_VERIFY_WITH_TIMEOUT(keep->isEnabled(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(keep->isEnabled(), test::longEnough_ms);
         auto* table = dialog->findChild<QTableView*>(u"reidentifyTable"_s);
         const QAbstractItemModelTester tester(table->model());
         QCOMPARE(table->model()->rowCount(), 3);
@@ -281,15 +281,15 @@ private slots:
         QCOMPARE(test::RawDatabase(database).count(u"reidentifications"_s), 0); // nothing until it is kept
         QTest::mouseClick(keep, Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(test::RawDatabase(database).count(u"reidentifications"_s), 2,
-                                  test::patience_ms);
+                                  test::longEnough_ms);
         QCOMPARE(test::RawDatabase(database).run(u"SELECT operator_name FROM reidentifications"_s).toString(),
                  u"Zoë"_s);
         QVERIFY(f.at(1)->outcome() == verdict);
-        QTRY_VERIFY_WITH_TIMEOUT(!keep->isEnabled(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!keep->isEnabled(), test::longEnough_ms);
         dialog->reject();
         f.clickRow(5);
         f.clickRow(1);
-        QTRY_VERIFY_WITH_TIMEOUT(f.details().contains(u"Identified again"_s), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(f.details().contains(u"Identified again"_s), test::longEnough_ms);
     }
 };
 

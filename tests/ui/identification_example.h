@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/identification/identification.h"
-#include "ui/pages/fit_page_example.h"
+#include "ui/pages/fit/fit_page_squeezes.h"
 
 namespace gripscope::test {
 

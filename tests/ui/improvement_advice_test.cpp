@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/identification_example.h"
-#include "ui/models/improvement_advice.h"
+#include "ui/models/budget_table_model.h"
 
 #include <QTest>
 

@@ -2,11 +2,12 @@
 #include "devices/virtual/virtual_button.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/inspecting.h"
-#include "ui/pages/batch_dialog.h"
-#include "ui/scan_reader.h"
-#include "ui/settings/settings.h"
+#include "ui/pages/inspect/inspect_batch.h"
+#include "ui/settings/values/settings.h"
 #include "ui/sound/sound_player.h"
-#include "ui/widgets/verdict_panel.h"
+#include "ui/widgets/outcome_view.h"
+#include "ui/windows/scan_reader.h"
+#include "ui/windows/window_guard.h"
 
 #include <QCompleter>
 #include <QLabel>
@@ -89,7 +90,7 @@ void InspectFlowTest::typingNarrowsTheListAndNeedsNoWholeName()
     WindowFixture f;
     f.window->showPage(u"inspect"_s);
     bool done = false;
-    f.bench->ask<void>(
+    f.bench->background().ask<void>(
         nullptr,
         [](Library& library) {
             const auto found = library.findType(u"C"_s);
@@ -97,10 +98,10 @@ void InspectFlowTest::typingNarrowsTheListAndNeedsNoWholeName()
                 .map([](const auto&) {});
         },
         [&done](const Expected<void>& answer) { done = answer.has_value(); });
-    QTRY_VERIFY_WITH_TIMEOUT(done, patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(done, gripscope::test::longEnough_ms);
     f.bench->tellLibraryChanged();
     auto* chooser = f.find<TypeChooser>("expectedCombo");
-    QTRY_VERIFY_WITH_TIMEOUT(chooser->findData(u"Cola 330 ml"_s) > 0, patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(chooser->findData(u"Cola 330 ml"_s) > 0, gripscope::test::longEnough_ms);
     chooser->setFocus();
     chooser->lineEdit()->selectAll();
     QTest::keyClicks(chooser, u"330"_s);
@@ -122,7 +123,7 @@ void InspectFlowTest::aScanBeforeArmingArmsNothing()
     WindowFixture f;
     f.window->showPage(u"inspect"_s);
     auto* arm = f.find<QPushButton>("inspectArmButton");
-    QTRY_VERIFY_WITH_TIMEOUT(arm->isEnabled(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(arm->isEnabled(), gripscope::test::longEnough_ms);
     arm->setFocus();
     scan(f, u" B"_s);
     QTest::qWait(3 * ScanReader::longestGap_ms);
@@ -131,7 +132,7 @@ void InspectFlowTest::aScanBeforeArmingArmsNothing()
     // A person's Space on the button does arm.
     arm->setFocus();
     QTest::keyClick(arm, Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), gripscope::test::longEnough_ms);
 }
 
 void InspectFlowTest::theGrippersButtonSqueezesHereAndArmedOnly()
@@ -140,7 +141,8 @@ void InspectFlowTest::theGrippersButtonSqueezesHereAndArmedOnly()
     const auto press = [&f] {
         virtual_button::press();
         QTest::qWait(300); // down and up again, and what follows from it has begun
-        QTRY_VERIFY_WITH_TIMEOUT(f.bench->inspection().state() == InspectSession::State::Ready, patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->inspection().state() == InspectSession::State::Ready,
+                                 gripscope::test::longEnough_ms);
     };
     f.window->showPage(u"inspect"_s);
     press();
@@ -148,17 +150,18 @@ void InspectFlowTest::theGrippersButtonSqueezesHereAndArmedOnly()
     QVERIFY(!f.bench->connection().armed());
     QVERIFY(f.find<VerdictPanel>("verdictPanel")->accessibleDescription().contains(u"armed"_s));
     f.click(f.find<QPushButton>("inspectArmButton"));
-    QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("squeezeButton")->isEnabled(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("squeezeButton")->isEnabled(),
+                             gripscope::test::longEnough_ms);
     f.window->showPage(u"live"_s); // on another page it is nobody's
     press();
     QCOMPARE(f.bench->inspection().counts().total, 0);
     f.window->showPage(u"inspect"_s);
     press();
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().counts().total, 1, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().counts().total, 1, gripscope::test::longEnough_ms);
     press();
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().counts().total, 2, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().counts().total, 2, gripscope::test::longEnough_ms);
     f.click(f.find<QPushButton>("ratesButton")); // a dialog has a person's eyes
-    QTRY_VERIFY(QApplication::activeModalWidget());
+    QTRY_VERIFY(WindowGuard::asking());
     press();
     QCOMPARE(f.bench->inspection().counts().total, 2);
 }
@@ -173,9 +176,9 @@ void InspectFlowTest::spaceAloneIsEnoughForTheNextPart()
     f.click(f.find<QPushButton>("soundButton"));
     squeezeBySpace(f);
     f.click(f.find<QPushButton>("ratesButton"));
-    QTRY_VERIFY(QApplication::activeModalWidget());
-    QTest::keyClick(QApplication::activeModalWidget(), Qt::Key_Return);
-    QTRY_VERIFY(!QApplication::activeModalWidget());
+    QTRY_VERIFY(WindowGuard::asking());
+    QTest::keyClick(WindowGuard::asking(), Qt::Key_Return);
+    QTRY_VERIFY(!WindowGuard::asking());
     squeezeBySpace(f);
     // Held down it is one press.
     const qint64 before = f.bench->inspection().counts().total;
@@ -187,12 +190,13 @@ void InspectFlowTest::spaceAloneIsEnoughForTheNextPart()
         QTest::qWait(30);
     }
     QTest::keyRelease(focusOf(f), Qt::Key_Space);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().counts().total, before + 1, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().counts().total, before + 1,
+                              gripscope::test::longEnough_ms);
     QTest::qWait(300);
     QCOMPARE(f.bench->inspection().counts().total, before + 1);
     // After Stop it is armed again from the header, and Space is enough again.
     QTest::keyClick(f.window.get(), Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), gripscope::test::longEnough_ms);
     f.bench->arm();
     squeezeBySpace(f);
 }
@@ -202,11 +206,12 @@ namespace {
 /// Begins a batch by click and keys.
 void beginBatch(WindowFixture& f, const QString& name, int target)
 {
-    QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("beginBatchButton")->isEnabled(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("beginBatchButton")->isEnabled(),
+                             gripscope::test::longEnough_ms);
     f.click(f.find<QPushButton>("beginBatchButton"));
     auto* dialog = f.window->findChild<BatchDialog*>();
     QVERIFY(dialog);
-    QVERIFY(QTest::qWaitForWindowExposed(dialog));
+    QVERIFY(QTest::qWaitForWindowExposed(dialog, gripscope::test::longEnough_ms));
     auto* accept = dialog->findChild<QPushButton*>(u"batchAccept"_s);
     QVERIFY(!accept->isEnabled()); // it needs a name
     auto* field = dialog->findChild<QLineEdit*>(u"batchNameField"_s);
@@ -217,7 +222,8 @@ void beginBatch(WindowFixture& f, const QString& name, int target)
     QVERIFY(wanted->hasFocus());
     QTest::keyClicks(wanted, QString::number(target));
     QTest::mouseClick(accept, Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("endBatchButton")->isVisible(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.find<QPushButton>("endBatchButton")->isVisible(),
+                             gripscope::test::longEnough_ms);
 }
 
 } // namespace
@@ -231,24 +237,27 @@ void InspectFlowTest::aBatchCountsPartsAsExpectedUntilItIsWhole()
     beginBatch(f, u"4711"_s, 2);
     QCOMPARE(f.find<QLabel>("batchCount")->text(), u"0 of 2"_s);
     squeezeBySpace(f);
-    QTRY_COMPARE_WITH_TIMEOUT(f.find<QLabel>("batchCount")->text(), u"1 of 2"_s, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.find<QLabel>("batchCount")->text(), u"1 of 2"_s,
+                              gripscope::test::longEnough_ms);
     expectType(f, u"B"_s); // an A is another type now: it does not count
     squeezeBySpace(f);
-    QTRY_VERIFY_WITH_TIMEOUT(f.find<QLabel>("batchYield")->text().startsWith(u"50"_s), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.find<QLabel>("batchYield")->text().startsWith(u"50"_s),
+                             gripscope::test::longEnough_ms);
     QCOMPARE(f.find<QLabel>("batchCount")->text(), u"1 of 2"_s);
     expectType(f, u"A"_s);
     squeezeBySpace(f);
-    QTRY_COMPARE_WITH_TIMEOUT(f.find<QLabel>("batchName")->text(), u"Batch 4711 is complete"_s, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.find<QLabel>("batchName")->text(), u"Batch 4711 is complete"_s,
+                              gripscope::test::longEnough_ms);
     QVERIFY(f.find<QPushButton>("beginBatchButton")->isVisible());
     const auto whole = std::count_if(heard.begin(), heard.end(), [](const QList<QVariant>& call) {
         return call.at(0).value<Sound>() == Sound::BatchWhole;
     });
     QCOMPARE(whole, 1);
     std::optional<std::vector<BatchRecord>> stored;
-    f.bench->ask<std::vector<BatchRecord>>(
+    f.bench->background().ask<std::vector<BatchRecord>>(
         nullptr, [](Library& library) { return library.batches(10); },
         [&stored](const Expected<std::vector<BatchRecord>>& found) { stored = found.value(); });
-    QTRY_VERIFY_WITH_TIMEOUT(stored, patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(stored, gripscope::test::longEnough_ms);
     QCOMPARE(stored->size(), std::size_t(1));
     QCOMPARE(stored->front().counts.total, 3);
     QCOMPARE(stored->front().operatorName, u"Mai"_s);
@@ -264,7 +273,8 @@ void InspectFlowTest::aBatchIsEndedByAPerson()
     QTRY_VERIFY(f.window->findChild<QPushButton*>(u"endBatchAccept"_s));
     QVERIFY(f.bench->inspection().batch() && !f.bench->inspection().batch()->ended); // it asks first
     QTest::mouseClick(f.window->findChild<QPushButton*>(u"endBatchAccept"_s), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(f.find<QLabel>("batchName")->text(), u"Batch 4711 was ended"_s, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.find<QLabel>("batchName")->text(), u"Batch 4711 was ended"_s,
+                              gripscope::test::longEnough_ms);
     QVERIFY(f.bench->inspection().batch()->ended);
 }
 
@@ -276,17 +286,17 @@ void InspectFlowTest::aBatchAndItsTypeGoOnAfterARestart()
     beginBatch(f, u"4711"_s, 400);
     squeezeBySpace(f);
     QString library;
-    f.bench->ask<QString>(
+    f.bench->background().ask<QString>(
         nullptr, [](Library& open) -> Expected<QString> { return open.file(); },
         [&library](const Expected<QString>& file) { library = *file; });
-    QTRY_VERIFY_WITH_TIMEOUT(!library.isEmpty(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!library.isEmpty(), gripscope::test::longEnough_ms);
     f.window.reset();
     f.bench.reset();
     Workbench bench(library);
     MainWindow window(bench);
     window.show();
     const auto* count = window.findChild<QLabel*>(u"batchCount"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(count->text(), u"1 of 400"_s, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(count->text(), u"1 of 400"_s, gripscope::test::longEnough_ms);
     QCOMPARE(window.findChild<TypeChooser*>(u"expectedCombo"_s)->expected(), u"A"_s);
 }
 
@@ -316,7 +326,7 @@ void InspectFlowTest::eachOutcomeIsHeardUnlessSwitchedOff()
 
 void InspectFlowTest::whatIsNotValidIsNeitherGoodNorBad()
 {
-    Armed armed(u"virtual:?object=A&seed=8&fault=loss:0.35"_s);
+    Armed armed(u"virtual:?object=A&seed=8&fault=loss:0.35&speed=0"_s);
     WindowFixture& f = armed.f;
     expectType(f, u"A"_s);
     beginBatch(f, u"4711"_s, 5);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/inspecting.h"
-#include "ui/rates_dialog.h"
-#include "ui/widgets/inspection_list.h"
-#include "ui/widgets/verdict_panel.h"
+#include "ui/pages/inspect/inspect_parts.h"
+#include "ui/widgets/inspection_widgets.h"
+#include "ui/widgets/outcome_view.h"
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
@@ -16,6 +16,7 @@
 
 using namespace Qt::StringLiterals;
 using namespace gripscope;
+using gripscope::test::unhurriedA;
 using gripscope::test::WindowFixture;
 using namespace gripscope::test::inspecting;
 
@@ -38,15 +39,15 @@ private slots:
 
 void InspectPageTest::sayWhatToDoBeforeTheFirstSqueeze()
 {
-    WindowFixture f;
+    WindowFixture f(true, unhurriedA);
     f.window->showPage(u"inspect"_s);
     const auto* verdict = f.find<VerdictPanel>("verdictPanel");
     QTRY_COMPARE(verdict->headline(), u"Not armed"_s);
     QVERIFY(!verdict->outcome());
     f.bench->arm();
-    QTRY_COMPARE_WITH_TIMEOUT(verdict->headline(), u"Ready"_s, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(verdict->headline(), u"Ready"_s, gripscope::test::longEnough_ms);
     f.bench->connection().disconnect();
-    QTRY_COMPARE_WITH_TIMEOUT(verdict->headline(), u"No gripper"_s, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(verdict->headline(), u"No gripper"_s, gripscope::test::longEnough_ms);
 }
 
 void InspectPageTest::emptyLibrarySaysEnrollFirst()
@@ -58,7 +59,7 @@ void InspectPageTest::emptyLibrarySaysEnrollFirst()
 
 void InspectPageTest::squeezeIsOnlyThereWhenArmed()
 {
-    WindowFixture f;
+    WindowFixture f(true, unhurriedA);
     f.window->showPage(u"inspect"_s);
     auto* squeeze = f.find<QPushButton>("squeezeButton");
     auto* arm = f.find<QPushButton>("inspectArmButton");
@@ -67,7 +68,7 @@ void InspectPageTest::squeezeIsOnlyThereWhenArmed()
     f.page(u"inspect"_s)->setFocus();
     QTest::keyClick(f.page(u"inspect"_s), Qt::Key_Space);
     // The page hands Space to what it put forward, the Arm button: that arms, and squeezes nothing.
-    QTRY_VERIFY_WITH_TIMEOUT(squeeze->isEnabled(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(squeeze->isEnabled(), gripscope::test::longEnough_ms);
     QVERIFY(f.bench->connection().armed());
     QTest::qWait(200);
     QVERIFY(f.bench->inspection().state() == InspectSession::State::Ready && !f.bench->squeezing());
@@ -76,7 +77,7 @@ void InspectPageTest::squeezeIsOnlyThereWhenArmed()
 
 void InspectPageTest::anExpectedPartIsAsExpected()
 {
-    WindowFixture f;
+    WindowFixture f(true, unhurriedA);
     f.window->showPage(u"inspect"_s);
     expectType(f, u"A"_s);
     f.click(f.find<QPushButton>("inspectArmButton"));
@@ -87,13 +88,13 @@ void InspectPageTest::anExpectedPartIsAsExpected()
     QVERIFY(!f.find<QLabel>("reasonLabel")->text().isEmpty());
     QCOMPARE(f.bench->inspection().counts().asExpected, 1);
     // The Fit page has it without being asked.
-    QVERIFY(f.bench->fitSubject());
-    QCOMPARE(f.bench->fitSubject()->title, u"Inspection 1"_s);
+    QVERIFY(f.bench->navigator().fitSubject());
+    QCOMPARE(f.bench->navigator().fitSubject()->title, u"Inspection 1"_s);
 }
 
 void InspectPageTest::anotherTypeIsNamed()
 {
-    WindowFixture f(true, u"virtual:?object=C&seed=8"_s);
+    WindowFixture f(true, u"virtual:?object=C&seed=8&speed=0"_s);
     f.window->showPage(u"inspect"_s);
     expectType(f, u"A"_s);
     f.click(f.find<QPushButton>("inspectArmButton"));
@@ -106,7 +107,7 @@ void InspectPageTest::anotherTypeIsNamed()
 
 void InspectPageTest::aStrangerIsUnknown()
 {
-    WindowFixture f(true, u"virtual:?object=0.05,80,7000&seed=8"_s);
+    WindowFixture f(true, u"virtual:?object=0.05,80,7000&seed=8&speed=0"_s);
     f.window->showPage(u"inspect"_s);
     f.click(f.find<QPushButton>("inspectArmButton"));
     squeezeBySpace(f);
@@ -115,7 +116,7 @@ void InspectPageTest::aStrangerIsUnknown()
 
 void InspectPageTest::lostReportsAreNotTheParts()
 {
-    WindowFixture f(true, u"virtual:?object=A&seed=8&fault=loss:0.35"_s);
+    WindowFixture f(true, u"virtual:?object=A&seed=8&fault=loss:0.35&speed=0"_s);
     f.window->showPage(u"inspect"_s);
     f.click(f.find<QPushButton>("inspectArmButton"));
     f.bench->inspection().setEarlyEnd(false); // a short one may by chance have lost little
@@ -128,7 +129,7 @@ void InspectPageTest::lostReportsAreNotTheParts()
 
 void InspectPageTest::theListFollowsTheInspections()
 {
-    WindowFixture f;
+    WindowFixture f(true, unhurriedA);
     f.window->showPage(u"inspect"_s);
     auto* list = f.find<InspectionList>("inspectionList");
     const QAbstractItemModelTester tester(list->model(),
@@ -136,19 +137,20 @@ void InspectPageTest::theListFollowsTheInspections()
     f.click(f.find<QPushButton>("inspectArmButton"));
     squeezeBySpace(f);
     squeezeBySpace(f);
-    QTRY_COMPARE_WITH_TIMEOUT(list->model()->rowCount(), 2, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(list->model()->rowCount(), 2, gripscope::test::longEnough_ms);
     QCOMPARE(list->model()->index(0, 0).data(InspectionListModel::NumberRole).toLongLong(), 2);
     // A click on a line opens its squeeze, read back from the library, on the Fit page; so does Enter.
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                       list->visualRect(list->model()->index(1, 0)).center());
-    QTRY_COMPARE_WITH_TIMEOUT(f.window->currentPage()->id(), u"fit"_s, patience_ms);
-    QCOMPARE(f.bench->fitSubject()->title, u"Inspection 1"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(f.window->currentPage()->id(), u"fit"_s, gripscope::test::longEnough_ms);
+    QCOMPARE(f.bench->navigator().fitSubject()->title, u"Inspection 1"_s);
     f.window->showPage(u"inspect"_s);
     list->setFocus();
     list->setCurrentIndex(list->model()->index(0, 0));
     QTest::keyClick(list, Qt::Key_Return);
-    QTRY_COMPARE_WITH_TIMEOUT(f.window->currentPage()->id(), u"fit"_s, patience_ms);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->fitSubject()->title, u"Inspection 2"_s, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.window->currentPage()->id(), u"fit"_s, gripscope::test::longEnough_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->navigator().fitSubject()->title, u"Inspection 2"_s,
+                              gripscope::test::longEnough_ms);
 }
 
 void InspectPageTest::ratesAreSetByClickAndHold()
@@ -159,7 +161,7 @@ void InspectPageTest::ratesAreSetByClickAndHold()
     const auto open = [&f] {
         f.click(f.find<QPushButton>("ratesButton"));
         auto* dialog = f.window->findChild<RatesDialog*>(u"ratesDialog"_s);
-        return QTest::qWaitForWindowExposed(dialog) ? dialog : nullptr;
+        return QTest::qWaitForWindowExposed(dialog, gripscope::test::longEnough_ms) ? dialog : nullptr;
     };
     const auto press = [](RatesDialog* dialog, QDialogButtonBox::StandardButton which) {
         QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(which), Qt::LeftButton);
@@ -192,8 +194,9 @@ void InspectPageTest::aDecidedSqueezeIsShortAndLeavesTheGripperArmed()
     WindowFixture f;
     f.window->showPage(u"inspect"_s);
     expectType(f, u"A"_s);
-    f.click(f.find<QPushButton>("inspectArmButton"));
-    squeezeBySpace(f);
+    auto* squeeze = f.find<QPushButton>("squeezeButton");
+    QVERIFY(f.inRealTime([squeeze] { WindowFixture::clickWhenEnabled(squeeze); },
+                         [&f] { return f.bench->inspection().counts().total == 1; }));
     const auto& result = f.bench->inspection().result();
     QVERIFY(result);
     QCOMPARE(result->verdict.type, u"A"_s);
@@ -209,7 +212,7 @@ void InspectPageTest::aDecidedSqueezeIsShortAndLeavesTheGripperArmed()
 
 void InspectPageTest::whatWasShownSoFarIsCounted()
 {
-    WindowFixture f;
+    WindowFixture f(true, unhurriedA);
     f.window->showPage(u"inspect"_s);
     const auto* shown = f.find<QLabel>("shownLabel");
     QVERIFY(shown->isHidden());
@@ -217,7 +220,8 @@ void InspectPageTest::whatWasShownSoFarIsCounted()
     f.click(f.find<QPushButton>("inspectArmButton"));
     squeezeBySpace(f);
     // 0 of 1: at most 95 %.
-    QTRY_VERIFY_WITH_TIMEOUT(shown->text().contains(u"0 of 1, so at most 95"_s), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(shown->text().contains(u"0 of 1, so at most 95"_s),
+                             gripscope::test::longEnough_ms);
     expectType(f, u"B"_s);
     QTRY_VERIFY(shown->isHidden()); // nothing was shown of that one
 }

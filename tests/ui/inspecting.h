@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/scan_reader.h"
-#include "ui/widgets/type_chooser.h"
+#include "ui/widgets/inspection_widgets.h"
+#include "ui/windows/scan_reader.h"
 
 #include <QApplication>
 #include <QLineEdit>
@@ -13,8 +14,6 @@
 namespace gripscope::test::inspecting {
 
 using namespace Qt::StringLiterals;
-
-inline constexpr int patience_ms = 15000;
 
 /// Where keys go.
 inline QWidget* focusOf(const WindowFixture& f)
@@ -40,14 +39,14 @@ inline void expectType(WindowFixture& f, const QString& name)
 inline void squeezeBySpace(WindowFixture& f)
 {
     auto* squeeze = f.find<QPushButton>("squeezeButton");
-    QTRY_VERIFY_WITH_TIMEOUT(squeeze->isEnabled(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(squeeze->isEnabled(), longEnough_ms);
     QTRY_COMPARE_WITH_TIMEOUT(focusOf(f), static_cast<QWidget*>(squeeze),
-                              patience_ms); // put forward by the page itself
+                              longEnough_ms); // put forward by the page itself
     const qint64 before = f.bench->inspection().counts().total;
     QTest::qWait(2 * ScanReader::longestGap_ms); // keys that follow faster are a scanner's
     QTest::keyClick(focusOf(f), Qt::Key_Space);
     const bool stored =
-        QTest::qWaitFor([&] { return f.bench->inspection().counts().total == before + 1; }, patience_ms);
+        QTest::qWaitFor([&] { return f.bench->inspection().counts().total == before + 1; }, longEnough_ms);
     const QWidget* focus = focusOf(f);
     QVERIFY2(stored,
              qPrintable(u"armed: %1, focus: %2 %3, message: %4"_s.arg(f.bench->connection().armed())
@@ -66,18 +65,18 @@ inline void scan(WindowFixture& f, const QString& text)
 /// A window on the Inspect page, armed.
 struct Armed {
     WindowFixture f;
-    explicit Armed(const QString& address = u"virtual:?object=A&seed=5"_s) : f(true, address)
+    explicit Armed(const QString& address = unhurriedA) : f(true, address)
     {
         f.window->showPage(u"inspect"_s);
         f.click(f.find<QPushButton>("inspectArmButton"));
         if (!QTest::qWaitFor([this] { return f.find<QPushButton>("squeezeButton")->isEnabled(); },
-                             patience_ms))
+                             longEnough_ms))
             qFatal("the gripper was not armed");
     }
     void setCode(const QString& type, const QString& code)
     {
         bool done = false;
-        f.bench->ask<void>(
+        f.bench->background().ask<void>(
             nullptr,
             [type, code](Library& library) {
                 const auto found = library.findType(type);
@@ -85,11 +84,11 @@ struct Armed {
                 });
             },
             [&done](const Expected<void>& answer) { done = answer.has_value(); });
-        QTRY_VERIFY_WITH_TIMEOUT(done, patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(done, longEnough_ms);
         f.bench->tellLibraryChanged();
         QTRY_VERIFY_WITH_TIMEOUT(f.bench->inspection().state() == InspectSession::State::Ready &&
                                      !f.bench->inspection().types().at(1).code.isEmpty(),
-                                 patience_ms);
+                                 longEnough_ms);
     }
     [[nodiscard]] bool squeezed() const
     {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/language.h"
-#include "ui/settings/settings.h"
+#include "ui/context/language.h"
 #include "ui/settings/settings_dialog.h"
-#include "ui/widgets/rail_button.h"
-#include "ui/window_host.h"
+#include "ui/settings/values/settings.h"
+#include "ui/shell/window_bars.h"
+#include "ui/shell/window_host.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -17,12 +17,6 @@
 using namespace Qt::StringLiterals;
 using namespace gripscope;
 using gripscope::test::WindowFixture;
-
-namespace {
-
-constexpr int patience_ms = 15000;
-
-} // namespace
 
 /// Another language while the program runs: the window is a new one, the work goes on.
 class LanguageSwitchTest : public QObject {
@@ -52,7 +46,7 @@ private slots:
         host.window().show();
         QCOMPARE(railWord(host, "rail-inspect"), u"Inspect"_s);
         host.window().showPage(u"types"_s);
-        f.bench->report(u"Read me."_s);
+        f.bench->messages().report(u"Read me."_s);
         host.window().showSettings();
         auto* box = find<QComboBox>(host, "setting-language");
         box->setFocus();
@@ -79,7 +73,8 @@ private slots:
         QTRY_COMPARE(railWord(host, "rail-enroll"), u"Einlernen"_s);
         QCOMPARE(find<QLineEdit>(host, "typeName")->text(), u"Cola 330 ml"_s);
         QTest::keyClick(find<QLineEdit>(host, "typeName"), Qt::Key_Return);
-        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Recipe, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Recipe,
+                                  gripscope::test::longEnough_ms);
         QList<double> typed;
         for (QDoubleSpinBox* field : host.window().currentPage()->findChildren<QDoubleSpinBox*>()) {
             field->setValue(field->value() * 0.9);
@@ -103,22 +98,25 @@ private slots:
         host.window().showPage(u"enroll"_s);
         QTest::keyClicks(find<QLineEdit>(host, "typeName"), u"Cola 330 ml"_s);
         QTest::keyClick(find<QLineEdit>(host, "typeName"), Qt::Key_Return);
-        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Recipe, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Recipe,
+                                  gripscope::test::longEnough_ms);
         WindowFixture::click(find<QPushButton>(host, "recipeNext"));
-        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Squeeze, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Squeeze,
+                                  gripscope::test::longEnough_ms);
         find<QCheckBox>(host, "acceptByItself")->setChecked(false); // each is decided on here
         const auto squeezeAndAccept = [&] {
             if (!f.bench->connection().armed()) // a busy machine may have starved the gripper's heartbeat
                 WindowFixture::click(find<QPushButton>(host, "enrollArmButton"));
             auto* squeeze = find<QPushButton>(host, "enrollSqueezeButton");
-            QTRY_VERIFY_WITH_TIMEOUT(squeeze->isEnabled(), patience_ms);
+            QTRY_VERIFY_WITH_TIMEOUT(squeeze->isEnabled(), gripscope::test::longEnough_ms);
             WindowFixture::click(squeeze);
             auto* accept = find<QPushButton>(host, "acceptButton");
-            QTRY_VERIFY_WITH_TIMEOUT(accept->isVisible() && accept->isEnabled(), patience_ms);
+            QTRY_VERIFY_WITH_TIMEOUT(accept->isVisible() && accept->isEnabled(),
+                                     gripscope::test::longEnough_ms);
             WindowFixture::click(accept);
         };
         squeezeAndAccept();
-        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, gripscope::test::longEnough_ms);
 
         const QSignalSpy stopped(f.bench.get(), &Workbench::stopped);
         f.bench->settings().set(setting::language, u"de"_s);
@@ -127,7 +125,7 @@ private slots:
         QCOMPARE(f.bench->enrollment().step(), EnrollSession::Step::Squeeze);
         QCOMPARE(f.bench->enrollment().acceptedCount(), 1);
         squeezeAndAccept();
-        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 2, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 2, gripscope::test::longEnough_ms);
     }
 };
 

@@ -2,17 +2,14 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/layout_walk.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/help/about_dialog.h"
-#include "ui/help/manual_window.h"
+#include "ui/help/help_windows.h"
 #include "ui/inspector/device_inspector.h"
-#include "ui/lag_dialog.h"
-#include "ui/pages/enrolled_types_dialog.h"
-#include "ui/people/audit_dialog.h"
-#include "ui/people/people_dialog.h"
-#include "ui/people/person_form.h"
+#include "ui/pages/enroll/enrolled_types_dialog.h"
+#include "ui/people/people_dialogs.h"
 #include "ui/people/sign_in_dialog.h"
-#include "ui/profile_dialog.h"
+#include "ui/profiles/profile_dialog.h"
 #include "ui/settings/settings_dialog.h"
+#include "ui/shell/connect_menu.h"
 
 using namespace gripscope;
 using namespace gripscope::test;
@@ -39,10 +36,10 @@ private slots:
         WindowFixture f(true, QStringLiteral("virtual:"));
         f.window->showPage(id);
         f.page(id)->prepareTour();
-        QTRY_VERIFY_WITH_TIMEOUT(f.page(id)->tourReady(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(f.page(id)->tourReady(), gripscope::test::longEnough_ms);
         f.window->showPage(id);
         QVERIFY(soundInAll(*f.window, QStringLiteral("at work"), windowSizes()));
-        f.bench->report(QStringLiteral("Something went wrong. Do this, then try again."));
+        f.bench->messages().report(QStringLiteral("Something went wrong. Do this, then try again."));
         QVERIFY(soundIn(*f.window, QStringLiteral("with a message"), {{ThemeKind::Light, "light"}},
                         {windowSizes().front()}));
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/discretization.h"
-#include "core/signal/excitation.h"
-#include "core/signal/gaussian.h"
+#include "core/identification/model/discretization.h"
+#include "core/math/gaussian.h"
+#include "core/signal/excitation/excitation.h"
 #include "tests/support/test_registry.h"
-#include "ui/live_estimate.h"
+#include "ui/feed/live_squeeze.h"
 
 #include <QTest>
 

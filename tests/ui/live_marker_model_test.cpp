@@ -6,7 +6,7 @@
 #include <QTest>
 
 using namespace gripscope;
-using Column = LiveMarkerModel::Column;
+using MarkerColumn = LiveMarkerModel::Column;
 
 class LiveMarkerModelTest : public QObject {
     Q_OBJECT
@@ -27,12 +27,12 @@ private slots:
         for (const double time_s : {5.0, 2.0, 9.0})
             model.add(at(time_s));
         QCOMPARE(model.rowCount(), 3);
-        QCOMPARE(model.index(0, int(Column::Number)).data().toInt(), 2);
-        QCOMPARE(model.index(1, int(Column::Number)).data().toInt(), 1);
-        QCOMPARE(model.index(1, int(Column::When)).data().toString(), QStringLiteral("14:05:09.250"));
+        QCOMPARE(model.index(0, int(MarkerColumn::Number)).data().toInt(), 2);
+        QCOMPARE(model.index(1, int(MarkerColumn::Number)).data().toInt(), 1);
+        QCOMPARE(model.index(1, int(MarkerColumn::When)).data().toString(), QStringLiteral("14:05:09.250"));
         model.remove(1);
         model.add(at(6));
-        QCOMPARE(model.index(1, int(Column::Number)).data().toInt(), 4);
+        QCOMPARE(model.index(1, int(MarkerColumn::Number)).data().toInt(), 4);
         model.clear();
         QCOMPARE(model.rowCount(), 0);
     }
@@ -41,9 +41,9 @@ private slots:
         LiveMarkerModel model;
         const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
         model.add(at(1));
-        const QModelIndex words = model.index(0, int(Column::Words));
+        const QModelIndex words = model.index(0, int(MarkerColumn::Words));
         QVERIFY(words.flags() & Qt::ItemIsEditable);
-        QVERIFY(!(model.index(0, int(Column::When)).flags() & Qt::ItemIsEditable));
+        QVERIFY(!(model.index(0, int(MarkerColumn::When)).flags() & Qt::ItemIsEditable));
         QVERIFY(model.setData(words, QStringLiteral(" part\nturned "), Qt::EditRole));
         QCOMPARE(words.data().toString(), QStringLiteral("part turned"));
         QVERIFY(!model.setData(model.index(0, 0), 7, Qt::EditRole));

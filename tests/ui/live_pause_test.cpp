@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/recording_csv.h"
+#include "core/signal/recording/recording_csv.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/layout_audit.h"
 #include "tests/ui/workbench_fixture.h"
 #include "ui/charts/strip_chart.h"
 #include "ui/models/live_marker_model.h"
-#include "ui/pages/live_measure_panel.h"
+#include "ui/pages/live/live_pause.h"
 
 #include <QDoubleSpinBox>
 #include <QFileDialog>
@@ -25,8 +25,6 @@ using gripscope::test::WindowFixture;
 
 namespace {
 
-constexpr int patience_ms = 20000;
-
 /// The Live page, paused after two seconds and more of samples, by click.
 struct PausedPage {
     WindowFixture f{false};
@@ -38,7 +36,8 @@ struct PausedPage {
         f.window->showPage(u"live"_s);
         force = f.window->findChildren<StripChart*>().first();
         position = f.window->findChildren<StripChart*>().last();
-        if (!QTest::qWaitFor([this] { return f.bench->liveHistory().newestTime_s() > 2.5; }, patience_ms))
+        if (!QTest::qWaitFor([this] { return f.bench->live().history().newestTime_s() > 2.5; },
+                             gripscope::test::longEnough_ms))
             qFatal("no samples came");
         f.click(f.find<QPushButton>("pauseButton"));
     }
@@ -220,7 +219,7 @@ void LivePauseTest::cursorsComeIntoView()
 void LivePauseTest::theReadoutIsOfTheSamples()
 {
     PausedPage p;
-    const LiveHistory held = p.f.bench->liveHistory(); // the page's copy is as new, or a tick older
+    const LiveHistory held = p.f.bench->live().history(); // the page's copy is as new, or a tick older
     auto* a = p.f.find<QDoubleSpinBox>("cursorA");
     a->setValue(-1);
     p.f.find<QDoubleSpinBox>("cursorB")->setValue(-0.5);
@@ -243,7 +242,7 @@ void LivePauseTest::aMarkerStandsInBothChartsAndInTheList()
     WindowFixture f(false);
     f.window->showPage(u"live"_s);
     const QList<StripChart*> charts = f.window->findChildren<StripChart*>();
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->liveHistory().newestTime_s() > 0.5, patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->live().history().newestTime_s() > 0.5, gripscope::test::longEnough_ms);
     QTest::keyClick(f.page(u"live"_s), Qt::Key_M);
     f.click(f.find<QToolButton>("markerButton"));
     const auto markers = [](const StripChart* chart) {
@@ -269,7 +268,7 @@ void LivePauseTest::aMarkerStandsInBothChartsAndInTheList()
     // Another gripper: its time has nothing to do with the markers.
     f.click(f.find<QPushButton>("pauseButton"));
     f.connectTo(u"virtual:?object=B&seed=9"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(list->model()->rowCount(), 0, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(list->model()->rowCount(), 0, gripscope::test::longEnough_ms);
 }
 
 void LivePauseTest::markersAreWordedFoundAndRemoved()
@@ -303,14 +302,15 @@ void LivePauseTest::aTrialSqueezeKeepsItsMarkers()
     WindowFixture f(false);
     f.window->showPage(u"live"_s);
     f.bench->arm();
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), gripscope::test::longEnough_ms);
     QTest::keyClick(f.page(u"live"_s), Qt::Key_M); // before the squeeze
     f.click(f.find<QPushButton>("trialButton"));
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->liveEstimate().following(), patience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->liveEstimate().state()->samples > 200, patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->live().estimate().following(), gripscope::test::longEnough_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->live().estimate().state()->samples > 200,
+                             gripscope::test::longEnough_ms);
     QTest::keyClick(f.page(u"live"_s), Qt::Key_M);
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->fitSubject(), patience_ms);
-    const Recording& recording = f.bench->fitSubject()->recording;
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->navigator().fitSubject(), gripscope::test::longEnough_ms);
+    const Recording& recording = f.bench->navigator().fitSubject()->recording;
     const QStringList notes = recording.provenance.keys().filter(u"marker_"_s);
     QCOMPARE(notes, QStringList{u"marker_001"_s});
     const double time_s = recording.provenance[u"marker_001"_s].chopped(2).toDouble();
@@ -330,7 +330,7 @@ void LivePauseTest::whatIsInViewIsSavedAsARecording()
     QVERIFY(dialog);
     emit dialog->fileSelected(file);
     dialog->close();
-    QTRY_VERIFY_WITH_TIMEOUT(p.f.window->message().contains(u"1.25 s"_s), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(p.f.window->message().contains(u"1.25 s"_s), gripscope::test::longEnough_ms);
     const Expected<Recording> saved = readRecordingCsv(file);
     QVERIFY(saved);
     QVERIFY(std::abs(static_cast<double>(saved->size()) - 2500) <= 1);

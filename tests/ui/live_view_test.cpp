@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
-#include "ui/live_view.h"
+#include "ui/feed/live_view.h"
 
 #include <QTest>
 

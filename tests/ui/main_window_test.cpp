@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/help/about_dialog.h"
-#include "ui/help/manual_browser.h"
-#include "ui/help/manual_window.h"
-#include "ui/status_line.h"
+#include "ui/help/help_windows.h"
+#include "ui/shell/window_bars.h"
 
 #include <QLineEdit>
 #include <QListWidget>
@@ -14,10 +12,6 @@
 using namespace Qt::StringLiterals;
 using namespace gripscope;
 using gripscope::test::WindowFixture;
-
-namespace {
-constexpr int patience_ms = 10000;
-}
 
 /// Clicks and keys on the whole window.
 class MainWindowTest : public QObject {
@@ -60,7 +54,7 @@ void MainWindowTest::nothingIsCutOffAtTheLeastSize()
     QFETCH(bool, withMessage);
     WindowFixture f;
     if (withMessage)
-        f.bench->report(
+        f.bench->messages().report(
             u"12 reports were lost during this squeeze, so it was not judged. Check the USB cable, then squeeze again. "_s
                 .repeated(2));
     f.window->showPage(id);
@@ -102,10 +96,10 @@ void MainWindowTest::armingIsAPersonsClick()
     QVERIFY(!f.bench->connection().armed());
     auto* arm = f.find<QPushButton>("armButton");
     f.click(arm);
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), gripscope::test::longEnough_ms);
     QTRY_VERIFY(arm->isChecked());
     f.click(arm);
-    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), gripscope::test::longEnough_ms);
     QTRY_VERIFY(!arm->isChecked());
 }
 
@@ -121,21 +115,22 @@ void MainWindowTest::stopOnEveryPageStopsAndDisarms()
     QFETCH(QString, id);
     WindowFixture f;
     f.click(f.find<QPushButton>("armButton"));
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), gripscope::test::longEnough_ms);
     Recipe recipe;
     recipe.seconds = 5; // long enough to be stopped in the middle, however busy the machine
     f.bench->inspection().setRecipe(recipe);
     f.bench->inspection().setEarlyEnd(false); // decided, it would be over before
     QVERIFY(f.bench->inspection().squeeze());
     QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().port()->squeezeState() == SqueezeState::Running,
-                             patience_ms);
+                             gripscope::test::longEnough_ms);
     f.window->showPage(id);
     QCOMPARE(f.window->currentPage()->id(), id);
     f.click(f.find<QPushButton>("stopButton"));
     QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().port()->squeezeState() == SqueezeState::Stopped,
-                             patience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), patience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->inspection().state() == InspectSession::State::Ready, patience_ms);
+                             gripscope::test::longEnough_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), gripscope::test::longEnough_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->inspection().state() == InspectSession::State::Ready,
+                             gripscope::test::longEnough_ms);
     QVERIFY(!f.bench->inspection().result()); // a stopped squeeze is not judged
     QTRY_VERIFY(!f.find<QPushButton>("armButton")->isChecked());
 }
@@ -152,26 +147,26 @@ void MainWindowTest::escapeStopsWhereverTheFocusIs()
     QFETCH(QString, name);
     WindowFixture f(false);
     f.bench->arm();
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), gripscope::test::longEnough_ms);
     auto* widget = f.find<QWidget>(qPrintable(name));
     widget->setFocus();
     QSignalSpy stopped(f.bench.get(), &Workbench::stopped);
     QTest::keyClick(widget, Qt::Key_Escape);
     QVERIFY(stopped.count() >= 1);
-    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), gripscope::test::longEnough_ms);
 }
 
 void MainWindowTest::escapeStopsInADialogToo()
 {
     WindowFixture f(false);
     f.bench->arm();
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), gripscope::test::longEnough_ms);
     QTest::keyClick(f.window.get(), Qt::Key_F1);
     QTRY_VERIFY(f.window->findChild<ManualWindow*>());
     WindowFixture::click(f.window->findChild<ManualWindow*>()->findChild<QPushButton*>(u"keysButton"_s));
     QTRY_VERIFY(f.window->findChild<AboutDialog*>());
     QTest::keyClick(f.window->findChild<AboutDialog*>(), Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), gripscope::test::longEnough_ms);
     QTRY_VERIFY(!f.window->findChild<AboutDialog*>() || !f.window->findChild<AboutDialog*>()->isVisible());
 }
 
@@ -212,8 +207,8 @@ void MainWindowTest::theManualIsSearched()
 void MainWindowTest::anErrorIsShownUntilItIsDismissed()
 {
     WindowFixture f(false);
-    f.bench->report(u"First."_s);
-    f.bench->report(u"Second."_s);
+    f.bench->messages().report(u"First."_s);
+    f.bench->messages().report(u"Second."_s);
     QCOMPARE(f.window->message(), u"Second."_s);
     QPushButton* dismiss = nullptr;
     for (QPushButton* button : f.window->findChildren<QPushButton*>())
@@ -240,7 +235,8 @@ void MainWindowTest::theOperatorIsKnownToTheSessions()
 void MainWindowTest::aLostGripperIsToldInWords()
 {
     WindowFixture f(false, u"virtual:?fault=unplug:0.3"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().state() == ConnectSession::State::Lost, patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().state() == ConnectSession::State::Lost,
+                             gripscope::test::longEnough_ms);
     QTRY_VERIFY(!f.window->message().isEmpty());
     QTRY_VERIFY(!f.find<QPushButton>("armButton")->isEnabled());
     const auto* status = f.window->findChild<StatusLine*>();
@@ -252,15 +248,17 @@ void MainWindowTest::aGripperThatComesBackGoesOn()
     WindowFixture f(false, u"virtual:?seed=3&fault=unplug:0.5,replug:1"_s);
     ConnectSession& connection = f.bench->connection();
     const auto* status = f.window->findChild<StatusLine*>();
-    QTRY_VERIFY_WITH_TIMEOUT(connection.state() == ConnectSession::State::Lost, patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(connection.state() == ConnectSession::State::Lost,
+                             gripscope::test::longEnough_ms);
     QTRY_COMPARE(f.window->message(), u"Gripper VG-3 went away: it was unplugged or switched off. Plug it in "
                                       "again: Gripscope goes on by itself."_s);
     QTRY_VERIFY(status->text().contains(u"Gripper VG-3 is away"_s));
-    const double before_s = f.bench->liveHistory().newestTime_s();
-    QTRY_VERIFY_WITH_TIMEOUT(connection.state() == ConnectSession::State::Connected, patience_ms);
+    const double before_s = f.bench->live().history().newestTime_s();
+    QTRY_VERIFY_WITH_TIMEOUT(connection.state() == ConnectSession::State::Connected,
+                             gripscope::test::longEnough_ms);
     QTRY_VERIFY(f.window->message().isEmpty());
     QVERIFY(!connection.armed());
-    const LiveHistory& history = f.bench->liveHistory();
+    const LiveHistory& history = f.bench->live().history();
     QTRY_VERIFY(history.newestTime_s() > before_s + 0.9); // the plots go on, behind the time without it
     const auto stretches = history.columns(LiveHistory::Channel::Force, history.newestTime_s(), 10, 400);
     QCOMPARE(stretches.size(), std::size_t(2));
@@ -287,9 +285,9 @@ void MainWindowTest::closingStopsTheGripper()
 {
     WindowFixture f(false);
     f.bench->arm();
-    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), gripscope::test::longEnough_ms);
     f.window->close();
-    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().armed(), gripscope::test::longEnough_ms);
 }
 
 GRIPSCOPE_TEST(MainWindowTest)

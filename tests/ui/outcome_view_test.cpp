@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
-#include "ui/sound/outcome_tones.h"
+#include "ui/charts/type_map.h"
+#include "ui/format/outcome_words.h"
+#include "ui/format/parameter_text.h"
+#include "ui/format/yield_text.h"
+#include "ui/sound/sound_player.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/inspection_widgets.h"
 #include "ui/widgets/outcome_view.h"
-#include "ui/widgets/parameter_text.h"
-#include "ui/widgets/type_map.h"
-#include "ui/widgets/verdict_panel.h"
-#include "ui/widgets/yield_strip.h"
-#include "ui/widgets/yield_text.h"
 
 #include <QPainter>
 #include <QTest>
@@ -19,9 +19,9 @@ using namespace gripscope;
 
 namespace {
 
-constexpr InspectionOutcome all[] = {InspectionOutcome::AsExpected, InspectionOutcome::OtherType,
-                                     InspectionOutcome::Unknown, InspectionOutcome::Inconclusive,
-                                     InspectionOutcome::NotValid};
+constexpr InspectionOutcome allOutcomes[] = {InspectionOutcome::AsExpected, InspectionOutcome::OtherType,
+                                             InspectionOutcome::Unknown, InspectionOutcome::Inconclusive,
+                                             InspectionOutcome::NotValid};
 
 QImage sign(InspectionOutcome outcome)
 {
@@ -64,8 +64,8 @@ private slots:
 
 void OutcomeViewTest::signsDifferWithoutColour()
 {
-    for (const InspectionOutcome one : all)
-        for (const InspectionOutcome other : all) {
+    for (const InspectionOutcome one : allOutcomes)
+        for (const InspectionOutcome other : allOutcomes) {
             if (one == other)
                 continue;
             const QImage a = sign(one);
@@ -81,7 +81,7 @@ void OutcomeViewTest::signsDifferWithoutColour()
 void OutcomeViewTest::wordsDiffer()
 {
     QStringList words;
-    for (const InspectionOutcome outcome : all)
+    for (const InspectionOutcome outcome : allOutcomes)
         words << outcomeWord(outcome);
     QCOMPARE(QSet<QString>(words.begin(), words.end()).size(), 5);
 }
@@ -100,13 +100,13 @@ void OutcomeViewTest::everyWordReadsOnItsTint()
 {
     for (const ThemeKind kind : {ThemeKind::Light, ThemeKind::Dark}) {
         Theme::instance().apply(kind);
-        for (const InspectionOutcome outcome : all)
+        for (const InspectionOutcome outcome : allOutcomes)
             QVERIFY(Theme::contrastRatio(Theme::instance().outcomeColor(outcome),
                                          outcomeFill(outcome).color()) >= 4.5);
     }
     Theme::instance().apply(ThemeKind::HighContrast);
     QSet<int> patterns;
-    for (const InspectionOutcome outcome : all)
+    for (const InspectionOutcome outcome : allOutcomes)
         patterns << static_cast<int>(outcomeFill(outcome).style());
     QCOMPARE(patterns.size(), 5);
     Theme::instance().apply(ThemeKind::Light);
@@ -210,7 +210,7 @@ void OutcomeViewTest::theYieldLeavesOutWhatWasNotJudged()
 void OutcomeViewTest::soundsAreToldApart()
 {
     // By more than pitch: number of tones, length, or direction.
-    QSet<QByteArray> all;
+    QSet<QByteArray> allOutcomes;
     for (const Sound sound : {Sound::AsExpected, Sound::OtherType, Sound::Unknown, Sound::Inconclusive,
                               Sound::NotValid, Sound::BatchWhole, Sound::CodeUnknown}) {
         const std::vector<Tone> tones = tonesOf(sound);
@@ -224,9 +224,9 @@ void OutcomeViewTest::soundsAreToldApart()
         const auto* first = reinterpret_cast<const std::int16_t*>(samples.constData());
         QCOMPARE(int(first[0]), 0); // no click
         QVERIFY(std::abs(int(first[samples.size() / 2 - 1])) < 400);
-        all << samples;
+        allOutcomes << samples;
     }
-    QCOMPARE(all.size(), 7);
+    QCOMPARE(allOutcomes.size(), 7);
     QVERIFY(tonesOf(Sound::NotValid)[0].seconds > 2 * tonesOf(Sound::AsExpected)[0].seconds);
 }
 

@@ -2,7 +2,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/scene/scene_example.h"
 #include "ui/scene/offscreen_gl.h"
-#include "ui/scene/pair_plots.h"
+#include "ui/scene/scene_view.h"
 #include "ui/theme/theme.h"
 
 #include <QSignalSpy>

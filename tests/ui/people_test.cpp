@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/people_window.h"
-#include "ui/lag_dialog.h"
+#include "ui/pages/inspect/inspect_parts.h"
 #include "ui/people/authorize.h"
-#include "ui/people/people_dialog.h"
-#include "ui/people/person_form.h"
-#include "ui/rates_dialog.h"
+#include "ui/people/people_dialogs.h"
+#include "ui/shell/connect_menu.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -18,8 +17,6 @@ using gripscope::test::PeopleWindow;
 using gripscope::test::WindowFixture;
 
 namespace {
-
-constexpr int patience_ms = PeopleWindow::patience_ms;
 
 void type(PersonForm* form, const char* field, const QString& text)
 {
@@ -70,15 +67,15 @@ private slots:
         type(form, "againField", u"12345"_s);
         pressAdd(form);
         QTRY_VERIFY_WITH_TIMEOUT(form->findChild<QLabel*>(u"personState"_s)->text().contains(u"too short"_s),
-                                 patience_ms);
+                                 gripscope::test::longEnough_ms);
         QCOMPARE(form->name(), u"Sam"_s); // what was typed is still there, but for the secret
         QVERIFY(form->findChild<QLineEdit*>(u"secretField"_s)->text().isEmpty());
         type(form, "secretField", u"123456"_s);
         type(form, "againField", u"123456"_s);
         pressAdd(form);
-        QTRY_VERIFY_WITH_TIMEOUT(!f.window->findChild<PersonForm*>(), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!f.window->findChild<PersonForm*>(), gripscope::test::longEnough_ms);
         auto* table = f.find<QTableWidget>("peopleTable");
-        QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 1, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 1, gripscope::test::longEnough_ms);
         QCOMPARE(table->item(0, 0)->text(), u"Sam"_s);
         QCOMPARE(table->item(0, 1)->text(), u"supervisor"_s);
         QVERIFY(f.bench->signIn().inForce());
@@ -101,20 +98,21 @@ private slots:
         type(form, "againField", u"654321"_s);
         pressAdd(form);
         auto* table = f.find<QTableWidget>("peopleTable");
-        QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 3, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 3, gripscope::test::longEnough_ms);
         QTRY_VERIFY(!f.window->findChild<PersonForm*>());
         table->selectRow(0);
         QCOMPARE(table->item(0, 0)->text(), u"Ada"_s);
         f.click(f.find<QPushButton>("roleButton"));
-        QTRY_COMPARE_WITH_TIMEOUT(table->item(0, 1)->text(), u"supervisor"_s, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(table->item(0, 1)->text(), u"supervisor"_s, gripscope::test::longEnough_ms);
         f.click(f.find<QPushButton>("activeButton"));
-        QTRY_COMPARE_WITH_TIMEOUT(table->item(2, 2)->text(), u"deactivated"_s, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(table->item(2, 2)->text(), u"deactivated"_s,
+                                  gripscope::test::longEnough_ms);
         // Sam is the last supervisor then.
         table->selectRow(1);
         QCOMPARE(table->item(1, 0)->text(), u"Sam"_s);
         f.click(f.find<QPushButton>("activeButton"));
         QTRY_VERIFY_WITH_TIMEOUT(f.find<QLabel>("peopleState")->text().contains(u"last supervisor"_s),
-                                 patience_ms);
+                                 gripscope::test::longEnough_ms);
         QVERIFY(f.bench->signIn().current());
     }
     void peopleSignInAndOut()
@@ -124,11 +122,11 @@ private slots:
         f.typeSecret(u"Olli"_s, u"not the word"_s);
         auto* state = f.dialog()->findChild<QLabel*>(u"signInState"_s);
         QTRY_VERIFY_WITH_TIMEOUT(state->text().startsWith(u"That is not the PIN or password of Olli."_s),
-                                 patience_ms);
+                                 gripscope::test::longEnough_ms);
         QVERIFY(state->text().contains(u"4"_s));
         QCOMPARE(f.newestEntry().action, u"sign_in.failed"_s);
         f.typeSecret(u"Olli"_s, u"ein langes Wort"_s);
-        QTRY_VERIFY_WITH_TIMEOUT(!f.dialog(), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!f.dialog(), gripscope::test::longEnough_ms);
         QCOMPARE(f.bench->operatorName(), u"Olli"_s);
         QCOMPARE(f.find<QPushButton>("operatorChip")->text(), u"Olli"_s);
         chooseInMenu(f, "signOutAction");
@@ -141,7 +139,7 @@ private slots:
         PeopleWindow f;
         f.signInOlli();
         f.bench->signIn().setIdleLimit(std::chrono::milliseconds(1));
-        QTRY_VERIFY_WITH_TIMEOUT(!f.bench->signIn().current(), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!f.bench->signIn().current(), gripscope::test::longEnough_ms);
         QVERIFY(f.window->message().contains(u"Olli was signed out"_s));
         QCOMPARE(f.newestEntry().details, u"{\"idle\":true}"_s);
     }
@@ -158,7 +156,7 @@ private slots:
             return library.people().setActive(olli->id, false);
         });
         f.bench->signIn().reload();
-        QTRY_VERIFY_WITH_TIMEOUT(!f.bench->signIn().current(), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!f.bench->signIn().current(), gripscope::test::longEnough_ms);
     }
     void ratesAskForASupervisorOnce()
     {
@@ -171,7 +169,7 @@ private slots:
             auto* dialog = f.find<RatesDialog>("ratesDialog");
             dialog->findChild<QDoubleSpinBox*>(u"falseRejectField"_s)->setValue(percent);
             f.click(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok));
-            QTRY_VERIFY_WITH_TIMEOUT(!f.window->findChild<RatesDialog*>(), patience_ms);
+            QTRY_VERIFY_WITH_TIMEOUT(!f.window->findChild<RatesDialog*>(), gripscope::test::longEnough_ms);
         };
         change(2);
         QTRY_VERIFY(f.dialog());
@@ -181,7 +179,7 @@ private slots:
         QVERIFY(f.newestEntry().action != u"rates.changed"_s);
         change(2);
         f.authorise();
-        QTRY_COMPARE_WITH_TIMEOUT(f.bench->rates().rates.falseReject, 0.02, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->rates().rates.falseReject, 0.02, gripscope::test::longEnough_ms);
         const AuditEntry entry = f.newestEntry();
         QCOMPARE(entry.action, u"rates.changed"_s);
         QCOMPARE(entry.person, u"Sam"_s);
@@ -200,7 +198,7 @@ private slots:
         QCOMPARE(f.dialog()->findChild<QComboBox*>(u"personField"_s)->count(), 1); // Sam alone
         f.typeSecret(u"Sam"_s, u"ein langes Wort"_s);
         auto* state = f.dialog()->findChild<QLabel*>(u"signInState"_s);
-        QTRY_VERIFY_WITH_TIMEOUT(!state->text().isEmpty(), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!state->text().isEmpty(), gripscope::test::longEnough_ms);
         QVERIFY(!done);
         f.authorise();
         QVERIFY(done);
@@ -220,7 +218,7 @@ private slots:
         chooseInMenu(f, "peopleAction");
         QTRY_VERIFY(f.window->findChild<PeopleDialog*>());
         auto* table = f.find<QTableWidget>("peopleTable");
-        QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 2, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 2, gripscope::test::longEnough_ms);
         table->selectRow(0);
         f.click(f.find<QPushButton>("secretButton"));
         QTRY_VERIFY(f.window->findChild<PersonForm*>());
@@ -228,7 +226,7 @@ private slots:
         type(form, "secretField", u"a new password"_s);
         type(form, "againField", u"a new password"_s);
         pressAdd(form);
-        QTRY_VERIFY_WITH_TIMEOUT(!f.window->findChild<PersonForm*>(), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!f.window->findChild<PersonForm*>(), gripscope::test::longEnough_ms);
         QCOMPARE(f.newestEntry().action, u"person.secret"_s);
         QCOMPARE(f.newestEntry().person, u"Olli"_s);
     }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/store/audit_trail.h"
-#include "core/store/people_register.h"
+#include "core/library/audit/audit_trail.h"
+#include "core/library/people/people_register.h"
+#include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/people/sign_in.h"
+#include "ui/context/sign_in.h"
 #include "ui/people/sign_in_dialog.h"
 
 #include <QComboBox>
@@ -18,8 +19,6 @@ namespace gripscope::test {
 /// langes Wort"); nobody has signed in.
 class PeopleWindow : public WindowFixture {
 public:
-    static constexpr int patience_ms = 30000;
-
     explicit PeopleWindow(const QString& address = {}) : WindowFixture(true, address)
     {
         answer<void>([](Library& library) -> Expected<void> {
@@ -37,7 +36,7 @@ public:
                 .map([](const Person&) {});
         });
         bench->signIn().reload();
-        if (!QTest::qWaitFor([this] { return bench->signIn().people().size() == 2; }, patience_ms))
+        if (!QTest::qWaitFor([this] { return bench->signIn().people().size() == 2; }, longEnough_ms))
             qFatal("the people were not read");
     }
 
@@ -46,8 +45,9 @@ public:
     T answer(std::function<Expected<T>(Library&)> work) const
     {
         std::optional<Expected<T>> got;
-        bench->ask<T>(nullptr, std::move(work), [&got](Expected<T> value) { got = std::move(value); });
-        if (!QTest::qWaitFor([&got] { return got.has_value(); }, patience_ms) || !*got)
+        bench->background().ask<T>(nullptr, std::move(work),
+                                   [&got](Expected<T> value) { got = std::move(value); });
+        if (!QTest::qWaitFor([&got] { return got.has_value(); }, longEnough_ms) || !*got)
             qFatal("the library did not answer");
         if constexpr (!std::is_void_v<T>)
             return std::move(**got);
@@ -65,7 +65,7 @@ public:
     /// Types into the dialog that is open, and presses its button.
     void typeSecret(const QString& name, const QString& secret) const
     {
-        QVERIFY(QTest::qWaitFor([this] { return dialog() != nullptr; }, patience_ms));
+        QVERIFY(QTest::qWaitFor([this] { return dialog() != nullptr; }, longEnough_ms));
         dialog()->findChild<QComboBox*>(QStringLiteral("personField"))->setCurrentText(name);
         auto* field = dialog()->findChild<QLineEdit*>(QStringLiteral("secretField"));
         QTest::keyClicks(field, secret);
@@ -74,7 +74,7 @@ public:
     void authorise() const
     {
         typeSecret(QStringLiteral("Sam"), QStringLiteral("2468135790"));
-        QVERIFY(QTest::qWaitFor([this] { return dialog() == nullptr; }, patience_ms));
+        QVERIFY(QTest::qWaitFor([this] { return dialog() == nullptr; }, longEnough_ms));
     }
     /// As the person would, by the menu of the header.
     void signIn(const QString& name, const QString& secret) const
@@ -82,7 +82,7 @@ public:
         auto* asked = new SignInDialog(*bench, std::nullopt, window.get());
         asked->open();
         typeSecret(name, secret);
-        QVERIFY(QTest::qWaitFor([this] { return dialog() == nullptr; }, patience_ms));
+        QVERIFY(QTest::qWaitFor([this] { return dialog() == nullptr; }, longEnough_ms));
         QVERIFY(bench->signIn().current());
     }
     void signInOlli() const { signIn(QStringLiteral("Olli"), QStringLiteral("ein langes Wort")); }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/identification_example.h"
-#include "ui/charts/correlation_plot.h"
 #include "ui/charts/fit_plots.h"
 #include "ui/charts/plot_export.h"
-#include "ui/charts/time_plot.h"
 #include "ui/theme/theme.h"
 
 #include <QRegularExpression>
@@ -93,12 +91,12 @@ private slots:
         const double nan = std::numeric_limits<double>::quiet_NaN();
         QCOMPARE(toCsv({{QStringLiteral("a"), shared({1, nan})}, {QStringLiteral("b \"c\""), shared({2})}}),
                  QByteArray("a,b \"c\"\n1,2\n,\n").replace("b \"c\"", "\"b \"\"c\"\"\""));
-        QCOMPARE(toCsv({}), QByteArray("\n"));
+        QCOMPARE(toCsv(PlotTable{}), QByteArray("\n"));
     }
     void aPictureHasTwiceThePixelsOfTheScreen()
     {
         const auto plot = sinePlot();
-        QVERIFY(QTest::qWaitForWindowExposed(plot.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(plot.get(), gripscope::test::longEnough_ms));
         const QImage image = toImage(*plot);
         QCOMPARE(image.size(), 2 * plot->viewport()->size());
         QCOMPARE(image.pixelColor(4, image.height() / 2), themeTokens(ThemeKind::Light).surface);
@@ -112,7 +110,7 @@ private slots:
     void theCurvesAreBackOnTheScreenAfterAPicture()
     {
         const auto plot = sinePlot();
-        QVERIFY(QTest::qWaitForWindowExposed(plot.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(plot.get(), gripscope::test::longEnough_ms));
         const QImage before = plot->grab().toImage();
         (void)toImage(*plot);
         QCOMPARE(plot->grab().toImage(), before);
@@ -120,7 +118,7 @@ private slots:
     void svgCutsCurvesOffAtThePlotAndHasNoBitmaps()
     {
         const auto plot = sinePlot();
-        QVERIFY(QTest::qWaitForWindowExposed(plot.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(plot.get(), gripscope::test::longEnough_ms));
         const QByteArray svg = toSvg(*plot);
         QVERIFY(svg.contains("Force (N)"));
         QVERIFY(svg.contains("Time (s)")); // which the screen leaves to the plot below

@@ -2,10 +2,9 @@
 // The window where a profile is written, with a robot that squeezes by itself.
 #include "devices/profile/profile_library.h"
 #include "tests/support/test_registry.h"
-#include "ui/models/byte_table_model.h"
-#include "ui/profile_dialog.h"
-#include "ui/profile_form.h"
-#include "ui/workbench.h"
+#include "ui/context/workbench.h"
+#include "ui/profiles/profile_dialog.h"
+#include "ui/profiles/profile_parts.h"
 
 #include <QAbstractItemModelTester>
 #include <QLabel>
@@ -22,8 +21,8 @@ using namespace Qt::StringLiterals;
 namespace {
 
 /// The window alone; it needs no gripper of its own.
-struct OpenDialog {
-    OpenDialog() : bench(folder.filePath(u"test.gripscope"_s)), dialog(new ProfileDialog(bench))
+struct OpenProfileDialog {
+    OpenProfileDialog() : bench(folder.filePath(u"test.gripscope"_s)), dialog(new ProfileDialog(bench))
     {
         dialog->setAttribute(Qt::WA_DeleteOnClose, false);
         dialog->show();
@@ -50,19 +49,20 @@ private slots:
     void cleanupTestCase() { qunsetenv("GRIPSCOPE_PROFILES"); }
     void theBytesOfAGripperWithoutAProfileAreShown()
     {
-        const OpenDialog open;
+        const OpenProfileDialog open;
         ProfileDialog* dialog = open.dialog.get();
         auto* table = dialog->findChild<QTableView*>(u"profileBytes"_s);
         const QAbstractItemModelTester tester(table->model());
         dialog->listen(u"virtual:?like=walkthrough"_s);
-        QTRY_COMPARE_WITH_TIMEOUT(table->model()->rowCount(), 16, 30000);
-        QTRY_VERIFY_WITH_TIMEOUT(cell(table, 3, ByteTableModel::Column::Byte).startsWith(u"●"), 30000);
+        QTRY_COMPARE_WITH_TIMEOUT(table->model()->rowCount(), 16, gripscope::test::longEnough_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(cell(table, 3, ByteTableModel::Column::Byte).startsWith(u"●"),
+                                 gripscope::test::longEnough_ms);
         QCOMPARE(cell(table, 0, ByteTableModel::Column::Last), u"07"_s);
         QVERIFY(!cell(table, 0, ByteTableModel::Column::Byte).contains(u"●"));
     }
     void aProfileIsWrittenCheckedReadBySavedAndFound()
     {
-        const OpenDialog open;
+        const OpenProfileDialog open;
         ProfileDialog* dialog = open.dialog.get();
         dialog->listen(u"virtual:?like=walkthrough"_s);
         auto* form = dialog->findChild<ProfileForm*>();
@@ -86,28 +86,29 @@ private slots:
                     .contains(u"\"gripscope_profile\": 1"_s));
         QCOMPARE(profileFor(0x1209, 5).error().code, ErrorCode::NotFound);
         save->click();
-        QTRY_VERIFY_WITH_TIMEOUT(problems->text().startsWith(u"Saved as"_s), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(problems->text().startsWith(u"Saved as"_s), gripscope::test::longEnough_ms);
         QCOMPARE(profileFor(0x1209, 5)->name, profile.name);
     }
     void theBytesOfTheChosenFieldAreMarked()
     {
-        const OpenDialog open;
+        const OpenProfileDialog open;
         ProfileDialog* dialog = open.dialog.get();
         dialog->listen(u"virtual:?profile=example_big_endian"_s);
         auto* table = dialog->findChild<QTableView*>(u"profileBytes"_s);
-        QTRY_COMPARE_WITH_TIMEOUT(table->model()->rowCount(), 8, 30000);
-        QTRY_COMPARE_WITH_TIMEOUT(cell(table, 4, ByteTableModel::Column::Field), u"force"_s, 30000);
+        QTRY_COMPARE_WITH_TIMEOUT(table->model()->rowCount(), 8, gripscope::test::longEnough_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(cell(table, 4, ByteTableModel::Column::Field), u"force"_s,
+                                  gripscope::test::longEnough_ms);
         emit dialog->findChild<ProfileForm*>()->fieldChosen(u"force"_s);
         QCOMPARE(cell(table, 4, ByteTableModel::Column::Field), u"◀ force"_s);
         QCOMPARE(cell(table, 6, ByteTableModel::Column::Field), u"position"_s);
     }
     void anAddressThatMakesNoSenseIsTold()
     {
-        const OpenDialog open;
+        const OpenProfileDialog open;
         ProfileDialog* dialog = open.dialog.get();
         dialog->listen(u"virtual:?like=no_such_thing"_s);
         auto* seen = dialog->findChild<QLabel*>(u"profileSeen"_s);
-        QTRY_VERIFY_WITH_TIMEOUT(seen->text().contains(u"no_such_thing"_s), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(seen->text().contains(u"no_such_thing"_s), gripscope::test::longEnough_ms);
     }
 };
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/identification_example.h"
-#include "ui/charts/correlation_plot.h"
 #include "ui/charts/fit_plots.h"
-#include "ui/models/residual_words.h"
+#include "ui/format/residual_words.h"
 #include "ui/theme/theme.h"
 
 #include <QTest>

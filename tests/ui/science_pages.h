@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/support/test_registry.h"
+#include "ui/context/workbench.h"
 #include "ui/theme/theme.h"
-#include "ui/workbench.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -14,22 +15,21 @@ namespace gripscope::test {
 struct PageFixture {
     QTemporaryDir folder;
     Workbench bench{folder.filePath(QStringLiteral("library.db"))};
-    QSignalSpy reports{&bench, &Workbench::reported};
+    QSignalSpy reports{&bench.messages(), &Messages::reported};
 
     [[nodiscard]] bool loadExamples()
     {
         bool done = false;
-        bench.ask<void>(
+        bench.background().ask<void>(
             nullptr, [](Library& library) { return library.loadExampleTypes(); },
             [&](Expected<void> loaded) {
                 done = loaded.has_value();
                 bench.tellLibraryChanged();
             });
-        return QTest::qWaitFor([&] { return done; }, 20000);
+        return QTest::qWaitFor([&] { return done; }, gripscope::test::longEnough_ms);
     }
 };
 
 /// Longest that a test waits for something that takes a moment on a busy computer.
-inline constexpr int patience_ms = 30000;
 
 } // namespace gripscope::test

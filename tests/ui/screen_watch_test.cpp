@@ -18,7 +18,6 @@ using gripscope::test::WindowFixture;
 
 namespace {
 
-constexpr int patience_ms = 30000;
 /// Nothing may hold up the screen's thread for over 50 ms; four times that here, for a busy machine.
 constexpr double longestBlock_ms = 200;
 constexpr int storedInspections = 2000;
@@ -70,11 +69,10 @@ class ScreenWatchTest : public QObject {
         watch.step(u"inspect"_s);
         f.window->showPage(u"inspect"_s);
         auto* squeeze = f.find<QPushButton>("squeezeButton");
-        QTRY_VERIFY_WITH_TIMEOUT(squeeze->isEnabled(), patience_ms);
         const qint64 before = f.bench->inspection().counts().total;
-        f.click(squeeze);
-        QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().counts().total, before + 1, patience_ms);
-        QTRY_VERIFY_WITH_TIMEOUT(!f.bench->squeezing(), patience_ms);
+        QVERIFY(f.inRealTime([squeeze] { WindowFixture::clickWhenEnabled(squeeze); },
+                             [&] { return f.bench->inspection().counts().total == before + 1; }));
+        QTRY_VERIFY_WITH_TIMEOUT(!f.bench->squeezing(), gripscope::test::longEnough_ms);
     }
     static void enroll(WindowFixture& f, ScreenWatch& watch)
     {
@@ -85,9 +83,8 @@ class ScreenWatchTest : public QObject {
         QTest::keyClick(name, Qt::Key_Return);
         f.click(f.find<QPushButton>("recipeNext"));
         auto* squeeze = f.find<QPushButton>("enrollSqueezeButton");
-        QTRY_VERIFY_WITH_TIMEOUT(squeeze->isVisible() && squeeze->isEnabled(), patience_ms);
-        f.click(squeeze);
-        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 1, patience_ms);
+        QVERIFY(f.inRealTime([squeeze] { WindowFixture::clickWhenEnabled(squeeze); },
+                             [&f] { return f.bench->enrollment().acceptedCount() == 1; }));
     }
     static void lookAtPages(WindowFixture& f, ScreenWatch& watch)
     {
@@ -97,7 +94,7 @@ class ScreenWatchTest : public QObject {
             QTest::qWait(700);
         }
         auto* history = f.page(u"history"_s)->findChild<QTableView*>();
-        QTRY_VERIFY_WITH_TIMEOUT(history->model()->rowCount() > 100, patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(history->model()->rowCount() > 100, gripscope::test::longEnough_ms);
         history->scrollToBottom();
         QTest::qWait(300);
         history->scrollToTop();
@@ -105,7 +102,7 @@ class ScreenWatchTest : public QObject {
         watch.step(u"fit"_s);
         history->selectRow(0);
         QTest::keyClick(history, Qt::Key_Return);
-        QTRY_COMPARE_WITH_TIMEOUT(f.window->currentPage()->id(), u"fit"_s, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.window->currentPage()->id(), u"fit"_s, gripscope::test::longEnough_ms);
         QTest::qWait(1500); // estimators, checks, budget
     }
 
@@ -128,12 +125,14 @@ private slots:
     {
         WindowFixture f;
         bool filled = false;
-        f.bench->ask<void>(nullptr, fill, [&](const Expected<void>& done) { filled = done.has_value(); });
-        QTRY_VERIFY_WITH_TIMEOUT(filled, 120000);
+        f.bench->background().ask<void>(nullptr, fill,
+                                        [&](const Expected<void>& done) { filled = done.has_value(); });
+        QTRY_VERIFY_WITH_TIMEOUT(filled, gripscope::test::longEnough_ms);
         f.bench->tellLibraryChanged();
-        QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().counts().total, storedInspections, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->inspection().counts().total, storedInspections,
+                                  gripscope::test::longEnough_ms);
         f.bench->arm();
-        QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), gripscope::test::longEnough_ms);
 
         ScreenWatch watch;
         live(f, watch);

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/settings/import_dialog.h"
-#include "ui/settings/setting_row.h"
-#include "ui/settings/settings.h"
 #include "ui/settings/settings_dialog.h"
 #include "ui/settings/settings_link.h"
+#include "ui/settings/values/settings.h"
+#include "ui/windows/question.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QTableWidget>
 
 using namespace Qt::StringLiterals;
@@ -30,7 +28,8 @@ struct Opened {
     Opened()
     {
         QTest::keyClick(f.window.get(), Qt::Key_Comma, Qt::ControlModifier);
-        if (!QTest::qWaitFor([this] { return f.window->findChild<SettingsDialog*>() != nullptr; }, 5000))
+        if (!QTest::qWaitFor([this] { return f.window->findChild<SettingsDialog*>() != nullptr; },
+                             gripscope::test::longEnough_ms))
             qFatal("Ctrl+, opened nothing");
         dialog = f.window->findChild<SettingsDialog*>();
     }
@@ -174,11 +173,8 @@ private slots:
         const Opened o;
         Opened::choose(o.find<QComboBox>("setting-theme"), u"dark"_s);
         WindowFixture::click(o.find<QPushButton>("resetSettings"));
-        QTRY_VERIFY(o.dialog->findChild<QMessageBox*>());
-        auto* question = o.dialog->findChild<QMessageBox*>();
-        for (QAbstractButton* button : question->buttons())
-            if (question->buttonRole(button) == QMessageBox::AcceptRole)
-                WindowFixture::click(button);
+        QTRY_VERIFY(o.dialog->findChild<Question*>());
+        WindowFixture::click(o.dialog->findChild<Question*>()->yes());
         QCOMPARE(o.settings().get(setting::theme), u"light"_s);
     }
 };

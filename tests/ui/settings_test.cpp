@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
-#include "ui/settings/settings.h"
-#include "ui/settings/settings_exchange.h"
+#include "ui/settings/values/settings.h"
+#include "ui/settings/values/settings_exchange.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/work_watch.h"
+#include "core/base/work_watch.h"
 #include "tests/support/test_registry.h"
-#include "ui/models/advice_table_model.h"
-#include "ui/models/cluster_counts_model.h"
-#include "ui/models/cluster_table_model.h"
-#include "ui/models/map_planes.h"
+#include "ui/charts/heat_map.h"
+#include "ui/models/cluster_models.h"
 #include "ui/models/space_clustering.h"
 #include "ui/scene/type_scene.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
-#include "ui/settings/settings.h"
-#include "ui/stored_rates.h"
+#include "ui/settings/values/settings.h"
+#include "ui/settings/values/stored_rates.h"
 
 #include <QSettings>
 #include <QTemporaryDir>

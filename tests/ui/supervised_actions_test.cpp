@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/people_window.h"
-#include "ui/pages/enrolled_types_dialog.h"
-#include "ui/pages/type_change_form.h"
+#include "ui/pages/enroll/enrolled_types_dialog.h"
+#include "ui/windows/question.h"
 
 #include <QCheckBox>
 #include <QFile>
-#include <QInputDialog>
 #include <QListWidget>
 #include <QMenu>
 #include <QSpinBox>
@@ -19,12 +18,10 @@ using gripscope::test::PeopleWindow;
 
 namespace {
 
-constexpr int patience_ms = PeopleWindow::patience_ms;
-
 /// Fills in the form that asks for a change of a type, if there is one, and accepts it.
 void acceptForm(const PeopleWindow& f, const QString& name)
 {
-    QTRY_VERIFY_WITH_TIMEOUT(f.window->findChild<TypeChangeForm*>(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(f.window->findChild<TypeChangeForm*>(), gripscope::test::longEnough_ms);
     auto* form = f.window->findChild<TypeChangeForm*>();
     if (auto* field = form->findChild<QLineEdit*>(u"nameField"_s))
         field->setText(name);
@@ -32,7 +29,7 @@ void acceptForm(const PeopleWindow& f, const QString& name)
         squeezes->item(0)->setCheckState(Qt::Checked);
     form->findChild<QLineEdit*>(u"reasonField"_s)->setText(u"asked for"_s);
     f.click(form->findChild<QPushButton*>(u"changeAccept"_s));
-    QTRY_VERIFY_WITH_TIMEOUT(!f.window->findChild<TypeChangeForm*>(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!f.window->findChild<TypeChangeForm*>(), gripscope::test::longEnough_ms);
 }
 
 qint64 version(const PeopleWindow& f)
@@ -48,7 +45,8 @@ void resumeEnrollment(const PeopleWindow& f, const QString& type)
     QTest::keyClick(field, Qt::Key_Return);
     QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Recipe);
     f.click(f.find<QPushButton>("recipeNext"));
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Squeeze, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Squeeze,
+                              gripscope::test::longEnough_ms);
 }
 
 /// A gripper on whose force sensor weights are hung one after the other.
@@ -63,7 +61,7 @@ QString weights(const QTemporaryDir& folder)
 
 bool forceIs(const PeopleWindow& f, double load_N)
 {
-    const LiveHistory& history = f.bench->liveHistory();
+    const LiveHistory& history = f.bench->live().history();
     const auto stretches = history.columns(LiveHistory::Channel::Force, history.newestTime_s(), 0.2, 4);
     return !stretches.empty() && !stretches.back().empty() &&
            std::abs(stretches.back().back().y - load_N) < 1 &&
@@ -81,13 +79,13 @@ class SupervisedActionsTest : public QObject {
     {
         const qint64 before = version(f);
         act();
-        QTRY_VERIFY_WITH_TIMEOUT(f.dialog(), patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(f.dialog(), gripscope::test::longEnough_ms);
         f.dialog()->reject();
         QTRY_VERIFY(!f.dialog());
         QCOMPARE(version(f), before);
         act();
         f.authorise();
-        QTRY_COMPARE_WITH_TIMEOUT(f.newestEntry().action, action, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.newestEntry().action, action, gripscope::test::longEnough_ms);
         QCOMPARE(f.newestEntry().person, u"Sam"_s);
         QVERIFY(f.newestEntry().details.contains(u"\"operator\":\"Olli\""_s));
     }
@@ -128,7 +126,7 @@ private slots:
         auto* dialog = new EnrolledTypesDialog(*f.bench, f.window.get());
         dialog->open();
         auto* types = f.find<QTableWidget>("typesTable");
-        QTRY_COMPARE_WITH_TIMEOUT(types->rowCount(), 4, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(types->rowCount(), 4, gripscope::test::longEnough_ms);
         refuseThenAllow(
             f,
             [&] {
@@ -151,15 +149,15 @@ private slots:
             f,
             [&f] {
                 f.click(f.find<QPushButton>("dropButton"));
-                QTRY_VERIFY(f.window->findChild<QInputDialog*>(u"dropDialog"_s));
-                auto* dialog = f.window->findChild<QInputDialog*>(u"dropDialog"_s);
-                dialog->setTextValue(u"slipped"_s);
+                QTRY_VERIFY(f.window->findChild<TextQuestion*>(u"dropDialog"_s));
+                auto* dialog = f.window->findChild<TextQuestion*>(u"dropDialog"_s);
+                dialog->field()->setText(u"slipped"_s);
                 dialog->accept();
-                QTRY_VERIFY(!f.window->findChild<QInputDialog*>(u"dropDialog"_s));
+                QTRY_VERIFY(!f.window->findChild<TextQuestion*>(u"dropDialog"_s));
             },
             u"type.drop"_s);
         QCOMPARE(f.newestEntry().reason, u"slipped"_s);
-        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 9, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), 9, gripscope::test::longEnough_ms);
     }
     void approvingAtTheEndOfAnEnrollment()
     {
@@ -171,7 +169,8 @@ private slots:
         QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Review);
         refuseThenAllow(
             f, [&f] { f.click(f.find<QPushButton>("approveButton")); }, u"type.approve"_s);
-        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Approved, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Approved,
+                                  gripscope::test::longEnough_ms);
     }
     void keepingSessions()
     {
@@ -188,7 +187,7 @@ private slots:
                 static_cast<QMenu*>(keep->parent())->close();
             },
             u"setting.changed"_s);
-        QTRY_COMPARE_WITH_TIMEOUT(f.bench->keepsSessions(), !before, patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->keepsSessions(), !before, gripscope::test::longEnough_ms);
     }
     void acceptingACalibration()
     {
@@ -205,16 +204,16 @@ private slots:
         f.click(f.find<QPushButton>("calibrationBegin"));
         auto* points = f.find<QTableView>("calibrationPoints");
         for (const double load_N : {0.0, 10.0, 20.0}) {
-            QTRY_VERIFY_WITH_TIMEOUT(forceIs(f, load_N), patience_ms);
+            QTRY_VERIFY_WITH_TIMEOUT(forceIs(f, load_N), gripscope::test::longEnough_ms);
             QTest::keyClick(f.page(u"calibrate"_s), Qt::Key_Space);
             QTRY_VERIFY_WITH_TIMEOUT(!points->model()->index(int(load_N / 10), 3).data().toString().isEmpty(),
-                                     patience_ms);
+                                     gripscope::test::longEnough_ms);
         }
         QTRY_VERIFY(f.find<QPushButton>("calibrationAccept")->isVisible());
         refuseThenAllow(
             f, [&f] { f.click(f.find<QPushButton>("calibrationAccept")); }, u"calibration.accepted"_s);
         QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().calibration().record(SensorChannel::Force),
-                                 patience_ms);
+                                 gripscope::test::longEnough_ms);
     }
 };
 

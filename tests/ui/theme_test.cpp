@@ -47,7 +47,8 @@ void ThemeTest::everyWordReadsOnPageAndSurface()
         {"text", t.text},       {"secondText", t.secondText}, {"accent", t.accent},
         {"stop", t.stop},       {"asExpected", t.asExpected}, {"otherType", t.otherType},
         {"unknown", t.unknown}, {"notValid", t.notValid},     {"inconclusive", t.inconclusive},
-        {"force", t.force},     {"position", t.position},     {"model", t.model}};
+        {"suspect", t.suspect}, {"force", t.force},           {"position", t.position},
+        {"model", t.model}};
     for (const auto& [name, color] : words) {
         QVERIFY2(Theme::contrastRatio(color, t.page) >= 4.5, name);
         QVERIFY2(Theme::contrastRatio(color, t.surface) >= 4.5, name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
-#include "ui/tour.h"
+#include "ui/shell/tour.h"
 
 #include <QDir>
 #include <QImage>

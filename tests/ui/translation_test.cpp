@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/table_lines.h"
+#include "core/base/words.h"
 #include "core/calibration/reference_check.h"
-#include "core/recognition/table_lines.h"
-#include "core/words.h"
 #include "devices/protocol/report_words.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/language.h"
-#include "ui/settings/setting.h"
+#include "ui/context/language.h"
+#include "ui/format/number_format.h"
 #include "ui/settings/settings_dialog.h"
-#include "ui/widgets/number_format.h"
+#include "ui/settings/values/setting.h"
 
 #include <QDialogButtonBox>
 #include <QLibraryInfo>
@@ -176,10 +176,10 @@ private slots:
     void whatWentWrongIsSaidInTheLanguage()
     {
         QVERIFY(applyLanguage(u"de"_s));
-        QCOMPARE(problemOf(ReferenceObject()),
+        QCOMPARE(problemOf(ReferenceObject()).describe(),
                  u"Das Referenzobjekt braucht einen Namen, etwa die Nummer darauf."_s);
         const std::vector<std::uint8_t> cut(3, 1);
-        QCOMPARE(protocol::inWords(cut).problem, u"der Report ist nicht 64 Bytes lang"_s);
+        QCOMPARE(protocol::reportInWords(cut).problem, u"der Report hat 3 Bytes, nicht 64"_s);
         const Error misread =
             TablePlace{u"a.csv"_s, 2, 1}.error(u"\"x\""_s, Words::tr("a number above zero")).value();
         QCOMPARE(misread.describe(), u"a.csv:2:1: gefunden: \"x\"; erwartet: eine Zahl größer als null"_s);
@@ -187,8 +187,8 @@ private slots:
 
     void standardButtonsFollowWhereQtHasTheirWords()
     {
-        if (!QFile::exists(QLibraryInfo::path(QLibraryInfo::TranslationsPath) + u"/qtbase_de.qm"_s))
-            QSKIP("the package qt6-translations-l10n is not installed");
+        QVERIFY2(QFile::exists(QLibraryInfo::path(QLibraryInfo::TranslationsPath) + u"/qtbase_de.qm"_s),
+                 "the package qt6-translations-l10n is not installed");
         QVERIFY(applyLanguage(u"de"_s));
         const QDialogButtonBox box(QDialogButtonBox::Cancel);
         QCOMPARE(box.button(QDialogButtonBox::Cancel)->text().remove(u'&'), u"Abbrechen"_s);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/core/store/library_fixture.h"
+#include "tests/core/library/library_fixture.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/identification_example.h"
 #include "tests/ui/science_pages.h"
 #include "ui/charts/heat_map.h"
-#include "ui/models/advice_table_model.h"
-#include "ui/models/cluster_table_model.h"
-#include "ui/pages/types_page.h"
-#include "ui/pages/types_page_clusters.h"
+#include "ui/models/cluster_models.h"
+#include "ui/pages/types/types_page.h"
+#include "ui/pages/types/types_page_clusters.h"
 #include "ui/scene/scene_view.h"
 
 #include <QCheckBox>
@@ -76,14 +75,14 @@ class TypesPageTest : public QObject {
         open(page);
         page.showPaper(true);
         QTRY_VERIFY_WITH_TIMEOUT(page.stepCount() >= 2 && page.view()->content().points.size() == 40,
-                                 test::patience_ms);
+                                 test::longEnough_ms);
     }
 
     /// Adds a squeeze to a type, which is made where there is none.
     static void enrol(test::PageFixture& fixture, const QString& type)
     {
         bool done = false;
-        fixture.bench.ask<GraspRecord>(
+        fixture.bench.background().ask<GraspRecord>(
             nullptr,
             [type](Library& library) -> Expected<GraspRecord> {
                 QString id;
@@ -96,7 +95,7 @@ class TypesPageTest : public QObject {
                 return library.addGrasp(test::aGrasp(id));
             },
             [&](const Expected<GraspRecord>& added) { done = added.has_value(); });
-        QTRY_VERIFY_WITH_TIMEOUT(done, test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(done, test::longEnough_ms);
         fixture.bench.tellLibraryChanged();
     }
 
@@ -108,12 +107,12 @@ private slots:
         TypesPage page(fixture.bench);
         open(page);
         QTRY_VERIFY_WITH_TIMEOUT(shows(page, QStringLiteral("No types in this library yet")),
-                                 test::patience_ms);
+                                 test::longEnough_ms);
         auto* load = page.findChild<QPushButton*>(QStringLiteral("loadExampleTypes"));
-        QTRY_VERIFY_WITH_TIMEOUT(load->isVisible(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(load->isVisible(), test::longEnough_ms);
         QTest::mouseClick(load, Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(page.view()->content().points.size(), std::size_t(40), test::patience_ms);
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(page.view()->content().points.size(), std::size_t(40), test::longEnough_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
         QCOMPARE(page.view()->content().ellipsoids.size(), std::size_t(4));
         QVERIFY(!shows(page, QStringLiteral("No types in this library yet")));
     }
@@ -123,7 +122,7 @@ private slots:
         QVERIFY(fixture.loadExamples());
         TypesPage page(fixture.bench);
         open(page);
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
         const auto checks = page.findChildren<QCheckBox*>();
         QCOMPARE(checks.size(), 4);
         checks[1]->click();
@@ -165,8 +164,8 @@ private slots:
         openPaper(page);
         click(button(page, QStringLiteral("Clusters")));
         choose(page, "clusterMethod", entry);
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady() && page.stepCount() >= 2, test::patience_ms);
-        QTRY_VERIFY_WITH_TIMEOUT(shows(page, number), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady() && page.stepCount() >= 2, test::longEnough_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(shows(page, number), test::longEnough_ms);
         QVERIFY(shows(page, QStringLiteral("1.000"))); // all find the types
         const SceneContent& content = page.view()->content();
         QCOMPARE(content.ellipsoids.size(), std::size_t(entry == 1 || entry == 2 ? 4 : 0));
@@ -192,7 +191,7 @@ private slots:
         openPaper(page);
         click(button(page, QStringLiteral("Clusters")));
         choose(page, "clusterMethod", 3);
-        QTRY_VERIFY_WITH_TIMEOUT(page.view()->content().net.has_value(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.view()->content().net.has_value(), test::longEnough_ms);
         const auto maps = page.findChildren<HeatMap*>();
         QTest::keyClick(maps[1], Qt::Key_Right);
         for (const HeatMap* map : maps)
@@ -204,17 +203,17 @@ private slots:
         QVERIFY(fixture.loadExamples());
         TypesPage page(fixture.bench);
         open(page);
-        QTRY_VERIFY_WITH_TIMEOUT(page.stepCount() >= 2, test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.stepCount() >= 2, test::longEnough_ms);
         click(button(page, QStringLiteral("Clusters")));
         auto* count = page.findChild<QSpinBox*>(QStringLiteral("clusterCount"));
         QCOMPARE(count->value(), 4);
         count->setValue(50);
         QTRY_VERIFY_WITH_TIMEOUT(shows(page, QStringLiteral("50 clusters need at least 50 squeezes")),
-                                 test::patience_ms);
+                                 test::longEnough_ms);
         QCOMPARE(page.stepCount(), 0);
         QCOMPARE(page.view()->content().points.size(), std::size_t(40)); // the types stay in view
         count->setValue(3);
-        QTRY_VERIFY_WITH_TIMEOUT(page.stepCount() >= 2, test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.stepCount() >= 2, test::longEnough_ms);
         QCOMPARE(page.view()->content().centroids.size(), std::size_t(3));
     }
     void anAnswerToAnOlderQuestionIsDropped()
@@ -227,7 +226,7 @@ private slots:
         page.clusters()->setClusters(2);
         page.clusters()->setMethod(ClusterMethod::GaussianMixture);
         page.clusters()->setClusters(3);
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
         for (int i = 0; i < 20; ++i)
             QTest::qWait(10);
         QCOMPARE(page.view()->content().ellipsoids.size(), std::size_t(3));
@@ -242,15 +241,15 @@ private slots:
         auto* model = page.findChild<AdviceTableModel*>();
         QCOMPARE(model->rowCount(), 0);
         click(button(page, QStringLiteral("How many clusters")));
-        QTRY_COMPARE_WITH_TIMEOUT(model->rowCount(), 8, test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(model->rowCount(), 8, test::longEnough_ms);
         QVERIFY(shows(page, QStringLiteral("4 groups")));
         click(button(page, QStringLiteral("Use 4")));
         QCOMPARE(page.clusters()->request().clusters, 4);
         // Another scaling asks a different question: the old answer goes, a new one comes.
         choose(page, "clusterScaling", 0);
         QCOMPARE(model->rowCount(), 0);
-        QTRY_COMPARE_WITH_TIMEOUT(model->rowCount(), 8, test::patience_ms);
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(model->rowCount(), 8, test::longEnough_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
     }
     void adviceCanBeCancelled()
     {
@@ -260,7 +259,7 @@ private slots:
         click(button(page, QStringLiteral("Clusters")));
         click(button(page, QStringLiteral("How many clusters")));
         click(button(page, QStringLiteral("Cancel")));
-        QTRY_VERIFY_WITH_TIMEOUT(findButton(page, QStringLiteral("How many clusters")), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(findButton(page, QStringLiteral("How many clusters")), test::longEnough_ms);
         QCOMPARE(page.findChild<AdviceTableModel*>()->rowCount(), 0);
     }
     void stepsWalkTheIterations()
@@ -269,7 +268,7 @@ private slots:
         TypesPage page(fixture.bench);
         open(page);
         page.showPaper(true);
-        QTRY_VERIFY_WITH_TIMEOUT(page.stepCount() >= 2, test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.stepCount() >= 2, test::longEnough_ms);
         page.showStep(0);
         QCOMPARE(page.view()->content().centroids.size(), std::size_t(4));
         QCOMPARE(page.view()->content().centroids[0].trail.size(), std::size_t(1));
@@ -285,7 +284,7 @@ private slots:
         open(page);
         page.showPaper(true);
         QTRY_VERIFY_WITH_TIMEOUT(page.tourReady() && page.view()->content().points.size() == 40,
-                                 test::patience_ms);
+                                 test::longEnough_ms);
         QTest::keyClick(page.view(), Qt::Key_N);
         QVERIFY(shows(page, QStringLiteral("A, squeeze 1\nm 0.0368")));
     }
@@ -295,17 +294,17 @@ private slots:
         TypesPage page(fixture.bench);
         open(page);
         enrol(fixture, QStringLiteral("Cola"));
-        QTRY_COMPARE_WITH_TIMEOUT(page.view()->content().points.size(), std::size_t(1), test::patience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(page.view()->content().points.size(), std::size_t(1), test::longEnough_ms);
         QVERIFY(shows(page, QStringLiteral("With one squeeze a type nothing is known")));
         QVERIFY(page.view()->content().ellipsoids.empty());
         click(button(page, QStringLiteral("Clusters")));
         QTRY_VERIFY_WITH_TIMEOUT(shows(page, QStringLiteral("Clusters need at least two squeezes")),
-                                 test::patience_ms);
+                                 test::longEnough_ms);
         click(button(page, QStringLiteral("Types")));
         for (int n = 2; n <= 3; ++n) {
             enrol(fixture, QStringLiteral("Cola"));
             QTRY_COMPARE_WITH_TIMEOUT(page.view()->content().points.size(), std::size_t(n),
-                                      test::patience_ms);
+                                      test::longEnough_ms);
         }
         QVERIFY(!shows(page, QStringLiteral("With one squeeze a type nothing is known")));
         QTest::keyClick(page.view(), Qt::Key_N);
@@ -319,12 +318,12 @@ private slots:
         QVERIFY(fixture.loadExamples());
         TypesPage page(fixture.bench);
         open(page);
-        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
         QTRY_COMPARE_WITH_TIMEOUT(fixture.bench.inspection().state(), InspectSession::State::Ready,
-                                  test::patience_ms);
+                                  test::longEnough_ms);
         QVERIFY(fixture.bench.inspection().judgeRecording(simulatedSqueeze(test::canA, 6),
                                                           QStringLiteral("test")));
-        QTRY_VERIFY_WITH_TIMEOUT(page.view()->content().highlight.has_value(), test::patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.view()->content().highlight.has_value(), test::longEnough_ms);
         const SceneHighlight& highlight = *page.view()->content().highlight;
         QVERIFY(std::abs(highlight.point.at.z() / test::canA.k - 1) < 0.01);
         QVERIFY(highlight.ellipsoid);

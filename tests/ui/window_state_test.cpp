@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/page_state.h"
-#include "ui/settings/settings.h"
-#include "ui/window_host.h"
-#include "ui/window_state.h"
+#include "ui/pages/page_state.h"
+#include "ui/settings/values/settings.h"
+#include "ui/shell/window_host.h"
 
 #include <QGuiApplication>
 #include <QHeaderView>

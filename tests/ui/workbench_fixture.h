@@ -1,30 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/main_window.h"
+#include "tests/support/patient_limits.h"
+#include "tests/support/test_registry.h"
+#include "ui/context/workbench.h"
 #include "ui/pages/page.h"
+#include "ui/shell/main_window.h"
 #include "ui/theme/theme.h"
-#include "ui/workbench.h"
 
+#include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <functional>
 #include <memory>
 
 namespace gripscope::test {
 
+/// A gripper for tests that squeeze and do not look at the stream between squeezes: time passes for it only
+/// as the program asks for samples, so that nothing is ever too late on a busy computer (see
+/// VirtualTransport). Beside busy neighbours one in real time is disarmed by its watchdog now and then, as it
+/// should be.
+inline const QString unhurriedA = QStringLiteral("virtual:?object=A&seed=5&speed=0");
+
 /// The whole window on the virtual gripper with a library of its own, as a person meets it.
 class WindowFixture {
 public:
+    /// `limits`: of the link to the gripper; those of a patient one where a test is not about them.
     explicit WindowFixture(bool examples = true,
-                           const QString& address = QStringLiteral("virtual:?object=A&seed=5"))
+                           const QString& address = QStringLiteral("virtual:?object=A&seed=5"),
+                           const LinkLimits& limits = patientLimits())
     {
         Theme::instance().apply(ThemeKind::Light);
         bench = std::make_unique<Workbench>(m_folder.filePath(QStringLiteral("test.gripscope")));
         bench->setOperatorName(QStringLiteral("Mai"));
+        bench->setLinkLimits(limits);
         if (examples) {
             loaded = false;
-            bench->ask<void>(
+            bench->background().ask<void>(
                 nullptr, [](Library& library) { return library.loadExampleTypes(); },
                 [this](const Expected<void>& done) { loaded = done.has_value(); });
         }
@@ -32,7 +45,7 @@ public:
         window->resize(1024, 640);
         window->show();
         makeActive();
-        if (!QTest::qWaitFor([this] { return loaded; }, 20000))
+        if (!QTest::qWaitFor([this] { return loaded; }, longEnough_ms))
             qFatal("the examples were not loaded");
         bench->tellLibraryChanged();
         if (!address.isEmpty())
@@ -42,7 +55,7 @@ public:
                 return bench->inspection().state() == InspectSession::State::Ready &&
                        bench->inspection().types().size() == (examples ? 4U : 0U);
             },
-            20000);
+            longEnough_ms);
         if (!ready)
             qFatal("the library was not read");
     }
@@ -51,7 +64,8 @@ public:
     {
         bench->connectTo(address);
         if (!QTest::qWaitFor(
-                [this] { return bench->connection().state() == ConnectSession::State::Connected; }, 20000))
+                [this] { return bench->connection().state() == ConnectSession::State::Connected; },
+                longEnough_ms))
             qFatal("the virtual gripper did not answer");
     }
 
@@ -60,7 +74,7 @@ public:
     void makeActive() const
     {
         window->activateWindow();
-        if (!QTest::qWaitForWindowActive(window.get()))
+        if (!QTest::qWaitForWindowActive(window.get(), longEnough_ms))
             qFatal("the window did not become active");
     }
 
@@ -81,6 +95,42 @@ public:
         return nullptr;
     }
 
+    /// For what has to be squeezed in real time: arms the gripper, does `begin`, waits for `done`. Beside
+    /// busy neighbours the gripper's watchdog may end a squeeze: as a person would, again then. False when
+    /// nothing came of it ten times.
+    [[nodiscard]] bool inRealTime(const std::function<void()>& begin, const std::function<bool()>& done) const
+    {
+        constexpr int tries = 10;
+        constexpr int storing_ms =
+            5000; // a squeeze that is over may be stored though the gripper was disarmed since
+        for (int i = 0; i < tries; ++i) {
+            if (!bench->connection().armed())
+                bench->arm();
+            if (!QTest::qWaitFor([this] { return bench->connection().armed(); }, longEnough_ms))
+                return false;
+            begin();
+            QElapsedTimer disarmed;
+            const auto ended = [&] {
+                if (bench->connection().armed() || bench->squeezing())
+                    disarmed.invalidate();
+                else if (!disarmed.isValid())
+                    disarmed.start();
+                return done() || (disarmed.isValid() && disarmed.hasExpired(storing_ms));
+            };
+            const bool over = QTest::qWaitFor(ended, longEnough_ms);
+            if (done())
+                return true;
+            if (!over)
+                return false;
+        }
+        return false;
+    }
+
+    static void clickWhenEnabled(QWidget* widget)
+    {
+        QTRY_VERIFY(widget->isVisible() && widget->isEnabled());
+        click(widget);
+    }
     static void click(QWidget* widget) { QTest::mouseClick(widget, Qt::LeftButton); }
 
 private:

@@ -1,21 +1,125 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/heat_map.h"
 
-#include "ui/charts/color_scale.h"
+#include "ui/format/number_format.h"
+#include "ui/models/space_clustering.h"
 #include "ui/theme/theme.h"
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace gripscope {
 
+using namespace Qt::StringLiterals;
+
 namespace {
-constexpr double titleHeight = 20, barHeight = 6, numbersHeight = 18, gap = 4;
+
+QString planeWord(const char* text)
+{
+    return QCoreApplication::translate("gripscope::MapPlanes", text);
+}
+
+MapPlane plane(const QString& title, const QString& meaning, const QString& unit,
+               const Eigen::MatrixXd& values)
+{
+    MapPlane result;
+    result.title = title;
+    result.meaning = meaning;
+    result.scale = axisScale(title, unit, values.minCoeff(), values.maxCoeff());
+    result.scale.low = values.minCoeff();
+    result.scale.high = values.maxCoeff();
+    result.values = values;
+    return result;
+}
+
+/// "3 squeezes: 2 of A, 1 of B" for every unit.
+std::vector<QString> squeezesOfUnits(const TypeSpace& space, const SelfOrganizingMapResult& map)
+{
+    std::vector<std::map<int, int>> counts(map.hits.size());
+    for (std::size_t i = 0; i < map.unitOfItem.size(); ++i)
+        ++counts[std::size_t(map.unitOfItem[i])][space.squeezes[i].type];
+    std::vector<QString> texts;
+    texts.reserve(counts.size());
+    for (std::size_t unit = 0; unit < counts.size(); ++unit) {
+        QStringList types;
+        for (const auto& [type, count] : counts[unit])
+            types << planeWord(QT_TRANSLATE_NOOP("gripscope::MapPlanes", "%1 of %2"))
+                         .arg(formatCount(count), space.types[type]);
+        texts.push_back(types.isEmpty()
+                            ? planeWord(QT_TRANSLATE_NOOP("gripscope::MapPlanes", "No squeezes here"))
+                            : planeWord(QT_TRANSLATE_NOOP("gripscope::MapPlanes", "Squeezes: %1"))
+                                  .arg(types.join(u", "_s)));
+    }
+    return texts;
+}
+
+} // namespace
+
+QString MapPlanes::describe(int unit, int plane) const
+{
+    if (unit < 0 || unit >= rows * columns)
+        return {};
+    const MapPlane& one = planes[std::size_t(plane)];
+    return u"%1: %2\n%3\n%4"_s.arg(
+        one.title, one.scale.valueText(one.values(unit / columns, unit % columns)),
+        squeezes[std::size_t(unit)],
+        planeWord(QT_TRANSLATE_NOOP("gripscope::MapPlanes", "Row %1, column %2 of the map, cluster %3"))
+            .arg(unit / columns + 1)
+            .arg(unit % columns + 1)
+            .arg(groups[std::size_t(unit)] + 1));
+}
+
+MapPlanes mapPlanes(const TypeSpace& space, const SpaceClustering& clustering)
+{
+    const auto* map = std::get_if<SelfOrganizingMapResult>(&clustering.outcome.details);
+    if (!map || map->rows * map->columns == 0)
+        return {};
+    SelfOrganizingMapResult inUnits = *map;
+    inUnits.weights = clustering.outcome.transform.undo(map->weights);
+    MapPlanes result;
+    result.rows = map->rows;
+    result.columns = map->columns;
+    result.hits = map->hits;
+    result.groups = map->groupOfUnit;
+    result.squeezes = squeezesOfUnits(space, *map);
+    result.planes = {
+        plane(planeWord(QT_TRANSLATE_NOOP("gripscope::MapPlanes", "U-matrix")),
+              planeWord(
+                  QT_TRANSLATE_NOOP("gripscope::MapPlanes",
+                                    "How far each unit is from its neighbours, in the scaled space. Bright "
+                                    "ridges are borders between clusters.")),
+              u"1"_s, map->uMatrix()),
+        plane(planeWord(QT_TRANSLATE_NOOP("gripscope::MapPlanes", "Mass m")),
+              planeWord(QT_TRANSLATE_NOOP("gripscope::MapPlanes", "The mass that each unit stands for")),
+              space.units.m, inUnits.componentPlane(0)),
+        plane(planeWord(QT_TRANSLATE_NOOP("gripscope::MapPlanes", "Damping b")),
+              planeWord(QT_TRANSLATE_NOOP("gripscope::MapPlanes", "The damping that each unit stands for")),
+              space.units.b, inUnits.componentPlane(1)),
+        plane(planeWord(QT_TRANSLATE_NOOP("gripscope::MapPlanes", "Stiffness k")),
+              planeWord(QT_TRANSLATE_NOOP("gripscope::MapPlanes", "The stiffness that each unit stands for")),
+              space.units.k, inUnits.componentPlane(2))};
+    return result;
+}
+
+QColor scaleColor(double share)
+{
+    static constexpr std::array<QRgb, 10> colors{0xff00224e, 0xff123570, 0xff3b496c, 0xff575d6d, 0xff707173,
+                                                 0xff8a8678, 0xffa59c74, 0xffc3b369, 0xffe1cc55, 0xfffee838};
+    const double at = std::clamp(std::isfinite(share) ? share : 0.0, 0.0, 1.0) * (colors.size() - 1);
+    const auto below = std::min(std::size_t(at), colors.size() - 2);
+    return Theme::mix(QColor(colors[below]), QColor(colors[below + 1]), at - double(below));
+}
+
+namespace {
+constexpr double titleHeight = 20, colorBarHeight = 6, numbersHeight = 18, heatGap = 4;
 } // namespace
 
 HeatMap::HeatMap(QWidget* parent) : QWidget(parent)
@@ -52,7 +156,8 @@ void HeatMap::setMarked(int unit)
 
 QRectF HeatMap::grid() const
 {
-    const QRectF area = QRectF(rect()).adjusted(2, titleHeight, -2, -(gap + barHeight + numbersHeight));
+    const QRectF area =
+        QRectF(rect()).adjusted(2, titleHeight, -2, -(heatGap + colorBarHeight + numbersHeight));
     const double side = std::max(1.0, std::floor(std::min(area.width() / std::max(1, m_map.columns),
                                                           area.height() / std::max(1, m_map.rows))));
     QRectF grid(0, 0, side * m_map.columns, side * m_map.rows);
@@ -192,7 +297,7 @@ void HeatMap::paintBar(QPainter& painter) const
 {
     const ThemeTokens& tokens = Theme::instance().tokens();
     const AxisScale& scale = plane().scale;
-    const QRectF bar(2, height() - numbersHeight - barHeight, width() - 4, barHeight);
+    const QRectF bar(2, height() - numbersHeight - colorBarHeight, width() - 4, colorBarHeight);
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
     for (int stop = 0; stop <= 9; ++stop)
         gradient.setColorAt(stop / 9.0, scaleColor(stop / 9.0));

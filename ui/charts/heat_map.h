@@ -1,11 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/models/map_planes.h"
+#include "ui/charts/axis_ticks.h"
 
+#include <Eigen/Core>
+#include <QColor>
+#include <QString>
 #include <QWidget>
 
+#include <vector>
+
 namespace gripscope {
+
+struct SpaceClustering;
+struct TypeSpace;
+
+/// One number for every unit of a self-organizing map, as a picture of its grid.
+struct MapPlane {
+    QString title;          ///< "Mass m"
+    QString meaning;        ///< what it shows, in a sentence
+    AxisScale scale;        ///< unit and digits; low and high are the extremes of `values`
+    Eigen::MatrixXd values; ///< rows x columns of the grid
+};
+
+/// The map as pictures side by side: the U-matrix, then the component planes of m, b and k.
+struct MapPlanes {
+    int rows = 0, columns = 0;
+    std::vector<MapPlane> planes;
+    std::vector<int> hits;         ///< squeezes a unit; unit of row r and column c: r * columns + c
+    std::vector<int> groups;       ///< cluster of each unit, from 0
+    std::vector<QString> squeezes; ///< who is in a unit, in words: "3 squeezes: 2 of A, 1 of B"
+
+    /// A unit in words: its number in that plane, who is there, where it is.
+    [[nodiscard]] QString describe(int unit, int plane) const;
+};
+
+/// Empty where the clustering is not a map's.
+[[nodiscard]] MapPlanes mapPlanes(const TypeSpace& space, const SpaceClustering& clustering);
+
+/// A colour for a number between 0 (dark blue) and 1 (yellow): lightness rises evenly, and it reads the same
+/// to people with any kind of colour blindness. Numbers outside are taken for the nearer end.
+/// Source: Nunez, Anderton and Renslow, Optimizing colormaps with consideration for color vision deficiency
+/// (cividis, 2018), ten of its colours with straight lines between them.
+[[nodiscard]] QColor scaleColor(double share);
 
 /// One plane of a self-organizing map: a cell a unit, its colour the number, borders where the cluster
 /// changes, a colour bar with the extremes and the unit below. Pointing at a cell, or going there with the

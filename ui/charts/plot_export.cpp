@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/plot_export.h"
 
+#include "core/base/csv.h"
+
 #include <QBuffer>
 #include <QLocale>
 #include <QPainter>
@@ -13,19 +15,6 @@ namespace gripscope {
 
 using namespace Qt::StringLiterals;
 
-namespace {
-
-QByteArray quoted(const QString& text)
-{
-    if (!text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n'))
-        return text.toUtf8();
-    QString inside = text;
-    inside.replace(u'"', u"\"\""_s);
-    return u"\"%1\""_s.arg(inside).toUtf8();
-}
-
-} // namespace
-
 QByteArray toCsv(const PlotTable& table)
 {
     QByteArray csv;
@@ -33,7 +22,7 @@ QByteArray toCsv(const PlotTable& table)
     for (const PlotColumn& column : table) {
         if (&column != &table.front())
             csv += ',';
-        csv += quoted(column.name);
+        csv += csvCell(column.name).toUtf8();
         rows = std::max(rows, column.values ? column.values->size() : 0);
     }
     csv += '\n';

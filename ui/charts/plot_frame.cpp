@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/plot_frame.h"
 
-#include "ui/charts/plot_series_painter.h"
+#include "ui/charts/axis_ticks.h"
 #include "ui/theme/theme.h"
-#include "ui/widgets/axis_ticks.h"
 
 #include <QChart>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QPainter>
 #include <QValueAxis>
 #include <QXYSeries>
 
@@ -22,7 +20,7 @@ using namespace Qt::StringLiterals;
 namespace {
 // Around the plot, logical pixels: room for the numbers of every plot of a page, so that all have the same
 // edges.
-constexpr int left = 66, right = 14, top = 26, bottomBare = 8, bottomTitled = 26;
+constexpr int frameLeft = 66, frameRight = 14, frameBottomBare = 8, bottomTitled = 26;
 } // namespace
 
 PlotFrame::PlotFrame(QWidget* parent)
@@ -88,27 +86,6 @@ void PlotFrame::setExportNames(const QString& plot, const QString& file, const Q
 QSize PlotFrame::pictureSize() const
 {
     return viewport()->size();
-}
-
-void PlotFrame::paintPicture(QPainter& painter)
-{
-    m_inPicture = true;
-    const bool ownAxis = m_horizontalTitle.isEmpty() && !m_pictureAxis.isEmpty();
-    if (ownAxis)
-        setHorizontalTitle(m_pictureAxis);
-    chart()->layout()->activate();
-    const QList<QAbstractSeries*> series = chart()->series();
-    for (QAbstractSeries* one : series)
-        one->setVisible(false); // painted below, cut off without a clip
-    const QRect all = viewport()->rect();
-    render(&painter, all, all);
-    for (QAbstractSeries* one : series)
-        one->setVisible(true);
-    paintSeries(painter, *chart());
-    if (ownAxis)
-        setHorizontalTitle({});
-    chart()->layout()->activate(); // before the screen is painted again
-    m_inPicture = false;
 }
 
 void PlotFrame::setHorizontalTitle(const QString& title)
@@ -202,8 +179,8 @@ void PlotFrame::layOut()
 {
     const bool titled = !m_horizontalTitle.isEmpty();
     const QSize all = viewport()->size();
-    const QRectF area(left, top, std::max(10, all.width() - left - right),
-                      std::max(10, all.height() - top - (titled ? bottomTitled : bottomBare)));
+    const QRectF area(frameLeft, headerHeight, std::max(10, all.width() - frameLeft - frameRight),
+                      std::max(10, all.height() - headerHeight - (titled ? bottomTitled : frameBottomBare)));
     chart()->resize(all);
     chart()->setPlotArea(area);
     setTicks(m_horizontal, columns() / 70);
@@ -228,108 +205,6 @@ void PlotFrame::themeChanged()
         axis->setGridLinePen(QPen(Theme::mix(tokens.surface, tokens.line, 0.7), 1));
     }
     viewport()->update();
-}
-
-void PlotFrame::drawBackground(QPainter* painter, const QRectF& rect)
-{
-    QChartView::drawBackground(painter, rect);
-    if (!m_band || empty())
-        return;
-    const ThemeTokens& tokens = Theme::instance().tokens();
-    const QRectF area = chart()->plotArea();
-    const double y0 = chart()->mapToPosition({m_horizontal->min(), m_band->high}).y();
-    const double y1 = chart()->mapToPosition({m_horizontal->min(), m_band->low}).y();
-    const QRectF stripe = QRectF(QPointF(area.left(), y0), QPointF(area.right(), y1)).intersected(area);
-    painter->save();
-    painter->fillRect(stripe, Theme::mix(tokens.surface, tokens.accent, 0.12));
-    painter->setPen(QPen(tokens.accent, tokens.lineWidth, Qt::DashLine));
-    for (const double y : {y0, y1})
-        if (y >= area.top() && y <= area.bottom())
-            painter->drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
-    painter->restore();
-}
-
-double PlotFrame::paintTitle(QPainter* painter, const QRectF& line) const
-{
-    const ThemeTokens& tokens = Theme::instance().tokens();
-    const QFont strong = Theme::font(metrics::fontSmall, true), plain = Theme::font(metrics::fontSmall);
-    const QFont& found = m_findingDoubtful ? strong : plain;
-    const double findingWidth =
-        m_finding.isEmpty() ? 0 : QFontMetricsF(found).horizontalAdvance(m_finding) + 7;
-    const auto width = [&](const QString& title) { return QFontMetricsF(strong).horizontalAdvance(title); };
-    QString title = m_finding.isEmpty() ? m_title : m_title + u':';
-    // Where it is tight the short title; where that is too long, from the edge of the plot's own margin.
-    QRectF room = line;
-    if (width(title) + findingWidth > room.width())
-        title = m_finding.isEmpty() ? m_briefTitle : m_briefTitle + u':';
-    if (width(title) + findingWidth > room.width())
-        room.setLeft(std::max(8.0, room.right() - width(title) - findingWidth));
-    title =
-        QFontMetricsF(strong).elidedText(title, Qt::ElideRight, std::max(0.0, room.width() - findingWidth));
-    painter->setFont(strong);
-    painter->setPen(tokens.text);
-    painter->drawText(room, Qt::AlignLeft | Qt::AlignVCenter, title);
-    const double end = room.left() + width(title);
-    if (m_finding.isEmpty())
-        return end;
-    painter->setFont(found);
-    painter->setPen(m_findingDoubtful ? tokens.notValid : tokens.secondText);
-    painter->drawText(room.adjusted(width(title) + 6, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, m_finding);
-    return end + findingWidth;
-}
-
-void PlotFrame::paintHeader(QPainter* painter) const
-{
-    const ThemeTokens& tokens = Theme::instance().tokens();
-    const QRectF area = chart()->plotArea();
-    const QRectF line(area.left(), 2, area.width(), top - 6);
-    const double titleEnd = paintTitle(painter, line) + 16;
-    painter->setFont(Theme::font(metrics::fontSmall));
-    const QFontMetricsF small(painter->font());
-    double end = line.right();
-    const auto entry = [&](const QString& name, const auto& paintSign) {
-        const double width = small.horizontalAdvance(name);
-        if (name.isEmpty() || end - width - 24 < titleEnd)
-            return;
-        painter->setPen(tokens.secondText);
-        painter->drawText(QRectF(end - width, line.top(), width + 1, line.height()),
-                          Qt::AlignLeft | Qt::AlignVCenter, name);
-        paintSign(QPointF(end - width - 24, line.center().y()));
-        end -= width + 40;
-    };
-    if (!m_horizontalTitle.isEmpty()) {
-        painter->setPen(tokens.secondText);
-        painter->drawText(QRectF(0, area.bottom() + 4, area.left() - 14, 18),
-                          Qt::AlignRight | Qt::AlignVCenter, m_horizontalTitle);
-    }
-    if (m_band)
-        entry(m_bandName, [&](QPointF at) {
-            painter->fillRect(QRectF(at.x(), at.y() - 4, 18, 8),
-                              Theme::mix(tokens.surface, tokens.accent, 0.25));
-        });
-    for (auto i = m_legend.rbegin(); i != m_legend.rend(); ++i)
-        entry(i->name, [&](QPointF at) {
-            painter->setPen(QPen(i->color, i->width, Qt::SolidLine, Qt::FlatCap));
-            painter->drawLine(at, at + QPointF(18, 0));
-        });
-}
-
-void PlotFrame::drawForeground(QPainter* painter, const QRectF&)
-{
-    const ThemeTokens& tokens = Theme::instance().tokens();
-    painter->save();
-    paintHeader(painter);
-    if (empty()) {
-        painter->setPen(tokens.secondText);
-        painter->setFont(Theme::font(metrics::fontSmall));
-        painter->drawText(chart()->plotArea(), Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
-    }
-    if (hasFocus() && !m_inPicture) {
-        painter->setPen(QPen(tokens.accent, 2));
-        painter->setBrush(Qt::NoBrush);
-        painter->drawRect(viewport()->rect().adjusted(1, 1, -1, -1));
-    }
-    painter->restore();
 }
 
 void PlotFrame::ask(PlotRange range)

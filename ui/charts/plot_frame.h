@@ -95,6 +95,8 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    static constexpr int headerHeight = 26; ///< above the plot, logical pixels
+
     void layOut();
     [[nodiscard]] int verticalSteps() const;
     void setTicks(QValueAxis* axis, int most);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/region_plot.h"
 
-#include "ui/charts/estimator_sign.h"
-#include "ui/charts/fit_plots.h"
-#include "ui/models/estimate_words.h"
+#include "core/identification/estimators/estimator_table.h"
+#include "ui/charts/axis_ticks.h"
+#include "ui/format/estimate_words.h"
 #include "ui/theme/theme.h"
-#include "ui/widgets/axis_ticks.h"
 
 #include <QPainter>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace gripscope {
 
@@ -18,9 +18,38 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+/// A regular polygon, its first corner at `turn` (radians, 0 is to the right).
+QPolygonF polygon(QPointF center, double radius, int corners, double turn)
+{
+    QPolygonF result;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = turn + 2 * std::numbers::pi * i / corners;
+        result << center + radius * QPointF(std::cos(angle), std::sin(angle));
+    }
+    return result;
+}
+
+/// The estimator's own sign, about `size` pixels across: shape and colour both tell it.
+void paintEstimatorSign(QPainter& painter, Estimator estimator, QPointF at, double size)
+{
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    const double radius = size / 2;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const bool outlined = tokens.kind != ThemeKind::Light;
+    painter.setPen(outlined ? QPen(tokens.text, 1) : QPen(tokens.surface, 0.75));
+    painter.setBrush(Theme::typeColor(int(estimator)));
+    const EstimatorSign& sign = factsOf(estimator).sign;
+    if (sign.corners == 0)
+        painter.drawEllipse(at, radius, radius);
+    else
+        painter.drawPolygon(polygon(at, sign.size * radius, sign.corners, sign.turn));
+    painter.restore();
+}
+
 // Around and between the frames, logical pixels.
-constexpr double left = 54, right = 10, top = 26, bottom = 38, gap = 10;
-constexpr double signSize = 9;
+constexpr double regionLeft = 54, regionRight = 10, regionTop = 26, regionBottom = 38, regionGap = 10;
+constexpr double regionSignSize = 9;
 /// Of a frame, in half widths of the region: room for what is told at its border.
 constexpr double roomFactor = 1.5;
 /// Another estimator widens the frames to be seen in them when it is no farther off than this.
@@ -127,16 +156,16 @@ void RegionPlot::paint(QPainter& painter, QSizeF size) const
                  tr("No region without an estimate and its error bars"), tokens.secondText);
         return;
     }
-    const double width = (size.width() - left - right - gap) / 2;
-    const double height = (size.height() - top - bottom - gap) / 2;
-    const double column = left + width + gap, row = top + height + gap;
+    const double width = (size.width() - regionLeft - regionRight - regionGap) / 2;
+    const double height = (size.height() - regionTop - regionBottom - regionGap) / 2;
+    const double column = regionLeft + width + regionGap, row = regionTop + height + regionGap;
     drawText(painter, QRectF(12, 4, size.width() - 20, 18), Qt::AlignLeft | Qt::AlignVCenter,
              tr("95 % joint region, in % of the recommended m, b, k"), tokens.text, true);
-    for (const Frame& frame : {Frame{0, 1, {left, top, width, height}, false, true},
-                               Frame{0, 2, {left, row, width, height}, true, true},
+    for (const Frame& frame : {Frame{0, 1, {regionLeft, regionTop, width, height}, false, true},
+                               Frame{0, 2, {regionLeft, row, width, height}, true, true},
                                Frame{1, 2, {column, row, width, height}, true, false}})
         paintFrame(painter, frame);
-    paintLegend(painter, {column + 6, top, width - 6, height});
+    paintLegend(painter, {column + 6, regionTop, width - 6, height});
 }
 
 void RegionPlot::paintFrame(QPainter& painter, const Frame& frame) const
@@ -151,7 +180,7 @@ void RegionPlot::paintFrame(QPainter& painter, const Frame& frame) const
                          : Theme::mix(tokens.surface, tokens.accent, 0.16));
     painter.setPen(QPen(tokens.accent, 0.75 * tokens.curveWidth));
     painter.drawPolygon(outline);
-    paintEstimatorSign(painter, m_region->estimator, frame.area.center(), signSize);
+    paintEstimatorSign(painter, m_region->estimator, frame.area.center(), regionSignSize);
     paintOthers(painter, frame);
 }
 
@@ -212,7 +241,7 @@ void RegionPlot::paintOthers(QPainter& painter, const Frame& frame) const
                               point.percent[std::size_t(frame.vertical)]);
         if (std::abs(percent.x()) <= halfRange(frame.horizontal) &&
             std::abs(percent.y()) <= halfRange(frame.vertical))
-            paintEstimatorSign(painter, point.estimator, place(frame, percent), signSize);
+            paintEstimatorSign(painter, point.estimator, place(frame, percent), regionSignSize);
         else
             paintOutside(painter, frame, point, taken);
     }
@@ -234,8 +263,8 @@ void RegionPlot::paintOutside(QPainter& painter, const Frame& frame, const Estim
     const QPointF outwards = sideways ? QPointF(x > 0 ? 1 : -1, 0) : QPointF(0, y > 0 ? -1 : 1);
     const QPointF center = frame.area.center();
     const double halfWidth = frame.area.width() / 2, halfHeight = frame.area.height() / 2;
-    const double step = sideways ? 15 : textWidth + signSize + 10;
-    const double reach = sideways ? halfHeight - 9 : halfWidth - (textWidth + signSize) / 2 - 8;
+    const double step = sideways ? 15 : textWidth + regionSignSize + 10;
+    const double reach = sideways ? halfHeight - 9 : halfWidth - (textWidth + regionSignSize) / 2 - 8;
     const double wanted = sideways ? -y / farthest * halfHeight : x / farthest * halfWidth;
     for (int attempt = 0; attempt < 12; ++attempt) {
         const double shift = (attempt % 2 == 1 ? 1 : -1) * ((attempt + 1) / 2) * step;
@@ -244,11 +273,11 @@ void RegionPlot::paintOutside(QPainter& painter, const Frame& frame, const Estim
             continue;
         const QPointF tip = center + (sideways ? QPointF(outwards.x() * (halfWidth - 2), along)
                                                : QPointF(along, outwards.y() * (halfHeight - 2)));
-        const QPointF sign = sideways ? tip - outwards * (7 + signSize / 2)
+        const QPointF sign = sideways ? tip - outwards * (7 + regionSignSize / 2)
                                       : tip - outwards * 14 - QPointF((textWidth + 4) / 2, 0);
         const QRectF words = sideways && outwards.x() > 0
-                                 ? QRectF(sign.x() - signSize - textWidth, sign.y() - 8, textWidth, 16)
-                                 : QRectF(sign.x() + signSize, sign.y() - 8, textWidth, 16);
+                                 ? QRectF(sign.x() - regionSignSize - textWidth, sign.y() - 8, textWidth, 16)
+                                 : QRectF(sign.x() + regionSignSize, sign.y() - 8, textWidth, 16);
         const QRectF whole = words.united(QRectF(sign, QSizeF()).adjusted(-6, -6, 6, 6));
         if (overlapsAny(whole, taken))
             continue;
@@ -257,7 +286,7 @@ void RegionPlot::paintOutside(QPainter& painter, const Frame& frame, const Estim
         painter.setBrush(tokens.text);
         const QPointF across(outwards.y(), outwards.x());
         painter.drawPolygon(QPolygonF{tip, tip - outwards * 5 + across * 4, tip - outwards * 5 - across * 4});
-        paintEstimatorSign(painter, point.estimator, sign, signSize);
+        paintEstimatorSign(painter, point.estimator, sign, regionSignSize);
         QColor behind = tokens.surface; // words across an outline stay legible
         behind.setAlphaF(0.8F);
         painter.fillRect(words.adjusted(-1, 1, 1, -1), behind);
@@ -275,7 +304,7 @@ void RegionPlot::paintLegend(QPainter& painter, const QRectF& area) const
     const auto entry = [&](Estimator estimator, const QColor& color) {
         if (y + line > area.bottom() + 1)
             return;
-        paintEstimatorSign(painter, estimator, {area.left() + 6, y + line / 2}, signSize);
+        paintEstimatorSign(painter, estimator, {area.left() + 6, y + line / 2}, regionSignSize);
         drawText(painter, {area.left() + 18, y, area.width() - 18, line}, Qt::AlignLeft | Qt::AlignVCenter,
                  font.elidedText(estimatorName(estimator), Qt::ElideRight, area.width() - 18), color);
         y += line;

@@ -1,18 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/strip_chart.h"
 
-#include "ui/charts/strip_curve.h"
 #include "ui/theme/theme.h"
 
+#include <QColor>
 #include <QPainter>
+#include <QPointF>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace gripscope {
 
 namespace {
-constexpr int left = 64, right = 16, top = 10, bottom = 26, bottomBare = 10;
+
+/// Where a point of a channel stands on the screen.
+using StripPlace = std::function<QPointF(const PlotPoint&)>;
+
+/// A measured channel: one thin line a stretch.
+void paintMeasured(QPainter& painter, const std::vector<LiveHistory::Stretch>& stretches,
+                   const StripPlace& place, const QColor& color, double thick)
+{
+    // One wide polyline over dense data would take Qt most of a second: it unites the outline of all its
+    // pieces. Tall pieces are upright bars, the others single lines; both are drawn in a few milliseconds.
+    QList<QRectF> bars;
+    QList<QLineF> lines;
+    for (const LiveHistory::Stretch& stretch : stretches) {
+        QPointF before;
+        for (std::size_t i = 0; i < stretch.size(); ++i) {
+            const QPointF here = place(stretch[i]);
+            const QPointF from = i == 0 ? here : before;
+            if (std::abs(here.x() - from.x()) < 1.5 && std::abs(here.y() - from.y()) > 4)
+                bars << QRectF(here.x() - thick / 2, std::min(here.y(), from.y()), thick,
+                               std::abs(here.y() - from.y()));
+            else
+                lines << QLineF(from, here);
+            before = here;
+        }
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(color);
+    painter.drawRects(bars);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(color, thick, Qt::SolidLine, Qt::SquareCap));
+    painter.drawLines(lines);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+/// A channel that was asked for: a wide band in steps, each value until the next, to lie below the line of
+/// what was measured.
+void paintCommanded(QPainter& painter, const std::vector<LiveHistory::Stretch>& stretches,
+                    const StripPlace& place, const QColor& color, double thick)
+{
+    QList<QRectF> bars;
+    for (const LiveHistory::Stretch& stretch : stretches) {
+        for (std::size_t i = 0; i < stretch.size(); ++i) {
+            const QPointF here = place(stretch[i]);
+            const QPointF next = i + 1 < stretch.size() ? place(stretch[i + 1]) : here;
+            const double low = std::min(here.y(), next.y());
+            bars << QRectF(here.x() - thick / 2, here.y() - thick / 2, next.x() - here.x() + thick, thick)
+                 << QRectF(next.x() - thick / 2, low - thick / 2, thick,
+                           std::abs(next.y() - here.y()) + thick);
+        }
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(color);
+    painter.drawRects(bars);
+}
+
+constexpr int stripLeft = 64, stripRight = 16, stripTop = 10, stripBottom = 26, stripBottomBare = 10;
 constexpr double gapSign = 8; ///< a triangle on the upper edge
 constexpr double markSign = 18;
 constexpr int calmFrames = 60; ///< about a second: the range shrinks only after that
@@ -98,7 +155,8 @@ int StripChart::columns() const
 
 QRectF StripChart::plot() const
 {
-    return QRectF(rect()).adjusted(left, top, -right, m_timeLabels ? -bottom : -bottomBare);
+    return QRectF(rect()).adjusted(stripLeft, stripTop, -stripRight,
+                                   m_timeLabels ? -stripBottom : -stripBottomBare);
 }
 
 double StripChart::shareAt(double pixel) const
@@ -226,7 +284,7 @@ void StripChart::paintValueAxis(QPainter& painter, const QColor& grid) const
         painter.drawLine(QPointF(area.left(), at), QPointF(area.right(), at));
         painter.setPen(Theme::instance().tokens().secondText);
         const bool highest = value == y.values.back();
-        painter.drawText(QRectF(0, at - 9, left - 8, 18), Qt::AlignRight | Qt::AlignVCenter,
+        painter.drawText(QRectF(0, at - 9, stripLeft - 8, 18), Qt::AlignRight | Qt::AlignVCenter,
                          highest ? y.label(value) + QChar(0x00A0) + m_unit : y.label(value));
     }
 }

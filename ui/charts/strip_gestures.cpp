@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/charts/strip_gestures.h"
-
 #include "ui/charts/strip_chart.h"
 
 #include <QMouseEvent>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/charts/time_plot.h"
-
-#include "core/signal/decimation.h"
+#include "core/signal/preparation/decimation.h"
+#include "ui/charts/fit_plots.h"
 #include "ui/theme/theme.h"
 
 #include <QChart>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/trend_plot.h"
 
-#include "core/signal/units.h"
-#include "ui/charts/time_ticks.h"
+#include "core/math/normal_interval.h"
+#include "core/signal/recording/units.h"
+#include "ui/charts/axis_ticks.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -18,12 +19,12 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int left = 66, right = 14, top = 24, bottomBare = 8, bottomAxis = 26; // around the plot
-constexpr double halfWidth95 = 1.959964; // of a 95 % interval in standard errors
-constexpr double signSize = 8;
-constexpr double reach = 16; ///< so near a click has to be, pixels
+constexpr int trendLeft = 66, trendRight = 14, trendTop = 24, trendBottomBare = 8,
+              bottomAxis = 26; // around the plot
+constexpr double trendSignSize = 8;
+constexpr double trendReach = 16; ///< so near a click has to be, pixels
 
-struct Words {
+struct TrendWords {
     Q_DECLARE_TR_FUNCTIONS(gripscope::TrendPlot)
 };
 
@@ -34,14 +35,14 @@ double component(const MassDampingStiffness& p, int parameter)
 
 QString nameOf(int parameter)
 {
-    return parameter == 0   ? Words::tr("Mass m")
-           : parameter == 1 ? Words::tr("Damping b")
-                            : Words::tr("Stiffness k");
+    return parameter == 0   ? TrendWords::tr("Mass m")
+           : parameter == 1 ? TrendWords::tr("Damping b")
+                            : TrendWords::tr("Stiffness k");
 }
 
 QString unitOf(int parameter)
 {
-    const ParameterUnits units = parameterUnits(u"N"_s, u"m"_s);
+    const ParameterUnits units = siParameterUnits();
     return parameter == 0 ? units.m : parameter == 1 ? units.b : units.k;
 }
 
@@ -74,7 +75,7 @@ QColor signColor(int sign, const ThemeTokens& tokens)
 }
 
 /// What the points of one type span in one pixel column.
-struct Column {
+struct TrendColumn {
     double low = std::numeric_limits<double>::infinity(), high = -low, sum = 0;
     int count = 0;
 };
@@ -167,13 +168,13 @@ void paintTypeLegend(QPainter& painter, const TrendContent& content, const QRect
     };
     for (qsizetype i = 0; i < content.points->types.size(); ++i)
         entry(content.signs[std::size_t(i)], content.points->types[i]);
-    entry(-1, Words::tr("of no type"));
+    entry(-1, TrendWords::tr("of no type"));
 }
 
 TrendPlot::TrendPlot(const TrendContent& content, int parameter, const QRectF& box, bool withAxis)
     : m_content(content), m_parameter(parameter), m_box(box), m_withAxis(withAxis)
 {
-    m_area = box.adjusted(left, top, -right, withAxis ? -bottomAxis : -bottomBare);
+    m_area = box.adjusted(trendLeft, trendTop, -trendRight, withAxis ? -bottomAxis : -trendBottomBare);
     findRange();
 }
 
@@ -206,8 +207,7 @@ double TrendPlot::number(std::size_t place) const
 
 double TrendPlot::error(std::size_t place) const
 {
-    return halfWidth95 * m_unit.factor *
-           component(m_content.points->points[place].standardErrors, m_parameter);
+    return normal95 * m_unit.factor * component(m_content.points->points[place].standardErrors, m_parameter);
 }
 
 double TrendPlot::height(double value) const
@@ -246,7 +246,7 @@ void TrendPlot::paint(QPainter& painter, const ThemeTokens& tokens) const
     if (m_content.selected && *m_content.selected < m_content.points->points.size()) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(tokens.accent, 2.5));
-        painter.drawEllipse(position(*m_content.selected), signSize, signSize);
+        painter.drawEllipse(position(*m_content.selected), trendSignSize, trendSignSize);
     }
     painter.restore();
 }
@@ -256,7 +256,7 @@ void TrendPlot::paintFrame(QPainter& painter, const ThemeTokens& tokens) const
     painter.setFont(Theme::font(metrics::fontSmall, true));
     painter.setPen(tokens.text);
     const QString unit = m_unit.unit.isEmpty() ? QString() : u" (%1)"_s.arg(m_unit.unit);
-    painter.drawText(QRectF(m_area.left(), m_box.top() + 2, m_area.width(), top - 6),
+    painter.drawText(QRectF(m_area.left(), m_box.top() + 2, m_area.width(), trendTop - 6),
                      Qt::AlignLeft | Qt::AlignVCenter, nameOf(m_parameter) + unit);
     painter.setFont(Theme::font(metrics::fontSmall));
     const AxisTicks ticks = roundTicks(m_range.low, m_range.high, std::max(3, int(m_area.height() / 28)));
@@ -265,7 +265,7 @@ void TrendPlot::paintFrame(QPainter& painter, const ThemeTokens& tokens) const
         painter.setPen(QPen(Theme::mix(tokens.surface, tokens.line, 0.7), 1));
         painter.drawLine(QPointF(m_area.left(), y), QPointF(m_area.right(), y));
         painter.setPen(tokens.secondText);
-        painter.drawText(QRectF(m_box.left(), y - 9, left - 8, 18), Qt::AlignRight | Qt::AlignVCenter,
+        painter.drawText(QRectF(m_box.left(), y - 9, trendLeft - 8, 18), Qt::AlignRight | Qt::AlignVCenter,
                          ticks.label(tick));
     }
     paintAxis(painter, tokens);
@@ -330,7 +330,7 @@ void TrendPlot::paintPoints(QPainter& painter, const ThemeTokens& tokens) const
             painter.drawLine(QPointF(at.x(), height(number(i) - half)),
                              QPointF(at.x(), height(number(i) + half)));
         }
-        paintTypeSign(painter, sign, at, signSize, tokens);
+        paintTypeSign(painter, sign, at, trendSignSize, tokens);
     }
 }
 
@@ -338,13 +338,13 @@ void TrendPlot::paintColumns(QPainter& painter, const ThemeTokens& tokens) const
 {
     const auto width = std::size_t(std::max(1.0, std::floor(m_area.width())));
     const std::size_t kinds = m_content.signs.size() + 1; // the last: of no type
-    std::vector<Column> columns(width * kinds);
+    std::vector<TrendColumn> columns(width * kinds);
     const auto [first, last] = m_content.inView();
     for (std::size_t i = first; i < last; ++i) {
         const double share = (m_content.across(i) - m_content.low) / (m_content.high - m_content.low);
         const std::size_t x = std::min(width - 1, std::size_t(share * double(width)));
         const int type = m_content.points->points[i].type;
-        Column& column = columns[(type < 0 ? kinds - 1 : std::size_t(type)) * width + x];
+        TrendColumn& column = columns[(type < 0 ? kinds - 1 : std::size_t(type)) * width + x];
         const double value = number(i);
         column.low = std::min(column.low, value);
         column.high = std::max(column.high, value);
@@ -356,7 +356,7 @@ void TrendPlot::paintColumns(QPainter& painter, const ThemeTokens& tokens) const
         QColor faint = color;
         faint.setAlpha(tokens.kind == ThemeKind::HighContrast ? 255 : 110);
         for (std::size_t x = 0; x < width; ++x) {
-            const Column& column = columns[kind * width + x];
+            const TrendColumn& column = columns[kind * width + x];
             if (column.count == 0)
                 continue;
             const double at = m_area.left() + double(x) + 0.5;
@@ -370,7 +370,7 @@ void TrendPlot::paintColumns(QPainter& painter, const ThemeTokens& tokens) const
 std::optional<std::size_t> TrendPlot::pointAt(QPointF at) const
 {
     std::optional<std::size_t> nearest;
-    double least = reach * reach;
+    double least = trendReach * trendReach;
     const auto [first, last] = m_content.inView();
     for (std::size_t i = first; i < last; ++i) {
         const QPointF away = position(i) - at;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/recognition/type_interval.h"
-#include "core/store/history.h"
-#include "ui/models/shown_unit.h"
+#include "core/library/records/history.h"
+#include "core/recognition/types/type_model.h"
+#include "ui/charts/axis_ticks.h"
+#include "ui/format/shown_unit.h"
 #include "ui/theme/theme.h"
-#include "ui/widgets/axis_ticks.h"
 
 #include <QRectF>
+#include <QWidget>
 
 #include <array>
 #include <memory>
@@ -83,6 +84,43 @@ private:
     bool m_withAxis;
     ShownUnit m_unit;
     AxisRange m_range;
+};
+
+/// m, b and k of squeezes below each other. A click chooses a squeeze, dragging a stretch or the wheel zooms,
+/// a double click or Home shows everything again, + and - zoom, arrows move.
+class TrendView : public QWidget {
+    Q_OBJECT
+public:
+    explicit TrendView(QWidget* parent = nullptr);
+
+    void setContent(TrendContent content);
+    [[nodiscard]] const TrendContent& content() const { return m_content; }
+    void setSelected(std::optional<std::size_t> place);
+
+    [[nodiscard]] QSize sizeHint() const override { return {640, 420}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {280, 240}; }
+
+signals:
+    void pointChosen(qsizetype place); ///< of the points
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    [[nodiscard]] QRectF box(int parameter) const;
+    [[nodiscard]] TrendPlot plot(int parameter) const;
+    [[nodiscard]] bool empty() const;
+    void show(double low, double high);
+    void zoom(double around, double factor);
+
+    TrendContent m_content;
+    std::optional<QPoint> m_pressed, m_dragged;
 };
 
 } // namespace gripscope

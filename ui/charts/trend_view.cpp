@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/charts/trend_view.h"
+#include "ui/charts/trend_plot.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

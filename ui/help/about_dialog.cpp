@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/help/about_dialog.h"
-
+#include "ui/help/help_windows.h"
 #include "ui/widgets/controls.h"
 
 #include <QGridLayout>
 #include <QVBoxLayout>
 
-using namespace Qt::StringLiterals;
-
 namespace gripscope {
 
-AboutDialog::AboutDialog(const QStringList& pageTitles, QWidget* parent) : QDialog(parent)
+using namespace Qt::StringLiterals;
+
+namespace {
+const RegisteredDialog<AboutDialog> aboutDialogRow("about", [](Workbench&, QWidget* over) {
+    return new AboutDialog({}, over);
+});
+} // namespace
+
+AboutDialog::AboutDialog(const QStringList& pageTitles, QWidget* parent) : Dialog(parent)
 {
     setWindowTitle(tr("About Gripscope"));
     setAttribute(Qt::WA_DeleteOnClose);

@@ -1,21 +1,152 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/help/manual_window.h"
-
-#include "ui/help/manual_browser.h"
+#include "ui/help/help_windows.h"
 #include "ui/widgets/controls.h"
 
+#include <QFile>
+#include <QImage>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QLocale>
+#include <QMap>
+#include <QRegularExpression>
 #include <QShortcut>
+#include <QTextBlock>
+#include <QTextTable>
+#include <QUrl>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+const QString contents = u"index.md"_s;
+
+ManualPage read(const QString& name)
+{
+    QFile file(manualPath(name));
+    if (!file.open(QIODevice::ReadOnly))
+        return {name, name, {}};
+    const QString text = QString::fromUtf8(file.readAll());
+    return {name, text.section(u'\n', 0, 0).mid(2).trimmed(), text}; // "# Title"
+}
+
+} // namespace
+
+QString manualPath(const QString& file)
+{
+    const QString translated = u":/manual/%1/%2"_s.arg(QLocale().name().section(u'_', 0, 0), file);
+    return QFile::exists(translated) ? translated : u":/manual/"_s + file;
+}
+
+std::vector<ManualPage> manualPages()
+{
+    std::vector<ManualPage> pages{read(contents)};
+    static const QRegularExpression link(u"\\]\\((\\w+\\.md)\\)"_s);
+    auto found = link.globalMatch(pages.front().text);
+    while (found.hasNext()) {
+        const QString name = found.next().captured(1);
+        const auto isThis = [&name](const ManualPage& page) { return page.file == name; };
+        if (std::none_of(pages.begin(), pages.end(), isThis))
+            pages.push_back(read(name));
+    }
+    return pages;
+}
+
+bool speaksOf(const ManualPage& page, const QString& words)
+{
+    const QStringList wanted = words.split(u' ', Qt::SkipEmptyParts);
+    return std::all_of(wanted.begin(), wanted.end(), [&page](const QString& word) {
+        return page.text.contains(QRegularExpression(u"\\b"_s + QRegularExpression::escape(word),
+                                                     QRegularExpression::CaseInsensitiveOption |
+                                                         QRegularExpression::UseUnicodePropertiesOption));
+    });
+}
+
+QString manualPageFor(const QString& screen)
+{
+    const QString page = screen + u".md"_s;
+    return QFile::exists(manualPath(page)) ? page : contents;
+}
+
+namespace {
+constexpr int mostWidth = 600; ///< of a picture, logical pixels
+}
+
+ManualBrowser::ManualBrowser(QWidget* parent) : QTextBrowser(parent)
+{
+    setFrameShape(QFrame::NoFrame);
+    setOpenExternalLinks(true);
+    document()->setDocumentMargin(16);
+}
+
+void ManualBrowser::showPage(const QString& file)
+{
+    setSource(QUrl(u"qrc"_s + manualPath(file)), QTextDocument::MarkdownResource);
+}
+
+QString ManualBrowser::page() const
+{
+    return source().fileName();
+}
+
+void ManualBrowser::doSetSource(const QUrl& name, QTextDocument::ResourceType type)
+{
+    QTextBrowser::doSetSource(name, type);
+    spaceOut();
+    emit pageShown(page());
+}
+
+void ManualBrowser::spaceOut()
+{
+    QTextCursor cursor(document());
+    cursor.beginEditBlock();
+    for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+        cursor.setPosition(block.position());
+        if (cursor.currentTable())
+            continue;
+        QTextBlockFormat format = block.blockFormat();
+        const bool isHeading = format.headingLevel() > 0;
+        const bool isFirst = block == document()->begin();
+        const bool isItem = block.textList() && block.next().textList();
+        const bool isCode = format.hasProperty(QTextFormat::BlockCodeFence) || format.nonBreakableLines();
+        format.setTopMargin(isHeading && !isFirst ? 16 : 0);
+        format.setBottomMargin(isItem ? 4 : isCode ? 0 : 8);
+        format.setLineHeight(120, QTextBlockFormat::ProportionalHeight);
+        cursor.setBlockFormat(format);
+    }
+    cursor.endEditBlock();
+    moveCursor(QTextCursor::Start);
+}
+
+QVariant ManualBrowser::loadResource(int type, const QUrl& name)
+{
+    if (type != QTextDocument::ImageResource)
+        return QTextBrowser::loadResource(type, name);
+    const QVariant found =
+        QTextBrowser::loadResource(type, QUrl(u"qrc"_s + manualPath(u"pictures/"_s + name.fileName())));
+    QImage picture;
+    if (!picture.loadFromData(found.toByteArray()))
+        return found;
+    const qreal ratio = devicePixelRatioF();
+    const int width = std::min(picture.width(), qRound(mostWidth * ratio));
+    picture = picture.scaledToWidth(width, Qt::SmoothTransformation);
+    picture.setDevicePixelRatio(ratio);
+    return picture;
+}
+
+namespace {
+const RegisteredDialog<ManualWindow> manualWindowRow("manual", [](Workbench&, QWidget* over) {
+    return new ManualWindow(over);
+});
+} // namespace
+
 ManualWindow::ManualWindow(QWidget* parent)
-    : QDialog(parent), m_pages(manualPages()), m_words(new QLineEdit(this)), m_list(new QListWidget(this)),
-      m_browser(new ManualBrowser(this))
+    : Dialog(parent, Conduct::Reads), m_pages(manualPages()), m_words(new QLineEdit(this)),
+      m_list(new QListWidget(this)), m_browser(new ManualBrowser(this))
 {
     setWindowTitle(tr("Manual"));
     setAttribute(Qt::WA_DeleteOnClose);

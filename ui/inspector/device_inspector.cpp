@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inspector/device_inspector.h"
 
-#include "core/words.h"
-#include "devices/acquisition/device_port.h"
+#include "core/base/words.h"
+#include "core/session/connection/report_log.h"
 #include "devices/protocol/descriptor_words.h"
-#include "ui/inspector/fact_table.h"
-#include "ui/inspector/reports_tab.h"
-#include "ui/inspector/self_test_tab.h"
-#include "ui/models/link_words.h"
+#include "ui/context/workbench.h"
+#include "ui/format/link_words.h"
+#include "ui/format/number_format.h"
+#include "ui/format/shown_unit.h"
+#include "ui/inspector/inspector_tabs.h"
 #include "ui/widgets/controls.h"
-#include "ui/widgets/number_format.h"
-#include "ui/workbench.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -48,14 +47,18 @@ DeviceInspector* DeviceInspector::open(Workbench& workbench, QWidget* parent)
         inspector = new DeviceInspector(workbench, parent);
         inspector->setAttribute(Qt::WA_DeleteOnClose);
     }
-    inspector->show();
-    inspector->raise();
-    inspector->activateWindow();
+    inspector->Dialog::open();
     return inspector;
 }
 
+namespace {
+const RegisteredDialog<DeviceInspector> deviceInspectorRow("inspector", [](Workbench& bench, QWidget* over) {
+    return new DeviceInspector(bench, over);
+});
+} // namespace
+
 DeviceInspector::DeviceInspector(Workbench& workbench, QWidget* parent)
-    : QDialog(parent), m_workbench(&workbench)
+    : Dialog(parent, Conduct::Beside), m_workbench(&workbench)
 {
     setObjectName("deviceInspector");
     setWindowTitle(tr("Gripper inspector"));
@@ -148,7 +151,7 @@ void DeviceInspector::lookUp()
     m_known = now;
     m_lookedAt = {};
     // The device list is read off the screen's thread.
-    m_workbench->compute<DeviceFacts>(
+    m_workbench->background().compute<DeviceFacts>(
         this, [address, serial = identity.serial] { return findDeviceFacts(address, serial); },
         [this](const DeviceFacts& facts) {
             showIdentity(facts);
@@ -177,9 +180,9 @@ void DeviceInspector::showIdentity(const DeviceFacts& facts)
         {tr("Position later than force by"), tr("%1 µs, as it says").arg(number(1e6 * identity.forceLag_s))},
         {tr("Takes commands"), identity.commandable ? tr("yes") : tr("no, it only streams")},
         {tr("Its own limits"), limited
-                                   ? tr("%1 N, %2 mm, %3 samples")
-                                         .arg(number(identity.limits.maxForce_N))
-                                         .arg(number(1000 * identity.limits.maxTravel_m))
+                                   ? tr("%1, %2, %3 samples")
+                                         .arg(forceText(identity.limits.maxForce_N))
+                                         .arg(lengthText(identity.limits.maxTravel_m))
                                          .arg(formatCount(static_cast<qint64>(identity.limits.maxSamples)))
                                    : u"–"_s}};
     m_identity->setRowCount(0);
@@ -202,8 +205,9 @@ void DeviceInspector::showDescriptor(const DeviceFacts& facts)
 void DeviceInspector::refresh()
 {
     // A gripper that went away leaves its last reports in view.
-    if (const auto* port = dynamic_cast<const DevicePort*>(m_workbench->connection().port()))
-        m_reports->show(port->reportLog().last(), port->reportLog().missed());
+    const GripperPort* const port = m_workbench->connection().port();
+    if (const ReportLog* const log = port ? port->reportLog() : nullptr)
+        m_reports->show(log->last(), log->missed());
     showCounters();
 }
 
@@ -234,7 +238,10 @@ void DeviceInspector::showCounters()
                             count(now.*counter.value - m_lookedAt.*counter.value)};
     rows << QStringList{tr("Longest silence"), tr("%1 s").arg(now.longestStall_s, 0, 'g', 2), {}}
          << QStringList{tr("Clock beside the computer's"),
-                        now.clockDrift_ppm ? tr("%1 ppm").arg(*now.clockDrift_ppm, 0, 'f', 0) : u"–"_s,
+                        now.clocks.clock ? tr("%1 ± %2 ppm")
+                                               .arg(now.clocks.clock->ppm, 0, 'f', 0)
+                                               .arg(now.clocks.clock->uncertainty_ppm, 0, 'f', 0)
+                                         : u"–"_s,
                         {}}
          << QStringList{tr("Until the program took a sample over"),
                         latencyWords(now.latency50_ms, now.latency99_ms),

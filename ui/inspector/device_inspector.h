@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/gripper_port.h"
+#include "core/session/connection/gripper_port.h"
 #include "devices/inspection/device_facts.h"
-
-#include <QDialog>
+#include "ui/windows/dialog.h"
 
 class QTableWidget;
 
@@ -16,10 +15,11 @@ class Workbench;
 
 /// What a gripper is, what it sends and how well: identity, report descriptor, last reports, counters,
 /// self-test. A window beside the main one; there is one at a time.
-class DeviceInspector : public QDialog {
+class DeviceInspector : public Dialog {
     Q_OBJECT
 public:
     /// Opens it, or brings the one that is open to the front.
+    using Dialog::open;
     static DeviceInspector* open(Workbench& workbench, QWidget* parent);
 
     explicit DeviceInspector(Workbench& workbench, QWidget* parent = nullptr);

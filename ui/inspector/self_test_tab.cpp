@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/inspector/self_test_tab.h"
-
-#include "ui/inspector/fact_table.h"
+#include "ui/context/workbench.h"
+#include "ui/inspector/inspector_tabs.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
-#include "ui/workbench.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -15,6 +13,28 @@
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
+
+QTableWidget* makeFactTable(const QStringList& headers, QWidget* parent)
+{
+    auto* table = new QTableWidget(0, static_cast<int>(headers.size()), parent);
+    table->setHorizontalHeaderLabels(headers);
+    table->horizontalHeader()->setStretchLastSection(true);
+    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    table->verticalHeader()->hide();
+    table->verticalHeader()->setDefaultSectionSize(32);
+    table->setShowGrid(false);
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    return table;
+}
+
+void addFacts(QTableWidget* table, const QStringList& cells)
+{
+    const int row = table->rowCount();
+    table->insertRow(row);
+    for (int column = 0; column < cells.size(); ++column)
+        table->setItem(row, column, new QTableWidgetItem(cells[column]));
+}
 
 SelfTestTab::SelfTestTab(Workbench& workbench, QWidget* parent)
     : QWidget(parent), m_workbench(&workbench), m_test(workbench.connection())
@@ -54,10 +74,10 @@ SelfTestTab::SelfTestTab(Workbench& workbench, QWidget* parent)
 
 void SelfTestTab::start()
 {
-    if (m_workbench->squeezing())
-        return m_workbench->report(tr("A squeeze is under way. Wait for its end, then test the gripper."));
+    if (m_workbench->busyWithSqueeze())
+        return;
     if (const Expected<void> started = m_test.start(); !started)
-        return m_workbench->report(started.error().describe());
+        return m_workbench->messages().report(started.error().describe());
     m_table->setRowCount(0);
     m_verdict->setText(tr("Listening…"));
 }

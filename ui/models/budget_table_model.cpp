@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/budget_table_model.h"
 
-#include "core/signal/units.h"
-#include "ui/models/shown_unit.h"
+#include "core/signal/recording/units.h"
+#include "ui/format/number_format.h"
+#include "ui/format/shown_unit.h"
+#include "ui/theme/theme.h"
 
 #include <QCoreApplication>
 #include <QHash>
 #include <QLocale>
+#include <QPainter>
 
 #include <algorithm>
 #include <cmath>
 
-namespace gripscope {
-
 using namespace Qt::StringLiterals;
+
+namespace gripscope {
 
 void BudgetTableModel::setBudget(const UncertaintyBudget& budget, const QString& forceUnit,
                                  const QString& positionUnit)
@@ -22,11 +25,10 @@ void BudgetTableModel::setBudget(const UncertaintyBudget& budget, const QString&
     m_rows.clear();
     const std::optional<double> si = siFactor(forceUnit, positionUnit);
     const double factor = si.value_or(1);
-    const ParameterUnits units =
-        si ? parameterUnits(u"N"_s, u"m"_s) : parameterUnits(forceUnit, positionUnit);
+    const ParameterUnits units = comparableUnits(forceUnit, positionUnit);
     m_units = {units.m, units.b, units.k};
     for (const BudgetLine& line : budget.lines) {
-        Row row{line.id, effectName(line.id), line.words, false, {}, {}};
+        Row row{line.id, effectName(line.id), line.words.describe(), false, {}, {}};
         const Eigen::Vector3d uncertainties = line.standardUncertainties() * factor;
         for (int i = 0; i < 3; ++i) {
             row.uncertainties[std::size_t(i)] = uncertainties[i];
@@ -137,6 +139,66 @@ QString effectName(const QString& id)
     };
     const char* name = names.value(id, nullptr);
     return name ? QCoreApplication::translate("gripscope::BudgetTableModel", name) : id;
+}
+
+namespace {
+
+using BudgetColumn = BudgetTableModel::Column;
+
+constexpr int side = 5, barHeight = 4, leastBar = 44;
+
+bool isEffect(const QModelIndex& index)
+{
+    return BudgetColumn(index.column()) == BudgetColumn::Effect;
+}
+
+QString textOf(const QModelIndex& index)
+{
+    if (isEffect(index))
+        return index.data().toString();
+    const double value = index.data(BudgetTableModel::SortRole).toDouble();
+    return value > 0 ? formatNumber(value, std::nullopt, {}, 2).value : QString(QChar(0x2013));
+}
+
+} // namespace
+
+QSize BudgetDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const
+{
+    const bool sum = index.data(BudgetTableModel::SumRole).toBool();
+    const QFontMetrics font(Theme::font(metrics::fontBase, sum));
+    const int text = font.horizontalAdvance(textOf(index));
+    return {(isEffect(index) ? text : std::max(text, leastBar)) + 2 * side,
+            font.height() + (sum ? 6 : 10 + barHeight)};
+}
+
+void BudgetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                           const QModelIndex& index) const
+{
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    const bool sum = index.data(BudgetTableModel::SumRole).toBool();
+    painter->save();
+    if (option.state & QStyle::State_Selected)
+        painter->fillRect(option.rect, Theme::mix(tokens.surface, tokens.accent, 0.12));
+    painter->setPen(QPen(tokens.line, 1));
+    painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
+    const QRect box = option.rect.adjusted(side, 3, -side, -3);
+    const QFont font = Theme::font(metrics::fontBase, sum);
+    const QFontMetrics measures(font);
+    painter->setFont(font);
+    painter->setPen(tokens.text);
+    painter->drawText(QRect(box.left(), box.top(), box.width(), measures.height()),
+                      int(Qt::AlignVCenter | (isEffect(index) ? Qt::AlignLeft : Qt::AlignRight)),
+                      measures.elidedText(textOf(index), Qt::ElideRight, box.width()));
+    if (const QVariant share = index.data(BudgetTableModel::ShareRole); share.isValid()) {
+        const QRectF groove(box.right() + 1 - leastBar, box.bottom() - barHeight + 1, leastBar, barHeight);
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(Theme::mix(tokens.surface, tokens.line, 0.8));
+        painter->drawRect(groove);
+        painter->setBrush(tokens.accent);
+        const double part = std::clamp(share.toDouble(), 0.0, 1.0) * groove.width();
+        painter->drawRect(QRectF(groove.left(), groove.top(), part, groove.height()));
+    }
+    painter->restore();
 }
 
 } // namespace gripscope

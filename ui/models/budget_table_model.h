@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/identification/uncertainty_budget.h"
+#include "core/identification/identification.h"
+#include "core/identification/uncertainty/uncertainty_budget.h"
 #include "ui/models/row_table_model.h"
+
+#include <QStringList>
+#include <QStyledItemDelegate>
 
 #include <array>
 #include <vector>
@@ -51,5 +55,36 @@ private:
 
 /// The name of an effect for people: "Position noise".
 [[nodiscard]] QString effectName(const QString& id);
+
+/// A row of BudgetTableModel: the effect's name; a number with its share of the variance as a bar below it.
+class BudgetDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+};
+
+/// What one effect (the id of its line in the uncertainty budget) has in the variances of m, b and k, 0 to 1.
+struct ErrorShare {
+    QString effect;
+    std::array<double, 3> share{};
+};
+
+struct ImprovementFacts {
+    std::array<double, 3> relativeHalfWidths{}; ///< of the 95 % intervals of m, b, k
+    double naturalFrequency_Hz = 0;
+    std::vector<ErrorShare> shares; ///< empty: noise is all that is known
+};
+
+/// What would make m, b and k better, the worst first: at most three sentences, each with what to do. Effects
+/// count that hold at least half of a parameter's variance.
+[[nodiscard]] QStringList improvementAdvice(const ImprovementFacts& facts);
+
+/// For the recommended estimate. Nothing when the measurement is invalid: the failed checks say what to do
+/// then; nothing without error bars.
+[[nodiscard]] QStringList improvementAdvice(const Identification& identification);
 
 } // namespace gripscope

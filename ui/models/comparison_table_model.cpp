@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/comparison_table_model.h"
 
-#include "core/words.h"
-#include "ui/widgets/number_format.h"
+#include "core/base/words.h"
+#include "ui/format/number_format.h"
 
 #include <QCoreApplication>
 #include <QHash>
@@ -20,7 +20,7 @@ void ComparisonTableModel::setComparison(const ModelComparison& comparison)
     m_rows.clear();
     m_criterion = comparison.criterion;
     for (const ComparedModel& model : comparison.ranked)
-        m_rows.push_back({model.id, model.words, model.delta, model.weight, model.change,
+        m_rows.push_back({model.id, model.words.describe(), model.delta, model.weight, model.change,
                           model.estimate.fit.simulationPercent});
     endResetModel();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/identification/model_comparison.h"
+#include "core/identification/comparison/model_comparison.h"
 #include "ui/models/row_table_model.h"
 
 #include <vector>

@@ -1,29 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/estimate_table_model.h"
 
-#include "core/signal/units.h"
-#include "ui/charts/fit_plots.h"
-#include "ui/models/estimate_words.h"
-#include "ui/models/shown_unit.h"
-#include "ui/widgets/number_format.h"
+#include "core/math/normal_interval.h"
+#include "core/signal/recording/units.h"
+#include "ui/format/estimate_words.h"
+#include "ui/format/number_format.h"
+#include "ui/format/shown_unit.h"
+#include "ui/theme/theme.h"
 
 #include <QLocale>
+#include <QPainter>
 
 #include <algorithm>
 #include <cmath>
 
-namespace gripscope {
-
 using namespace Qt::StringLiterals;
 
+namespace gripscope {
+
 namespace {
-
-constexpr double quantile975 = 1.959963984540054; // half a 95 % interval in standard errors
-
-QVariant optionalNumber(const std::optional<double>& value)
-{
-    return value ? QVariant(*value) : QVariant();
-}
 
 int parameterOf(EstimateTableModel::Column column)
 {
@@ -35,20 +30,6 @@ bool isParameter(EstimateTableModel::Column column)
     return column >= EstimateTableModel::Column::Mass && column <= EstimateTableModel::Column::Stiffness;
 }
 
-/// From the channels' units to SI: force over position cubed.
-std::optional<double> cubicFactor(const QString& forceUnit, const QString& positionUnit)
-{
-    const std::optional<double> newtons = newtonsPer(forceUnit), metres = metresPer(positionUnit);
-    return newtons && metres ? std::optional(*newtons / (*metres * *metres * *metres)) : std::nullopt;
-}
-
-QString cubicUnit(const QString& forceUnit, const QString& positionUnit)
-{
-    if (cubicFactor(forceUnit, positionUnit))
-        return u"N/m\u00B3"_s;
-    return forceUnit == u"1" && positionUnit == u"1" ? u"1"_s : u"%1/%2\u00B3"_s.arg(forceUnit, positionUnit);
-}
-
 } // namespace
 
 void EstimateTableModel::setIdentification(const Identification& identification, const QString& forceUnit,
@@ -57,21 +38,20 @@ void EstimateTableModel::setIdentification(const Identification& identification,
     beginResetModel();
     m_rows.clear();
     const std::optional<double> si = siFactor(forceUnit, positionUnit);
-    const ParameterUnits units =
-        si ? parameterUnits(u"N"_s, u"m"_s) : parameterUnits(forceUnit, positionUnit);
+    const ParameterUnits units = comparableUnits(forceUnit, positionUnit);
     m_units = {units.m, units.b, units.k};
-    m_cubicUnit = cubicUnit(forceUnit, positionUnit);
-    const double cubic = cubicFactor(forceUnit, positionUnit).value_or(1);
+    m_cubicUnit = cubicStiffnessUnit(forceUnit, positionUnit);
+    const double cubic = cubicSiFactor(forceUnit, positionUnit).value_or(1);
     for (const Estimate& estimate : identification.estimates) {
         Row row{estimate.estimator, estimateVerdict(identification, estimate), {}, {}, {}, estimate.fit};
         if (estimate.parameters)
             row.parameters = estimate.parameters->vector() * si.value_or(1);
         if (const auto errors = estimate.standardErrors(); errors && estimate.parameters)
-            row.halfWidths = *errors * (quantile975 * si.value_or(1));
+            row.halfWidths = *errors * (normal95 * si.value_or(1));
         if (estimate.cubic && estimate.parameters)
             row.cubic =
                 std::pair(estimate.cubic->k3 * cubic,
-                          quantile975 * cubic * std::sqrt(std::max(0.0, estimate.cubic->covariance(3, 3))));
+                          normal95 * cubic * std::sqrt(std::max(0.0, estimate.cubic->covariance(3, 3))));
         m_rows.push_back(std::move(row));
     }
     // The recommended estimate chooses the prefix: a wild one beside it must not.
@@ -132,11 +112,8 @@ QVariant EstimateTableModel::cubicText(const Row& row) const
     if (!row.cubic)
         return {};
     const auto [k3, half] = *row.cubic;
-    // A can's k3, or the error of one that has none, runs to billions of newtons a cubic metre.
-    const bool perMillimetre = m_cubicUnit == u"N/m\u00B3" && std::max(std::abs(k3), half) >= 1e6;
-    const double factor = perMillimetre ? 1e-9 : 1;
-    const QString unit = perMillimetre ? u"N/mm\u00B3"_s : m_cubicUnit;
-    return u"k3 = %1"_s.arg(formatNumber(k3 * factor, half * factor, unit).text());
+    const ShownUnit shown = cubicShownUnit(m_cubicUnit, std::max(std::abs(k3), half));
+    return u"k3 = %1"_s.arg(formatNumber(k3 * shown.factor, half * shown.factor, shown.unit).text());
 }
 
 QVariant EstimateTableModel::data(const QModelIndex& index, int role) const
@@ -233,6 +210,82 @@ QString EstimateTableModel::toTsv() const
         text += cells.join(u'\t') + u'\n';
     }
     return text;
+}
+
+using EstimateColumn = EstimateTableModel::Column;
+
+namespace {
+constexpr int estimateSide = 5; // the table stands in a third of the window
+
+QString fitText(const QVariant& percent)
+{
+    return percent.isValid() ? formatNumber(percent.toDouble(), std::nullopt, {}, 3).value
+                             : QString(QChar(0x2013));
+}
+} // namespace
+
+EstimateDelegate::Lines EstimateDelegate::linesOf(const QModelIndex& index)
+{
+    const auto column = EstimateColumn(index.column());
+    if (column == EstimateColumn::Estimator)
+        return {index.data().toString(),
+                index.siblingAtColumn(int(EstimateColumn::Verdict)).data().toString(),
+                index.data(EstimateTableModel::CubicRole).toString()};
+    if (column == EstimateColumn::Verdict)
+        return {index.data().toString(), {}, {}};
+    const QVariant value = index.data(EstimateTableModel::SortRole);
+    if (!value.isValid())
+        return {QString(QChar(0x2013)), {}, {}};
+    if (column == EstimateColumn::SimulationFit)
+        return {
+            fitText(value), fitText(index.siblingAtColumn(int(EstimateColumn::PredictionFit)).data()), {}};
+    const QVariant half = index.data(EstimateTableModel::HalfWidthRole);
+    const FormattedNumber number =
+        formatNumber(value.toDouble(), half.isValid() ? std::optional(half.toDouble()) : std::nullopt, {});
+    return {number.value, number.error.isEmpty() ? QString() : QStringLiteral("± ") + number.error, {}};
+}
+
+QSize EstimateDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const
+{
+    const Lines lines = linesOf(index);
+    const QFontMetrics first(Theme::font(metrics::fontBase)), second(Theme::font(metrics::fontSmall));
+    const bool name = EstimateColumn(index.column()) == EstimateColumn::Estimator;
+    const int width =
+        name ? first.horizontalAdvance(lines.first)
+             : std::max(first.horizontalAdvance(lines.first), second.horizontalAdvance(lines.second));
+    const int smallLines = lines.third.isEmpty() ? 1 : 2;
+    return {width + 2 * estimateSide, first.height() + smallLines * second.height() + 10};
+}
+
+void EstimateDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                             const QModelIndex& index) const
+{
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    const bool selected = option.state & QStyle::State_Selected;
+    painter->save();
+    painter->fillRect(option.rect,
+                      selected ? Theme::mix(tokens.surface, tokens.accent, 0.12) : tokens.surface);
+    painter->setPen(QPen(tokens.line, 1));
+    painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
+    const Lines lines = linesOf(index);
+    const QRect box = option.rect.adjusted(estimateSide, 4, -estimateSide, -4);
+    const bool text = EstimateColumn(index.column()) == EstimateColumn::Estimator ||
+                      EstimateColumn(index.column()) == EstimateColumn::Verdict;
+    const Qt::Alignment align = text ? Qt::AlignLeft : Qt::AlignRight;
+    int y = box.top();
+    const auto draw = [&](const QString& line, const QFont& font, const QColor& color) {
+        const QFontMetrics measures(font);
+        painter->setFont(font);
+        painter->setPen(color);
+        painter->drawText(QRect(box.left(), y, box.width(), measures.height()), int(align | Qt::AlignVCenter),
+                          measures.elidedText(line, Qt::ElideRight, box.width()));
+        y += measures.height();
+    };
+    const QFont small = Theme::font(metrics::fontSmall);
+    draw(lines.first, Theme::font(metrics::fontBase), tokens.text);
+    draw(lines.second, small, tokens.secondText);
+    draw(lines.third, small, tokens.secondText);
+    painter->restore();
 }
 
 } // namespace gripscope

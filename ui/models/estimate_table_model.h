@@ -4,6 +4,8 @@
 #include "core/identification/identification.h"
 #include "ui/models/row_table_model.h"
 
+#include <QStyledItemDelegate>
+
 #include <array>
 
 namespace gripscope {
@@ -52,6 +54,24 @@ private:
     std::array<QString, 3> m_units, m_shownUnits;
     QString m_cubicUnit;
     Eigen::Vector3d m_factors = Eigen::Vector3d::Ones(); ///< from m_units to m_shownUnits
+};
+
+/// Two lines a row of EstimateTableModel: name over verdict, value over the half width of its 95 % interval,
+/// simulation fit over prediction fit; a third one for the cubic spring of an estimator that has one.
+class EstimateDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+private:
+    struct Lines {
+        QString first, second, third;
+    };
+    [[nodiscard]] static Lines linesOf(const QModelIndex& index);
 };
 
 } // namespace gripscope

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/models/history_delegate.h"
-
-#include "core/signal/units.h"
+#include "core/signal/recording/units.h"
+#include "ui/format/date_text.h"
+#include "ui/format/history_words.h"
+#include "ui/format/number_format.h"
+#include "ui/format/outcome_words.h"
 #include "ui/models/history_model.h"
-#include "ui/models/history_words.h"
 #include "ui/theme/theme.h"
-#include "ui/widgets/date_text.h"
-#include "ui/widgets/number_format.h"
 #include "ui/widgets/outcome_view.h"
 
 #include <QLocale>
@@ -17,65 +16,56 @@
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
-using Column = HistoryModel::Column;
 
 namespace {
 
-constexpr int signSize = 20;
+constexpr int historySignSize = 20;
 
 QIcon outcomeIcon(InspectionOutcome outcome, double ratio)
 {
-    QPixmap pixmap(QSize(signSize, signSize) * ratio);
+    QPixmap pixmap(QSize(historySignSize, historySignSize) * ratio);
     pixmap.setDevicePixelRatio(ratio);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    paintOutcomeSign(painter, QRectF(1, 1, signSize - 2, signSize - 2), outcome,
+    paintOutcomeSign(painter, QRectF(1, 1, historySignSize - 2, historySignSize - 2), outcome,
                      Theme::instance().outcomeColor(outcome));
     painter.end();
     return QIcon(pixmap);
 }
 
 /// In the unit of the column's head; a recording in units of its own says them.
-QString parameterWords(Column column, double value, const QString& unit)
+QString parameterWords(HistoryColumn column, double value, const QString& unit)
 {
-    const ParameterUnits si = parameterUnits(u"N"_s, u"m"_s);
+    const ParameterUnits si = siParameterUnits();
     if (unit != si.m && unit != si.b && unit != si.k)
         return formatNumber(value, std::nullopt, unit).valueWithUnit();
-    const double factor = column == Column::Mass ? 1e3 : column == Column::Stiffness ? 1e-3 : 1;
-    return formatNumber(value * factor, std::nullopt, {}).value;
+    return formatNumber(value * HistoryModel::shownIn(column).factor, std::nullopt, {}).value;
 }
 
-QString wordsOf(Column column, const QVariant& value, const QString& unit)
+QString wordsOf(HistoryColumn column, const QVariant& value, const QString& unit)
 {
-    switch (column) {
-    case Column::Number:
+    switch (factsOf(column).format) {
+    case ColumnFormat::Count:
         return QString::number(value.toLongLong());
-    case Column::Time:
+    case ColumnFormat::Time:
         return shortTimeText(value.toDateTime());
-    case Column::Kind:
+    case ColumnFormat::Kind:
         return HistoryWords::kind(SqueezeKind(value.toInt()));
-    case Column::Outcome:
+    case ColumnFormat::Outcome:
         return outcomeWord(InspectionOutcome(value.toInt()));
-    case Column::Posterior:
+    case ColumnFormat::Probability:
         // In double precision a certain posterior rounds to 1; it never is.
         return formatProbability(std::min(value.toDouble(), 1 - 1e-15));
-    case Column::Mass:
-    case Column::Damping:
-    case Column::Stiffness:
+    case ColumnFormat::Quantity:
         return parameterWords(column, value.toDouble(), unit);
-    case Column::Fit:
+    case ColumnFormat::Percent:
         return formatPercent(value.toDouble());
-    case Column::Seconds:
+    case ColumnFormat::Seconds:
         return QLocale().toString(value.toDouble(), 'f', 2) + QChar::Nbsp + u's';
-    case Column::Estimator:
+    case ColumnFormat::Estimator:
         return HistoryWords::estimator(value.toString());
-    case Column::Expected:
-    case Column::Type:
-    case Column::Operator:
-    case Column::Device:
-    case Column::Batch:
-    case Column::Program:
+    case ColumnFormat::Text:
         break;
     }
     return value.toString();
@@ -86,7 +76,7 @@ QString wordsOf(Column column, const QVariant& value, const QString& unit)
 QString HistoryDelegate::text(const QModelIndex& index)
 {
     const QVariant value = index.data(HistoryModel::SortRole);
-    const QString words = value.isValid() ? wordsOf(Column(index.column()), value,
+    const QString words = value.isValid() ? wordsOf(HistoryColumn(index.column()), value,
                                                     index.data(HistoryModel::UnitRole).toString())
                                           : QString();
     if (!words.isEmpty())
@@ -102,12 +92,12 @@ void HistoryDelegate::initStyleOption(QStyleOptionViewItem* option, const QModel
     option->features |= QStyleOptionViewItem::HasDisplay;
     option->text = text(index);
     const QVariant value = index.data(HistoryModel::SortRole);
-    if (Column(index.column()) != Column::Outcome || !value.isValid())
+    if (HistoryColumn(index.column()) != HistoryColumn::Outcome || !value.isValid())
         return;
     option->features |= QStyleOptionViewItem::HasDecoration;
     option->icon = outcomeIcon(InspectionOutcome(value.toInt()),
                                option->widget ? option->widget->devicePixelRatioF() : 1);
-    option->decorationSize = {signSize, signSize};
+    option->decorationSize = {historySignSize, historySignSize};
 }
 
 } // namespace gripscope

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/history_model.h"
 
-#include "core/signal/units.h"
-#include "ui/models/history_words.h"
-#include "ui/widgets/date_text.h"
+#include "core/base/words.h"
+#include "ui/format/date_text.h"
+#include "ui/format/history_words.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,34 +11,30 @@
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
-using Column = HistoryModel::Column;
 
 namespace {
 
-QVariant optionalNumber(const std::optional<double>& number)
+QString parameterUnit(const HistoryEntry& entry, HistoryColumn column)
 {
-    return number ? QVariant(*number) : QVariant();
-}
-
-QVariant parameter(const HistoryEntry& entry, double MassDampingStiffness::*member)
-{
-    if (!entry.parameters)
-        return {};
-    return (*entry.parameters).*member * siFactor(entry.forceUnit, entry.positionUnit).value_or(1);
-}
-
-QString parameterUnit(const HistoryEntry& entry, Column column)
-{
-    const ParameterUnits units = HistoryWords::shownUnits(entry);
-    const QString unit = column == Column::Mass ? units.m : column == Column::Damping ? units.b : units.k;
+    const ParameterUnits units = comparableUnits(entry.forceUnit, entry.positionUnit);
+    const QString unit = column == HistoryColumn::Mass      ? units.m
+                         : column == HistoryColumn::Damping ? units.b
+                                                            : units.k;
     return unit == u"1" ? QString() : unit;
 }
 
-bool isNumber(Column column)
+bool isNumber(HistoryColumn column)
 {
-    return column == Column::Number || column == Column::Posterior || column == Column::Mass ||
-           column == Column::Damping || column == Column::Stiffness || column == Column::Fit ||
-           column == Column::Seconds;
+    switch (factsOf(column).format) {
+    case ColumnFormat::Count:
+    case ColumnFormat::Probability:
+    case ColumnFormat::Quantity:
+    case ColumnFormat::Percent:
+    case ColumnFormat::Seconds:
+        return true;
+    default:
+        return false;
+    }
 }
 
 } // namespace
@@ -62,7 +58,7 @@ void HistoryModel::setPage(int page, std::vector<HistoryEntry> entries)
         return;
     m_pages.insert(page, {std::move(entries), ++m_uses});
     keepFew();
-    emit dataChanged(index(first, 0), index(std::min(rowCount(), first + pageSize) - 1, columns - 1));
+    emit dataChanged(index(first, 0), index(std::min(rowCount(), first + pageSize) - 1, width() - 1));
 }
 
 void HistoryModel::forgetRequest(int page)
@@ -123,54 +119,11 @@ int HistoryModel::length() const
     return int(std::min(m_keys.size(), most));
 }
 
-QVariant HistoryModel::value(const HistoryEntry& entry, Column column)
-{
-    switch (column) {
-    case Column::Number:
-        return entry.number > 0 ? QVariant(entry.number) : QVariant();
-    case Column::Time:
-        return entry.time;
-    case Column::Kind:
-        return int(entry.kind);
-    case Column::Outcome: {
-        const std::optional<InspectionOutcome> outcome = entry.outcome();
-        return outcome ? QVariant(int(*outcome)) : QVariant();
-    }
-    case Column::Expected:
-        return entry.expectedType;
-    case Column::Type:
-        return entry.type;
-    case Column::Posterior:
-        return optionalNumber(entry.tellingPosterior());
-    case Column::Mass:
-        return parameter(entry, &MassDampingStiffness::m);
-    case Column::Damping:
-        return parameter(entry, &MassDampingStiffness::b);
-    case Column::Stiffness:
-        return parameter(entry, &MassDampingStiffness::k);
-    case Column::Fit:
-        return optionalNumber(entry.simulationFitPercent);
-    case Column::Seconds:
-        return optionalNumber(entry.seconds);
-    case Column::Operator:
-        return entry.operatorName;
-    case Column::Device:
-        return HistoryWords::device(entry);
-    case Column::Batch:
-        return entry.batch;
-    case Column::Estimator:
-        return entry.estimator;
-    case Column::Program:
-        return entry.program;
-    }
-    return {};
-}
-
 QVariant HistoryModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid())
         return {};
-    const auto column = Column(index.column());
+    const auto column = HistoryColumn(index.column());
     if (role == Qt::TextAlignmentRole)
         return int(Qt::AlignVCenter | (isNumber(column) ? Qt::AlignRight : Qt::AlignLeft));
     if (role != Qt::DisplayRole && role != Qt::EditRole && role != SortRole && role != UnitRole &&
@@ -182,13 +135,13 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
     if (role == UnitRole)
         return parameterUnit(*row, column);
     if (role == Qt::ToolTipRole)
-        return column == Column::Time ? exactTimeText(row->time) : row->reason;
-    return value(*row, column);
+        return column == HistoryColumn::Time ? exactTimeText(row->time) : row->reason.describe();
+    return factsOf(column).value(*row);
 }
 
 QVariant HistoryModel::head(int section, int role) const
 {
-    const auto column = Column(section);
+    const auto column = HistoryColumn(section);
     if (role == Qt::TextAlignmentRole)
         return int(Qt::AlignVCenter | (isNumber(column) ? Qt::AlignRight : Qt::AlignLeft));
     if (role == Qt::ToolTipRole)
@@ -196,105 +149,42 @@ QVariant HistoryModel::head(int section, int role) const
     if (role != Qt::DisplayRole)
         return {};
     switch (column) {
-    case Column::Number:
+    case HistoryColumn::Number:
         return tr("No.");
-    case Column::Mass:
-        return u"m\ng"_s;
-    case Column::Damping:
-        return u"b\nN s/m"_s;
-    case Column::Stiffness:
-        return u"k\nkN/m"_s;
+    case HistoryColumn::Mass:
+        return u"m\n"_s + shownIn(column).unit;
+    case HistoryColumn::Damping:
+        return u"b\n"_s + shownIn(column).unit;
+    case HistoryColumn::Stiffness:
+        return u"k\n"_s + shownIn(column).unit;
     default:
         return columnName(column);
     }
 }
 
-QString HistoryModel::columnName(Column column)
+ShownUnit HistoryModel::shownIn(HistoryColumn column)
 {
     switch (column) {
-    case Column::Number:
-        return tr("Number");
-    case Column::Time:
-        return tr("Time");
-    case Column::Kind:
-        return tr("Kind");
-    case Column::Outcome:
-        return tr("Outcome");
-    case Column::Expected:
-        return tr("Expected");
-    case Column::Type:
-        return tr("Type");
-    case Column::Posterior:
-        return tr("Posterior");
-    case Column::Mass:
-        return tr("Mass m");
-    case Column::Damping:
-        return tr("Damping b");
-    case Column::Stiffness:
-        return tr("Stiffness k");
-    case Column::Fit:
-        return tr("Simulation fit");
-    case Column::Seconds:
-        return tr("Length");
-    case Column::Operator:
-        return tr("Operator");
-    case Column::Device:
-        return tr("Gripper");
-    case Column::Batch:
-        return tr("Batch");
-    case Column::Estimator:
-        return tr("Estimator");
-    case Column::Program:
-        return tr("Software");
+    case HistoryColumn::Mass:
+        return fieldUnit(MechanicalQuantity::Mass);
+    case HistoryColumn::Damping:
+        return fieldUnit(MechanicalQuantity::Damping);
+    case HistoryColumn::Stiffness:
+        return fieldUnit(MechanicalQuantity::Stiffness);
+    default:
+        return {};
     }
-    return {};
 }
 
-HistoryOrder HistoryModel::order(Column column)
+QString HistoryModel::columnName(HistoryColumn column)
 {
-    switch (column) {
-    case Column::Number:
-        return HistoryOrder::Number;
-    case Column::Time:
-        return HistoryOrder::Time;
-    case Column::Kind:
-        return HistoryOrder::Kind;
-    case Column::Outcome:
-        return HistoryOrder::Outcome;
-    case Column::Expected:
-        return HistoryOrder::Expected;
-    case Column::Type:
-        return HistoryOrder::Type;
-    case Column::Posterior:
-        return HistoryOrder::Posterior;
-    case Column::Mass:
-        return HistoryOrder::Mass;
-    case Column::Damping:
-        return HistoryOrder::Damping;
-    case Column::Stiffness:
-        return HistoryOrder::Stiffness;
-    case Column::Fit:
-        return HistoryOrder::Fit;
-    case Column::Seconds:
-        return HistoryOrder::Seconds;
-    case Column::Operator:
-        return HistoryOrder::Operator;
-    case Column::Device:
-        return HistoryOrder::Device;
-    case Column::Batch:
-        return HistoryOrder::Batch;
-    case Column::Estimator:
-        return HistoryOrder::Estimator;
-    case Column::Program:
-        return HistoryOrder::Program;
-    }
-    return HistoryOrder::Time;
+    return Words::say(factsOf(column).title).describe();
 }
 
 void HistoryModel::sort(int column, Qt::SortOrder order)
 {
-    if (column >= 0 && column < columns)
-        emit sortAsked(Column(column), order);
+    if (column >= 0 && column < width())
+        emit sortAsked(HistoryColumn(column), order);
 }
 
 } // namespace gripscope

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/store/history.h"
+#include "core/library/history/history_fields.h"
+#include "ui/format/shown_unit.h"
 #include "ui/models/row_table_model.h"
 
 #include <QHash>
 #include <QSet>
+#include <QStyledItemDelegate>
 
 #include <vector>
 
@@ -17,26 +19,7 @@ namespace gripscope {
 class HistoryModel : public RowTableModel {
     Q_OBJECT
 public:
-    enum class Column {
-        Number,
-        Time,
-        Kind,
-        Outcome,
-        Expected,
-        Type,
-        Posterior,
-        Mass,
-        Damping,
-        Stiffness,
-        Fit,
-        Seconds,
-        Operator,
-        Device,
-        Batch,
-        Estimator,
-        Program
-    };
-    static constexpr int columns = 17;
+    using Column = HistoryColumn;
     static constexpr int pageSize = 200;
     static constexpr int pagesKept = 16;
     enum Role {
@@ -60,7 +43,8 @@ public:
     [[nodiscard]] QString key(int row) const { return m_keys.at(std::size_t(row)); }
     [[nodiscard]] int rowOf(const QString& key) const; ///< -1: not among them
     [[nodiscard]] int pagesHeld() const { return int(m_pages.size()); }
-    [[nodiscard]] static HistoryOrder order(Column column);
+    /// The unit at the head of m, b or k, for numbers in SI.
+    [[nodiscard]] static ShownUnit shownIn(Column column);
     [[nodiscard]] static QString columnName(Column column); ///< in full, for a list of columns
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
@@ -69,18 +53,17 @@ public:
 
 signals:
     void pageAsked(int page);
-    void sortAsked(gripscope::HistoryModel::Column column, Qt::SortOrder order);
+    void sortAsked(gripscope::HistoryColumn column, Qt::SortOrder order);
 
 private:
     [[nodiscard]] int length() const override;
-    [[nodiscard]] int width() const override { return columns; }
+    [[nodiscard]] int width() const override { return int(historyColumns().size()); }
     [[nodiscard]] QVariant head(int section, int role) const override;
 
     struct Page {
         std::vector<HistoryEntry> entries;
         mutable quint64 used = 0;
     };
-    [[nodiscard]] static QVariant value(const HistoryEntry& entry, Column column);
     [[nodiscard]] const HistoryEntry* wanted(int row) const;
     void ask(int page);
     void keepFew();
@@ -89,6 +72,19 @@ private:
     QHash<int, Page> m_pages;
     QSet<int> m_asked;
     mutable quint64 m_uses = 0;
+};
+
+/// Words the raw values of HistoryModel: outcome as sign and word, numbers with their units, local time.
+class HistoryDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    /// The text of a cell.
+    [[nodiscard]] static QString text(const QModelIndex& index);
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
 };
 
 } // namespace gripscope

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/models/improvement_advice.h"
-
-#include "ui/models/derived_quantities.h"
-#include "ui/models/shown_budget.h"
+#include "core/math/normal_interval.h"
+#include "ui/format/derived_quantities.h"
+#include "ui/format/shown_budget.h"
+#include "ui/models/budget_table_model.h"
 
 #include <QCoreApplication>
 #include <QHash>
@@ -25,9 +25,8 @@ constexpr double almostAll = 0.9;
 /// A parameter known this much worse than another one says that the force moves in the wrong band.
 constexpr double lopsided = 4;
 constexpr qsizetype mostSentences = 3;
-constexpr double quantile975 = 1.959963984540054; // half a 95 % interval in standard errors
 
-QString words(const char* text)
+QString adviceWord(const char* text)
 {
     return QCoreApplication::translate("gripscope::ImprovementAdvice", text);
 }
@@ -41,7 +40,7 @@ QString listed(const std::vector<int>& parameters)
     if (names.size() < 2)
         return names.join(QString());
     const QString last = names.takeLast();
-    return words(QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice", "%1 and %2"))
+    return adviceWord(QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice", "%1 and %2"))
         .arg(names.join(u", "_s), last);
 }
 
@@ -82,18 +81,19 @@ QString sentenceFor(const QString& effect)
                            "matters to you, or look at the models.")},
     };
     const char* sentence = sentences.value(effect, nullptr);
-    return sentence ? words(sentence) : QString();
+    return sentence ? adviceWord(sentence) : QString();
 }
 
 QString noiseSentence(const QString& parameters, double share)
 {
-    return (share >= almostAll
-                ? words(QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
-                                          "Noise dominates the error of %1: squeeze 4 times longer to halve "
-                                          "it."))
-                : words(QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
-                                          "Noise makes most of the error of %1: squeeze 4 times longer to "
-                                          "halve that part.")))
+    return (share >= almostAll ? adviceWord(QT_TRANSLATE_NOOP(
+                                     "gripscope::ImprovementAdvice",
+                                     "Noise dominates the error of %1: squeeze 4 times longer to halve "
+                                     "it."))
+                               : adviceWord(QT_TRANSLATE_NOOP(
+                                     "gripscope::ImprovementAdvice",
+                                     "Noise makes most of the error of %1: squeeze 4 times longer to "
+                                     "halve that part.")))
         .arg(parameters);
 }
 
@@ -106,22 +106,23 @@ QString bandSentence(const ImprovementFacts& facts, int worst)
     if (!(ratio >= lopsided))
         return {};
     const QString head =
-        words(QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice", "%1 is known %2 times worse than %3"))
+        adviceWord(QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice", "%1 is known %2 times worse than %3"))
             .arg(u"mbk"_s[worst])
             .arg(ratio, 0, 'f', 0)
             .arg(u"mbk"_s[best]);
     switch (worst) {
     case 0:
-        return words(QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
-                                       "%1: a force that changes faster (shorter bits) says more about m."))
+        return adviceWord(
+                   QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
+                                     "%1: a force that changes faster (shorter bits) says more about m."))
             .arg(head);
     case 1:
-        return words(QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
-                                       "%1: a force that is stronger around %2 Hz says more about b."))
+        return adviceWord(QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
+                                            "%1: a force that is stronger around %2 Hz says more about b."))
             .arg(head)
             .arg(facts.naturalFrequency_Hz, 0, 'g', 2);
     default:
-        return words(
+        return adviceWord(
                    QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
                                      "%1: a force that changes more slowly (longer bits) says more about k."))
             .arg(head);
@@ -174,9 +175,10 @@ QStringList improvementAdvice(const ImprovementFacts& facts)
         return {};
     const auto worst = int(std::max_element(widths.begin(), widths.end()) - widths.begin());
     if (widths[std::size_t(worst)] < goodEnough)
-        return {words(QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
-                                        "Little is left to gain: m, b and k are known to %1 % or better."))
-                    .arg(100 * goodEnough, 0, 'g', 2)};
+        return {
+            adviceWord(QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
+                                         "Little is left to gain: m, b and k are known to %1 % or better."))
+                .arg(100 * goodEnough, 0, 'g', 2)};
     QStringList advice;
     for (const Group& group : dominantEffects(facts)) {
         const QString parameters = listed(group.parameters);
@@ -191,7 +193,7 @@ QStringList improvementAdvice(const ImprovementFacts& facts)
                 advice << band;
     }
     if (advice.isEmpty())
-        advice << words(
+        advice << adviceWord(
             QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
                               "No single effect dominates: the budget shows what to gain where."));
     return advice.mid(0, mostSentences);
@@ -205,9 +207,10 @@ QStringList improvementAdvice(const Identification& identification)
     for (const ValidityCheck& check : identification.validity.checks)
         if (!check.ok && (check.id == u"residual_whiteness" || check.id == u"input_independence" ||
                           check.id == u"linearity"))
-            return {words(QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
-                                            "What is left is more than noise: a longer squeeze will not help "
-                                            "before the model fits. Compare the models."))};
+            return {adviceWord(
+                QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
+                                  "What is left is more than noise: a longer squeeze will not help "
+                                  "before the model fits. Compare the models."))};
     const std::optional<Eigen::Vector3d> errors = best->standardErrors();
     const auto derived = derivedQuantities(*best);
     if (!errors || !derived)
@@ -215,7 +218,7 @@ QStringList improvementAdvice(const Identification& identification)
     ImprovementFacts facts;
     facts.naturalFrequency_Hz = derived->naturalFrequency_Hz;
     for (int i = 0; i < 3; ++i)
-        facts.relativeHalfWidths[std::size_t(i)] = quantile975 * (*errors)[i] / best->parameters->vector()[i];
+        facts.relativeHalfWidths[std::size_t(i)] = normal95 * (*errors)[i] / best->parameters->vector()[i];
     if (const UncertaintyBudget* budget = shownBudget(identification)) {
         for (std::size_t i = 0; i < 3; ++i)
             facts.relativeHalfWidths[i] = (budget->intervals[i].upper - budget->intervals[i].lower) / 2 /

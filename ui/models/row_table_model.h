@@ -3,6 +3,8 @@
 
 #include <QAbstractTableModel>
 
+#include <optional>
+
 namespace gripscope {
 
 /// A list of rows whose columns have names: what a view asks of every such table, so that each says only how
@@ -23,5 +25,11 @@ protected:
     /// Above a column, which is one of this table's.
     [[nodiscard]] virtual QVariant head(int column, int role) const = 0;
 };
+
+/// The data of a cell: no number is an empty cell.
+[[nodiscard]] inline QVariant optionalNumber(const std::optional<double>& number)
+{
+    return number ? QVariant(*number) : QVariant();
+}
 
 } // namespace gripscope

@@ -10,7 +10,7 @@ namespace gripscope {
 
 namespace {
 
-QString words(const char* text)
+QString clusteringWord(const char* text)
 {
     return QCoreApplication::translate("gripscope::SpaceClustering", text);
 }
@@ -18,7 +18,7 @@ QString words(const char* text)
 /// Longer types would make a table that nobody reads: counts then tell more.
 constexpr int mostTrials = 12;
 /// The share of a component's squeezes that its ellipsoid holds.
-constexpr double share = 0.95;
+constexpr double clusterShare = 0.95;
 
 const KMeansResult* kMeansOf(const SpaceClustering& clustering)
 {
@@ -52,16 +52,18 @@ std::optional<Error> tooFewSqueezes(const TypeSpace& space, int clusters)
 {
     const auto squeezes = int(space.squeezes.size());
     if (squeezes < 2)
-        return Error{ErrorCode::Usage,
-                     {words(QT_TRANSLATE_NOOP("gripscope::SpaceClustering",
+        return Error{
+            ErrorCode::Usage,
+            {clusteringWord(QT_TRANSLATE_NOOP("gripscope::SpaceClustering",
                                               "Clusters need at least two squeezes. Enrol some more."))}};
     if (squeezes < clusters)
-        return Error{ErrorCode::Usage,
-                     {words(QT_TRANSLATE_NOOP("gripscope::SpaceClustering",
+        return Error{
+            ErrorCode::Usage,
+            {clusteringWord(QT_TRANSLATE_NOOP("gripscope::SpaceClustering",
                                               "%1 clusters need at least %1 squeezes; there are %2. Ask for "
                                               "fewer clusters, or enrol more squeezes."))
-                          .arg(clusters)
-                          .arg(squeezes)}};
+                 .arg(clusters)
+                 .arg(squeezes)}};
     return {};
 }
 
@@ -103,7 +105,7 @@ std::vector<std::optional<Ellipsoid>> SpaceClustering::ellipsoids(int state) con
         const Eigen::Vector3d slope = slopes(outcome.transform, mean);
         const Eigen::Matrix3d covariance =
             slope.asDiagonal() * parameters.covariances[std::size_t(component)] * slope.asDiagonal();
-        result.push_back(estimateEllipsoid({mean.x(), mean.y(), mean.z()}, covariance, share));
+        result.push_back(estimateEllipsoid({mean.x(), mean.y(), mean.z()}, covariance, clusterShare));
     }
     return result;
 }
@@ -113,18 +115,18 @@ QString SpaceClustering::remark() const
     const int found = 1 + *std::max_element(outcome.labels.begin(), outcome.labels.end());
     const int wanted = outcome.request.clusters;
     if (found == 1 && wanted > 1)
-        return words(QT_TRANSLATE_NOOP("gripscope::SpaceClustering",
-                                       "The squeezes are so much alike that all fell into one cluster."));
+        return clusteringWord(QT_TRANSLATE_NOOP(
+            "gripscope::SpaceClustering", "The squeezes are so much alike that all fell into one cluster."));
     if (found < wanted)
-        return words(
+        return clusteringWord(
                    QT_TRANSLATE_NOOP("gripscope::SpaceClustering",
                                      "Only %1 of the %2 clusters hold squeezes: there are no more groups to "
                                      "be found."))
             .arg(found)
             .arg(wanted);
     if (!outcome.converged)
-        return words(QT_TRANSLATE_NOOP("gripscope::SpaceClustering",
-                                       "Not at rest after %1 iterations: take it with care."))
+        return clusteringWord(QT_TRANSLATE_NOOP("gripscope::SpaceClustering",
+                                                "Not at rest after %1 iterations: take it with care."))
             .arg(outcome.iterations);
     return {};
 }
@@ -133,12 +135,12 @@ QString SpaceClustering::figure(int state) const
 {
     const auto number = [](double value, int digits) { return QLocale().toString(value, 'g', digits); };
     if (const auto* found = kMeansOf(*this))
-        return words(QT_TRANSLATE_NOOP("gripscope::SpaceClustering", "inertia %1"))
+        return clusteringWord(QT_TRANSLATE_NOOP("gripscope::SpaceClustering", "inertia %1"))
             .arg(number(found->steps[std::size_t(state)].inertia, 4));
     if (const auto* found = mixtureOf(*this))
-        return words(QT_TRANSLATE_NOOP("gripscope::SpaceClustering", "log-likelihood %1"))
+        return clusteringWord(QT_TRANSLATE_NOOP("gripscope::SpaceClustering", "log-likelihood %1"))
             .arg(QLocale().toString(found->steps[std::size_t(state)].logLikelihood, 'f', 1));
-    return words(QT_TRANSLATE_NOOP("gripscope::SpaceClustering", "quantisation error %1"))
+    return clusteringWord(QT_TRANSLATE_NOOP("gripscope::SpaceClustering", "quantisation error %1"))
         .arg(number(mapOf(*this)->steps[std::size_t(state)].quantizationError, 3));
 }
 
@@ -158,37 +160,31 @@ ClusterRequest clusterRequest(const TypeSpace& space)
 
 Expected<SpaceClustering> clusterTypeSpace(const TypeSpace& space, const ClusterRequest& request)
 {
-    if (const auto problem = tooFewSqueezes(space, request.clusters))
-        return tl::unexpected(*problem);
-    Expected<ClusterOutcome> outcome = groupRows(tableOf(space), request);
-    if (!outcome)
-        return tl::unexpected(outcome.error());
+    RETURN_IF_ERROR(tooFewSqueezes(space, request.clusters));
+    ASSIGN_OR_RETURN(ClusterOutcome outcome, groupRows(tableOf(space), request));
     QStringList truth;
     truth.reserve(qsizetype(space.squeezes.size()));
     for (const SpaceSqueeze& squeeze : space.squeezes)
         truth << space.types[squeeze.type];
     SpaceClustering clustering;
-    clustering.agreement = clusterAgreement(truth, outcome->labels, request.clusters);
+    clustering.agreement = clusterAgreement(truth, outcome.labels, request.clusters);
     if (space.types.size() > 1)
         clustering.randIndex = clustering.agreement.adjustedRandIndex;
     if (*std::max_element(space.counts.begin(), space.counts.end()) <= mostTrials)
-        clustering.table = clusterTable(truth, outcome->labels);
-    clustering.outcome = std::move(*outcome);
+        clustering.table = clusterTable(truth, outcome.labels);
+    clustering.outcome = std::move(outcome);
     return clustering;
 }
 
 Expected<ClusterAdvice> adviseTypeSpace(const TypeSpace& space, FeatureScaling scaling,
                                         const std::shared_ptr<WorkWatch>& watch)
 {
-    if (const auto problem = tooFewSqueezes(space, 2))
-        return tl::unexpected(*problem);
+    RETURN_IF_ERROR(tooFewSqueezes(space, 2));
     const Eigen::MatrixXd table = tableOf(space);
-    const Expected<FeatureTransform> transform = featureTransform(table, scaling);
-    if (!transform)
-        return tl::unexpected(transform.error());
+    ASSIGN_OR_RETURN(const FeatureTransform transform, featureTransform(table, scaling));
     ClusterAdviceOptions options;
     options.watch = watch;
-    return adviseClusters(transform->apply(table), options);
+    return adviseClusters(transform.apply(table), options);
 }
 
 } // namespace gripscope

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/recognition/cluster_advice.h"
-#include "core/recognition/cluster_agreement.h"
-#include "core/recognition/cluster_method.h"
+#include "core/clustering/cluster_advice.h"
+#include "core/clustering/cluster_agreement.h"
+#include "core/clustering/cluster_method.h"
 #include "ui/models/type_space.h"
 
 #include <memory>

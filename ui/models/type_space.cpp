@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/type_space.h"
 
-#include "core/recognition/paper_appendix.h"
+#include "core/recognition/types/paper_appendix.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 /// What an ellipsoid holds: of a type's squeezes, of where a squeeze may lie.
-constexpr double share = 0.95;
+constexpr double spaceShare = 0.95;
 
 std::optional<TypeSpace::Pair> nearestPair(const TypeModels& models)
 {
@@ -42,7 +42,7 @@ void complete(TypeSpace& space)
     space.models = fitTypeModels(squeezes);
     for (const QString& name : space.types) {
         const TypeModel* type = space.models.find(name);
-        space.ellipsoids.push_back(type ? typeEllipsoid(space.models, *type, share) : std::nullopt);
+        space.ellipsoids.push_back(type ? typeEllipsoid(space.models, *type, spaceShare) : std::nullopt);
     }
     if (int(space.models.types.size()) == space.types.size() && space.models.degreesOfFreedom > 0)
         space.nearest = nearestPair(space.models);
@@ -61,7 +61,7 @@ std::optional<Ellipsoid> ownEllipsoid(const SpaceSqueeze& squeeze)
 {
     if (!squeeze.covariance || squeeze.covariance->isZero(0))
         return {};
-    return estimateEllipsoid(squeeze.parameters, *squeeze.covariance, share);
+    return estimateEllipsoid(squeeze.parameters, *squeeze.covariance, spaceShare);
 }
 
 TypeSpace paperTypeSpace()
@@ -84,18 +84,14 @@ TypeSpace paperTypeSpace()
 
 Expected<TypeSpace> libraryTypeSpace(Library& library)
 {
-    const Expected<std::vector<TypeRecord>> types = library.types();
-    if (!types)
-        return tl::unexpected<Error>(types.error());
+    ASSIGN_OR_RETURN(const std::vector<TypeRecord> types, library.types());
     TypeSpace space;
-    space.units = parameterUnits(u"N"_s, u"m"_s);
-    for (const TypeRecord& type : *types) {
-        const Expected<std::vector<GraspRecord>> grasps = library.grasps(type.id);
-        if (!grasps)
-            return tl::unexpected<Error>(grasps.error());
+    space.units = siParameterUnits();
+    for (const TypeRecord& type : types) {
+        ASSIGN_OR_RETURN(const std::vector<GraspRecord> grasps, library.grasps(type.id));
         const int index = int(space.types.size());
         int number = 0;
-        for (const GraspRecord& grasp : *grasps) {
+        for (const GraspRecord& grasp : grasps) {
             if (!grasp.accepted || !grasp.parameters)
                 continue;
             const std::optional<double> si = siFactor(grasp.forceUnit, grasp.positionUnit);

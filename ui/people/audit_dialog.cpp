@@ -1,26 +1,180 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/people/audit_dialog.h"
-
-#include "core/store/library.h"
-#include "ui/models/audit_csv.h"
-#include "ui/models/audit_model.h"
+#include "core/base/csv.h"
+#include "core/library/library.h"
+#include "core/people/permission.h"
+#include "ui/context/workbench.h"
+#include "ui/format/date_text.h"
+#include "ui/format/number_format.h"
+#include "ui/people/people_dialogs.h"
 #include "ui/widgets/controls.h"
-#include "ui/widgets/number_format.h"
 #include "ui/widgets/row_list.h"
-#include "ui/workbench.h"
+#include "ui/windows/file_dialog.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QSaveFile>
+#include <QStringList>
 #include <QTableView>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <limits>
 
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
+
+namespace {
+
+/// What a consent was to is kept by its id.
+QString subjectInWords(const AuditEntry& entry)
+{
+    if (entry.action == QString::fromUtf16(audit_action::authorised)) {
+        if (const std::optional<Permission> permission = permissionFromString(entry.subject))
+            return inWords(*permission);
+    }
+    return entry.subject;
+}
+
+} // namespace
+
+void AuditModel::restart(qint64 total, std::vector<AuditEntry> page)
+{
+    beginResetModel();
+    m_rows = std::move(page);
+    m_total = total;
+    m_waiting = false;
+    endResetModel();
+}
+
+void AuditModel::append(int offset, const std::vector<AuditEntry>& page)
+{
+    const int first = rowCount();
+    if (offset != first)
+        return;
+    m_waiting = false;
+    if (page.empty()) {
+        m_total = first;
+        return;
+    }
+    beginInsertRows({}, first, first + static_cast<int>(page.size()) - 1);
+    m_rows.insert(m_rows.end(), page.begin(), page.end());
+    endInsertRows();
+}
+
+bool AuditModel::canFetchMore(const QModelIndex& parent) const
+{
+    return !parent.isValid() && !m_waiting && rowCount() < m_total;
+}
+
+void AuditModel::fetchMore(const QModelIndex& parent)
+{
+    if (!canFetchMore(parent))
+        return;
+    m_waiting = true;
+    emit pageAsked(rowCount());
+}
+
+QString AuditModel::text(const AuditEntry& entry, Column column)
+{
+    switch (column) {
+    case Column::Number:
+        return QString::number(entry.number);
+    case Column::Time:
+        return exactTimeText(QDateTime::fromString(entry.utc, Qt::ISODateWithMs));
+    case Column::Person: {
+        const std::optional<Role> role = roleFromString(entry.role);
+        return role ? tr("%1 (%2)").arg(entry.person, inWords(*role)) : entry.person;
+    }
+    case Column::Action:
+        return actionInWords(entry.action);
+    case Column::Subject:
+        return subjectInWords(entry);
+    case Column::Reason:
+        return entry.reason;
+    case Column::Details:
+        return detailsInWords(entry);
+    case Column::Station:
+        return entry.station;
+    }
+    return {};
+}
+
+QVariant AuditModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid())
+        return {};
+    const AuditEntry& row = entry(index.row());
+    const auto column = static_cast<Column>(index.column());
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(row, column);
+    case Qt::EditRole:
+        return column == Column::Number ? QVariant(row.number) : QVariant(text(row, column));
+    case Qt::ToolTipRole:
+        return column == Column::Time ? row.utc : text(row, column);
+    case Qt::TextAlignmentRole:
+        return static_cast<int>(Qt::AlignVCenter |
+                                (column == Column::Number ? Qt::AlignRight : Qt::AlignLeft));
+    default:
+        return {};
+    }
+}
+
+QVariant AuditModel::head(int section, int role) const
+{
+    const auto column = static_cast<Column>(section);
+    if (role == Qt::TextAlignmentRole)
+        return static_cast<int>(Qt::AlignVCenter |
+                                (column == Column::Number ? Qt::AlignRight : Qt::AlignLeft));
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (column) {
+    case Column::Number:
+        return tr("No.");
+    case Column::Time:
+        return tr("Time");
+    case Column::Person:
+        return tr("Who");
+    case Column::Action:
+        return tr("What");
+    case Column::Subject:
+        return tr("To what");
+    case Column::Reason:
+        return tr("Why");
+    case Column::Details:
+        return tr("Details");
+    case Column::Station:
+        return tr("Station");
+    }
+    return {};
+}
+
+QByteArray toCsv(const std::vector<AuditEntry>& entries)
+{
+    QString text =
+        u"number,time_utc,station,person,role,action,subject,reason,details,previous_hash,hash\n"_s;
+    for (const AuditEntry& entry : entries) {
+        QStringList line;
+        for (const QString& cell :
+             {QString::number(entry.number), entry.utc, entry.station, entry.person, entry.role, entry.action,
+              entry.subject, entry.reason, entry.details, entry.previousHash, entry.hash})
+            line << csvCell(cell);
+        text += line.join(u',') + u'\n';
+    }
+    return text.toUtf8();
+}
+
+Expected<QByteArray> auditCsv(Library& library)
+{
+    ASSIGN_OR_RETURN(auto entries,
+                     library.auditTrail().entries({{}, {}, std::numeric_limits<int>::max(), 0}));
+    std::reverse(entries.begin(), entries.end());
+    return toCsv(entries);
+}
+
 using namespace std::chrono_literals;
 
 namespace {
@@ -31,10 +185,13 @@ struct TrailStart {
     std::vector<AuditEntry> page;
 };
 
+const RegisteredDialog<AuditDialog> auditDialogRow("audit", [](Workbench& bench, QWidget* over) {
+    return new AuditDialog(bench, over);
+});
 } // namespace
 
 AuditDialog::AuditDialog(Workbench& workbench, QWidget* parent)
-    : QDialog(parent), m_workbench(&workbench), m_model(new AuditModel(this)), m_table(new QTableView(this)),
+    : Dialog(parent), m_workbench(&workbench), m_model(new AuditModel(this)), m_table(new QTableView(this)),
       m_text(new QLineEdit(this)), m_action(new QComboBox(this)),
       m_verify(makeButton(tr("Verify"), u"checkmark"_s, "", this)), m_counts(makeLabel({}, "second", this)),
       m_result(makeLabel({}, "", this))
@@ -92,6 +249,7 @@ QWidget* AuditDialog::makeBar()
     m_action->addItem(tr("Signing in and out"), u"sign_"_s);
     m_action->addItem(tr("Authorisations"), QString::fromUtf16(audit_action::authorised));
     m_action->addItem(tr("People"), u"person."_s);
+    m_action->addItem(tr("Arming"), QString::fromUtf16(audit_action::gripperArmed));
     m_action->addItem(tr("Types"), QString::fromUtf16(audit_action::typePrefix));
     m_action->addItem(tr("Rates"), u"rates."_s);
     m_action->addItem(tr("Calibrations"), u"calibration."_s);
@@ -127,16 +285,12 @@ AuditFilter AuditDialog::filter(int offset) const
 
 void AuditDialog::reload()
 {
-    m_workbench->ask<TrailStart>(
+    m_workbench->background().ask<TrailStart>(
         this,
         [wanted = filter()](Library& library) -> Expected<TrailStart> {
-            const auto matching = library.auditTrail().count(wanted);
-            if (!matching)
-                return tl::unexpected<Error>(matching.error());
-            auto page = library.auditTrail().entries(wanted);
-            if (!page)
-                return tl::unexpected<Error>(page.error());
-            return TrailStart{*matching, std::move(*page)};
+            ASSIGN_OR_RETURN(const auto matching, library.auditTrail().count(wanted));
+            ASSIGN_OR_RETURN(auto page, library.auditTrail().entries(wanted));
+            return TrailStart{matching, std::move(page)};
         },
         [this, generation = ++m_generation](Expected<TrailStart> start) {
             if (generation != m_generation)
@@ -156,7 +310,7 @@ void AuditDialog::reload()
 void AuditDialog::fetch(int offset)
 {
     using Page = std::vector<AuditEntry>;
-    m_workbench->ask<Page>(
+    m_workbench->background().ask<Page>(
         this, [wanted = filter(offset)](Library& library) { return library.auditTrail().entries(wanted); },
         [this, offset, generation = m_generation](const Expected<Page>& page) {
             if (generation == m_generation)
@@ -167,7 +321,7 @@ void AuditDialog::fetch(int offset)
 void AuditDialog::verify()
 {
     m_verify->setEnabled(false);
-    m_workbench->ask<AuditVerification>(
+    m_workbench->background().ask<AuditVerification>(
         this, [](Library& library) { return library.auditTrail().verify(); },
         [this](const Expected<AuditVerification>& found) {
             const bool whole = found && found->whole();
@@ -182,7 +336,7 @@ void AuditDialog::verify()
 void AuditDialog::chooseExport()
 {
     auto* dialog =
-        new QFileDialog(this, tr("Export the audit trail"), u"audit-trail.csv"_s, tr("CSV (*.csv)"));
+        new FileDialog(this, tr("Export the audit trail"), u"audit-trail.csv"_s, tr("CSV (*.csv)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(u"csv"_s);
@@ -192,14 +346,12 @@ void AuditDialog::chooseExport()
 
 void AuditDialog::exportTo(const QString& file)
 {
-    m_workbench->ask<void>(
+    m_workbench->background().ask<void>(
         this,
         [file](Library& library) -> Expected<void> {
-            const Expected<QByteArray> csv = auditCsv(library);
-            if (!csv)
-                return tl::unexpected<Error>(csv.error());
+            ASSIGN_OR_RETURN(const QByteArray csv, auditCsv(library));
             QSaveFile out(file);
-            if (!out.open(QIODevice::WriteOnly) || out.write(*csv) != csv->size() || !out.commit())
+            if (!out.open(QIODevice::WriteOnly) || out.write(csv) != csv.size() || !out.commit())
                 return failure(ErrorCode::FileUnwritable, {file, out.errorString()});
             return {};
         },

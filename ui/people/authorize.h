@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/people/permission.h"
+#include "ui/settings/values/settings_exchange.h"
+#include "ui/settings/values/stored_rates.h"
 
 #include <QJsonObject>
 
@@ -13,6 +15,10 @@ namespace gripscope {
 
 class Workbench;
 
+/// From now on the questions of `bench`, who somebody is and whether a supervisor agrees, are asked by
+/// dialogs.
+void answerForPeople(Workbench& bench);
+
 /// Does `then` at once where the one who works here may do it; else asks for a supervisor and does it with
 /// their consent, which is for this one time. Nothing is done when they cancel, or when `parent` is gone.
 void authorize(Workbench& bench, QWidget* parent, Permission permission, std::function<void()> then);
@@ -21,5 +27,16 @@ void authorize(Workbench& bench, QWidget* parent, Permission permission, std::fu
 /// and only then it is done. `details`: the old and the new.
 void authorizeRecorded(Workbench& bench, QWidget* parent, Permission permission, const QString& action,
                        const QString& subject, const QJsonObject& details, std::function<void()> then);
+
+/// Does `apply`, which makes these changes: at once where none of them needs a supervisor, else with one's
+/// consent where roles are in force, and told to the audit trail.
+void changeSettings(Workbench& bench, QWidget* parent, const std::vector<SettingChange>& changes,
+                    std::function<void()> apply);
+/// What resetAll() would change.
+[[nodiscard]] std::vector<SettingChange> changesOfReset(const Settings& settings);
+
+/// What verdicts are held to from now on: where roles are in force by a supervisor, and always told to the
+/// audit trail with the rates before.
+void changeRates(Workbench& bench, QWidget* parent, const StoredRates& rates);
 
 } // namespace gripscope

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/people/people_dialog.h"
-
-#include "core/store/people_register.h"
+#include "core/library/people/people_register.h"
+#include "ui/context/workbench.h"
+#include "ui/format/date_text.h"
 #include "ui/people/authorize.h"
-#include "ui/people/person_form.h"
+#include "ui/people/people_dialogs.h"
+#include "ui/people/secret_field.h"
 #include "ui/widgets/controls.h"
-#include "ui/widgets/date_text.h"
 #include "ui/widgets/row_list.h"
-#include "ui/workbench.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QPointer>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -18,6 +19,145 @@
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
+
+namespace {
+const RegisteredDialog<PersonForm> personFormRow("person", [](Workbench&, QWidget* over) {
+    return PersonForm::forNew(true, over);
+});
+} // namespace
+
+PersonForm* PersonForm::forNew(bool first, QWidget* parent)
+{
+    auto* form = new PersonForm(
+        first ? tr("Add the first supervisor") : tr("Add a person"),
+        first
+            ? tr("From now on roles are in force in this library: changing rates, limits, types, "
+                 "calibrations, "
+                 "settings and people needs a supervisor. This cannot be taken back, and nobody can read or "
+                 "reset a lost PIN or password but another supervisor: add a second one soon.")
+            : tr("Operators squeeze, inspect and enroll. Supervisors also change rates, limits, types, "
+                 "calibrations, settings and people."),
+        tr("Add"), parent);
+    form->m_name = new QLineEdit(form);
+    form->m_name->setObjectName("nameField");
+    form->m_name->setMaxLength(60);
+    form->addField(tr("Name, as it is to stand in the audit trail"), form->m_name);
+    form->m_role = new QComboBox(form);
+    form->m_role->setObjectName("roleField");
+    for (const Role role : {Role::Operator, Role::Supervisor})
+        if (!first || role == Role::Supervisor)
+            form->m_role->addItem(inWords(role), static_cast<int>(role));
+    form->addField(tr("Role"), form->m_role);
+    form->addSecrets();
+    form->m_name->setFocus();
+    return form;
+}
+
+PersonForm* PersonForm::forSecret(const Person& person, QWidget* parent)
+{
+    auto* form = new PersonForm(
+        tr("New PIN or password"),
+        tr("For %1. The old one no longer counts, and a wait after wrong tries ends.").arg(person.name),
+        tr("Change"), parent);
+    form->addSecrets();
+    form->m_secret->setFocus();
+    return form;
+}
+
+PersonForm::PersonForm(const QString& title, const QString& words, const QString& verb, QWidget* parent)
+    : Dialog(parent), m_fields(new QVBoxLayout), m_state(makeLabel({}, "error", this)),
+      m_accept(makeButton(verb, {}, "primary", this))
+{
+    setObjectName("personForm");
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(title);
+    auto* column = new QVBoxLayout(this);
+    setSpacing(column, 24, 8);
+    column->addWidget(makeLabel(title, "heading", this));
+    QLabel* text = makeLabel(words, "", this);
+    text->setWordWrap(true);
+    column->addWidget(text);
+    column->addSpacing(8);
+    m_fields->setSpacing(4);
+    column->addLayout(m_fields);
+    m_state->setObjectName("personState");
+    m_state->setWordWrap(true);
+    m_state->setMinimumHeight(2 * fontMetrics().lineSpacing());
+    m_state->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    column->addWidget(m_state, 1);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    QPushButton* cancel = makeButton(tr("Cancel"), {}, "", this);
+    cancel->setAutoDefault(false);
+    m_accept->setObjectName("personAccept");
+    m_accept->setDefault(true);
+    row->addStretch(1);
+    row->addWidget(cancel);
+    row->addWidget(m_accept);
+    column->addLayout(row);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(m_accept, &QPushButton::clicked, this, &PersonForm::check);
+}
+
+void PersonForm::addField(const QString& label, QWidget* field)
+{
+    field->setAccessibleName(label);
+    if (m_fields->count() > 0)
+        m_fields->addSpacing(8);
+    m_fields->addWidget(makeLabel(label, "caption", this));
+    m_fields->addWidget(field);
+}
+
+void PersonForm::addSecrets()
+{
+    const QString what = tr("PIN of %1 digits or more, or password of %2 characters or more")
+                             .arg(Secret::leastDigits)
+                             .arg(Secret::leastCharacters);
+    m_secret = makeSecretField(what, this);
+    m_secret->setObjectName("secretField");
+    addField(what, m_secret);
+    m_accept->setEnabled(false);
+    connect(m_secret, &QLineEdit::textChanged, this,
+            [this](const QString& text) { m_accept->setEnabled(!text.isEmpty()); });
+    m_again = makeSecretField(tr("The same again"), this);
+    m_again->setObjectName("againField");
+    addField(tr("The same again"), m_again);
+    resize(480, layout()->totalHeightForWidth(480));
+}
+
+QString PersonForm::name() const
+{
+    return m_name ? m_name->text().simplified() : QString();
+}
+
+Role PersonForm::role() const
+{
+    return m_role ? static_cast<Role>(m_role->currentData().toInt()) : Role::Operator;
+}
+
+Secret PersonForm::takeSecret()
+{
+    m_again->clear();
+    return gripscope::takeSecret(*m_secret);
+}
+
+void PersonForm::check()
+{
+    if (m_name && name().isEmpty())
+        return showProblem(tr("The person needs a name."));
+    if (m_secret->text() != m_again->text()) {
+        m_again->clear();
+        return showProblem(tr("The two are not the same. Type the second one again."));
+    }
+    m_state->clear();
+    emit asked(); // what takes the secret leaves the field empty, and the button with it
+}
+
+void PersonForm::showProblem(const QString& problem)
+{
+    m_state->setText(problem);
+    (m_name && name().isEmpty() ? m_name : m_secret->text().isEmpty() ? m_secret : m_again)->setFocus();
+}
 
 namespace {
 
@@ -33,10 +173,13 @@ QTableWidget* makePeopleTable(const QStringList& headers, QWidget* parent)
     return table;
 }
 
+const RegisteredDialog<PeopleDialog> peopleDialogRow("people", [](Workbench& bench, QWidget* over) {
+    return new PeopleDialog(bench, over);
+});
 } // namespace
 
 PeopleDialog::PeopleDialog(Workbench& workbench, QWidget* parent)
-    : QDialog(parent), m_workbench(&workbench), m_intro(makeLabel({}, "", this)),
+    : Dialog(parent), m_workbench(&workbench), m_intro(makeLabel({}, "", this)),
       m_state(makeLabel({}, "error", this))
 {
     setObjectName("peopleDialog");
@@ -68,6 +211,7 @@ PeopleDialog::PeopleDialog(Workbench& workbench, QWidget* parent)
     setSpacing(column, 16, 12);
     column->addWidget(m_intro);
     column->addLayout(row, 1);
+    column->addLayout(makeArmingRow());
     column->addLayout(foot);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &PeopleDialog::refresh);
@@ -75,6 +219,24 @@ PeopleDialog::PeopleDialog(Workbench& workbench, QWidget* parent)
     resize(720, 440);
     showPeople();
     workbench.signIn().reload();
+}
+
+QHBoxLayout* PeopleDialog::makeArmingRow()
+{
+    m_arming = new QComboBox(this);
+    m_arming->setObjectName("armingPolicy");
+    m_arming->addItem(tr("everybody who has signed in"), toString(ArmingPolicy::SignedIn));
+    m_arming->addItem(tr("supervisors; others ask one each time"), toString(ArmingPolicy::Supervisors));
+    QLabel* caption = makeLabel(tr("Who may arm the gripper"), "caption", this);
+    caption->setBuddy(m_arming);
+    m_arming->setAccessibleName(caption->text());
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    row->addWidget(caption);
+    row->addWidget(m_arming);
+    row->addStretch(1);
+    connect(m_arming, &QComboBox::activated, this, &PeopleDialog::changeArming);
+    return row;
 }
 
 QPushButton* PeopleDialog::addAction(QVBoxLayout* column, const QString& text, const char* name,
@@ -110,6 +272,8 @@ void PeopleDialog::showPeople()
         if (person.id == before)
             m_table->selectRow(row);
     }
+    m_arming->setEnabled(!m_shown.empty());
+    m_arming->setCurrentIndex(m_arming->findData(toString(m_workbench->signIn().arming())));
     refresh();
 }
 
@@ -133,7 +297,7 @@ const Person* PeopleDialog::selected() const
 void PeopleDialog::change(Change work, PersonForm* form)
 {
     const QPointer<PersonForm> open(form);
-    m_workbench->ask<void>(this, std::move(work), [this, open](const Expected<void>& done) {
+    m_workbench->background().ask<void>(this, std::move(work), [this, open](const Expected<void>& done) {
         const QString problem = done ? QString() : done.error().describe();
         m_state->setText(open ? QString() : problem);
         if (open && !done)
@@ -192,6 +356,17 @@ void PeopleDialog::changeActive()
     const Person person = *selected();
     authorize(*m_workbench, this, Permission::ManagePeople, [this, id = person.id, active = !person.active] {
         change([id, active](Library& library) { return library.people().setActive(id, active); });
+    });
+}
+
+void PeopleDialog::changeArming()
+{
+    const auto wanted = armingPolicyFromString(m_arming->currentData().toString());
+    showPeople(); // as it is, until it is changed
+    if (!wanted || *wanted == m_workbench->signIn().arming())
+        return;
+    authorize(*m_workbench, this, Permission::ManagePeople, [this, policy = *wanted] {
+        change([policy](Library& library) { return library.people().setArming(policy); });
     });
 }
 

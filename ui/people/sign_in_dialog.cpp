@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/people/sign_in_dialog.h"
 
+#include "ui/context/sign_in.h"
+#include "ui/context/workbench.h"
 #include "ui/people/secret_field.h"
-#include "ui/people/sign_in.h"
 #include "ui/widgets/controls.h"
-#include "ui/workbench.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -15,8 +15,14 @@ namespace gripscope {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+const RegisteredDialog<SignInDialog> signInDialogRow("sign in", [](Workbench& bench, QWidget* over) {
+    return new SignInDialog(bench, std::nullopt, over);
+});
+} // namespace
+
 SignInDialog::SignInDialog(Workbench& workbench, std::optional<Permission> permission, QWidget* parent)
-    : QDialog(parent), m_workbench(&workbench), m_permission(permission), m_person(new QComboBox(this)),
+    : Dialog(parent), m_workbench(&workbench), m_permission(permission), m_person(new QComboBox(this)),
       m_secret(makeSecretField(tr("PIN or password"), this)),
       m_accept(makeButton(permission ? tr("Authorise") : tr("Sign in"), {}, "primary", this))
 {
@@ -75,7 +81,8 @@ void SignInDialog::fill()
     const QString chosen = m_person->currentData().toString();
     m_person->clear();
     for (const Person& person : m_workbench->signIn().people())
-        if (person.active && (!m_permission || mayDo(person.role, *m_permission)))
+        if (person.active &&
+            (!m_permission || mayDo(person.role, *m_permission, m_workbench->signIn().arming())))
             m_person->addItem(person.name, person.id);
     m_person->setCurrentIndex(std::max(0, m_person->findData(chosen)));
     refresh();

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/people/acting.h"
-
-#include <QDialog>
+#include "ui/windows/dialog.h"
 
 class QComboBox;
 class QLabel;
@@ -16,7 +15,7 @@ class Workbench;
 
 /// Asks who it is and for the PIN or password: to sign in, or, with a permission, for a supervisor's consent
 /// to one action. Closes when it was right.
-class SignInDialog : public QDialog {
+class SignInDialog : public Dialog {
     Q_OBJECT
 public:
     SignInDialog(Workbench& workbench, std::optional<Permission> permission, QWidget* parent = nullptr);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/reports/calibration_certificate.h"
-
 #include "ui/charts/calibration_plot.h"
-#include "ui/models/calibration_words.h"
+#include "ui/format/calibration_words.h"
+#include "ui/format/date_text.h"
+#include "ui/format/number_format.h"
+#include "ui/format/shown_unit.h"
 #include "ui/reports/pdf_document.h"
-#include "ui/widgets/date_text.h"
-#include "ui/widgets/number_format.h"
+#include "ui/reports/reports.h"
 
 #include <QCoreApplication>
 #include <QImage>
@@ -47,20 +47,21 @@ QString identityTable(const CalibrationRecord& record)
 
 QString pointTable(const CalibrationRecord& record, const CalibrationEvaluation& evaluation)
 {
+    const ShownUnit shown = readUnit(record.unit);
     QString html =
         u"<table cellspacing='0' cellpadding='2'><thead><tr><th align='right'>%1</th><th "
         u"align='right'>&nbsp;&nbsp;%2</th>"
         "<th align='right'>&nbsp;&nbsp;%3</th><th align='right'>&nbsp;&nbsp;%4</th></tr></thead>"_s.arg(
-            CertificateWords::tr("No."), CertificateWords::tr("Load (%1)").arg(record.unit),
-            CertificateWords::tr("Reading (%1)").arg(record.unit),
-            CertificateWords::tr("Reading less the curve (%1)").arg(record.unit));
+            CertificateWords::tr("No."), CertificateWords::tr("Load (%1)").arg(shown.unit).toHtmlEscaped(),
+            CertificateWords::tr("Reading (%1)").arg(shown.unit).toHtmlEscaped(),
+            CertificateWords::tr("Reading less the curve (%1)").arg(shown.unit).toHtmlEscaped());
     for (std::size_t i = 0; i < record.points.size(); ++i)
         html +=
             u"<tr><td align='right'>%1</td><td align='right'>%2</td><td align='right'>%3</td><td align='right'>%4</td></tr>"_s
                 .arg(i + 1)
-                .arg(QLocale().toString(record.points[i].load, 'g', 8))
-                .arg(QLocale().toString(record.points[i].reading, 'g', 8))
-                .arg(QLocale().toString(evaluation.residuals[i], 'g', 3));
+                .arg(QLocale().toString(shown.factor * record.points[i].load, 'g', 8))
+                .arg(QLocale().toString(shown.factor * record.points[i].reading, 'g', 8))
+                .arg(QLocale().toString(shown.factor * evaluation.residuals[i], 'g', 3));
     return html + u"</table>"_s;
 }
 
@@ -72,8 +73,9 @@ QString certificateHtml(const CalibrationRecord& record, const CalibrationEvalua
     for (const Fact& fact : CalibrationWords::figures(record, evaluation))
         figures += pdfRow(fact.name, fact.text);
     return u"<h1>%1</h1>"_s.arg(CertificateWords::tr("Calibration certificate")) + identityTable(record) +
-           u"<h2>%1</h2><p>%2</p><table>%3</table>"_s.arg(CertificateWords::tr("Result"),
-                                                          CalibrationWords::curve(evaluation), figures) +
+           u"<h2>%1</h2><p>%2</p><table>%3</table>"_s.arg(
+               CertificateWords::tr("Result"),
+               CalibrationWords::curve(evaluation, record.unit).toHtmlEscaped(), figures) +
            u"<p>%1</p>"_s.arg(CertificateWords::tr(
                "The expanded uncertainty holds a load found from one reading in 95 of 100 cases. It "
                "counts the "
@@ -82,7 +84,8 @@ QString certificateHtml(const CalibrationRecord& record, const CalibrationEvalua
            pdfPicture(u"residuals"_s, pictureSize) + u"<h2>%1</h2>"_s.arg(CertificateWords::tr("Points")) +
            pointTable(record, evaluation) +
            u"<p>%1</p>"_s.arg(CertificateWords::tr("Gripscope %1, record %2")
-                                  .arg(QStringLiteral(GRIPSCOPE_VERSION), record.id));
+                                  .arg(QStringLiteral(GRIPSCOPE_VERSION), record.id)
+                                  .toHtmlEscaped());
 }
 
 QImage residualPicture(const CalibrationRecord& record)
@@ -100,10 +103,8 @@ QImage residualPicture(const CalibrationRecord& record)
 
 Expected<void> writeCertificate(const CalibrationRecord& record, const QImage& residuals, const QString& file)
 {
-    const Expected<CalibrationEvaluation> evaluation = evaluateCalibration(record);
-    if (!evaluation)
-        return tl::unexpected<Error>(evaluation.error());
-    return writePdf(CertificateWords::tr("Calibration certificate"), certificateHtml(record, *evaluation),
+    ASSIGN_OR_RETURN(const CalibrationEvaluation evaluation, evaluateCalibration(record));
+    return writePdf(CertificateWords::tr("Calibration certificate"), certificateHtml(record, evaluation),
                     {{u"residuals"_s, residuals}}, file);
 }
 

@@ -4,6 +4,7 @@
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QCoreApplication>
+#include <QImage>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSaveFile>
@@ -22,7 +23,7 @@ constexpr double footer_mm = 10;  // below the text, the page's number in it
 constexpr double fontSize_pt = 9; // of the text
 constexpr double pictureDpi = 96; // pdfPicture() counts in these
 
-struct Words {
+struct PdfWords {
     Q_DECLARE_TR_FUNCTIONS(gripscope::PdfDocument)
 };
 
@@ -32,6 +33,18 @@ QFont fontOf(double points)
     font.setPointSizeF(points); // the program's own font is sized for the screen
     return font;
 }
+
+/// Has the pictures that were added and loads nothing else, whatever an address in its text names.
+class SealedDocument : public QTextDocument {
+protected:
+    QVariant loadResource(int, const QUrl&) override
+    {
+        // Where it gets no picture, Qt itself opens the address as a file; so it gets one of nothing.
+        QImage nothing(1, 1, QImage::Format_ARGB32);
+        nothing.fill(Qt::transparent);
+        return nothing;
+    }
+};
 
 void prepare(QPdfWriter& pdf, const QString& title)
 {
@@ -48,7 +61,7 @@ void paintFooter(QPainter& painter, const QPdfWriter& pdf, const QString& title,
     painter.setPen(Qt::darkGray);
     const QRectF line(0, 0, pdf.width(), pdf.height());
     painter.drawText(line, Qt::AlignLeft | Qt::AlignBottom, title);
-    painter.drawText(line, Qt::AlignRight | Qt::AlignBottom, Words::tr("%1 of %2").arg(page).arg(pages));
+    painter.drawText(line, Qt::AlignRight | Qt::AlignBottom, PdfWords::tr("%1 of %2").arg(page).arg(pages));
 }
 
 void paintPages(QTextDocument& document, QPdfWriter& pdf, const QString& title)
@@ -85,7 +98,7 @@ Expected<void> writePdf(const QString& title, const QString& html, const std::ve
         buffer.open(QIODevice::WriteOnly);
         QPdfWriter pdf(&buffer);
         prepare(pdf, title);
-        QTextDocument document;
+        SealedDocument document;
         document.documentLayout()->setPaintDevice(&pdf);
         document.setDocumentMargin(0);
         document.setDefaultFont(fontOf(fontSize_pt));

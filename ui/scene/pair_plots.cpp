@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/scene/pair_plots.h"
-
 #include "ui/scene/scene_marks.h"
+#include "ui/scene/scene_view.h"
 #include "ui/theme/theme.h"
 
 #include <QMouseEvent>
@@ -12,7 +11,8 @@
 namespace gripscope {
 
 namespace {
-constexpr double left = 56, right = 16, top = 16, bottom = 44; // around a plot, for numbers and titles
+constexpr double pairLeft = 56, pairRight = 16, pairTop = 16,
+                 pairBottom = 44; // around a plot, for numbers and titles
 } // namespace
 
 PairPlots::PairPlots(QWidget* parent) : SceneView(parent)
@@ -27,8 +27,8 @@ std::vector<PairPlots::Plot> PairPlots::plots() const
     const double w = width() / 2.0;
     const double h = height() / 2.0;
     const auto area = [&](int column, int row) {
-        return QRectF(column * w + left, row * h + top, std::max(20.0, w - left - right),
-                      std::max(20.0, h - top - bottom));
+        return QRectF(column * w + pairLeft, row * h + pairTop, std::max(20.0, w - pairLeft - pairRight),
+                      std::max(20.0, h - pairTop - pairBottom));
     };
     return {{0, 2, area(0, 0)}, {1, 2, area(1, 0)}, {0, 1, area(0, 1)}};
 }
@@ -99,7 +99,7 @@ void PairPlots::paintFrame(QPainter& painter, const Plot& plot) const
             continue;
         taken = y - metrics.height() / 2;
         painter.setPen(tokens.secondText);
-        painter.drawText(QRectF(plot.area.left() - left, y - 10, left - 6, 20),
+        painter.drawText(QRectF(plot.area.left() - pairLeft, y - 10, pairLeft - 6, 20),
                          Qt::AlignRight | Qt::AlignVCenter, up.tickText(tick));
     }
     painter.setFont(Theme::font(metrics::fontSmall, true));
@@ -107,7 +107,7 @@ void PairPlots::paintFrame(QPainter& painter, const Plot& plot) const
     painter.drawText(QRectF(plot.area.left(), plot.area.bottom() + 20, plot.area.width(), 18),
                      Qt::AlignCenter, across.title());
     painter.save();
-    painter.translate(plot.area.left() - left + 8, plot.area.center().y());
+    painter.translate(plot.area.left() - pairLeft + 8, plot.area.center().y());
     painter.rotate(-90);
     painter.drawText(QRectF(-plot.area.height() / 2, -8, plot.area.height(), 16), Qt::AlignCenter,
                      up.title());

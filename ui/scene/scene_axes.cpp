@@ -70,7 +70,7 @@ QRectF moveInside(QRectF rect, QSizeF size)
     return rect;
 }
 
-bool overlapsAny(const QRectF& rect, const std::vector<QRectF>& taken)
+bool coversAny(const QRectF& rect, const std::vector<QRectF>& taken)
 {
     const QRectF padded = rect.adjusted(-4, 0, 4, 0);
     return std::any_of(taken.begin(), taken.end(),
@@ -102,7 +102,7 @@ private:
             const QPointF at = edge.a + (edge.b - edge.a) * share;
             const QString text = scale.tickText(tick);
             const QRectF rect = textRect(text, at, edge.outward, 8, metrics);
-            if (overlapsAny(rect, m_taken) || !QRectF(QPointF(), m_size).contains(rect))
+            if (coversAny(rect, m_taken) || !QRectF(QPointF(), m_size).contains(rect))
                 continue;
             m_painter.setPen(QPen(tokens.secondText, tokens.lineWidth));
             m_painter.drawLine(at, at + edge.outward * 4);

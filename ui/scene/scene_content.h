@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/recognition/type_model.h"
-#include "ui/scene/axis_scale.h"
+#include "core/recognition/types/type_model.h"
+#include "ui/charts/axis_ticks.h"
 
 #include <Eigen/Core>
 #include <QString>

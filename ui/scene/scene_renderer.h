@@ -6,8 +6,10 @@
 
 #include <QColor>
 #include <QImage>
+#include <QObject>
 #include <QSize>
 
+#include <functional>
 #include <memory>
 
 namespace gripscope {
@@ -50,6 +52,24 @@ public:
     /// Frees what the graphics driver holds; on the thread that rendered.
     void release();
     [[nodiscard]] OffscreenGl* gl() const;
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+/// A SceneRenderer on a thread of its own (or, where the platform cannot, on the screen's, one event later).
+class RenderThread {
+public:
+    explicit RenderThread(std::unique_ptr<OffscreenGl> gl);
+    ~RenderThread(); ///< waits for the picture under way
+    RenderThread(const RenderThread&) = delete;
+    RenderThread& operator=(const RenderThread&) = delete;
+
+    /// Renders, then calls `done` on the thread of `context`, unless that is gone.
+    void render(const SceneRequest& request, QObject* context, std::function<void(const QImage&)> done);
+    /// Frees what the pictures so far needed, a good 100 MB, once they are made; the next one begins anew.
+    void release();
 
 private:
     struct Private;

@@ -2,8 +2,6 @@
 #include "ui/scene/scene_view.h"
 
 #include "ui/scene/offscreen_gl.h"
-#include "ui/scene/pair_plots.h"
-#include "ui/scene/scene_widget.h"
 #include "ui/theme/theme.h"
 
 #include <QHelpEvent>
@@ -17,7 +15,7 @@ namespace gripscope {
 
 namespace {
 /// How far from the middle of a point a click still means it, logical pixels.
-constexpr double reach = 9;
+constexpr double pickReach = 9;
 } // namespace
 
 SceneView::SceneView(QWidget* parent) : QWidget(parent), m_content(std::make_shared<SceneContent>())
@@ -75,10 +73,10 @@ const ScenePoint* SceneView::pointNear(QPointF position) const
     double bestScore = HUGE_VAL;
     for (const Spot& spot : spots()) {
         const double distance = std::hypot(spot.at.x() - position.x(), spot.at.y() - position.y());
-        if (distance > reach)
+        if (distance > pickReach)
             continue;
         // A unit of depth is the whole cube: of two points under the pointer the nearer to the eye wins.
-        const double score = distance + 4 * reach * spot.depth;
+        const double score = distance + 4 * pickReach * spot.depth;
         if (score < bestScore) {
             bestScore = score;
             best = spot.point;

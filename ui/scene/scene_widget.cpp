@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/scene/scene_widget.h"
-
 #include "ui/scene/offscreen_gl.h"
-#include "ui/scene/render_thread.h"
 #include "ui/scene/scene_axes.h"
 #include "ui/scene/scene_marks.h"
+#include "ui/scene/scene_renderer.h"
+#include "ui/scene/scene_view.h"
 #include "ui/theme/theme.h"
 
 #include <QKeyEvent>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene/type_scene.h"
 
+#include "core/math/normal_interval.h"
+#include "ui/format/number_format.h"
 #include "ui/scene/scene_marks.h"
-#include "ui/widgets/number_format.h"
 
 #include <QCoreApplication>
 
@@ -14,7 +15,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString words(const char* text)
+QString sceneWord(const char* text)
 {
     return QCoreApplication::translate("gripscope::TypeScene", text);
 }
@@ -23,7 +24,7 @@ std::array<AxisScale, 3> axesFor(const TypeSpace& space, const SceneContent& all
 {
     const auto bounds = contentBounds(all);
     const auto axis = [&](const char* name, const QString& unit, int row) {
-        return axisScale(words(name), unit, bounds(row, 0), bounds(row, 1));
+        return axisScale(sceneWord(name), unit, bounds(row, 0), bounds(row, 1));
     };
     return {axis(QT_TRANSLATE_NOOP("gripscope::TypeScene", "Mass m"), space.units.m, 0),
             axis(QT_TRANSLATE_NOOP("gripscope::TypeScene", "Damping b"), space.units.b, 1),
@@ -133,7 +134,7 @@ SceneContent clusterScene(const TypeSpace& space, const TypeVisibility& visible,
 
 QString squeezeName(const TypeSpace& space, const SpaceSqueeze& squeeze)
 {
-    return words(QT_TRANSLATE_NOOP("gripscope::TypeScene", "%1, squeeze %2"))
+    return sceneWord(QT_TRANSLATE_NOOP("gripscope::TypeScene", "%1, squeeze %2"))
         .arg(space.types[squeeze.type])
         .arg(squeeze.number);
 }
@@ -141,10 +142,9 @@ QString squeezeName(const TypeSpace& space, const SpaceSqueeze& squeeze)
 QString parametersText(const MassDampingStiffness& parameters, const ParameterUnits& units,
                        const std::optional<Eigen::Matrix3d>& covariance)
 {
-    constexpr double halfWidth = 1.96; // of a 95 % interval, in standard deviations
     const auto one = [&](const QString& name, int at, double value, const QString& unit) {
         const std::optional<double> error =
-            covariance ? std::optional(halfWidth * std::sqrt((*covariance)(at, at))) : std::nullopt;
+            covariance ? std::optional(normal95 * std::sqrt((*covariance)(at, at))) : std::nullopt;
         return u"%1 %2"_s.arg(name, formatNumber(value, error, unit == u"1" ? QString() : unit).text());
     };
     return QStringList{one(u"m"_s, 0, parameters.m, units.m), one(u"b"_s, 1, parameters.b, units.b),

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/settings/setting_row.h"
-
-#include "ui/settings/settings.h"
+#include "ui/settings/settings_dialog.h"
+#include "ui/settings/values/settings.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/windows/file_dialog.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QSignalBlocker>
@@ -17,9 +16,9 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace Qt::StringLiterals;
-
 namespace gripscope {
+
+using namespace Qt::StringLiterals;
 
 namespace {
 
@@ -153,8 +152,7 @@ QWidget* SettingRow::makeFolderButton()
     button->setAutoDefault(false);
     button->setAccessibleName(tr("Choose: %1").arg(m_setting->shownName()));
     connect(button, &QPushButton::clicked, this, [this] {
-        auto* dialog = new QFileDialog(this, m_setting->shownName(), m_settings->value(m_key).toString());
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        auto* dialog = new FileDialog(this, m_setting->shownName(), m_settings->value(m_key).toString());
         dialog->setFileMode(QFileDialog::Directory);
         dialog->setOption(QFileDialog::ShowDirsOnly);
         connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) { store(folder); });

@@ -1,25 +1,105 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/settings/settings_dialog.h"
 
-#include "ui/people/supervised_settings.h"
-#include "ui/settings/import_dialog.h"
-#include "ui/settings/setting_row.h"
-#include "ui/settings/settings_exchange.h"
+#include "core/base/bounded_file.h"
+#include "ui/context/workbench.h"
+#include "ui/people/authorize.h"
+#include "ui/settings/values/settings_exchange.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
-#include "ui/workbench.h"
+#include "ui/windows/file_dialog.h"
+#include "ui/windows/question.h"
 
 #include <QFile>
-#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QSaveFile>
 #include <QScrollArea>
+#include <QTableWidget>
 #include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace gripscope {
 
 using namespace Qt::StringLiterals;
 
-namespace gripscope {
+namespace {
+
+QString verdict(const SettingsImport& import)
+{
+    if (!import.errors.isEmpty())
+        return ImportDialog::tr("The file has values that cannot be used, so nothing of it is taken.");
+    if (import.changes.empty())
+        return ImportDialog::tr("The file changes nothing: all settings are as they are in it.");
+    return ImportDialog::tr("These settings change:");
+}
+
+const RegisteredDialog<ImportDialog> importDialogRow("import", [](Workbench&, QWidget* over) {
+    return new ImportDialog({}, over);
+});
+} // namespace
+
+ImportDialog::ImportDialog(const SettingsImport& import, QWidget* parent) : Dialog(parent)
+{
+    setObjectName("importDialog");
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(tr("Import settings"));
+    auto* column = new QVBoxLayout(this);
+    setSpacing(column, 16, 16);
+    auto* heading = makeLabel(verdict(import), "strong", this);
+    heading->setWordWrap(true);
+    column->addWidget(heading);
+    if (const QStringList problems = import.errors + import.notes; !problems.isEmpty()) {
+        auto* list = makeLabel(problems.join(u'\n'), import.errors.isEmpty() ? "second" : "error", this);
+        list->setObjectName("importProblems");
+        list->setTextFormat(Qt::PlainText);
+        list->setWordWrap(true);
+        column->addWidget(list);
+    }
+    if (import.errors.isEmpty() && !import.changes.empty())
+        column->addWidget(makeTable(import), 1);
+    else
+        column->addStretch(1);
+
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    row->addStretch(1);
+    auto* cancel = makeButton(tr("Cancel"), {}, "", this);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    auto* apply = makeButton(tr("Apply"), {}, "primary", this);
+    apply->setObjectName("applyImport");
+    apply->setEnabled(import.errors.isEmpty() && !import.changes.empty());
+    connect(apply, &QPushButton::clicked, this, &QDialog::accept);
+    row->addWidget(cancel);
+    row->addWidget(apply);
+    column->addLayout(row);
+    resize(720, 440);
+}
+
+QWidget* ImportDialog::makeTable(const SettingsImport& import)
+{
+    auto* table = new QTableWidget(static_cast<int>(import.changes.size()), 3, this);
+    table->setObjectName("importTable");
+    table->setAccessibleName(tr("What changes"));
+    table->setHorizontalHeaderLabels({tr("Setting"), tr("Now"), tr("From the file")});
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->verticalHeader()->hide();
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    int row = 0;
+    for (const SettingChange& change : import.changes) {
+        const Setting* one = findSetting(change.key);
+        const QString cells[] = {one->shownName(), one->shownValue(change.before),
+                                 one->shownValue(change.after)};
+        for (int i = 0; i < 3; ++i)
+            table->setItem(row, i, new QTableWidgetItem(cells[i]));
+        ++row;
+    }
+    return table;
+}
 
 namespace {
 
@@ -27,10 +107,7 @@ constexpr qint64 mostBytes = 1'000'000; ///< no file of settings is longer
 
 Expected<QByteArray> readFile(const QString& name)
 {
-    QFile file(name);
-    if (!file.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::FileUnreadable, {name, file.errorString()});
-    return file.read(mostBytes);
+    return readBounded(name, mostBytes);
 }
 
 Expected<void> writeFile(const QString& name, const QByteArray& bytes)
@@ -41,10 +118,13 @@ Expected<void> writeFile(const QString& name, const QByteArray& bytes)
     return failure(ErrorCode::FileUnwritable, {name, file.errorString()});
 }
 
+const RegisteredDialog<SettingsDialog> settingsDialogRow("settings", [](Workbench& bench, QWidget* over) {
+    return new SettingsDialog(bench, over);
+});
 } // namespace
 
 SettingsDialog::SettingsDialog(Workbench& workbench, QWidget* parent)
-    : QDialog(parent), m_workbench(&workbench)
+    : Dialog(parent), m_workbench(&workbench)
 {
     setObjectName("settingsDialog");
     setAttribute(Qt::WA_DeleteOnClose);
@@ -139,9 +219,8 @@ void SettingsDialog::filter(const QString& search)
 
 void SettingsDialog::chooseFile(bool toSave)
 {
-    auto* dialog =
-        new QFileDialog(this, toSave ? tr("Export the settings") : tr("Import settings"),
-                        toSave ? u"gripscope-settings.json"_s : QString(), tr("Settings (*.json)"));
+    auto* dialog = new FileDialog(this, toSave ? tr("Export the settings") : tr("Import settings"),
+                                  toSave ? u"gripscope-settings.json"_s : QString(), tr("Settings (*.json)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(toSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog->setFileMode(toSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
@@ -153,7 +232,7 @@ void SettingsDialog::chooseFile(bool toSave)
 
 void SettingsDialog::exportFile(const QString& file)
 {
-    m_workbench->compute<Expected<void>>(
+    m_workbench->background().compute<Expected<void>>(
         this, [file, bytes = exportedSettings(m_workbench->settings())] { return writeFile(file, bytes); },
         [this, file](const Expected<void>& done) {
             m_told->setText(done ? tr("The settings were written to %1.").arg(file)
@@ -164,7 +243,7 @@ void SettingsDialog::exportFile(const QString& file)
 
 void SettingsDialog::importFile(const QString& file)
 {
-    m_workbench->compute<Expected<QByteArray>>(
+    m_workbench->background().compute<Expected<QByteArray>>(
         this, [file] { return readFile(file); },
         [this, file](const Expected<QByteArray>& bytes) {
             const Expected<SettingsImport> import =
@@ -189,18 +268,16 @@ void SettingsDialog::importFile(const QString& file)
 
 void SettingsDialog::askForReset()
 {
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Reset all settings"),
-                                tr("All settings go back to their defaults. Types, squeezes and calibrations "
-                                   "are not touched."),
-                                QMessageBox::Cancel, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    QPushButton* reset = box->addButton(tr("Reset all"), QMessageBox::AcceptRole);
-    connect(reset, &QPushButton::clicked, this, [this] {
+    auto* question =
+        new Question(tr("Reset all settings"),
+                     tr("All settings go back to their defaults. Types, squeezes and calibrations "
+                        "are not touched."),
+                     tr("Reset all"), tr("Cancel"), this);
+    connect(question, &QDialog::accepted, this, [this] {
         Settings& settings = m_workbench->settings();
         changeSettings(*m_workbench, this, changesOfReset(settings), [&settings] { settings.resetAll(); });
     });
-    box->setDefaultButton(QMessageBox::Cancel);
-    box->open();
+    question->open();
 }
 
 } // namespace gripscope

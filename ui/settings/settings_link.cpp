@@ -2,9 +2,9 @@
 #include "ui/settings/settings_link.h"
 
 #include "devices/replay/capture_folder.h"
-#include "ui/settings/settings.h"
+#include "ui/context/workbench.h"
+#include "ui/settings/values/settings.h"
 #include "ui/theme/theme.h"
-#include "ui/workbench.h"
 
 using namespace Qt::StringLiterals;
 

@@ -80,6 +80,7 @@ QMainWindow, QDialog, Page, QStackedWidget { background: @page; }
 QFrame[role="card"] { background: @surface; border: @lineWidth solid @line; border-radius: @radius; }
 QFrame[role="rail"] { background: @surface; border: none; border-right: @lineWidth solid @line; }
 QFrame[role="bar"] { background: @surface; border: none; }
+QFrame[role="strip"] { background: @surface; border: none; border-bottom: @lineWidth solid @line; }
 QFrame[role="message"] { background: @surface; border: none; border-left: 4px solid @notValid; border-bottom: @lineWidth solid @line; }
 QFrame[role="rule"] { background: @line; border: none; max-height: @lineWidth; min-height: @lineWidth; }
 QToolTip { background: @surface; color: @text; border: @lineWidth solid @control; padding: 4px 8px; }
@@ -106,6 +107,7 @@ QLabel[role="number"] { font-size: @fontTitle; font-weight: 600; }
 QLabel[role="big-number"] { font-size: @fontNumber; font-weight: 600; }
 QLabel:disabled { color: @secondText; }
 QLabel[role="error"] { color: @notValid; }
+QLabel[role="stopped"] { font-size: @fontLarge; font-weight: 600; color: @notValid; }
 )"_s;
 }
 

@@ -2,17 +2,92 @@
 #include "ui/theme/theme.h"
 
 #include "ui/theme/style_sheet.h"
-#include "ui/theme/tinted_icon.h"
 
 #include <QApplication>
+#include <QFile>
+#include <QIconEngine>
+#include <QPainter>
 #include <QPalette>
+#include <QPixmapCache>
 #include <QStyleFactory>
+#include <QSvgRenderer>
 
 #include <array>
 
+namespace gripscope {
+
 using namespace Qt::StringLiterals;
 
-namespace gripscope {
+namespace {
+
+QString findIcon(const QString& name)
+{
+    static const QStringList folders{u"actions"_s, u"status"_s, u"devices"_s,
+                                     u"emblems"_s, u"places"_s, u"preferences"_s};
+    static const QStringList sizes{u"22"_s, u"32"_s, u"16"_s, u"symbolic"_s};
+    for (const QString& root : QIcon::fallbackSearchPaths())
+        for (const QString& folder : folders)
+            for (const QString& size : sizes) {
+                const QString file = u"%1/breeze/%2/%3/%4.svg"_s.arg(root, folder, size, name);
+                if (QFile::exists(file))
+                    return file;
+            }
+    return {};
+}
+
+class TintedIconEngine : public QIconEngine {
+public:
+    TintedIconEngine(QString file, std::optional<QColor> color) : m_file(std::move(file)), m_color(color) {}
+
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override
+    {
+        const qreal ratio = painter->device()->devicePixelRatioF();
+        QPixmap picture = pixmap((QSizeF(rect.size()) * ratio).toSize(), mode, state);
+        picture.setDevicePixelRatio(ratio);
+        painter->drawPixmap(rect, picture);
+    }
+
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State) override
+    {
+        const ThemeTokens& tokens = Theme::instance().tokens();
+        QColor color = m_color.value_or(tokens.text);
+        if (mode == QIcon::Disabled)
+            color = Theme::mix(tokens.secondText, tokens.surface, 0.3);
+        const QString key =
+            u"tint:%1:%2x%3:%4"_s.arg(m_file).arg(size.width()).arg(size.height()).arg(color.rgba());
+        QPixmap picture;
+        if (QPixmapCache::find(key, &picture))
+            return picture;
+        picture = QPixmap(size);
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        QSvgRenderer renderer(m_file);
+        renderer.setAspectRatioMode(Qt::KeepAspectRatio);
+        renderer.render(&painter, QRectF(QPointF(), QSizeF(size)));
+        painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+        painter.fillRect(picture.rect(), color);
+        painter.end();
+        QPixmapCache::insert(key, picture);
+        return picture;
+    }
+
+    [[nodiscard]] QIconEngine* clone() const override { return new TintedIconEngine(m_file, m_color); }
+
+private:
+    QString m_file;
+    std::optional<QColor> m_color;
+};
+
+/// A monochrome SVG of the breeze icons as a stencil for one colour, drawn anew at the size asked for.
+/// Without a colour it takes the theme's text colour at the moment it is painted, so it follows a change of
+/// theme by itself. Empty when there is no such icon.
+QIcon tintedIcon(const QString& name, std::optional<QColor> color)
+{
+    const QString file = findIcon(name);
+    return file.isEmpty() ? QIcon() : QIcon(new TintedIconEngine(file, color));
+}
+
+} // namespace
 
 std::optional<ThemeKind> themeKindFromString(const QString& text)
 {
@@ -43,6 +118,7 @@ ThemeTokens lightTokens()
     t.unknown = QColor(QRgb{0xFF6A47B8});
     t.inconclusive = QColor(QRgb{0xFF4A6076});
     t.notValid = QColor(QRgb{0xFF8F5500});
+    t.suspect = QColor(QRgb{0xFF6E6600});
     t.force = QColor(QRgb{0xFF0B6E99});
     t.position = QColor(QRgb{0xFFA84A0A});
     t.model = QColor(QRgb{0xFF3D7A00});
@@ -65,6 +141,7 @@ ThemeTokens darkTokens()
     t.unknown = QColor(QRgb{0xFFB39CF5});
     t.inconclusive = QColor(QRgb{0xFF9FB4CA});
     t.notValid = QColor(QRgb{0xFFF0B04A});
+    t.suspect = QColor(QRgb{0xFFE8E04A});
     t.force = QColor(QRgb{0xFF5CC0EA});
     t.position = QColor(QRgb{0xFFFF9F5A});
     t.model = QColor(QRgb{0xFFA5D66B});
@@ -82,6 +159,7 @@ ThemeTokens highContrastTokens()
     t.accent = QColor(QRgb{0xFFFFE14D});
     t.stop = QColor(QRgb{0xFFFF5A5A});
     t.asExpected = t.otherType = t.unknown = t.inconclusive = t.notValid = QColor(QRgb{0xFFFFFFFF});
+    t.suspect = t.accent;
     t.force = QColor(QRgb{0xFFFFFFFF});
     t.position = QColor(QRgb{0xFFFFFFFF});
     t.model = QColor(QRgb{0xFFFFE14D});
@@ -174,6 +252,11 @@ QColor Theme::outcomeColor(InspectionOutcome outcome) const
         return m_tokens.notValid;
     }
     return m_tokens.text;
+}
+
+QColor Theme::outcomeColor(InspectionOutcome outcome, bool suspect) const
+{
+    return suspect ? m_tokens.suspect : outcomeColor(outcome);
 }
 
 QColor Theme::typeColor(int index)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/inspect_session.h"
+#include "core/session/inspect/inspect_session.h"
 
 #include <QColor>
 #include <QFont>
@@ -24,6 +24,7 @@ struct ThemeTokens {
     ThemeKind kind = ThemeKind::Light;
     QColor page, surface, line, text, secondText, accent, stop;
     QColor asExpected, otherType, unknown, inconclusive, notValid;
+    QColor suspect; ///< of any outcome whose measurement is in doubt
     QColor force, position, model;
     int lineWidth = 1;
     int curveWidth = 2;
@@ -49,6 +50,8 @@ public:
     void apply(ThemeKind kind);
     [[nodiscard]] const ThemeTokens& tokens() const { return m_tokens; }
     [[nodiscard]] QColor outcomeColor(InspectionOutcome outcome) const;
+    /// Of a verdict on a suspect measurement `suspect`, whatever the outcome.
+    [[nodiscard]] QColor outcomeColor(InspectionOutcome outcome, bool suspect) const;
     /// Colour of the n-th type, one of eight that hold 3 to 1 on light; shape too goes by n (sphere, cube,
     /// cone, octahedron), so that colour is never alone.
     [[nodiscard]] static QColor typeColor(int index);

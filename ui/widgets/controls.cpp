@@ -31,7 +31,9 @@ QFrame* makeRule(QWidget* parent)
 
 QLabel* makeLabel(const QString& text, const char* role, QWidget* parent)
 {
-    auto* label = new QLabel(text, parent);
+    auto* label = new QLabel(parent);
+    label->setTextFormat(Qt::PlainText); // before it has its text: a name may look like markup
+    label->setText(text);
     if (*role)
         setRole(label, role);
     return label;

@@ -1,29 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/widgets/inspection_list.h"
-
+#include "ui/format/outcome_words.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/inspection_widgets.h"
 #include "ui/widgets/outcome_view.h"
 
 #include <QCoreApplication>
+#include <QHelpEvent>
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QStyledItemDelegate>
+#include <QToolTip>
 
-using namespace Qt::StringLiterals;
+#include <algorithm>
 
 namespace gripscope {
 
+using namespace Qt::StringLiterals;
+
 InspectionLine inspectionLine(const InspectionRecord& record)
 {
-    return {record.number, record.graspId,
-            inspectionOutcome(record.verdict, record.type, record.expectedType), record.type, record.seconds};
+    return {
+        record.number, record.graspId, inspectionOutcome(record.verdict, record.type, record.expectedType),
+        record.type,   record.seconds, record.suspect && record.verdict != VerdictKind::Invalid};
 }
 
 QString inWords(const InspectionLine& line)
 {
     return QCoreApplication::translate("InspectionLine", "Inspection %1: %2 %3")
         .arg(line.number)
-        .arg(line.type, outcomeWord(line.outcome))
+        .arg(line.type, outcomeWord(line.outcome, line.suspect))
         .simplified();
 }
 
@@ -58,6 +64,8 @@ QVariant InspectionListModel::data(const QModelIndex& index, int role) const
         return line.seconds;
     case GraspRole:
         return line.graspId;
+    case SuspectRole:
+        return line.suspect;
     default:
         return {};
     }
@@ -79,7 +87,8 @@ public:
         const ThemeTokens& t = Theme::instance().tokens();
         const auto outcome =
             static_cast<InspectionOutcome>(index.data(InspectionListModel::OutcomeRole).toInt());
-        const QColor color = Theme::instance().outcomeColor(outcome);
+        const bool suspect = index.data(InspectionListModel::SuspectRole).toBool();
+        const QColor color = Theme::instance().outcomeColor(outcome, suspect);
         const QRectF box(option.rect);
         painter->save();
         if (option.state & (QStyle::State_Selected | QStyle::State_MouseOver))
@@ -97,16 +106,16 @@ public:
             index.data(InspectionListModel::SecondsRole).toDouble(), 0, 'f', 2);
         painter->drawText(box.adjusted(0, 0, -16, 0), Qt::AlignVCenter | Qt::AlignRight, seconds);
         const double left = box.left() + 16 + numberWide + 4;
-        paintOutcomeSign(*painter, QRectF(left, box.center().y() - 9, 18, 18), outcome, color);
+        paintJudgedSign(*painter, QRectF(left, box.center().y() - 9, 18, 18), outcome, suspect);
         const double from = left + 26;
         const double room = box.right() - 24 - small.horizontalAdvance(seconds) - from;
-        const bool plain = outcome == InspectionOutcome::AsExpected;
+        const bool plain = outcome == InspectionOutcome::AsExpected && !suspect;
         const QFont font = Theme::font(metrics::fontBase, !plain);
         painter->setFont(font);
         painter->setPen(plain ? t.text : color);
         const QString type = index.data(InspectionListModel::TypeRole).toString();
-        const QString words =
-            type.isEmpty() ? outcomeWord(outcome) : u"%1 · %2"_s.arg(type, outcomeWord(outcome));
+        const QString words = type.isEmpty() ? outcomeWord(outcome, suspect)
+                                             : u"%1 · %2"_s.arg(type, outcomeWord(outcome, suspect));
         painter->drawText(QRectF(from, box.top(), room, box.height()), Qt::AlignVCenter | Qt::AlignLeft,
                           QFontMetricsF(font).elidedText(words, Qt::ElideRight, room));
         painter->restore();
@@ -141,6 +150,86 @@ void InspectionList::keyPressEvent(QKeyEvent* event)
         open(currentIndex());
     else
         QListView::keyPressEvent(event);
+}
+
+namespace {
+constexpr int columns = 10;
+constexpr int rows = static_cast<int>(YieldStrip::length) / columns;
+} // namespace
+
+YieldStrip::YieldStrip(QWidget* parent) : QWidget(parent)
+{
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+    setLines({});
+}
+
+void YieldStrip::setLines(std::deque<InspectionLine> lines)
+{
+    while (lines.size() > length)
+        lines.pop_front();
+    m_lines = std::move(lines);
+    const auto good = std::count_if(m_lines.begin(), m_lines.end(), [](const InspectionLine& line) {
+        return line.outcome == InspectionOutcome::AsExpected;
+    });
+    setAccessibleName(tr("Last %1 inspections: %2 as expected").arg(m_lines.size()).arg(good));
+    update();
+}
+
+QRect YieldStrip::cell(int place) const
+{
+    const int row = place / columns;
+    const int column = place % columns;
+    const int left = column * width() / columns;
+    const int top = row * height() / rows;
+    return {QPoint(left, top), QPoint((column + 1) * width() / columns - 1, (row + 1) * height() / rows - 1)};
+}
+
+const InspectionLine* YieldStrip::at(const QPoint& point) const
+{
+    for (std::size_t place = 0; place < m_lines.size(); ++place)
+        if (cell(static_cast<int>(place)).contains(point))
+            return &m_lines[place];
+    return nullptr;
+}
+
+void YieldStrip::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    const ThemeTokens& t = Theme::instance().tokens();
+    for (int place = 0; place < static_cast<int>(length); ++place) {
+        const QRectF box = QRectF(cell(place)).adjusted(2, 2, -2, -2);
+        if (static_cast<std::size_t>(place) >= m_lines.size()) {
+            painter.fillRect(QRectF(box.left() + 8, box.center().y() - 1, box.width() - 16, 2), t.line);
+            continue;
+        }
+        const InspectionLine& line = m_lines[static_cast<std::size_t>(place)];
+        const QColor color = Theme::instance().outcomeColor(line.outcome, line.suspect);
+        if (static_cast<std::size_t>(place) + 1 == m_lines.size()) { // the newest is framed
+            painter.setPen(QPen(color, t.lineWidth));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawRect(box.adjusted(0.5, 0.5, -0.5, -0.5));
+        }
+        paintJudgedSign(painter, QRectF(box.center() - QPointF(8.5, 8.5), QSizeF(17, 17)), line.outcome,
+                        line.suspect);
+    }
+}
+
+void YieldStrip::mouseReleaseEvent(QMouseEvent* event)
+{
+    const InspectionLine* line = at(event->position().toPoint());
+    if (line && event->button() == Qt::LeftButton)
+        emit opened(line->graspId, line->number);
+}
+
+bool YieldStrip::event(QEvent* event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const InspectionLine* line = at(help->pos());
+    QToolTip::showText(help->globalPos(), line ? inWords(*line) : QString(), this);
+    return true;
 }
 
 } // namespace gripscope

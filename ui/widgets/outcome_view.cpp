@@ -1,127 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/outcome_view.h"
 
-#include "core/words.h"
 #include "ui/theme/theme.h"
-#include "ui/widgets/number_format.h"
 
-#include <QCoreApplication>
 #include <QPainter>
 #include <QPainterPath>
 
 #include <algorithm>
 
-using namespace Qt::StringLiterals;
-
 namespace gripscope {
 
-namespace {
-
-struct OutcomeWords {
-    Q_DECLARE_TR_FUNCTIONS(gripscope::Outcome)
-};
-
-/// The two types with the largest posterior.
-QStringList likeliest(const QMap<QString, double>& posterior)
-{
-    QStringList names = posterior.keys();
-    std::stable_sort(names.begin(), names.end(), [&posterior](const QString& a, const QString& b) {
-        return posterior[a] > posterior[b];
-    });
-    return names.mid(0, 2);
-}
-
-} // namespace
-
-QString outcomeWord(InspectionOutcome outcome)
-{
-    switch (outcome) {
-    case InspectionOutcome::AsExpected:
-        return OutcomeWords::tr("as expected");
-    case InspectionOutcome::OtherType:
-        return OutcomeWords::tr("other type");
-    case InspectionOutcome::Unknown:
-        return OutcomeWords::tr("unknown");
-    case InspectionOutcome::Inconclusive:
-        return OutcomeWords::tr("inconclusive");
-    case InspectionOutcome::NotValid:
-        return OutcomeWords::tr("not valid");
-    }
-    return {};
-}
-
-namespace {
-
-/// Which two types it may be, and how long to squeeze to know.
-QString betweenTypes(const InspectSession::Result& result)
-{
-    const Verdict& verdict = result.verdict;
-    QString first = verdict.nearest, second = verdict.rival;
-    if (verdict.posterior.value(first) < verdict.posterior.value(second))
-        first.swap(second);
-    const QString either = OutcomeWords::tr("It could be %1 (%2) or %3 (%4)")
-                               .arg(first, formatProbability(verdict.posterior.value(first)), second,
-                                    formatProbability(verdict.posterior.value(second)));
-    const std::optional<CorrectedParameters> object = result.identification.object();
-    const bool lengthTells = verdict.timesLonger || (object && !object->covariance.isZero(0));
-    if (lengthTells && !verdict.timesLonger)
-        return OutcomeWords::tr("%1, and a longer squeeze would not tell them apart.").arg(either);
-    if (!lengthTells || *verdict.timesLonger < 1.05)
-        return OutcomeWords::tr("%1: squeeze it again.").arg(either);
-    return OutcomeWords::tr("%1: squeezed for %2 s, nine of ten would be told apart.")
-        .arg(either, Words::number(result.seconds * *verdict.timesLonger, 'g', 2));
-}
-
-QString reasonOf(const InspectSession::Result& result)
-{
-    const Verdict& verdict = result.verdict;
-    if (result.outcome == InspectionOutcome::NotValid)
-        return verdict.reasons.join(u' ');
-    const bool contradicted = result.earlyEnd && verdict.kind == VerdictKind::Inconclusive;
-    if (result.outcome == InspectionOutcome::Inconclusive && !verdict.rival.isEmpty() && !contradicted)
-        return betweenTypes(result);
-    return verdict.reasons.value(0);
-}
-
-VerdictWords headlineOf(const InspectSession::Result& result)
-{
-    const Verdict& verdict = result.verdict;
-    switch (result.outcome) {
-    case InspectionOutcome::AsExpected:
-        return {verdict.type,
-                result.expectedType.isEmpty() ? OutcomeWords::tr("known type, none was expected")
-                                              : outcomeWord(result.outcome),
-                {}};
-    case InspectionOutcome::OtherType:
-        return {verdict.type, OutcomeWords::tr("other type; expected %1").arg(result.expectedType), {}};
-    case InspectionOutcome::Unknown:
-        return {OutcomeWords::tr("Unknown"),
-                verdict.nearest.isEmpty() ? OutcomeWords::tr("no type is enrolled yet")
-                                          : OutcomeWords::tr("none of the enrolled types"),
-                {}};
-    case InspectionOutcome::Inconclusive: {
-        const QStringList two = likeliest(verdict.posterior);
-        return {two.size() == 2 ? OutcomeWords::tr("%1 or %2?").arg(two[0], two[1])
-                                : OutcomeWords::tr("Open"),
-                outcomeWord(result.outcome),
-                {}};
-    }
-    case InspectionOutcome::NotValid:
-        return {OutcomeWords::tr("Squeeze again"),
-                OutcomeWords::tr("measurement not valid; part not judged"),
-                {}};
-    }
-    return {};
-}
-
-} // namespace
-
-VerdictWords verdictWords(const InspectSession::Result& result)
-{
-    VerdictWords words = headlineOf(result);
-    words.reason = reasonOf(result);
-    return words;
-}
+using namespace Qt::StringLiterals;
 
 namespace {
 
@@ -204,6 +93,33 @@ void paintOutcomeSign(QPainter& painter, const QRectF& box, InspectionOutcome ou
     painter.restore();
 }
 
+void paintJudgedSign(QPainter& painter, const QRectF& box, InspectionOutcome outcome, bool suspect)
+{
+    const Theme& theme = Theme::instance();
+    if (!suspect)
+        return paintOutcomeSign(painter, box, outcome, theme.outcomeColor(outcome));
+    const QPointF c = box.center();
+    const double reach = std::min(box.width(), box.height()) / 2;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme.tokens().suspect);
+    painter.drawPolygon(QPolygonF{
+        {c.x(), c.y() - reach}, {c.x() + reach, c.y()}, {c.x(), c.y() + reach}, {c.x() - reach, c.y()}});
+    painter.restore();
+    constexpr double inside = 0.52;
+    const QRectF within(c.x() - inside * reach, c.y() - inside * reach, 2 * inside * reach,
+                        2 * inside * reach);
+    paintOutcomeSign(painter, within, outcome, Theme::onColor(theme.tokens().suspect));
+}
+
+QBrush suspectStripes()
+{
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    return {Theme::mix(tokens.surface, tokens.suspect, tokens.kind == ThemeKind::Light ? 0.35 : 0.4),
+            Qt::FDiagPattern};
+}
+
 QBrush outcomeFill(InspectionOutcome outcome)
 {
     const Theme& theme = Theme::instance();
@@ -225,6 +141,168 @@ QBrush outcomeFill(InspectionOutcome outcome)
         return {faint, Qt::HorPattern};
     }
     return tokens.surface;
+}
+
+namespace {
+constexpr double signSize = 88;
+constexpr double padding = 24;
+constexpr double suspectFrame = 8;
+/// Below it one line is harder to read from afar than two larger ones.
+constexpr int leastOneLine = 44;
+
+/// The line box of a large font is taller than its letters: this brings lines together.
+double lineHeight(const QFontMetricsF& metrics)
+{
+    return metrics.ascent() * 0.92 + metrics.descent() * 0.7;
+}
+
+/// Broken at the space that leaves the longer line shortest; nothing where that does not fit.
+QStringList inTwoLines(const QString& text, const QFontMetricsF& metrics, double room)
+{
+    QStringList best;
+    double shortest = room;
+    for (qsizetype at = text.indexOf(u' '); at > 0; at = text.indexOf(u' ', at + 1)) {
+        const QStringList lines{text.left(at), text.mid(at + 1)};
+        const double longer =
+            std::max(metrics.horizontalAdvance(lines[0]), metrics.horizontalAdvance(lines[1]));
+        if (longer <= shortest) {
+            shortest = longer;
+            best = lines;
+        }
+    }
+    return best;
+}
+} // namespace
+
+VerdictPanel::VerdictPanel(QWidget* parent) : QWidget(parent)
+{
+    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void VerdictPanel::setWords(const QString& headline, const QString& words)
+{
+    m_headline = headline;
+    m_words = words;
+    setAccessibleName(headline);
+    setAccessibleDescription(words);
+    update();
+}
+
+void VerdictPanel::showOutcome(InspectionOutcome outcome, const QString& headline, const QString& words,
+                               bool suspect)
+{
+    m_outcome = outcome;
+    m_suspect = suspect;
+    setWords(headline, words);
+}
+
+void VerdictPanel::showHint(const QString& headline, const QString& words)
+{
+    m_outcome.reset();
+    setWords(headline, words);
+}
+
+void VerdictPanel::setProgress(double share)
+{
+    if (share == m_progress)
+        return;
+    m_progress = share;
+    update();
+}
+
+void VerdictPanel::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const ThemeTokens& t = Theme::instance().tokens();
+    const double w = t.lineWidth;
+    QPainterPath frame;
+    frame.addRoundedRect(QRectF(rect()).adjusted(w / 2, w / 2, -w / 2, -w / 2), metrics::radius,
+                         metrics::radius);
+    painter.fillPath(frame, t.surface);
+    const QColor color = m_outcome ? Theme::instance().outcomeColor(*m_outcome, m_suspect) : t.secondText;
+    double left = padding;
+    if (m_outcome) {
+        painter.fillPath(frame, suspect() ? suspectStripes() : outcomeFill(*m_outcome));
+        const QRectF box(padding, (height() - signSize) / 2, signSize, signSize);
+        if (t.kind == ThemeKind::HighContrast && !suspect())
+            painter.fillRect(box, t.surface);
+        paintJudgedSign(painter, box, *m_outcome, m_suspect);
+        left = box.right() + padding;
+    }
+    painter.setPen(QPen(m_outcome ? color : t.line, m_outcome ? 2 : w));
+    painter.setBrush(Qt::NoBrush);
+    if (suspect()) {
+        painter.save();
+        painter.setClipPath(frame);
+        painter.setPen(QPen(color, 2 * suspectFrame)); // half of it is outside
+        painter.drawPath(frame);
+        painter.restore();
+    } else {
+        painter.drawPath(frame);
+    }
+    paintWords(painter, left, color);
+    if (m_progress >= 0) {
+        painter.setClipPath(frame);
+        painter.fillRect(QRectF(0, height() - 6, width() * std::min(m_progress, 1.0), 6), t.accent);
+    }
+}
+
+VerdictPanel::Headline VerdictPanel::fitted(double room, double tall) const
+{
+    const int most = m_outcome ? metrics::fontVerdict : metrics::fontNumber;
+    for (int pixels = most; pixels >= metrics::fontNumber; pixels -= 2) {
+        const QFontMetricsF font(Theme::font(pixels, true));
+        const QStringList two = pixels < leastOneLine ? inTwoLines(m_headline, font, room) : QStringList();
+        if (font.horizontalAdvance(m_headline) <= room && lineHeight(font) <= tall)
+            return {{m_headline}, pixels};
+        if (!two.isEmpty() && 2 * lineHeight(font) <= tall)
+            return {two, pixels};
+    }
+    const QFontMetricsF least(Theme::font(metrics::fontNumber, true));
+    return {{least.elidedText(m_headline, Qt::ElideRight, room)}, metrics::fontNumber};
+}
+
+QFont VerdictPanel::wordsFont(double room) const
+{
+    const bool strong = m_outcome.has_value();
+    for (int pixels = suspect() ? metrics::fontNumber : metrics::fontTitle; pixels > metrics::fontTitle;
+         pixels -= 2)
+        if (const QFont font = Theme::font(pixels, strong);
+            QFontMetricsF(font).horizontalAdvance(m_words) <= room)
+            return font;
+    return Theme::font(metrics::fontTitle, strong);
+}
+
+void VerdictPanel::paintWords(QPainter& painter, double left, const QColor& color) const
+{
+    const ThemeTokens& t = Theme::instance().tokens();
+    const double room = width() - left - padding;
+    const QFont small = wordsFont(room);
+    const QFontMetricsF smallMetrics(small);
+    const Headline headline = fitted(room, height() - smallMetrics.height() - 16);
+    const QFont large = Theme::font(headline.pixels, true);
+    const QFontMetricsF largeMetrics(large);
+    const double each = lineHeight(largeMetrics);
+    const double largeHeight = each * static_cast<double>(headline.lines.size());
+    const double top = (height() - largeHeight - smallMetrics.height()) / 2;
+    const QString words = smallMetrics.elidedText(m_words, Qt::ElideRight, room);
+    if (m_outcome && (t.kind == ThemeKind::HighContrast || m_suspect)) { // patterns stay behind the words
+        double wide = smallMetrics.horizontalAdvance(words);
+        for (const QString& line : headline.lines)
+            wide = std::max(wide, largeMetrics.horizontalAdvance(line));
+        painter.fillRect(QRectF(left - 8, top, wide + 16, largeHeight + smallMetrics.height()), t.surface);
+    }
+    painter.setPen(m_outcome ? color : t.text);
+    painter.setFont(large);
+    double baseline = top + largeMetrics.ascent() * 0.92;
+    for (const QString& line : headline.lines) {
+        painter.drawText(QPointF(left, baseline), line);
+        baseline += each;
+    }
+    painter.setFont(small);
+    painter.setPen(m_outcome ? color : t.secondText);
+    painter.drawText(QPointF(left, top + largeHeight + smallMetrics.ascent()), words);
 }
 
 } // namespace gripscope

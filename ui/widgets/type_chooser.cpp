@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/widgets/type_chooser.h"
+#include "ui/widgets/inspection_widgets.h"
 
 #include <QAbstractItemView>
 #include <QCompleter>
@@ -8,9 +8,9 @@
 
 #include <algorithm>
 
-using namespace Qt::StringLiterals;
-
 namespace gripscope {
+
+using namespace Qt::StringLiterals;
 
 TypeChooser::TypeChooser(QWidget* parent) : QComboBox(parent)
 {

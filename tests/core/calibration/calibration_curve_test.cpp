@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_curve.h"
 #include "core/calibration/calibration_figures.h"
-#include "core/calibration/polynomial.h"
-#include "core/signal/gaussian.h"
+#include "core/math/gaussian.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

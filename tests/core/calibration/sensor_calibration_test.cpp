@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/sensor_calibration.h"
 #include "core/calibration/sensor_correction.h"
-#include "core/signal/gaussian.h"
+#include "core/math/gaussian.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

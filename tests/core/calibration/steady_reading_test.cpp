@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/steady_reading.h"
-#include "core/signal/gaussian.h"
+#include "core/calibration/calibration_plan.h"
+#include "core/math/gaussian.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

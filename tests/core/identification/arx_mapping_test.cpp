@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/arx_mapping.h"
-#include "core/identification/discretization.h"
+#include "core/identification/arx/arx_mapping.h"
+#include "core/identification/model/discretization.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -14,7 +14,7 @@ namespace {
 /// a1, a2, b1 + b2 of the held-force model.
 Eigen::Vector3d exactCoefficients(const MassDampingStiffness& p, double sampleTime_s)
 {
-    const Discretization d = discretize(p, sampleTime_s, ForceHold::Zero);
+    const ExactStep<2> d = discretize(p, sampleTime_s, ForceHold::Zero);
     const double a1 = -d.phi.trace();
     const double a2 = d.phi.determinant();
     return {a1, a2, (1 + a1 + a2) / p.k};

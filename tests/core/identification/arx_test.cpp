@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/arx.h"
+#include "core/identification/arx/arx.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -13,7 +13,7 @@ using test::Synthetic;
 
 namespace {
 
-ArxOptions optionsFor(Estimator estimator, double sampleTime_s, bool offset)
+ArxOptions arxOptions(Estimator estimator, double sampleTime_s, bool offset)
 {
     ArxOptions options;
     options.estimator = estimator;
@@ -62,7 +62,7 @@ private slots:
         const ArxRecord record(-1.83, 0.84, 0.05, b2, constant, 0, 1);
         const Estimator estimator = b2 != 0 ? Estimator::Arx221 : Estimator::Arx;
         const Estimate e =
-            estimateArx(record.force, record.position, optionsFor(estimator, 0.05, constant != 0));
+            estimateArx(record.force, record.position, arxOptions(estimator, 0.05, constant != 0));
         QVERIFY(std::abs(e.coefficients->a1 + 1.83) < 1e-12);
         QVERIFY(std::abs(e.coefficients->a2 - 0.84) < 1e-12);
         QVERIFY(std::abs(e.coefficients->b1 - 0.05) < 1e-12);
@@ -79,8 +79,8 @@ private slots:
         const Synthetic synthetic;
         const Recording recording = synthetic.make();
         const Estimate e =
-            estimateArx(recording.force, recording.position, optionsFor(Estimator::Arx221, 0.05, false));
-        QVERIFY2(e.status == EstimateStatus::Converged, e.message.c_str());
+            estimateArx(recording.force, recording.position, arxOptions(Estimator::Arx221, 0.05, false));
+        QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(e.message.describe()));
         QVERIFY(relativeDifference(*e.parameters, synthetic.truth) < 1e-10);
     }
     void statedErrorsAreThoseThatOccur_data()
@@ -95,7 +95,7 @@ private slots:
         const Estimator estimator = poles ? Estimator::Arx221 : Estimator::Arx;
         const double b2 = poles ? 0.03 : 0;
         const ArxRecord clean(-1.83, 0.84, 0.05, b2, 1, 0, 1);
-        const ArxOptions options = optionsFor(estimator, 0.05, true);
+        const ArxOptions options = arxOptions(estimator, 0.05, true);
         const Eigen::Vector3d truth = estimateArx(clean.force, clean.position, options).parameters->vector();
         constexpr int runs = 300;
         Eigen::Vector3d squared = Eigen::Vector3d::Zero();
@@ -123,12 +123,12 @@ private slots:
         synthetic.samples = 1000;
         const Recording recording = synthetic.make();
         const Estimate e =
-            estimateArx(recording.force, recording.position, optionsFor(Estimator::Arx, 0.05, false));
+            estimateArx(recording.force, recording.position, arxOptions(Estimator::Arx, 0.05, false));
         QVERIFY(e.parameters.has_value());
         QVERIFY(e.parameters->m < 0.2 * synthetic.truth.m);
         QVERIFY(e.parameters->b > 1.5 * synthetic.truth.b);
         QVERIFY(*e.fit.predictionPercent > 80 && *e.fit.predictionPercent < 93);
-        QVERIFY(QString::fromStdString(e.message).contains(u"biases"_s));
+        QVERIFY(e.message.describe().contains(u"biases"_s));
     }
     void aLagOfWholeSamplesIsShiftedOut()
     {
@@ -137,7 +137,7 @@ private slots:
         for (const double lag : {3.0, -2.0}) {
             synthetic.lag_s = lag * synthetic.sampleTime_s;
             const Recording later = synthetic.make();
-            ArxOptions options = optionsFor(Estimator::Arx221, 0.05, false);
+            ArxOptions options = arxOptions(Estimator::Arx221, 0.05, false);
             options.lag_s = later.forceLag_s;
             const Estimate e = estimateArx(later.force, later.position, options);
             QVERIFY2(relativeDifference(*e.parameters, synthetic.truth) < 1e-9,
@@ -173,9 +173,9 @@ private slots:
         if (constantPosition)
             std::fill(recording.position.begin(), recording.position.end(), 0.1);
         const Estimate e =
-            estimateArx(recording.force, recording.position, optionsFor(Estimator::Arx, 0.05, true));
+            estimateArx(recording.force, recording.position, arxOptions(Estimator::Arx, 0.05, true));
         QCOMPARE(toString(e.status), status);
-        QVERIFY(!e.parameters && !e.coefficients && !e.message.empty());
+        QVERIFY(!e.parameters && !e.coefficients && !e.message.isEmpty());
     }
     void coefficientsOfNoObjectAreKeptWithoutParameters()
     {
@@ -184,7 +184,7 @@ private slots:
         for (double& y : recording.position)
             y = -y; // pushes back
         const Estimate e =
-            estimateArx(recording.force, recording.position, optionsFor(Estimator::Arx, 0.05, false));
+            estimateArx(recording.force, recording.position, arxOptions(Estimator::Arx, 0.05, false));
         QCOMPARE(toString(e.status), u"no_physical_mapping"_s);
         QVERIFY(e.coefficients && !e.parameters && !e.covariance);
         QVERIFY(e.fit.predictionPercent && e.fit.simulationPercent);
@@ -200,7 +200,7 @@ private slots:
             position[t] = noise();
         }
         position[0] = 1e300;
-        const Estimate e = estimateArx(force, position, optionsFor(Estimator::Arx, 1, true));
+        const Estimate e = estimateArx(force, position, arxOptions(Estimator::Arx, 1, true));
         for (const double value : e.simulated)
             QVERIFY(std::isfinite(value));
         QVERIFY(!e.fit.simulationPercent || std::isfinite(*e.fit.simulationPercent));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/baseline.h"
-#include "core/identification/discretization.h"
 #include "core/identification/identification.h"
-#include "core/identification/output_error.h"
+#include "core/identification/model/discretization.h"
+#include "core/identification/model/estimate.h"
+#include "core/identification/output_error/output_error.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/identification/discretization.h"
-#include "core/signal/excitation.h"
-#include "core/signal/gaussian.h"
-#include "core/signal/recording.h"
+#include "core/identification/model/discretization.h"
+#include "core/math/gaussian.h"
+#include "core/signal/excitation/excitation.h"
+#include "core/signal/recording/recording.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +57,7 @@ struct ControlledGripper {
 private:
     void run(const std::vector<double>& command, Recording& recording) const
     {
-        const Discretization step = discretize(truth, sampleTime_s, ForceHold::Zero);
+        const ExactStep<2> step = discretize(truth, sampleTime_s, ForceHold::Zero);
         GaussianNoise random(seed + 500000);
         const double perSample = drift * peak / std::sqrt(static_cast<double>(samples));
         Eigen::Vector2d state = Eigen::Vector2d::Zero();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/correlation.h"
+#include "core/math/correlation.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -12,7 +12,7 @@ using namespace gripscope;
 namespace {
 
 /// White and uniform: 53 bits of the generator, the same everywhere.
-std::vector<double> whiteNoise(std::size_t count, std::uint64_t seed)
+std::vector<double> whiteSeries(std::size_t count, std::uint64_t seed)
 {
     std::mt19937_64 generator(seed);
     std::vector<double> values(count);
@@ -47,7 +47,7 @@ private slots:
     }
     void whiteNoiseKeepsToTheBand()
     {
-        const Correlation r = autocorrelation(whiteNoise(2000, 1), 200);
+        const Correlation r = autocorrelation(whiteSeries(2000, 1), 200);
         int outside = 0;
         for (std::size_t k = 1; k < r.values.size(); ++k)
             outside += std::abs(r.values[k]) > r.band ? 1 : 0;
@@ -56,7 +56,7 @@ private slots:
     }
     void aDelayedInputShowsAtItsLag()
     {
-        const std::vector<double> u = whiteNoise(1000, 2);
+        const std::vector<double> u = whiteSeries(1000, 2);
         std::vector<double> e(u.size(), 0.0);
         for (std::size_t t = 7; t < e.size(); ++t)
             e[t] = 3 * u[t - 7];
@@ -70,7 +70,7 @@ private slots:
     }
     void scaleDoesNotMatter()
     {
-        const std::vector<double> e = whiteNoise(300, 3);
+        const std::vector<double> e = whiteSeries(300, 3);
         for (const double scale : {1e-170, 1e170}) {
             std::vector<double> scaled = e;
             for (double& value : scaled)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/discretization.h"
+#include "core/identification/model/discretization.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -66,7 +66,7 @@ private slots:
         const double w = frequency / t;
         const MassDampingStiffness p{0.35, 2 * damping * w * 0.35, w * w * 0.35};
         const FreeResponse free(p, t);
-        const Discretization zero = discretize(p, t, ForceHold::Zero);
+        const ExactStep<2> zero = discretize(p, t, ForceHold::Zero);
         const long double b = p.b;
         const long double k = p.k;
         const long double step = (1 - free.fromPosition) / k;
@@ -78,7 +78,7 @@ private slots:
         QVERIFY(relative(zero.gamma0(0), step) < 1e-12);
         QVERIFY(relative(zero.gamma0(1), free.fromVelocity / p.m) < 1e-12);
         QVERIFY(zero.gamma1.isZero(0));
-        const Discretization first = discretize(p, t, ForceHold::First);
+        const ExactStep<2> first = discretize(p, t, ForceHold::First);
         QVERIFY(relative(first.gamma1(0), ramp) < 1e-9);
         QVERIFY(relative(first.gamma0(0) + first.gamma1(0), step) < 1e-12);
         QVERIFY(relative(first.gamma1(1), step / t) < 1e-12);
@@ -89,7 +89,7 @@ private slots:
         // lose 12 digits.
         const MassDampingStiffness p{1, 1, 1};
         const double t = 1e-6;
-        const Discretization d = discretize(p, t, ForceHold::First);
+        const ExactStep<2> d = discretize(p, t, ForceHold::First);
         QVERIFY(relative(d.gamma0(0) + d.gamma1(0), t * t / 2 * (1 - t / 3)) < 1e-12);
         QVERIFY(relative(d.gamma1(0), t * t / 6 * (1 - t / 4)) < 1e-12);
         QVERIFY(relative(d.phi(1, 0), -t * (1 - t / 2)) < 1e-12);
@@ -98,7 +98,7 @@ private slots:
     {
         // k/b = 1 /s: a pure relaxation towards F/k, the mass long settled.
         const MassDampingStiffness p{1e-12, 1, 1};
-        const Discretization d = discretize(p, 0.1, ForceHold::Zero);
+        const ExactStep<2> d = discretize(p, 0.1, ForceHold::Zero);
         QVERIFY(d.phi.allFinite());
         QVERIFY(std::abs(d.phi(0, 0) - std::exp(-0.1)) < 1e-5);
         QVERIFY(std::abs(d.gamma0(0) - (1 - std::exp(-0.1))) < 1e-5);
@@ -106,22 +106,22 @@ private slots:
     }
     void aFreeMassAccelerates()
     {
-        const Discretization d = discretize({2, 0, 0}, 3, ForceHold::Zero);
+        const ExactStep<2> d = discretize({2, 0, 0}, 3, ForceHold::Zero);
         QVERIFY(relative(d.gamma0(0), 9.0L / 4) < 1e-14);
         QVERIFY(relative(d.gamma0(1), 1.5L) < 1e-14);
         QVERIFY(relative(d.phi(0, 1), 3) < 1e-14);
     }
     void noTimeNoChange()
     {
-        const Discretization d = discretize({1, 1, 1}, 0, ForceHold::First);
+        const ExactStep<2> d = discretize({1, 1, 1}, 0, ForceHold::First);
         QVERIFY(d.phi.isIdentity(0));
         QVERIFY(d.gamma0.isZero(0) && d.gamma1.isZero(0));
     }
     void twoHalfStepsAreOne()
     {
         const MassDampingStiffness p{0.04, 43, 9990};
-        const Discretization whole = discretize(p, 0.001, ForceHold::Zero);
-        const Discretization half = discretize(p, 0.0005, ForceHold::Zero);
+        const ExactStep<2> whole = discretize(p, 0.001, ForceHold::Zero);
+        const ExactStep<2> half = discretize(p, 0.0005, ForceHold::Zero);
         QVERIFY((half.phi * half.phi - whole.phi).norm() < 1e-12 * whole.phi.norm());
         QVERIFY((half.phi * half.gamma0 + half.gamma0 - whole.gamma0).norm() < 1e-12 * whole.gamma0.norm());
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Repeated experiments on a known cubic spring: the error of the estimate against the Cramer-Rao bound, and
 // what it says about its own error.
-#include "core/identification/duffing.h"
-#include "core/identification/duffing_model.h"
+#include "core/identification/duffing/duffing.h"
+#include "core/identification/duffing/duffing_model.h"
+#include "tests/core/identification/duffing_simulation.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -17,7 +18,7 @@ using test::Synthetic;
 namespace {
 
 /// A true program fails a check of this file once in this many runs of all seeds; the seeds are fixed.
-constexpr double falseAlarm = 1e-4;
+constexpr double duffingFalseAlarm = 1e-4;
 
 /// The Cramer-Rao bound on ln m, ln b, ln k, k3 with x0, v0 and offset free: (J'J)^-1 s^2 at the truth.
 Eigen::Vector4d bound(const Synthetic& truth, double k3, const std::vector<double>& force, double deviation)
@@ -66,7 +67,7 @@ private slots:
         synthetic.v0 = -0.5;
         synthetic.offset = 5;
         const std::vector<double> force = synthetic.make().force;
-        const std::vector<double> clean = simulateDuffing(
+        const std::vector<double> clean = test::simulateDuffing(
             synthetic.truth, share, force,
             {synthetic.sampleTime_s, synthetic.hold, 0, synthetic.x0, synthetic.v0, synthetic.offset});
         const Eigen::Vector4d limit = bound(synthetic, share, force, noise);
@@ -98,8 +99,9 @@ private slots:
         // Of an efficient estimator the sum is chi-square with one degree of freedom a run; nonlinearity adds
         // a few percent (at most 5 % in the root), allowed for on the upper side.
         const boost::math::chi_squared sum(runs);
-        const double lowest = boost::math::quantile(sum, falseAlarm);
-        const double highest = 1.05 * 1.05 * boost::math::quantile(boost::math::complement(sum, falseAlarm));
+        const double lowest = boost::math::quantile(sum, duffingFalseAlarm);
+        const double highest =
+            1.05 * 1.05 * boost::math::quantile(boost::math::complement(sum, duffingFalseAlarm));
         for (Eigen::Index i = 0; i < 4; ++i) {
             const QString words = QStringLiteral("parameter %1: error %2 of the bound")
                                       .arg(i)
@@ -110,9 +112,9 @@ private slots:
         const double missed = runs - covered / 4.0;
         const boost::math::binomial misses(runs, 0.05);
         const QString words = QStringLiteral("%1 % missed").arg(100 * missed / runs);
-        QVERIFY2(missed <= boost::math::quantile(boost::math::complement(misses, falseAlarm)),
+        QVERIFY2(missed <= boost::math::quantile(boost::math::complement(misses, duffingFalseAlarm)),
                  qPrintable(words));
-        QVERIFY2(missed >= boost::math::quantile(misses, falseAlarm), qPrintable(words));
+        QVERIFY2(missed >= boost::math::quantile(misses, duffingFalseAlarm), qPrintable(words));
     }
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cubic spring on measured records of a public benchmark, read from outside the tree; skipped where they
 // are absent.
-#include "core/identification/duffing.h"
-#include "core/signal/recording_csv.h"
+#include "core/identification/duffing/duffing.h"
+#include "core/signal/recording/recording_csv.h"
 #include "tests/support/test_registry.h"
 
 #include <QFileInfo>
@@ -13,20 +13,20 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-const QString folder = QStringLiteral(GRIPSCOPE_SHARED_DATA "/silverbox");
+const QString silverboxFolder = QStringLiteral(GRIPSCOPE_SHARED_DATA "/silverbox");
 constexpr double sampleTime_s = 16384 / 1e7;
 
-Recording read(const QString& name)
+Recording readSilverbox(const QString& name)
 {
     CsvReadOptions options;
     options.forceColumn = u"u"_s;
     options.positionColumn = u"y"_s;
     options.sampleTime_s = sampleTime_s;
-    const Expected<Recording> recording = readRecordingCsv(folder + u'/' + name, options);
+    const Expected<Recording> recording = readRecordingCsv(silverboxFolder + u'/' + name, options);
     return recording ? *recording : Recording();
 }
 
-Estimate estimate(const Recording& recording, Window window)
+Estimate silverboxEstimate(const Recording& recording, Window window)
 {
     const Recording part = slice(recording, window);
     DuffingOptions options;
@@ -40,7 +40,7 @@ double ratio(double a, double b)
 }
 
 #define SKIP_WITHOUT(name)                                                                                   \
-    if (!QFileInfo::exists(folder + u"/" name ""_s))                                                         \
+    if (!QFileInfo::exists(silverboxFolder + u"/" name ""_s))                                                \
     QSKIP("the Silverbox record " name " is not in ../shared/data/silverbox")
 
 } // namespace
@@ -51,8 +51,8 @@ private slots:
     void theMultisineIsACubicSpring()
     {
         SKIP_WITHOUT("multisine_a.csv");
-        const Recording recording = read(u"multisine_a.csv"_s);
-        const Estimate e = estimate(recording, {0, recording.size()});
+        const Recording recording = readSilverbox(u"multisine_a.csv"_s);
+        const Estimate e = silverboxEstimate(recording, {0, recording.size()});
         QCOMPARE(toString(e.status), u"converged"_s);
         const double fit = e.fit.simulationPercent.value_or(0);
         QVERIFY2(fit >= 98.0 && fit < 99, qPrintable(QString::number(fit))); // science.md: 98.2 to 98.5
@@ -66,10 +66,10 @@ private slots:
     {
         SKIP_WITHOUT("arrow_small.csv");
         SKIP_WITHOUT("multisine_a.csv");
-        const Recording small = read(u"arrow_small.csv"_s);
-        const Recording large = read(u"multisine_a.csv"_s);
-        const Estimate a = estimate(small, {0, small.size()});
-        const Estimate b = estimate(large, {0, large.size()});
+        const Recording small = readSilverbox(u"arrow_small.csv"_s);
+        const Recording large = readSilverbox(u"multisine_a.csv"_s);
+        const Estimate a = silverboxEstimate(small, {0, small.size()});
+        const Estimate b = silverboxEstimate(large, {0, large.size()});
         QVERIFY(a.parameters && b.parameters);
         QVERIFY(ratio(a.parameters->m, b.parameters->m) < 0.01);
         QVERIFY(ratio(a.parameters->k, b.parameters->k) < 0.01);
@@ -78,11 +78,11 @@ private slots:
     void quartersOfTheMultisineAgree()
     {
         SKIP_WITHOUT("multisine_a.csv");
-        const Recording recording = read(u"multisine_a.csv"_s);
-        const Estimate whole = estimate(recording, {0, recording.size()});
+        const Recording recording = readSilverbox(u"multisine_a.csv"_s);
+        const Estimate whole = silverboxEstimate(recording, {0, recording.size()});
         const std::size_t quarter = recording.size() / 4;
         for (std::size_t i = 0; i < 4; ++i) {
-            const Estimate e = estimate(recording, {i * quarter, quarter});
+            const Estimate e = silverboxEstimate(recording, {i * quarter, quarter});
             QCOMPARE(toString(e.status), u"converged"_s);
             QVERIFY(e.fit.simulationPercent.value_or(0) >= 98.0);
             QVERIFY(ratio(e.parameters->m, whole.parameters->m) < 0.01);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/duffing.h"
-#include "core/identification/duffing_model.h"
-#include "core/identification/output_error.h"
-#include "core/signal/recording_csv.h"
+#include "core/identification/duffing/duffing.h"
+#include "core/identification/duffing/duffing_model.h"
+#include "core/identification/output_error/output_error.h"
+#include "core/signal/recording/recording_csv.h"
+#include "tests/core/identification/duffing_simulation.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -24,16 +25,16 @@ Recording cubicRecord(const Synthetic& synthetic, double cubicShare, double nois
 {
     Recording recording = synthetic.make();
     const double k = synthetic.truth.k;
-    recording.position = simulateDuffing(synthetic.truth, cubicShare * k * k * k, recording.force,
-                                         {synthetic.sampleTime_s, synthetic.hold, synthetic.lag_s,
-                                          synthetic.x0, synthetic.v0, synthetic.offset});
+    recording.position = test::simulateDuffing(synthetic.truth, cubicShare * k * k * k, recording.force,
+                                               {synthetic.sampleTime_s, synthetic.hold, synthetic.lag_s,
+                                                synthetic.x0, synthetic.v0, synthetic.offset});
     GaussianNoise random(synthetic.seed + 1000000);
     for (double& y : recording.position)
         y += noise * random();
     return recording;
 }
 
-DuffingOptions optionsFor(const Recording& recording, bool free)
+DuffingOptions duffingOptions(const Recording& recording, bool free)
 {
     DuffingOptions options;
     options.sampleTime_s = recording.sampleTime_s;
@@ -44,15 +45,15 @@ DuffingOptions optionsFor(const Recording& recording, bool free)
     return options;
 }
 
-Estimate estimate(const Recording& recording, bool free)
+Estimate duffingEstimate(const Recording& recording, bool free)
 {
-    return estimateDuffing(recording.force, recording.position, optionsFor(recording, free));
+    return estimateDuffing(recording.force, recording.position, duffingOptions(recording, free));
 }
 
-QString describe(const Estimate& e)
+QString describeDuffing(const Estimate& e)
 {
     if (!e.parameters)
-        return toString(e.status) + u": "_s + QString::fromStdString(e.message);
+        return toString(e.status) + u": "_s + e.message.describe();
     return u"%1: m %2 b %3 k %4 k3 %5, %6 iterations"_s.arg(toString(e.status))
         .arg(e.parameters->m, 0, 'g', 12)
         .arg(e.parameters->b, 0, 'g', 12)
@@ -216,12 +217,12 @@ private slots:
             synthetic.offset = 50;
         }
         const Recording recording = cubicRecord(synthetic, share);
-        const Estimate e = estimate(recording, moving);
-        QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describe(e)));
+        const Estimate e = duffingEstimate(recording, moving);
+        QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describeDuffing(e)));
         // The integration's own error, 1e-9 of the position, times the condition of the problem (about 100).
-        QVERIFY2(relativeDifference(*e.parameters, synthetic.truth) < 1e-6, qPrintable(describe(e)));
+        QVERIFY2(relativeDifference(*e.parameters, synthetic.truth) < 1e-6, qPrintable(describeDuffing(e)));
         const double k3 = share * std::pow(synthetic.truth.k, 3);
-        QVERIFY2(std::abs(e.cubic->k3 / k3 - 1) < 1e-5, qPrintable(describe(e)));
+        QVERIFY2(std::abs(e.cubic->k3 / k3 - 1) < 1e-5, qPrintable(describeDuffing(e)));
         if (moving)
             QVERIFY(std::abs(*e.nuisance.offset - 50) < 1e-6);
         QCOMPARE(e.simulated.size(), recording.size());
@@ -233,19 +234,19 @@ private slots:
         Synthetic synthetic;
         synthetic.truth = {0.4, 0.3, 1};
         const Recording recording = cubicRecord(synthetic, 0.5, 0.05);
-        const Estimate own = estimate(recording, true);
-        QVERIFY2(own.status == EstimateStatus::Converged, qPrintable(describe(own)));
+        const Estimate own = duffingEstimate(recording, true);
+        QVERIFY2(own.status == EstimateStatus::Converged, qPrintable(describeDuffing(own)));
         for (const double m : {0.1, 10.0}) {
             for (const double b : {0.1, 10.0}) {
                 for (const double k : {0.1, 10.0}) {
                     for (const double k3 : {-1.0, 0.05, 5.0}) {
-                        DuffingOptions options = optionsFor(recording, true);
+                        DuffingOptions options = duffingOptions(recording, true);
                         options.start = MassDampingStiffness{m * 0.4, b * 0.3, k * 1};
                         options.startCubic = k3;
                         const Estimate e = estimateDuffing(recording.force, recording.position, options);
-                        QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describe(e)));
+                        QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describeDuffing(e)));
                         QVERIFY2(relativeDifference(*e.parameters, *own.parameters) < 1e-6,
-                                 qPrintable(describe(e)));
+                                 qPrintable(describeDuffing(e)));
                     }
                 }
             }
@@ -258,8 +259,8 @@ private slots:
         synthetic.fitPercent = 90;
         synthetic.samples = 1000;
         const Recording recording = synthetic.make();
-        const Estimate cubic = estimate(recording, true);
-        QVERIFY2(cubic.status == EstimateStatus::Converged, qPrintable(describe(cubic)));
+        const Estimate cubic = duffingEstimate(recording, true);
+        QVERIFY2(cubic.status == EstimateStatus::Converged, qPrintable(describeDuffing(cubic)));
         const double k3Error = std::sqrt(cubic.cubic->covariance(3, 3));
         QVERIFY(std::abs(cubic.cubic->k3) < 4 * k3Error);
         OutputErrorOptions options;
@@ -270,7 +271,8 @@ private slots:
         for (Eigen::Index i = 0; i < 3; ++i) {
             const double added = (*cubic.covariance)(i, i) - (*linear.covariance)(i, i);
             const double moved = cubic.parameters->vector()(i) - linear.parameters->vector()(i);
-            QVERIFY2(std::abs(moved) < 4 * std::sqrt(std::abs(added)) + 1e-9, qPrintable(describe(cubic)));
+            QVERIFY2(std::abs(moved) < 4 * std::sqrt(std::abs(added)) + 1e-9,
+                     qPrintable(describeDuffing(cubic)));
         }
     }
 
@@ -295,21 +297,21 @@ private slots:
         synthetic.truth = {0.4, 0.3, 1};
         synthetic.offset = 1;
         Recording recording = cubicRecord(synthetic, 0.5, 0.05);
-        const Estimate e = estimate(recording, true);
+        const Estimate e = duffingEstimate(recording, true);
         for (double& f : recording.force)
             f *= force;
         for (double& y : recording.position)
             y *= position;
         recording.sampleTime_s *= time;
-        const Estimate scaled = estimate(recording, true);
-        QVERIFY2(scaled.status == EstimateStatus::Converged, qPrintable(describe(scaled)));
+        const Estimate scaled = duffingEstimate(recording, true);
+        QVERIFY2(scaled.status == EstimateStatus::Converged, qPrintable(describeDuffing(scaled)));
         const double unit = force / position;
         const MassDampingStiffness back{scaled.parameters->m / unit / time / time,
                                         scaled.parameters->b / unit / time, scaled.parameters->k / unit};
         // The search ends within 1e-8 standard errors, here some percent.
-        QVERIFY2(relativeDifference(back, *e.parameters) < 1e-7, qPrintable(describe(scaled)));
+        QVERIFY2(relativeDifference(back, *e.parameters) < 1e-7, qPrintable(describeDuffing(scaled)));
         const double k3 = scaled.cubic->k3 / unit * position * position;
-        QVERIFY2(std::abs(k3 / e.cubic->k3 - 1) < 1e-6, qPrintable(describe(scaled)));
+        QVERIFY2(std::abs(k3 / e.cubic->k3 - 1) < 1e-6, qPrintable(describeDuffing(scaled)));
         const double error = std::sqrt(scaled.cubic->covariance(3, 3)) / unit * position * position;
         QVERIFY(std::abs(error / std::sqrt(e.cubic->covariance(3, 3)) - 1) < 1e-5);
     }
@@ -320,11 +322,11 @@ private slots:
         synthetic.truth = {0.4, 0.3, 1};
         synthetic.samples = 30000;
         const Recording recording = cubicRecord(synthetic, 0.5, 0.1);
-        const Estimate e = estimate(recording, true);
-        QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describe(e)));
+        const Estimate e = duffingEstimate(recording, true);
+        QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describeDuffing(e)));
         const Eigen::Vector3d z =
             (e.parameters->vector() - synthetic.truth.vector()).cwiseQuotient(*e.standardErrors());
-        QVERIFY2(z.cwiseAbs().maxCoeff() < 4.5, qPrintable(describe(e)));
+        QVERIFY2(z.cwiseAbs().maxCoeff() < 4.5, qPrintable(describeDuffing(e)));
         QVERIFY(((*e.standardErrors()).cwiseQuotient(synthetic.truth.vector())).maxCoeff() < 0.01);
     }
 
@@ -358,7 +360,7 @@ private slots:
         const Estimate e =
             estimateDuffing({force.begin(), force.end()}, {position.begin(), position.end()}, options);
         QCOMPARE(toString(e.status), status);
-        QVERIFY(!e.parameters && !e.message.empty());
+        QVERIFY(!e.parameters && !e.message.isEmpty());
     }
 
     void anyNumbersGiveFiniteAnswersOrNone()
@@ -382,11 +384,11 @@ private slots:
             options.freeOffset = run % 4 != 0;
             options.maxIterations = 30;
             const Estimate e = estimateDuffing(force, position, options);
-            QVERIFY(!e.message.empty());
+            QVERIFY(!e.message.isEmpty());
             if (!e.parameters)
                 continue;
             QVERIFY2(e.parameters->vector().allFinite() && e.parameters->vector().minCoeff() > 0,
-                     qPrintable(describe(e)));
+                     qPrintable(describeDuffing(e)));
             QVERIFY(std::isfinite(e.cubic->k3) && e.cubic->covariance.allFinite());
             QVERIFY(std::isfinite(e.residuals.sse));
         }
@@ -396,11 +398,11 @@ private slots:
     {
         Synthetic synthetic;
         const Recording recording = synthetic.make();
-        DuffingOptions options = optionsFor(recording, true);
+        DuffingOptions options = duffingOptions(recording, true);
         options.lost = {7};
         const Estimate e = estimateDuffing(recording.force, recording.position, options);
         QCOMPARE(toString(e.status), u"not_applicable"_s);
-        QVERIFY(!e.message.empty());
+        QVERIFY(!e.message.isEmpty());
     }
 };
 

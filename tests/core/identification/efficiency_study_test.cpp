@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/efficiency_study_json.h"
+#include "core/research/efficiency_study.h"
+#include "core/research/study_json.h"
 #include "tests/support/test_registry.h"
 
 #include <QJsonArray>

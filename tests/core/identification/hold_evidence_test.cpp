@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/hold_evidence.h"
+#include "core/identification/comparison/hold_evidence.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -39,7 +39,7 @@ Synthetic object(double fitPercent, ForceHold hold, std::uint64_t seed)
     return synthetic;
 }
 
-constexpr int runs = 40;
+constexpr int evidenceRuns = 40;
 
 } // namespace
 
@@ -63,7 +63,7 @@ private slots:
         int tellable = 0;
         int found = 0;
         int accused = 0;
-        for (int run = 0; run < runs; ++run) {
+        for (int run = 0; run < evidenceRuns; ++run) {
             const Recording recording = object(fit, truth, std::uint64_t(run) + 1).make();
             const HoldEvidence right = weigh(recording, truth);
             const HoldEvidence wrong = weigh(recording, otherThan(truth));
@@ -75,11 +75,11 @@ private slots:
             }
         }
         // Asked for: at most 2 % false alarms, at least 95 % found; the binomial law's 99.9 % points.
-        const boost::math::binomial alarms(runs, 0.02);
+        const boost::math::binomial alarms(evidenceRuns, 0.02);
         QVERIFY2(accused <= boost::math::quantile(boost::math::complement(alarms, 1e-3)),
                  qPrintable(QString::number(accused)));
         if (fit > 95)
-            QVERIFY2(tellable > runs * 0.9, qPrintable(QString::number(tellable)));
+            QVERIFY2(tellable > evidenceRuns * 0.9, qPrintable(QString::number(tellable)));
         if (tellable > 0) {
             const boost::math::binomial power(tellable, 0.95);
             QVERIFY2(found >= boost::math::quantile(power, 1e-3),
@@ -92,13 +92,13 @@ private slots:
         // 0.6.
         double gain = 0;
         double expected = 0;
-        for (int run = 0; run < runs; ++run) {
+        for (int run = 0; run < evidenceRuns; ++run) {
             const HoldEvidence e =
                 weigh(object(94, ForceHold::Zero, std::uint64_t(run) + 1).make(), ForceHold::Zero);
-            gain += *e.gain / runs;
-            expected += e.expectedGain / runs;
+            gain += *e.gain / evidenceRuns;
+            expected += e.expectedGain / evidenceRuns;
         }
-        QVERIFY2(std::abs(gain + expected) < 4 * std::sqrt(2 * expected / runs),
+        QVERIFY2(std::abs(gain + expected) < 4 * std::sqrt(2 * expected / evidenceRuns),
                  qPrintable(QStringLiteral("%1 for -%2").arg(gain).arg(expected)));
     }
     void aLagKnownToHalfASampleTellsNothing()

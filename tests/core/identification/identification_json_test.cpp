@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/identification_json.h"
+#include "core/identification/identification.h"
+#include "core/identification/result/identification_json.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/instrumental_variables.h"
-#include "core/identification/output_error.h"
+#include "core/identification/instrumental/instrumental_variables.h"
+#include "core/identification/output_error/output_error.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -15,7 +15,7 @@ using test::Synthetic;
 
 namespace {
 
-InstrumentalVariablesOptions optionsFor(const Recording& recording, bool free)
+InstrumentalVariablesOptions instrumentalOptions(const Recording& recording, bool free)
 {
     InstrumentalVariablesOptions options;
     options.sampleTime_s = recording.sampleTime_s;
@@ -26,9 +26,10 @@ InstrumentalVariablesOptions optionsFor(const Recording& recording, bool free)
     return options;
 }
 
-Estimate estimate(const Recording& recording, bool free)
+Estimate instrumentalEstimate(const Recording& recording, bool free)
 {
-    return estimateInstrumentalVariables(recording.force, recording.position, optionsFor(recording, free));
+    return estimateInstrumentalVariables(recording.force, recording.position,
+                                         instrumentalOptions(recording, free));
 }
 
 Estimate outputError(const Recording& recording, bool free)
@@ -42,10 +43,10 @@ Estimate outputError(const Recording& recording, bool free)
     return estimateOutputError(recording.force, recording.position, options);
 }
 
-QString describe(const Estimate& e)
+QString describeInstrumental(const Estimate& e)
 {
     if (!e.parameters)
-        return toString(e.status) + u": "_s + QString::fromStdString(e.message);
+        return toString(e.status) + u": "_s + e.message.describe();
     return u"%1: m %2 b %3 k %4, %5 iterations"_s.arg(toString(e.status))
         .arg(e.parameters->m, 0, 'g', 12)
         .arg(e.parameters->b, 0, 'g', 12)
@@ -92,9 +93,10 @@ private slots:
             synthetic.offset = 50;
         }
         const Recording recording = synthetic.make();
-        const Estimate e = estimate(recording, moving);
-        QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describe(e)));
-        QVERIFY2(relativeDifference(*e.parameters, synthetic.truth) < 1e-9, qPrintable(describe(e)));
+        const Estimate e = instrumentalEstimate(recording, moving);
+        QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describeInstrumental(e)));
+        QVERIFY2(relativeDifference(*e.parameters, synthetic.truth) < 1e-9,
+                 qPrintable(describeInstrumental(e)));
         QVERIFY(e.fit.simulationPercent.value_or(0) > 100 - 1e-8);
         QCOMPARE(e.simulated.size(), recording.size());
         QCOMPARE(e.residual.size(), recording.size());
@@ -128,11 +130,12 @@ private slots:
         synthetic.samples = 600;
         synthetic.hold = straight ? ForceHold::First : ForceHold::Zero;
         const Recording recording = synthetic.make();
-        const Estimate e = estimate(recording, free);
+        const Estimate e = instrumentalEstimate(recording, free);
         const Estimate other = outputError(recording, free);
-        QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describe(e)));
+        QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describeInstrumental(e)));
         // Both end within 1e-8 standard errors of the same point; these are below a third.
-        QVERIFY2(relativeDifference(*e.parameters, *other.parameters) < 1e-7, qPrintable(describe(e)));
+        QVERIFY2(relativeDifference(*e.parameters, *other.parameters) < 1e-7,
+                 qPrintable(describeInstrumental(e)));
         QVERIFY(std::abs(e.residuals.sse / other.residuals.sse - 1) < 1e-9);
         // The covariance replaces noise-free regressors by measured ones; filtered noise adds to these about
         // (1 - fit) / sqrt(N), here 1 %, times the correlation between the parameters (ten).
@@ -145,18 +148,18 @@ private slots:
         Synthetic synthetic;
         synthetic.fitPercent = 90;
         const Recording recording = synthetic.make();
-        const Estimate own = estimate(recording, true);
+        const Estimate own = instrumentalEstimate(recording, true);
         for (const double m : {0.1, 1.0, 10.0}) {
             for (const double b : {0.1, 10.0}) {
                 for (const double k : {0.1, 1.0, 10.0}) {
-                    InstrumentalVariablesOptions options = optionsFor(recording, true);
+                    InstrumentalVariablesOptions options = instrumentalOptions(recording, true);
                     options.start = MassDampingStiffness{m * synthetic.truth.m, b * synthetic.truth.b,
                                                          k * synthetic.truth.k};
                     const Estimate e =
                         estimateInstrumentalVariables(recording.force, recording.position, options);
-                    QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describe(e)));
+                    QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describeInstrumental(e)));
                     QVERIFY2(relativeDifference(*e.parameters, *own.parameters) < 1e-6,
-                             qPrintable(describe(e)));
+                             qPrintable(describeInstrumental(e)));
                 }
             }
         }
@@ -186,11 +189,11 @@ private slots:
             synthetic.x0 = 1;
             synthetic.v0 = -2;
             synthetic.offset = 5;
-            const Estimate e = estimate(synthetic.make(), true);
-            QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describe(e)));
+            const Estimate e = instrumentalEstimate(synthetic.make(), true);
+            QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(describeInstrumental(e)));
             const Eigen::Vector3d z =
                 (e.parameters->vector() - synthetic.truth.vector()).cwiseQuotient(*e.standardErrors());
-            QVERIFY2(z.cwiseAbs().maxCoeff() < 6, qPrintable(describe(e)));
+            QVERIFY2(z.cwiseAbs().maxCoeff() < 6, qPrintable(describeInstrumental(e)));
             squared += z.cwiseAbs2();
             for (Eigen::Index i = 0; i < 3; ++i)
                 covered += std::abs(z(i)) < 1.959964 ? 1 : 0;
@@ -229,9 +232,9 @@ private slots:
             synthetic.fitPercent = 95;
             synthetic.seed = run;
             const Recording recording = synthetic.make();
-            const Estimate e = estimate(recording, true);
+            const Estimate e = instrumentalEstimate(recording, true);
             const Estimate other = outputError(recording, true);
-            QVERIFY2(e.status != EstimateStatus::NotConverged, qPrintable(describe(e)));
+            QVERIFY2(e.status != EstimateStatus::NotConverged, qPrintable(describeInstrumental(e)));
             if (other.status == EstimateStatus::Converged)
                 lost += e.status != EstimateStatus::Converged ||
                                 e.residuals.sse > other.residuals.sse * (1 + 1e-6)
@@ -261,18 +264,18 @@ private slots:
         Synthetic synthetic;
         synthetic.fitPercent = 90;
         Recording recording = synthetic.make();
-        const Estimate e = estimate(recording, true);
+        const Estimate e = instrumentalEstimate(recording, true);
         for (double& f : recording.force)
             f *= force;
         for (double& y : recording.position)
             y *= position;
         recording.sampleTime_s *= time;
-        const Estimate scaled = estimate(recording, true);
-        QVERIFY2(scaled.status == EstimateStatus::Converged, qPrintable(describe(scaled)));
+        const Estimate scaled = instrumentalEstimate(recording, true);
+        QVERIFY2(scaled.status == EstimateStatus::Converged, qPrintable(describeInstrumental(scaled)));
         const double unit = force / position;
         const MassDampingStiffness back{scaled.parameters->m / unit / time / time,
                                         scaled.parameters->b / unit / time, scaled.parameters->k / unit};
-        QVERIFY2(relativeDifference(back, *e.parameters) < 1e-8, qPrintable(describe(scaled)));
+        QVERIFY2(relativeDifference(back, *e.parameters) < 1e-8, qPrintable(describeInstrumental(scaled)));
     }
 
     void whatCannotBeAnsweredSaysWhy()
@@ -286,7 +289,7 @@ private slots:
         const std::vector<double> constant(60, 2.0);
         const auto status = [&](const std::vector<double>& force, const std::vector<double>& position) {
             const Estimate e = estimateInstrumentalVariables(force, position, options);
-            return e.parameters || e.message.empty() ? u"an answer without words"_s : toString(e.status);
+            return e.parameters || e.message.isEmpty() ? u"an answer without words"_s : toString(e.status);
         };
         QCOMPARE(status({}, {}), u"too_few_samples"_s);
         QCOMPARE(status({1, 2, 3}, {1, 2, 3}), u"too_few_samples"_s);
@@ -317,11 +320,11 @@ private slots:
             options.lag_s = run % 5 == 0 ? 1.4 * options.sampleTime_s : 0;
             options.freeOffset = run % 4 != 0;
             const Estimate e = estimateInstrumentalVariables(force, position, options);
-            QVERIFY(!e.message.empty());
+            QVERIFY(!e.message.isEmpty());
             if (!e.parameters)
                 continue;
             QVERIFY2(e.parameters->vector().allFinite() && e.parameters->vector().minCoeff() > 0,
-                     qPrintable(describe(e)));
+                     qPrintable(describeInstrumental(e)));
             QVERIFY(!e.covariance || e.covariance->allFinite());
             QVERIFY(std::isfinite(e.residuals.sse));
         }

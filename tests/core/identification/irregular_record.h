@@ -57,8 +57,7 @@ private:
         std::vector<double> position{0};
         Eigen::Vector2d state = Eigen::Vector2d::Zero();
         for (std::size_t n = 0; n + 1 < samples; ++n) {
-            const Discretization step =
-                discretize(truth, recording.time_s[n + 1] - recording.time_s[n], hold);
+            const ExactStep<2> step = discretize(truth, recording.time_s[n + 1] - recording.time_s[n], hold);
             state =
                 (step.phi * state + step.gamma0 * recording.force[n] + step.gamma1 * recording.force[n + 1])
                     .eval();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/lag_estimation.h"
+#include "core/identification/lag/lag_estimation.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -29,7 +29,7 @@ Synthetic calibrationSqueeze(double lag_s, double fitPercent, std::uint64_t seed
     return record;
 }
 
-LagEstimate estimate(const Recording& recording, double expectedLag_s = 0, bool holdIsKnown = true)
+LagEstimate lagEstimate(const Recording& recording, double expectedLag_s = 0, bool holdIsKnown = true)
 {
     LagEstimationOptions options;
     options.sampleTime_s = recording.sampleTime_s;
@@ -60,9 +60,10 @@ private slots:
         QFETCH(double, lag);
         Synthetic record = calibrationSqueeze(lag, 100);
         record.hold = static_cast<ForceHold>(hold);
-        const LagEstimate found = estimate(record.make());
-        QVERIFY2(found.status == LagStatus::Measured, qPrintable(found.message));
-        QVERIFY2(std::abs(found.lag_s - lag) < 1e-4 * record.sampleTime_s, qPrintable(found.message));
+        const LagEstimate found = lagEstimate(record.make());
+        QVERIFY2(found.status == LagStatus::Measured, qPrintable(found.message.describe()));
+        QVERIFY2(std::abs(found.lag_s - lag) < 1e-4 * record.sampleTime_s,
+                 qPrintable(found.message.describe()));
         QVERIFY(found.standardError_s < 1e-3 * record.sampleTime_s);
     }
     // 60 squeezes: 95 % intervals cover at least 51 of them with a probability of 0.9998 (binomial), and the
@@ -75,8 +76,8 @@ private slots:
         for (int run = 0; run < runs; ++run) {
             const double lag_s = 3e-4 * std::sin(run);
             const LagEstimate found =
-                estimate(calibrationSqueeze(lag_s, 90, static_cast<std::uint64_t>(run + 1)).make());
-            QVERIFY2(found.hasValue(), qPrintable(found.message));
+                lagEstimate(calibrationSqueeze(lag_s, 90, static_cast<std::uint64_t>(run + 1)).make());
+            QVERIFY2(found.hasValue(), qPrintable(found.message.describe()));
             const double error = (found.lag_s - lag_s) / found.standardError_s;
             covered += std::abs(error) < 1.96 ? 1 : 0;
             squares += error * error / runs;
@@ -88,7 +89,7 @@ private slots:
     {
         std::vector<LagEstimate> squeezes;
         for (std::uint64_t seed = 1; seed <= 9; ++seed)
-            squeezes.push_back(estimate(calibrationSqueeze(1e-4, 90, seed).make()));
+            squeezes.push_back(lagEstimate(calibrationSqueeze(1e-4, 90, seed).make()));
         const LagEstimate combined = combineLags(squeezes);
         QCOMPARE(combined.squeezes, 9);
         // Nine equal squeezes: a third of the error, more where they scatter by chance.
@@ -120,8 +121,8 @@ private slots:
         Synthetic record;
         record.samples = 200;
         record.fitPercent = 70;
-        const LagEstimate found = estimate(record.make());
-        QVERIFY2(found.status == LagStatus::TooUncertain, qPrintable(found.message));
+        const LagEstimate found = lagEstimate(record.make());
+        QVERIFY2(found.status == LagStatus::TooUncertain, qPrintable(found.message.describe()));
         QVERIFY(found.expectedGain < 10);
     }
     void anUnknownHoldIsNotTakenForALag()
@@ -129,20 +130,20 @@ private slots:
         Synthetic slow;
         slow.samples = 200;
         slow.fitPercent = 85;
-        const LagEstimate found = estimate(slow.make(), 0, false);
+        const LagEstimate found = lagEstimate(slow.make(), 0, false);
         QVERIFY(found.holdGain.has_value());
-        QVERIFY2(found.status == LagStatus::HoldOrLag, qPrintable(found.message));
+        QVERIFY2(found.status == LagStatus::HoldOrLag, qPrintable(found.message.describe()));
         // Where the record is quiet enough, the right hold shows by itself.
-        const LagEstimate told = estimate(calibrationSqueeze(1e-4, 99.5).make(), 0, false);
-        QVERIFY2(told.status == LagStatus::Measured, qPrintable(told.message));
+        const LagEstimate told = lagEstimate(calibrationSqueeze(1e-4, 99.5).make(), 0, false);
+        QVERIFY2(told.status == LagStatus::Measured, qPrintable(told.message.describe()));
         QVERIFY(*told.holdGain > 10);
     }
     void aLagOutsideTheRangeIsSaidToBe()
     {
         const Recording recording = calibrationSqueeze(4.1e-3, 99).make();
-        QVERIFY(estimate(recording).status == LagStatus::AtLimit);
-        const LagEstimate found = estimate(recording, 4e-3);
-        QVERIFY2(found.status == LagStatus::Measured, qPrintable(found.message));
+        QVERIFY(lagEstimate(recording).status == LagStatus::AtLimit);
+        const LagEstimate found = lagEstimate(recording, 4e-3);
+        QVERIFY2(found.status == LagStatus::Measured, qPrintable(found.message.describe()));
         QVERIFY(std::abs(found.lag_s - 4.1e-3) < 5 * found.standardError_s);
     }
     void lostSamplesAreLeftOut()
@@ -155,7 +156,7 @@ private slots:
         for (const std::size_t index : options.lost)
             recording.force[index] = recording.position[index] = 1e3;
         const LagEstimate found = estimateLag(recording.force, recording.position, options);
-        QVERIFY2(found.hasValue(), qPrintable(found.message));
+        QVERIFY2(found.hasValue(), qPrintable(found.message.describe()));
         QVERIFY(std::abs(found.lag_s - 2e-4) < 5 * found.standardError_s);
     }
     void nonsenseGivesWords()

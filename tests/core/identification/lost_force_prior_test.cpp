@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/lost_force_prior.h"
-#include "core/signal/gaussian.h"
+#include "core/identification/output_error/output_error_problem.h"
+#include "core/math/gaussian.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

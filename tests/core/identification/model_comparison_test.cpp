@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/duffing.h"
-#include "core/identification/model_comparison.h"
-#include "core/identification/uncertainty_budget_json.h"
+#include "core/identification/comparison/model_comparison.h"
+#include "core/identification/duffing/duffing.h"
+#include "core/identification/result/identification_json.h"
+#include "tests/core/identification/duffing_simulation.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -15,7 +16,7 @@ using test::Synthetic;
 
 namespace {
 
-Synthetic canA()
+Synthetic comparedCan()
 {
     Synthetic synthetic;
     synthetic.truth = {0.0396, 43, 9990};
@@ -50,12 +51,12 @@ private slots:
     {
         // A superfluous parameter gains chi-square with one degree over 2 ln L: to gain 10 + ln N it needs
         // 16, which happens once in 15,000.
-        Synthetic synthetic = canA();
+        Synthetic synthetic = comparedCan();
         for (int run = 0; run < 25; ++run) {
             synthetic.seed = static_cast<std::uint64_t>(run) + 1;
             const ModelComparison found = compare(synthetic.make(), {}, run < 5);
-            QVERIFY2(!found.decisive, qPrintable(found.sentence));
-            QCOMPARE(found.sentence, u"The linear model is enough."_s);
+            QVERIFY2(!found.decisive, qPrintable(found.sentence.describe()));
+            QCOMPARE(found.sentence.describe(), u"The linear model is enough."_s);
             double sum = 0;
             for (const ComparedModel& model : found.ranked)
                 sum += model.weight;
@@ -66,21 +67,21 @@ private slots:
 
     void aStiffeningSpringIsNamed()
     {
-        Recording recording = canA().make();
-        recording.position = simulateDuffing({0.0396, 43, 9990}, 1e9, recording.force,
-                                             {recording.sampleTime_s, ForceHold::First, 0, 0, 0, 0});
+        Recording recording = comparedCan().make();
+        recording.position = test::simulateDuffing({0.0396, 43, 9990}, 1e9, recording.force,
+                                                   {recording.sampleTime_s, ForceHold::First, 0, 0, 0, 0});
         GaussianNoise draw(2);
         for (double& y : recording.position)
             y += 1e-5 * draw();
         const ModelComparison found = compare(recording, {}, true);
         QVERIFY(found.decisive);
         QCOMPARE(found.ranked.front().id, u"cubic_spring"_s);
-        QCOMPARE(found.sentence, u"A stiffening spring explains this squeeze better."_s);
+        QCOMPARE(found.sentence.describe(), u"A stiffening spring explains this squeeze better."_s);
     }
 
     void aDelayIsNamedAndMeasured()
     {
-        Synthetic synthetic = canA();
+        Synthetic synthetic = comparedCan();
         synthetic.lag_s = 2e-4;
         const ModelComparison found = compare(synthetic.make(), {});
         QVERIFY(found.decisive);
@@ -93,7 +94,7 @@ private slots:
 
     void theOtherHoldIsNamed()
     {
-        Synthetic synthetic = canA();
+        Synthetic synthetic = comparedCan();
         synthetic.fitPercent = 99;
         OutputErrorOptions held;
         held.hold = ForceHold::Zero;
@@ -104,13 +105,13 @@ private slots:
 
     void aMissingOffsetIsNamed()
     {
-        Synthetic synthetic = canA();
+        Synthetic synthetic = comparedCan();
         synthetic.offset = 5e-4; // a share of the travel: with more there is no linear estimate at all
         OutputErrorOptions fixed;
         fixed.freeOffset = false;
         const ModelComparison found = compare(synthetic.make(), fixed);
         QVERIFY(found.decisive);
-        QCOMPARE(found.sentence, u"An offset of the position explains this squeeze better."_s);
+        QCOMPARE(found.sentence.describe(), u"An offset of the position explains this squeeze better."_s);
     }
 
     void nothingToCompareSaysNothing()
@@ -119,7 +120,7 @@ private slots:
         QVERIFY(found.ranked.empty());
         QVERIFY(found.sentence.isEmpty());
         QVERIFY(toJson(found)[u"models"_s].toArray().isEmpty());
-        const ModelComparison one = compare(canA().make(), {});
+        const ModelComparison one = compare(comparedCan().make(), {});
         QVERIFY(toJson(one)[u"models"_s][0][u"criterion"_s].isDouble());
     }
 };

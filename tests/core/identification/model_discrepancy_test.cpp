@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/duffing.h"
-#include "core/identification/model_discrepancy.h"
-#include "core/identification/model_misfit.h"
-#include "core/identification/output_error.h"
-#include "core/identification/uncertainty_budget.h"
-#include "core/signal/recording_csv.h"
+#include "core/identification/duffing/duffing.h"
+#include "core/identification/output_error/output_error.h"
+#include "core/identification/uncertainty/budget_lines.h"
+#include "core/identification/uncertainty/uncertainty_budget.h"
+#include "core/signal/recording/recording_csv.h"
+#include "tests/core/identification/duffing_simulation.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -19,7 +19,7 @@ using test::Synthetic;
 
 namespace {
 
-OutputErrorOptions optionsFor(const Recording& recording)
+OutputErrorOptions discrepancyOptions(const Recording& recording)
 {
     OutputErrorOptions options;
     options.sampleTime_s = recording.sampleTime_s;
@@ -31,7 +31,7 @@ ModelDiscrepancy discrepancyOf(const Recording& recording, const Estimate& whole
 {
     return modelDiscrepancy(recording.size(), recording.sampleTime_s, whole, [&](Window window) {
         const Recording part = slice(recording, window);
-        return estimateOutputError(part.force, part.position, optionsFor(recording));
+        return estimateOutputError(part.force, part.position, discrepancyOptions(recording));
     });
 }
 
@@ -147,7 +147,7 @@ private slots:
             synthetic.seed = static_cast<std::uint64_t>(run) + 1;
             const Recording recording = synthetic.make();
             const Estimate whole =
-                estimateOutputError(recording.force, recording.position, optionsFor(recording));
+                estimateOutputError(recording.force, recording.position, discrepancyOptions(recording));
             const ModelDiscrepancy found = discrepancyOf(recording, whole);
             QVERIFY(found.parts >= 4);
             charged += found.found() ? 1 : 0;
@@ -167,12 +167,12 @@ private slots:
         synthetic.hold = ForceHold::First;
         Recording recording = synthetic.make();
         // At 1 mm the cubic part is 3 % of the linear one.
-        recording.position = simulateDuffing(synthetic.truth, 3e8, recording.force,
-                                             {recording.sampleTime_s, ForceHold::First, 0, 0, 0, 0});
+        recording.position = test::simulateDuffing(synthetic.truth, 3e8, recording.force,
+                                                   {recording.sampleTime_s, ForceHold::First, 0, 0, 0, 0});
         GaussianNoise draw(8);
         for (double& y : recording.position)
             y += 5e-6 * draw();
-        const OutputErrorOptions options = optionsFor(recording);
+        const OutputErrorOptions options = discrepancyOptions(recording);
         const Estimate e = estimateOutputError(recording.force, recording.position, options);
         const ModelMisfit misfit =
             modelMisfit(e, linearizedRecord(e, recording.force, options), recording.force, options);
@@ -209,7 +209,7 @@ private slots:
                                                                         {u"multisine_a.csv"_s, 0, 2048},
                                                                         {u"multisine_a.csv"_s, 2048, 2048}}) {
             const Recording recording = silverbox(name, first, count);
-            const OutputErrorOptions options = optionsFor(recording);
+            const OutputErrorOptions options = discrepancyOptions(recording);
             DuffingOptions duffing;
             duffing.sampleTime_s = options.sampleTime_s;
             const Estimate e = cubic ? estimateDuffing(recording.force, recording.position, duffing)

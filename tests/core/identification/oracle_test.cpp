@@ -45,7 +45,7 @@ Recording recordingOf(const QJsonObject& oracle)
     return recording;
 }
 
-IdentificationOptions optionsFor(Estimator estimator, InitialState state)
+IdentificationOptions oracleOptions(Estimator estimator, InitialState state)
 {
     IdentificationOptions options;
     options.estimators = {estimator};
@@ -107,7 +107,7 @@ private slots:
         const QJsonObject oracle = readOracle(file);
         const QJsonObject want = oracle[answer].toObject();
         const Estimator kind = *estimatorFromString(estimator);
-        const Identification result = identify(recordingOf(oracle), optionsFor(kind, InitialState::Free));
+        const Identification result = identify(recordingOf(oracle), oracleOptions(kind, InitialState::Free));
         const Estimate& got = result.estimates.at(0);
 
         const double tolerance = std::max(1e-9, 1e-14 * want[u"cond"].toDouble());
@@ -162,7 +162,7 @@ private slots:
         const bool rest = answer == u"oe_rest"_s;
         const Identification result =
             identify(recordingOf(oracle),
-                     optionsFor(Estimator::OutputError, rest ? InitialState::Rest : InitialState::Free));
+                     oracleOptions(Estimator::OutputError, rest ? InitialState::Rest : InitialState::Free));
         const Estimate& got = result.estimates.at(0);
         QCOMPARE(toString(got.status), u"converged"_s);
         const std::array<QString, 3> names{u"m"_s, u"b"_s, u"k"_s};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Repeated experiments with known truth: the error of output error and what it says about its own error.
-#include "core/identification/output_error.h"
+#include "core/identification/output_error/output_error.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/output_error.h"
+#include "core/identification/output_error/output_error.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -34,7 +34,7 @@ Estimate estimate(const Recording& recording, bool freeStart, bool freeOffset)
 QString describe(const Estimate& e)
 {
     if (!e.parameters)
-        return toString(e.status) + u": "_s + QString::fromStdString(e.message);
+        return toString(e.status) + u": "_s + e.message.describe();
     return u"%1: m %2 b %3 k %4, %5 iterations"_s.arg(toString(e.status))
         .arg(e.parameters->m, 0, 'g', 15)
         .arg(e.parameters->b, 0, 'g', 15)
@@ -319,7 +319,7 @@ private slots:
         }
         const Estimate e = estimate(recording, true, true);
         QCOMPARE(toString(e.status), status);
-        QVERIFY2(QString::fromStdString(e.message).contains(word), e.message.c_str());
+        QVERIFY2(e.message.describe().contains(word), qPrintable(e.message.describe()));
         QVERIFY(!e.parameters && !e.covariance);
     }
     void aLoneStepFromRestIsEnough()

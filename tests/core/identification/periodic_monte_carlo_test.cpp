@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Repeated experiments with known truth: the errors of the periodic estimate and what it says of them.
-#include "core/identification/output_error.h"
-#include "core/identification/periodic.h"
+#include "core/identification/output_error/output_error.h"
+#include "core/identification/periodic/periodic.h"
 #include "tests/core/identification/controlled_gripper.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
@@ -18,20 +18,20 @@ using test::Synthetic;
 namespace {
 
 /// A true program fails a check of this file once in this many runs of all seeds; the seeds are fixed.
-constexpr double falseAlarm = 1e-4;
+constexpr double periodicFalseAlarm = 1e-4;
 constexpr int runs = 150;
 
-struct Tally {
+struct PeriodicTally {
     Eigen::Vector3d bias = Eigen::Vector3d::Zero(), square = Eigen::Vector3d::Zero(); ///< relative errors
     Eigen::Vector3d covered = Eigen::Vector3d::Zero(); ///< share of the 95 % intervals that hold the truth
     int misfits = 0;                                   ///< p-values of the cost below 1 %
     int converged = 0;
 };
 
-Tally repeat(const std::function<Recording(std::uint64_t)>& make, const MassDampingStiffness& truth,
-             Estimator estimator = Estimator::Periodic)
+PeriodicTally repeat(const std::function<Recording(std::uint64_t)>& make, const MassDampingStiffness& truth,
+                     Estimator estimator = Estimator::Periodic)
 {
-    Tally tally;
+    PeriodicTally tally;
     for (int run = 1; run <= runs; ++run) {
         const Recording recording = make(static_cast<std::uint64_t>(run));
         Estimate e;
@@ -65,10 +65,10 @@ Tally repeat(const std::function<Recording(std::uint64_t)>& make, const MassDamp
 double lowestCoverage(double promised)
 {
     const boost::math::binomial misses(runs, 1 - promised);
-    return 1 - boost::math::quantile(boost::math::complement(misses, falseAlarm)) / runs;
+    return 1 - boost::math::quantile(boost::math::complement(misses, periodicFalseAlarm)) / runs;
 }
 
-std::string words(const Tally& tally)
+std::string words(const PeriodicTally& tally)
 {
     QString text;
     for (Eigen::Index i = 0; i < 3; ++i)
@@ -93,12 +93,12 @@ private slots:
             one.seed = seed;
             return one.make();
         };
-        const Tally periodic = repeat(make, gripper.truth);
+        const PeriodicTally periodic = repeat(make, gripper.truth);
         QCOMPARE(periodic.converged, runs);
         QVERIFY2(std::abs(periodic.bias(2)) < 0.01, words(periodic).c_str());
         QVERIFY2(periodic.covered.minCoeff() > 0.92, words(periodic).c_str());
         // What takes the force for independent of the position fails here; else this test would show nothing.
-        const Tally outputError = repeat(make, gripper.truth, Estimator::OutputError);
+        const PeriodicTally outputError = repeat(make, gripper.truth, Estimator::OutputError);
         QVERIFY2(outputError.covered(2) < 0.6, words(outputError).c_str());
         QVERIFY2(outputError.square(2) > 4 * periodic.square(2), words(outputError).c_str());
     }
@@ -108,7 +108,7 @@ private slots:
         ControlledGripper gripper;
         gripper.straightDrift = true;
         gripper.positionNoise = 0.02;
-        const Tally tally = repeat(
+        const PeriodicTally tally = repeat(
             [&](std::uint64_t seed) {
                 gripper.seed = seed;
                 return gripper.make();
@@ -131,8 +131,8 @@ private slots:
             synthetic.seed = seed;
             return synthetic.make();
         };
-        const Tally periodic = repeat(make, synthetic.truth);
-        const Tally bound = repeat(make, synthetic.truth, Estimator::OutputError);
+        const PeriodicTally periodic = repeat(make, synthetic.truth);
+        const PeriodicTally bound = repeat(make, synthetic.truth, Estimator::OutputError);
         QCOMPARE(periodic.converged, runs);
         QVERIFY2(periodic.covered.minCoeff() >= lowestCoverage(0.94), words(periodic).c_str());
         // Leakage and noise cost degrees of freedom: 10 % in the errors; 10 % for chance, the errors being
@@ -140,7 +140,8 @@ private slots:
         const Eigen::Vector3d ratio = periodic.square.cwiseQuotient(bound.square).cwiseSqrt();
         QVERIFY2(ratio.mean() < 1.2, words(periodic).c_str());
         const boost::math::binomial misfits(runs, 0.01);
-        QVERIFY(periodic.misfits <= boost::math::quantile(boost::math::complement(misfits, falseAlarm)));
+        QVERIFY(periodic.misfits <=
+                boost::math::quantile(boost::math::complement(misfits, periodicFalseAlarm)));
     }
 
     void noiseOnTheMeasuredForceIsCovered()
@@ -158,7 +159,7 @@ private slots:
                 f += 0.1 * random();
             return recording;
         };
-        const Tally tally = repeat(make, synthetic.truth);
+        const PeriodicTally tally = repeat(make, synthetic.truth);
         QCOMPARE(tally.converged, runs);
         QVERIFY2(tally.covered.minCoeff() >= lowestCoverage(0.94), words(tally).c_str());
         QVERIFY2(tally.bias.cwiseAbs().maxCoeff() < 0.005, words(tally).c_str());

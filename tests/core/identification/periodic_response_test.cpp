@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/discretization.h"
-#include "core/identification/periodic_response.h"
-#include "core/signal/fourier.h"
-#include "core/signal/gaussian.h"
+#include "core/identification/model/discretization.h"
+#include "core/identification/periodic/periodic_response.h"
+#include "core/math/fourier.h"
+#include "core/math/gaussian.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -127,7 +127,7 @@ private slots:
         const std::vector<std::complex<double>> u = fourierTransform(std::span(force).first(count));
         const std::vector<std::complex<double>> y = fourierTransform(std::span(all).first(count));
         // The state after the last sample, from two positions and the exact step between them.
-        const Discretization step = discretize(truth, 1.0, held);
+        const ExactStep<2> step = discretize(truth, 1.0, held);
         Eigen::Vector2d state{2, -0.5};
         for (std::size_t t = 0; t < count; ++t)
             state = (step.phi * state + step.gamma0 * force[t] + step.gamma1 * force[t + 1]).eval();

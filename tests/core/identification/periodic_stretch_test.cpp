@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/periodic_stretch.h"
-#include "core/signal/excitation.h"
-#include "core/signal/gaussian.h"
+#include "core/identification/periodic/periodic_search.h"
+#include "core/math/gaussian.h"
+#include "core/signal/excitation/excitation.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/identification.h"
-#include "core/identification/periodic.h"
-#include "core/identification/periodic_json.h"
+#include "core/identification/periodic/periodic.h"
+#include "core/identification/result/identification_json.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -27,7 +27,7 @@ Synthetic periodicSqueeze()
     return synthetic;
 }
 
-PeriodicOptions optionsFor(const Recording& recording)
+PeriodicOptions periodicOptions(const Recording& recording)
 {
     PeriodicOptions options;
     options.sampleTime_s = recording.sampleTime_s;
@@ -36,9 +36,9 @@ PeriodicOptions optionsFor(const Recording& recording)
     return options;
 }
 
-Estimate estimate(const Recording& recording)
+Estimate periodicEstimate(const Recording& recording)
 {
-    return estimatePeriodic(recording.force, recording.position, optionsFor(recording));
+    return estimatePeriodic(recording.force, recording.position, periodicOptions(recording));
 }
 
 bool isFinite(const Estimate& e)
@@ -62,7 +62,7 @@ private slots:
             size = std::max(size, std::abs(recording.position[t]));
         }
         const PeriodicResult result =
-            analysePeriodic(recording.force, recording.position, optionsFor(recording));
+            analysePeriodic(recording.force, recording.position, periodicOptions(recording));
         QVERIFY(result.diagnostics);
         const double share = static_cast<double>(result.diagnostics->window.count) / 1984;
         // The start's transient is nearly over when the second period begins.
@@ -108,8 +108,8 @@ private slots:
         synthetic.offset = moving ? 50 : 0;
         synthetic.x0 = moving ? 20 : 0;
         synthetic.v0 = moving ? -10 : 0;
-        const Estimate e = estimate(synthetic.make());
-        QVERIFY2(e.status == EstimateStatus::Converged, e.message.c_str());
+        const Estimate e = periodicEstimate(synthetic.make());
+        QVERIFY2(e.status == EstimateStatus::Converged, qPrintable(e.message.describe()));
         // What the a priori range of the start's motion and the smooth functions leave of it: far below any
         // noise. Rounding alone would be 1e-10.
         QVERIFY2(relativeDifference(*e.parameters, synthetic.truth) < 1e-5,
@@ -135,13 +135,13 @@ private slots:
         Synthetic synthetic = periodicSqueeze();
         synthetic.fitPercent = 90;
         Recording recording = synthetic.make();
-        const Estimate plain = estimate(recording);
+        const Estimate plain = periodicEstimate(recording);
         for (double& f : recording.force)
             f *= force;
         for (double& y : recording.position)
             y *= position;
         recording.sampleTime_s *= time;
-        const Estimate scaled = estimate(recording);
+        const Estimate scaled = periodicEstimate(recording);
         QVERIFY(scaled.status == EstimateStatus::Converged);
         const double unit = force / position;
         const MassDampingStiffness back{scaled.parameters->m / unit / time / time,
@@ -158,9 +158,9 @@ private slots:
         Synthetic synthetic = periodicSqueeze();
         synthetic.fitPercent = 85;
         const Recording recording = synthetic.make();
-        const Estimate own = estimate(recording);
+        const Estimate own = periodicEstimate(recording);
         for (const double factor : {0.1, 10.0}) {
-            PeriodicOptions options = optionsFor(recording);
+            PeriodicOptions options = periodicOptions(recording);
             options.start = {synthetic.truth.m * factor, synthetic.truth.b / factor,
                              synthetic.truth.k * factor};
             const Estimate e = estimatePeriodic(recording.force, recording.position, options);
@@ -174,7 +174,7 @@ private slots:
         Synthetic synthetic = periodicSqueeze();
         synthetic.fitPercent = 85;
         const Recording recording = synthetic.make();
-        PeriodicOptions options = optionsFor(recording);
+        PeriodicOptions options = periodicOptions(recording);
         options.period = 248;
         const PeriodicResult given = analysePeriodic(recording.force, recording.position, options);
         options.period.reset();
@@ -189,7 +189,7 @@ private slots:
         Synthetic synthetic = periodicSqueeze();
         synthetic.fitPercent = 95;
         Recording recording = synthetic.make();
-        PeriodicOptions options = optionsFor(recording);
+        PeriodicOptions options = periodicOptions(recording);
         options.period = 248;
         options.lost = {300, 301, 700};
         for (const std::size_t index : options.lost)
@@ -219,10 +219,10 @@ private slots:
         for (double& y : recording.position)
             y += quadratic * y * y / 5;
         const PeriodicResult result =
-            analysePeriodic(recording.force, recording.position, optionsFor(recording));
+            analysePeriodic(recording.force, recording.position, periodicOptions(recording));
         QVERIFY(result.diagnostics->distortionP);
         QCOMPARE(*result.diagnostics->distortionP<1e-4, quadratic> 0);
-        QCOMPARE(result.estimate.message.find("nonlinear") != std::string::npos, quadratic > 0);
+        QCOMPARE(result.estimate.message.describe().contains(u"nonlinear"_s), quadratic > 0);
         if (quadratic > 0)
             QVERIFY(*result.diagnostics->distortionPercent > 1 &&
                     *result.diagnostics->distortionPercent < 20);
@@ -242,7 +242,7 @@ private slots:
             recording.position[i] += 0.3 * (0.6 * common + 0.8 * random());
         }
         const PeriodicResult result =
-            analysePeriodic(recording.force, recording.position, optionsFor(recording));
+            analysePeriodic(recording.force, recording.position, periodicOptions(recording));
         QVERIFY(result.diagnostics);
         // Over 2,000 degrees of freedom: 2 %, and two channels; 5 standard deviations.
         QVERIFY(std::abs(result.diagnostics->forceNoise / 0.1 - 1) < 0.1);
@@ -269,14 +269,14 @@ private slots:
     {
         Synthetic synthetic = periodicSqueeze();
         Recording recording = synthetic.make();
-        PeriodicOptions options = optionsFor(recording);
+        PeriodicOptions options = periodicOptions(recording);
         options.period = 600;
         QVERIFY(estimatePeriodic(recording.force, recording.position, options).status ==
                 EstimateStatus::TooFewSamples);
         options.period = 111;
         QVERIFY(estimatePeriodic(recording.force, recording.position, options).status ==
                 EstimateStatus::NotApplicable);
-        options = optionsFor(recording);
+        options = periodicOptions(recording);
         const std::vector<double> still(recording.size(), 3.0);
         QVERIFY(estimatePeriodic(recording.force, still, options).status == EstimateStatus::NotIdentifiable);
         QVERIFY(estimatePeriodic(still, recording.position, options).status == EstimateStatus::NotApplicable);
@@ -285,9 +285,9 @@ private slots:
                 EstimateStatus::TooFewSamples);
         synthetic.kind = ExcitationKind::Prbs;
         recording = synthetic.make();
-        const Estimate once = estimate(recording);
+        const Estimate once = periodicEstimate(recording);
         QVERIFY(once.status == EstimateStatus::NotApplicable);
-        QVERIFY(once.message.find("inverse-repeat") != std::string::npos);
+        QVERIFY(once.message.describe().contains(u"inverse-repeat"_s));
     }
     void oneFrequencyIsTooFew()
     {
@@ -298,7 +298,7 @@ private slots:
             recording.force.push_back(std::sin(2 * 3.14159265358979 * t / 100));
         recording.position =
             simulate(Synthetic().truth, recording.force, {0.05, ForceHold::First, 0, 0, 0, 0});
-        QVERIFY(estimate(recording).status == EstimateStatus::NotIdentifiable);
+        QVERIFY(periodicEstimate(recording).status == EstimateStatus::NotIdentifiable);
     }
     void noInputMakesANumberThatIsNone_data()
     {
@@ -328,12 +328,12 @@ private slots:
             f *= force;
         for (double& y : recording.position)
             y *= position / 20;
-        PeriodicOptions options = optionsFor(recording);
+        PeriodicOptions options = periodicOptions(recording);
         for (const std::optional<std::size_t> period : {std::optional<std::size_t>(), {248}, {0}, {1}, {5}}) {
             options.period = period;
             const Estimate e = estimatePeriodic(recording.force, recording.position, options);
             QVERIFY(isFinite(e));
-            QVERIFY(!e.message.empty());
+            QVERIFY(!e.message.isEmpty());
             if (e.status == EstimateStatus::Converged)
                 QVERIFY(e.parameters->vector().minCoeff() > 0 && e.covariance);
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/output_error.h"
-#include "core/signal/preparation.h"
+#include "core/identification/output_error/output_error.h"
+#include "core/signal/preparation/preparation.h"
 #include "tests/core/identification/irregular_record.h"
 #include "tests/core/signal/squeeze_record.h"
 #include "tests/support/test_registry.h"
@@ -15,7 +15,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-Estimate estimate(const PreparedRecord& prepared)
+Estimate preparedEstimate(const PreparedRecord& prepared)
 {
     OutputErrorOptions options;
     options.sampleTime_s = prepared.sampleTime_s;
@@ -72,10 +72,10 @@ private slots:
         record.sampleTime_s = sampleTime;
         record.jitter = 0.1;
         const Recording recording = record.make();
-        const Estimate prepared = estimate(prepare(recording));
+        const Estimate prepared = preparedEstimate(prepare(recording));
         PreparationOptions asRegular;
         asRegular.resample = false;
-        const Estimate plain = estimate(prepare(recording, asRegular));
+        const Estimate plain = preparedEstimate(prepare(recording, asRegular));
         QVERIFY(prepared.parameters && plain.parameters);
         const double left = relativeDifference(*prepared.parameters, record.truth);
         const double before = relativeDifference(*plain.parameters, record.truth);
@@ -115,8 +115,8 @@ private slots:
             record.fitPercent = 90;
             record.seed = seed;
             const PreparedRecord prepared = prepare(record.make());
-            const Estimate found = estimate(prepared);
-            QVERIFY2(found.status == EstimateStatus::Converged, found.message.c_str());
+            const Estimate found = preparedEstimate(prepared);
+            QVERIFY2(found.status == EstimateStatus::Converged, qPrintable(found.message.describe()));
             runs.add(found, record.truth);
         }
         QVERIFY2(runs.worstBias() < 4, qPrintable(QString::number(runs.worstBias())));
@@ -145,8 +145,8 @@ private slots:
         }
         const PreparedRecord prepared = prepare(recording);
         QCOMPARE(prepared.find(u"contact_loss"_s) != nullptr, losesContact);
-        const Estimate found = estimate(prepared);
-        QVERIFY2(found.status == EstimateStatus::Converged, found.message.c_str());
+        const Estimate found = preparedEstimate(prepared);
+        QVERIFY2(found.status == EstimateStatus::Converged, qPrintable(found.message.describe()));
         const Eigen::Vector3d errors =
             (found.parameters->vector() - record.truth.vector()).cwiseQuotient(*found.standardErrors());
         QVERIFY2(errors.cwiseAbs().maxCoeff() < 5, qPrintable(QString::number(errors.cwiseAbs().maxCoeff())));
@@ -160,9 +160,9 @@ private slots:
         Recording recording = record.make();
         for (std::size_t i = 0; i < recording.size(); ++i)
             recording.position[i] += 1e-5 * recording.force[i];
-        QVERIFY(estimate(prepare(recording)).parameters->k < 0.93 * record.truth.k);
+        QVERIFY(preparedEstimate(prepare(recording)).parameters->k < 0.93 * record.truth.k);
         recording.chain.frameCompliance = 1e-5;
-        const Estimate found = estimate(prepare(recording));
+        const Estimate found = preparedEstimate(prepare(recording));
         QVERIFY(std::abs(found.parameters->k - record.truth.k) < 5 * (*found.standardErrors())(2));
     }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/output_error.h"
-#include "core/identification/recursive_estimator.h"
+#include "core/identification/output_error/output_error.h"
+#include "core/identification/recursive/recursive_estimator.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -31,7 +31,7 @@ Synthetic squeeze(ForceHold hold, double fitPercent, std::uint64_t seed)
     return synthetic;
 }
 
-RecursiveOptions optionsFor(const Recording& recording)
+RecursiveOptions recursiveOptions(const Recording& recording)
 {
     RecursiveOptions options;
     options.sampleTime_s = recording.sampleTime_s;
@@ -87,7 +87,7 @@ private slots:
         const ForceHold hold = held ? ForceHold::Zero : ForceHold::First;
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
             const Recording recording = squeeze(hold, fit, seed).make();
-            const RecursiveState state = followed(recording, optionsFor(recording)).state();
+            const RecursiveState state = followed(recording, recursiveOptions(recording)).state();
             const Estimate whole = batch(recording);
             QVERIFY(state.status == RecursiveStatus::Following);
             const Eigen::Vector3d errors = *whole.standardErrors();
@@ -119,7 +119,7 @@ private slots:
         Synthetic synthetic = squeeze(held ? ForceHold::Zero : ForceHold::First, 90, 7);
         synthetic.lag_s = samples * synthetic.sampleTime_s;
         const Recording recording = synthetic.make();
-        const RecursiveState state = followed(recording, optionsFor(recording)).state();
+        const RecursiveState state = followed(recording, recursiveOptions(recording)).state();
         const Estimate whole = batch(recording);
         QVERIFY(state.status == RecursiveStatus::Following);
         const Eigen::Vector3d apart =
@@ -129,7 +129,7 @@ private slots:
         // Without noise both are exact.
         synthetic.fitPercent = 100;
         const Recording clean = synthetic.make();
-        const RecursiveState exact = followed(clean, optionsFor(clean)).state();
+        const RecursiveState exact = followed(clean, recursiveOptions(clean)).state();
         QVERIFY(test::relativeDifference(*exact.parameters, synthetic.truth) < 1e-6);
     }
     void aStartThatIsWrongByTenTimesChangesNothing_data()
@@ -151,7 +151,7 @@ private slots:
         for (std::uint64_t seed = 1; seed <= 5; ++seed) {
             const Synthetic synthetic = squeeze(ForceHold::Zero, 85, seed);
             const Recording recording = synthetic.make();
-            RecursiveOptions options = optionsFor(recording);
+            RecursiveOptions options = recursiveOptions(recording);
             options.start = {m * synthetic.truth.m, b * synthetic.truth.b, k * synthetic.truth.k};
             const RecursiveState state = followed(recording, options).state();
             QVERIFY(state.status == RecursiveStatus::Following);
@@ -178,7 +178,7 @@ private slots:
             Synthetic synthetic = squeeze(ForceHold::Zero, 92, static_cast<std::uint64_t>(run) + 1);
             synthetic.samples = static_cast<std::size_t>(samples);
             const Recording recording = synthetic.make();
-            const RecursiveState state = followed(recording, optionsFor(recording)).state();
+            const RecursiveState state = followed(recording, recursiveOptions(recording)).state();
             if (state.status != RecursiveStatus::Following)
                 continue;
             ++following;
@@ -205,7 +205,7 @@ private slots:
     {
         const Synthetic synthetic = squeeze(ForceHold::First, 100, 1);
         const Recording recording = synthetic.make();
-        const RecursiveState state = followed(recording, optionsFor(recording)).state();
+        const RecursiveState state = followed(recording, recursiveOptions(recording)).state();
         QVERIFY(state.status == RecursiveStatus::Following);
         QVERIFY(test::relativeDifference(*state.parameters, synthetic.truth) < 1e-7);
         QVERIFY(std::abs(*state.nuisance.x0 - synthetic.x0) < 1e-5);
@@ -215,13 +215,13 @@ private slots:
     void unitsDoNotMatter()
     {
         const Recording plain = squeeze(ForceHold::Zero, 90, 3).make();
-        const RecursiveState reference = followed(plain, optionsFor(plain)).state();
+        const RecursiveState reference = followed(plain, recursiveOptions(plain)).state();
         for (const double scale : {1e-6, 1e6}) {
             Recording scaled = plain;
             scaled.sampleTime_s *= scale;
             for (double& y : scaled.position)
                 y /= scale;
-            const RecursiveState state = followed(scaled, optionsFor(scaled)).state();
+            const RecursiveState state = followed(scaled, recursiveOptions(scaled)).state();
             const Eigen::Vector3d units(scale * scale * scale, scale * scale, scale);
             QVERIFY(state.status == RecursiveStatus::Following);
             const Eigen::Vector3d want = reference.parameters->vector().cwiseProduct(units);
@@ -232,7 +232,7 @@ private slots:
     {
         Synthetic synthetic = squeeze(ForceHold::Zero, 95, 1);
         const Recording recording = synthetic.make();
-        RecursiveEstimator estimator(optionsFor(recording));
+        RecursiveEstimator estimator(recursiveOptions(recording));
         GaussianNoise noise(9);
         for (int i = 0; i < 500; ++i) {
             estimator.update(2, 5 + 0.01 * noise());
@@ -245,7 +245,7 @@ private slots:
         force.insert(force.end(), recording.force.begin(), recording.force.end());
         const std::vector<double> position =
             simulate(synthetic.truth, force, {0.05, ForceHold::Zero, 0, 2 / synthetic.truth.k, 0, 0});
-        RecursiveEstimator second(optionsFor(recording));
+        RecursiveEstimator second(recursiveOptions(recording));
         for (std::size_t i = 0; i < force.size(); ++i)
             second.update(force[i], position[i] + 0.1 * noise());
         QVERIFY(second.state().status == RecursiveStatus::Following);
@@ -262,7 +262,7 @@ private slots:
             for (std::size_t i = 1; i < recording.position.size(); ++i)
                 if (chance.uniform() < 0.1)
                     recording.position[i] = std::numeric_limits<double>::quiet_NaN();
-            const RecursiveState state = followed(recording, optionsFor(recording)).state();
+            const RecursiveState state = followed(recording, recursiveOptions(recording)).state();
             QVERIFY(state.status == RecursiveStatus::Following);
             mean += (state.parameters->vector() - synthetic.truth.vector())
                         .cwiseQuotient(state.covariance->diagonal().cwiseSqrt()) /
@@ -276,7 +276,7 @@ private slots:
         Synthetic synthetic = squeeze(ForceHold::Zero, 85, 2);
         synthetic.samples = 4000;
         const Recording recording = synthetic.make();
-        RecursiveOptions options = optionsFor(recording);
+        RecursiveOptions options = recursiveOptions(recording);
         options.keptSamples = 1500;
         const RecursiveState state = followed(recording, options).state();
         const Estimate whole = batch(recording);
@@ -290,7 +290,7 @@ private slots:
     void aCopyGoesItsOwnWay()
     {
         const Recording recording = squeeze(ForceHold::Zero, 90, 4).make();
-        RecursiveEstimator first = followed(recording, optionsFor(recording));
+        RecursiveEstimator first = followed(recording, recursiveOptions(recording));
         const RecursiveEstimator copy = first;
         const Eigen::Vector3d before = copy.state().parameters->vector();
         for (int i = 0; i < 100; ++i)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Residuals that are not white: what output error says about its errors then, in repeated experiments.
-#include "core/identification/force_noise.h"
-#include "core/identification/noise_model.h"
-#include "core/identification/output_error.h"
+#include "core/identification/noise/noise_model.h"
+#include "core/identification/noise/residual_noise.h"
+#include "core/identification/output_error/output_error.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -44,7 +44,7 @@ Recording record(Synthetic synthetic, const Noise& noise)
     return recording;
 }
 
-Estimate estimate(const Recording& recording)
+Estimate noiseEstimate(const Recording& recording)
 {
     OutputErrorOptions options;
     options.sampleTime_s = recording.sampleTime_s;
@@ -91,7 +91,7 @@ private slots:
             synthetic.samples = std::size_t(samples);
             synthetic.fitPercent = fit;
             synthetic.hold = straight ? ForceHold::First : ForceHold::Zero;
-            const Estimate e = estimate(record(synthetic, {forceNoise, correlation}));
+            const Estimate e = noiseEstimate(record(synthetic, {forceNoise, correlation}));
             QVERIFY(e.status == EstimateStatus::Converged);
             const Eigen::Vector3d z =
                 (e.parameters->vector() - synthetic.truth.vector()).cwiseQuotient(*e.standardErrors());
@@ -118,7 +118,7 @@ private slots:
     {
         Synthetic synthetic;
         synthetic.fitPercent = 90;
-        const Estimate e = estimate(synthetic.make());
+        const Estimate e = noiseEstimate(synthetic.make());
         QVERIFY(!e.noise);
         QCOMPARE(*e.residuals.errorInflation, 1.0);
     }
@@ -127,7 +127,7 @@ private slots:
         Synthetic synthetic;
         synthetic.fitPercent = 95;
         const Recording recording = record(synthetic, {0.1, 0});
-        const Estimate e = estimate(recording);
+        const Estimate e = noiseEstimate(recording);
         QVERIFY(e.noise && e.noise->forceDeviation);
         for (const double scale : {1e-6, 1e6}) {
             Recording scaled = recording;
@@ -135,7 +135,7 @@ private slots:
                 u *= scale;
             for (double& y : scaled.position)
                 y /= scale;
-            const Estimate s = estimate(scaled);
+            const Estimate s = noiseEstimate(scaled);
             QVERIFY(s.noise && s.noise->forceDeviation);
             QVERIFY(std::abs(*s.noise->forceDeviation / scale / *e.noise->forceDeviation - 1) < 1e-6);
             const Eigen::Vector3d ratio = s.standardErrors()->cwiseQuotient(*e.standardErrors());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/orthonormal_rows.h"
-#include "core/identification/residual_tests.h"
-#include "core/identification/tall_qr.h"
-#include "core/signal/gaussian.h"
+#include "core/identification/noise/residual_tests.h"
+#include "core/math/decompositions.h"
+#include "core/math/gaussian.h"
+#include "core/math/sequential_qr.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -56,7 +56,7 @@ std::optional<double> inputP(double coupling, std::uint64_t seed)
 {
     const std::vector<double> u = whiteNoise(200, 2 * seed);
     const std::vector<double> e = whiteNoise(200, 2 * seed + 1);
-    TallQr qr(2 + inputLags.size());
+    SequentialQr qr(2 + inputLags.size());
     for (std::size_t t = 0; t < u.size(); ++t) {
         auto row = qr.nextRow();
         row(0) = 1;
@@ -191,7 +191,7 @@ private slots:
     void columnsThatAreNoNewsDoNotCount()
     {
         // The extra column is the model's own: nothing to test.
-        TallQr qr(3);
+        SequentialQr qr(3);
         const std::vector<double> e = whiteNoise(100, 9);
         for (std::size_t t = 0; t < 100; ++t) {
             auto row = qr.nextRow();

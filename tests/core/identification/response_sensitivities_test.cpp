@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/response_sensitivities.h"
+#include "core/identification/model/response_sensitivities.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measured records of a public benchmark, read from outside the tree; skipped where they are absent.
 #include "core/identification/identification.h"
-#include "core/signal/recording_csv.h"
+#include "core/signal/recording/recording_csv.h"
 #include "tests/support/test_registry.h"
 
 #include <QFileInfo>
@@ -69,7 +69,8 @@ private slots:
         const Identification found = identify(read(u"multisine_a.csv"_s), options);
         QCOMPARE(toString(found.recommended), u"duffing"_s);
         QVERIFY(*found.best()->fit.simulationPercent >= 98.0);
-        QVERIFY2(found.comparison.sentence.contains(u"stiffening"_s), qPrintable(found.comparison.sentence));
+        QVERIFY2(found.comparison.sentence.describe().contains(u"stiffening"_s),
+                 qPrintable(found.comparison.sentence.describe()));
         options.estimators = {Estimator::OutputError};
         const Identification linear = identify(read(u"multisine_a.csv"_s), options);
         QCOMPARE(toString(linear.recommended), u"oe"_s);

@@ -2,7 +2,7 @@
 // What identify() makes of the hold's evidence: alone, with earlier squeezes, and in the intervals of m, b,
 // k.
 #include "core/identification/identification.h"
-#include "core/identification/identification_json.h"
+#include "core/identification/result/identification_json.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -70,20 +70,21 @@ private slots:
         const std::vector<Identification> wrong = series(ForceHold::First, 75, 20);
         const ValidityCheck& first = holdCheck(wrong.front());
         QVERIFY(first.ok);
-        QVERIFY(first.message.contains(u"this record cannot tell it from zoh"_s));
+        QVERIFY(first.message.describe().contains(u"this record cannot tell it from zoh"_s));
         const ValidityCheck& last = holdCheck(wrong.back());
         QVERIFY(!last.ok);
         QCOMPARE(*last.value, *wrong.back().summedHold.gain);
         QCOMPARE(wrong.back().summedHold.squeezes, 20);
         for (const QString& words : {u"over 20 squeezes with gripper G-7"_s, u"zoh"_s, u"foh"_s, u"lag"_s})
-            QVERIFY2(last.message.contains(words), qPrintable(last.message));
+            QVERIFY2(last.message.describe().contains(words), qPrintable(last.message.describe()));
         // One squeeze by itself is as it was.
         QVERIFY(wrong.back().holdEvidence.verdict() == HoldVerdict::Ambiguous);
 
         const ValidityCheck right = holdCheck(series(ForceHold::Zero, 75, 20).back());
         QVERIFY(right.ok);
-        QVERIFY2(right.message.contains(u"over 20 squeezes with gripper G-7 the position agrees"_s),
-                 qPrintable(right.message));
+        QVERIFY2(
+            right.message.describe().contains(u"over 20 squeezes with gripper G-7 the position agrees"_s),
+            qPrintable(right.message.describe()));
     }
     void theIntervalNarrowsAsTheHoldIsSettled()
     {
@@ -110,7 +111,7 @@ private slots:
         const Identification changed =
             identifyAs(squeezeOf(94, ForceHold::First, 11), ForceHold::First, earlier);
         QVERIFY(!holdCheck(changed).ok);
-        QVERIFY(holdCheck(changed).message.contains(u"This squeeze alone agrees with foh"_s));
+        QVERIFY(holdCheck(changed).message.describe().contains(u"This squeeze alone agrees with foh"_s));
     }
     void whatEarlierSqueezesDeclaredOtherwiseDoesNotCount()
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/output_error.h"
-#include "core/identification/uncertainty_budget.h"
-#include "core/signal/frame_compliance.h"
+#include "core/identification/output_error/output_error.h"
+#include "core/identification/uncertainty/uncertainty_budget.h"
+#include "core/signal/preparation/preparation_parts.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -18,7 +18,7 @@ using test::Synthetic;
 namespace {
 
 /// Can A in SI units (science.md), squeezed with bits of 5 ms, 1,000 samples a second twice over.
-Synthetic canA()
+Synthetic budgetCan()
 {
     Synthetic synthetic;
     synthetic.truth = {0.0396, 43.0, 9990.0};
@@ -31,7 +31,7 @@ Synthetic canA()
     return synthetic;
 }
 
-OutputErrorOptions optionsFor(const Synthetic& synthetic)
+OutputErrorOptions budgetOptions(const Synthetic& synthetic)
 {
     OutputErrorOptions options;
     options.sampleTime_s = synthetic.sampleTime_s;
@@ -53,16 +53,16 @@ bool covers(const CoverageInterval& interval, double truth)
 }
 
 /// How often the intervals of m, b and k hold the truth over `runs` records that `spoil` has changed.
-std::array<int, 3> countCovered(Synthetic synthetic, int runs, const MeasuringChain& chain,
+std::array<int, 3> countCovered(Synthetic synthetic, int budgetRuns, const MeasuringChain& chain,
                                 const std::function<void(Recording&, GaussianNoise&)>& spoil)
 {
     std::array<int, 3> covered{};
     GaussianNoise draw(77);
-    for (int run = 0; run < runs; ++run) {
+    for (int run = 0; run < budgetRuns; ++run) {
         synthetic.seed = static_cast<std::uint64_t>(run) + 1;
         Recording recording = synthetic.make();
         spoil(recording, draw);
-        OutputErrorOptions options = optionsFor(synthetic);
+        OutputErrorOptions options = budgetOptions(synthetic);
         options.lag_s = recording.forceLag_s;
         const UncertaintyBudget budget = budgetOf(recording, options, chain);
         const Eigen::Vector3d truth = synthetic.truth.vector();
@@ -73,20 +73,20 @@ std::array<int, 3> countCovered(Synthetic synthetic, int runs, const MeasuringCh
 }
 
 /// A true 95 % fails this once in 10,000 for all seeds together; the seeds are fixed.
-bool isNinetyFivePercent(int covered, int runs)
+bool isNinetyFivePercent(int covered, int budgetRuns)
 {
-    const boost::math::binomial misses(runs, 0.05);
-    const int missed = runs - covered;
+    const boost::math::binomial misses(budgetRuns, 0.05);
+    const int missed = budgetRuns - covered;
     return missed <= boost::math::quantile(boost::math::complement(misses, 5e-5)) &&
            missed >= boost::math::quantile(misses, 5e-5);
 }
 
-#define VERIFY_COVERAGE(covered, runs)                                                                       \
+#define VERIFY_COVERAGE(covered, budgetRuns)                                                                 \
     for (std::size_t i = 0; i < 3; ++i)                                                                      \
-    QVERIFY2(isNinetyFivePercent((covered)[i], runs),                                                        \
-             qPrintable(u"parameter %1: %2 of %3"_s.arg(i).arg((covered)[i]).arg(runs)))
+    QVERIFY2(isNinetyFivePercent((covered)[i], budgetRuns),                                                  \
+             qPrintable(u"parameter %1: %2 of %3"_s.arg(i).arg((covered)[i]).arg(budgetRuns)))
 
-constexpr int runs = 300;
+constexpr int budgetRuns = 300;
 
 } // namespace
 
@@ -95,9 +95,9 @@ class UncertaintyBudgetTest : public QObject {
 private slots:
     void noiseAloneGivesTheEstimatesOwnErrors()
     {
-        const Synthetic synthetic = canA();
+        const Synthetic synthetic = budgetCan();
         const Recording recording = synthetic.make();
-        const OutputErrorOptions options = optionsFor(synthetic);
+        const OutputErrorOptions options = budgetOptions(synthetic);
         const Estimate e = estimateOutputError(recording.force, recording.position, options);
         const UncertaintyBudget budget =
             uncertaintyBudget(e, recording.force, recording.position, options, {}, {});
@@ -126,14 +126,14 @@ private slots:
         // square of the effect (a thousandth here, so some 1e-3 of the shift).
         QFETCH(int, effect);
         QFETCH(bool, straight);
-        Synthetic synthetic = canA();
+        Synthetic synthetic = budgetCan();
         synthetic.fitPercent = 100;
         synthetic.hold = straight ? ForceHold::First : ForceHold::Zero;
         synthetic.lag_s = 1.3 * synthetic.sampleTime_s;
         synthetic.x0 = 1e-3;
         synthetic.offset = 0.01;
         const Recording recording = synthetic.make();
-        OutputErrorOptions options = optionsFor(synthetic);
+        OutputErrorOptions options = budgetOptions(synthetic);
         MeasuringChain chain;
         std::vector<double> spoiled = recording.position;
         if (effect == 0) {
@@ -161,10 +161,10 @@ private slots:
         MeasuringChain chain;
         chain.forceLagUncertainty_s = 100e-6; // m by 11 % (science.md)
         const auto covered =
-            countCovered(canA(), runs, chain, [&](Recording& recording, GaussianNoise& draw) {
+            countCovered(budgetCan(), budgetRuns, chain, [&](Recording& recording, GaussianNoise& draw) {
                 recording.forceLag_s += chain.forceLagUncertainty_s * draw();
             });
-        VERIFY_COVERAGE(covered, runs);
+        VERIFY_COVERAGE(covered, budgetRuns);
     }
 
     void theFramesComplianceIsCovered()
@@ -173,28 +173,28 @@ private slots:
         MeasuringChain chain;
         chain.frameComplianceUncertainty = 1e-6;
         const auto covered =
-            countCovered(canA(), runs, chain, [&](Recording& recording, GaussianNoise& draw) {
+            countCovered(budgetCan(), budgetRuns, chain, [&](Recording& recording, GaussianNoise& draw) {
                 for (std::size_t i = 0; i < recording.size(); ++i)
                     recording.position[i] += 1e-5 * recording.force[i];
                 const double measured = 1e-5 + chain.frameComplianceUncertainty * draw();
                 recording.position = withoutFrame(recording.position, recording.force, measured);
             });
-        VERIFY_COVERAGE(covered, runs);
+        VERIFY_COVERAGE(covered, budgetRuns);
     }
 
     void aFrameLeftOutIsNotCoveredAndOneTakenOffIs()
     {
-        const Synthetic synthetic = canA();
+        const Synthetic synthetic = budgetCan();
         Recording recording = synthetic.make();
         for (std::size_t i = 0; i < recording.size(); ++i)
             recording.position[i] += 1e-5 * recording.force[i];
-        const UncertaintyBudget naive = budgetOf(recording, optionsFor(synthetic), {});
+        const UncertaintyBudget naive = budgetOf(recording, budgetOptions(synthetic), {});
         // 9.1 % in series (science.md), less what the compliance under the moving mass adds.
         QVERIFY(naive.parameters->k < 0.95 * 9990);
         MeasuringChain chain;
         chain.frameComplianceUncertainty = 1e-6;
         recording.position = withoutFrame(recording.position, recording.force, 1.1e-5);
-        const UncertaintyBudget budget = budgetOf(recording, optionsFor(synthetic), chain);
+        const UncertaintyBudget budget = budgetOf(recording, budgetOptions(synthetic), chain);
         QVERIFY(covers(budget.intervals[2], 9990));
         QVERIFY(budget.find(u"frame_compliance"_s)->share(2) > 0.5);
     }
@@ -205,7 +205,7 @@ private slots:
         chain.forceScaleUncertainty = 0.02;
         chain.positionScaleUncertainty = 0.03;
         const auto covered =
-            countCovered(canA(), runs, chain, [&](Recording& recording, GaussianNoise& draw) {
+            countCovered(budgetCan(), budgetRuns, chain, [&](Recording& recording, GaussianNoise& draw) {
                 const double force = 1 + chain.forceScaleUncertainty * draw();
                 const double position = 1 + chain.positionScaleUncertainty * draw();
                 for (std::size_t i = 0; i < recording.size(); ++i) {
@@ -213,7 +213,7 @@ private slots:
                     recording.position[i] *= position;
                 }
             });
-        VERIFY_COVERAGE(covered, runs);
+        VERIFY_COVERAGE(covered, budgetRuns);
     }
 
     void aStatedForceNoiseIsCovered_data()
@@ -230,21 +230,21 @@ private slots:
         MeasuringChain chain;
         QFETCH(double, deviation);
         chain.forceNoiseDeviation = deviation;
-        Synthetic synthetic = canA();
+        Synthetic synthetic = budgetCan();
         synthetic.fitPercent = fit;
         const auto covered =
-            countCovered(synthetic, runs, chain, [&](Recording& recording, GaussianNoise& draw) {
+            countCovered(synthetic, budgetRuns, chain, [&](Recording& recording, GaussianNoise& draw) {
                 for (double& u : recording.force)
                     u += chain.forceNoiseDeviation * draw();
             });
-        VERIFY_COVERAGE(covered, runs);
+        VERIFY_COVERAGE(covered, budgetRuns);
     }
 
     void aColourThatForceNoiseDoesNotExplainKeepsItsOwnModel()
     {
-        const Synthetic synthetic = canA();
+        const Synthetic synthetic = budgetCan();
         const Recording recording = synthetic.make();
-        const OutputErrorOptions options = optionsFor(synthetic);
+        const OutputErrorOptions options = budgetOptions(synthetic);
         MeasuringChain chain;
         chain.forceNoiseDeviation = 0.01; // a thousandth of the force: no colour to speak of
         Estimate e = estimateOutputError(recording.force, recording.position, options);
@@ -262,11 +262,11 @@ private slots:
 
     void theEmptyGrippersPartIsTakenOff()
     {
-        const Synthetic synthetic = canA();
+        const Synthetic synthetic = budgetCan();
         const Recording recording = synthetic.make();
         MeasuringChain chain;
         chain.baseline = GripperBaseline{{0.01, 13, 90}, {0.001, 2, 30}};
-        const UncertaintyBudget budget = budgetOf(recording, optionsFor(synthetic), chain);
+        const UncertaintyBudget budget = budgetOf(recording, budgetOptions(synthetic), chain);
         QVERIFY(std::abs(budget.parameters->m - 0.0296) < 0.005);
         QVERIFY(std::abs(budget.parameters->b - 30) < 5);
         QCOMPARE(budget.find(u"baseline"_s)->standardUncertainties()(2), 30.0);
@@ -275,9 +275,9 @@ private slots:
 
     void theOtherHoldLiesWithinTheIntervalWhereTheRecordCannotTell()
     {
-        const Synthetic synthetic = canA();
+        const Synthetic synthetic = budgetCan();
         const Recording recording = synthetic.make();
-        OutputErrorOptions options = optionsFor(synthetic);
+        OutputErrorOptions options = budgetOptions(synthetic);
         const Estimate e = estimateOutputError(recording.force, recording.position, options);
         options.hold = ForceHold::Zero;
         const Estimate other = estimateOutputError(recording.force, recording.position, options);
@@ -305,12 +305,12 @@ private slots:
     void aTrueModelIsNotChargedWithDiscrepancy()
     {
         // Once in a thousand by construction; none to two in 300 runs (binomial, 0.3 %).
-        Synthetic synthetic = canA();
+        Synthetic synthetic = budgetCan();
         synthetic.fitPercent = 90;
         int charged = 0;
-        for (int run = 0; run < runs; ++run) {
+        for (int run = 0; run < budgetRuns; ++run) {
             synthetic.seed = static_cast<std::uint64_t>(run) + 1;
-            const UncertaintyBudget budget = budgetOf(synthetic.make(), optionsFor(synthetic), {});
+            const UncertaintyBudget budget = budgetOf(synthetic.make(), budgetOptions(synthetic), {});
             charged += budget.lines.size() > 1 ? 1 : 0;
         }
         QVERIFY2(charged <= 2, qPrintable(QString::number(charged)));
@@ -319,11 +319,11 @@ private slots:
     void colouredNoiseIsNotTakenForAMissingTerm()
     {
         // Autoregressive noise, 0.8: without whitening half of all records were charged.
-        Synthetic synthetic = canA();
+        Synthetic synthetic = budgetCan();
         synthetic.fitPercent = 100;
         GaussianNoise draw(6);
         int charged = 0;
-        for (int run = 0; run < runs; ++run) {
+        for (int run = 0; run < budgetRuns; ++run) {
             synthetic.seed = static_cast<std::uint64_t>(run) + 1;
             Recording recording = synthetic.make();
             double e = 0;
@@ -331,7 +331,7 @@ private slots:
                 e = 0.8 * e + 1e-5 * draw();
                 y += e;
             }
-            const UncertaintyBudget budget = budgetOf(recording, optionsFor(synthetic), {});
+            const UncertaintyBudget budget = budgetOf(recording, budgetOptions(synthetic), {});
             charged += budget.lines.size() > 1 ? 1 : 0;
         }
         // The noise model is estimated too: up to 1 % allowed, more than 9 of 300 once in 1,000 (binomial).
@@ -348,18 +348,18 @@ private slots:
 
     void unitsDoNotMatter()
     {
-        const Synthetic synthetic = canA();
+        const Synthetic synthetic = budgetCan();
         Recording recording = synthetic.make();
         MeasuringChain chain;
         chain.forceLagUncertainty_s = 50e-6;
         chain.frameComplianceUncertainty = 1e-6;
-        const UncertaintyBudget si = budgetOf(recording, optionsFor(synthetic), chain);
+        const UncertaintyBudget si = budgetOf(recording, budgetOptions(synthetic), chain);
         for (double& u : recording.force)
             u *= 1e6;
         for (double& y : recording.position)
             y *= 1e-6;
         chain.frameComplianceUncertainty *= 1e-12;
-        const UncertaintyBudget other = budgetOf(recording, optionsFor(synthetic), chain);
+        const UncertaintyBudget other = budgetOf(recording, budgetOptions(synthetic), chain);
         for (std::size_t i = 0; i < 3; ++i)
             QVERIFY(
                 std::abs(other.combined[i].standardUncertainty / (1e12 * si.combined[i].standardUncertainty) -

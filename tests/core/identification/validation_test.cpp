@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/duffing.h"
 #include "core/identification/identification.h"
-#include "core/identification/validation_json.h"
-#include "core/identification/validation_records.h"
+#include "core/identification/result/identification_json.h"
+#include "core/identification/validation/validation.h"
 #include "tests/core/identification/controlled_gripper.h"
+#include "tests/core/identification/duffing_simulation.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
 
@@ -28,7 +28,7 @@ IdentificationOptions outputErrorOnly()
 Validation against(const Recording& first, const Recording& second)
 {
     const Identification found = identify(first, outputErrorOnly());
-    return validateOnRecording(*found.best(), first, second, u"other.csv"_s, outputErrorOnly());
+    return validateOnRecording(*found.best(), first, second, u"other.csv"_s, outputErrorOnly().hold);
 }
 
 Synthetic squeeze(std::uint64_t seed, double fitPercent = 90)
@@ -48,8 +48,8 @@ Recording cubicSqueeze(double k3, double peak, std::uint64_t seed)
     synthetic.peak = peak;
     synthetic.x0 = synthetic.offset = 0;
     Recording recording = synthetic.make();
-    recording.position = simulateDuffing(synthetic.truth, k3, recording.force,
-                                         {recording.sampleTime_s, *recording.hold, 0, 0, 0, 0});
+    recording.position = test::simulateDuffing(synthetic.truth, k3, recording.force,
+                                               {recording.sampleTime_s, *recording.hold, 0, 0, 0, 0});
     GaussianNoise noise(seed);
     for (double& y : recording.position)
         y += 0.05 * noise();
@@ -127,7 +127,7 @@ private slots:
         QVERIFY(found.change);
         QVERIFY(std::abs((*found.change)(2) - 0.1) < 3 * (*found.changeErrors)(2) + 0.01);
         QVERIFY(*found.fit.simulationPercent < *found.expectedPercent);
-        QVERIFY(found.message.contains(u"k by +"_s));
+        QVERIFY(found.message.describe().contains(u"k by +"_s));
     }
     void quiteAnotherObjectIsFoundOut()
     {
@@ -145,11 +145,11 @@ private slots:
         const Identification found = identify(first, options);
         const Recording second = cubicSqueeze(k3, 1, 4);
         const Validation cubic = validateOnRecording(*found.find(Estimator::Duffing), first, second, {}, {});
-        QVERIFY2(cubic.asExpected.value_or(false), qPrintable(cubic.message));
+        QVERIFY2(cubic.asExpected.value_or(false), qPrintable(cubic.message.describe()));
         QVERIFY(cubic.k3.has_value());
         const Validation linear =
             validateOnRecording(*found.find(Estimator::OutputError), first, second, {}, {});
-        QVERIFY2(linear.asExpected.has_value() && !*linear.asExpected, qPrintable(linear.message));
+        QVERIFY2(linear.asExpected.has_value() && !*linear.asExpected, qPrintable(linear.message.describe()));
         QVERIFY(*linear.fit.simulationPercent < *cubic.fit.simulationPercent);
     }
     void aMissingTermThatRepeatsIsNamedAsColour()
@@ -159,7 +159,7 @@ private slots:
         const Identification found = identify(first, outputErrorOnly());
         const Validation linear = validateOnRecording(*found.best(), first, cubicSqueeze(k3, 1, 4), {}, {});
         QVERIFY(*linear.whitenessP < 1e-4);
-        QVERIFY2(linear.message.contains(u"not white"_s), qPrintable(linear.message));
+        QVERIFY2(linear.message.describe().contains(u"not white"_s), qPrintable(linear.message.describe()));
     }
     void anArxEstimateThatPredictsWellIsFoundOut()
     {
@@ -178,7 +178,8 @@ private slots:
     {
         const Identification found = identify(squeeze(9).make());
         QVERIFY(found.validation.available());
-        QVERIFY2(found.validation.asExpected.value_or(false), qPrintable(found.validation.message));
+        QVERIFY2(found.validation.asExpected.value_or(false),
+                 qPrintable(found.validation.message.describe()));
         QCOMPARE(found.validation.estimatedOn, (Window{0, 240}));
         QCOMPARE(found.validation.validatedOn, (Window{240, 160}));
         QCOMPARE(found.validation.time_s.front(), found.time_s[240]);
@@ -190,7 +191,7 @@ private slots:
         shortOne.samples = 60;
         const Identification found = identify(shortOne.make());
         QVERIFY(!found.validation.available());
-        QVERIFY(found.validation.message.contains(u"too few"_s));
+        QVERIFY(found.validation.message.describe().contains(u"too few"_s));
     }
     void unitsAreBroughtTogetherOrRefused()
     {
@@ -204,7 +205,7 @@ private slots:
         second.positionUnit = u"1"_s;
         const Validation refused = against(first, second);
         QVERIFY(!refused.available() && !refused.asExpected);
-        QVERIFY(refused.message.contains(u"cannot be compared"_s));
+        QVERIFY(refused.message.describe().contains(u"cannot be compared"_s));
     }
     void lostSamplesAreLeftOut()
     {
@@ -246,9 +247,10 @@ private slots:
         const Identification found = identify(recording, options);
         QVERIFY(found.repetition && found.repetition->periods >= 6); // of 8; the servo settles in the first
         QVERIFY(found.best());
-        const Validation validation = validateOnRecording(*found.best(), recording, recording, {}, options);
+        const Validation validation =
+            validateOnRecording(*found.best(), recording, recording, {}, options.hold);
         QVERIFY(validation.available() && !validation.asExpected);
-        QVERIFY(validation.message.contains(u"not judged"_s));
+        QVERIFY(validation.message.describe().contains(u"not judged"_s));
     }
     void nothingBreaksOnOddRecords()
     {

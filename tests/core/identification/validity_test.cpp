@@ -62,10 +62,22 @@ class ValidityTest : public QObject {
 private slots:
     void everyCheckOfTheContractIsThereOnceInOrder()
     {
-        const QStringList ids{u"samples_lost"_s,       u"saturation"_s,         u"excitation"_s,
-                              u"residual_whiteness"_s, u"input_independence"_s, u"hold"_s,
-                              u"convergence"_s,        u"physical_range"_s,     u"fit"_s,
-                              u"calibration"_s,        u"linearity"_s,          u"feedback"_s,
+        const QStringList ids{u"samples_lost"_s,
+                              u"saturation"_s,
+                              u"stuck"_s,
+                              u"device_fault"_s,
+                              u"clock"_s,
+                              u"sample_time"_s,
+                              u"excitation"_s,
+                              u"residual_whiteness"_s,
+                              u"input_independence"_s,
+                              u"hold"_s,
+                              u"convergence"_s,
+                              u"physical_range"_s,
+                              u"fit"_s,
+                              u"calibration"_s,
+                              u"linearity"_s,
+                              u"feedback"_s,
                               u"preparation"_s};
         for (const bool good : {true, false}) {
             QStringList got;
@@ -164,8 +176,8 @@ private slots:
         recording.provenance[u"stream"_s] = stream;
         const Identification found = identifyByOutputError(recording);
         QCOMPARE(toString(found.validity.verdict), verdict);
-        QVERIFY2(check(found, u"samples_lost"_s).message.contains(word),
-                 qPrintable(check(found, u"samples_lost"_s).message));
+        QVERIFY2(check(found, u"samples_lost"_s).message.describe().contains(word),
+                 qPrintable(check(found, u"samples_lost"_s).message.describe()));
         QCOMPARE(check(found, u"samples_lost"_s).ok, verdict == u"valid"_s);
     }
     void aStepOfTheClockMakesAMeasurementSuspectThenInvalid_data()
@@ -188,8 +200,8 @@ private slots:
         }
         const Identification found = identifyByOutputError(recording);
         QCOMPARE(toString(found.validity.verdict), verdict);
-        QVERIFY(check(found, u"samples_lost"_s).message.contains(u"clock jumped"_s));
-        QVERIFY(!check(found, u"samples_lost"_s).message.contains(u"missing"_s));
+        QVERIFY(check(found, u"samples_lost"_s).message.describe().contains(u"clock jumped"_s));
+        QVERIFY(!check(found, u"samples_lost"_s).message.describe().contains(u"missing"_s));
     }
     void anEstimateOfAPartSaysSo()
     {
@@ -203,9 +215,11 @@ private slots:
         const Identification found = identify(recording, options);
         QVERIFY(found.best());
         QCOMPARE(found.best()->part, (Window{0, 1200}));
-        QVERIFY2(check(found, u"samples_lost"_s).message.contains(u"1200 of 2000"_s),
-                 qPrintable(check(found, u"samples_lost"_s).message));
-        QVERIFY(!check(identifyByOutputError(recording), u"samples_lost"_s).message.contains(u"longest"_s));
+        QVERIFY2(check(found, u"samples_lost"_s).message.describe().contains(u"1200 of 2000"_s),
+                 qPrintable(check(found, u"samples_lost"_s).message.describe()));
+        QVERIFY(!check(identifyByOutputError(recording), u"samples_lost"_s)
+                     .message.describe()
+                     .contains(u"longest"_s));
     }
     void saturationMakesAMeasurementSuspectThenInvalid()
     {
@@ -227,7 +241,7 @@ private slots:
         const Identification found = identify(synthetic.make());
         const ValidityCheck& excitation = check(found, u"excitation"_s);
         QVERIFY(!excitation.ok && excitation.decisive);
-        QVERIFY(excitation.message.contains(u"constant force"_s));
+        QVERIFY(excitation.message.describe().contains(u"constant force"_s));
         QCOMPARE(toString(found.validity.verdict), u"invalid"_s);
     }
     void aMassThatIsHardlyKnownIsSuspect()
@@ -239,7 +253,8 @@ private slots:
         const Identification found = identifyByOutputError(synthetic.make());
         const ValidityCheck& excitation = check(found, u"excitation"_s);
         QVERIFY(!excitation.ok);
-        QVERIFY2(excitation.message.contains(u"mass"_s), qPrintable(excitation.message));
+        QVERIFY2(excitation.message.describe().contains(u"mass"_s),
+                 qPrintable(excitation.message.describe()));
     }
     void noiseThatIsNotWhiteIsCountedInTheErrorsAndSaid()
     {
@@ -255,7 +270,7 @@ private slots:
         QVERIFY(found.best()->noise);
         QVERIFY(*found.best()->residuals.errorInflation > 2);
         QVERIFY(check(found, u"residual_whiteness"_s).ok);
-        QVERIFY(check(found, u"residual_whiteness"_s).message.contains(u"noise model"_s));
+        QVERIFY(check(found, u"residual_whiteness"_s).message.describe().contains(u"noise model"_s));
         QCOMPARE(toString(found.validity.verdict), u"valid"_s);
     }
     void aMissingCubicSpringShowsInTheResiduals()
@@ -269,7 +284,7 @@ private slots:
             y -= 0.3 * y * y * y / 1e-6;
         const Identification found = identifyByOutputError(recording);
         QVERIFY(!check(found, u"linearity"_s).ok);
-        QVERIFY(check(found, u"linearity"_s).message.contains(u"duffing"_s));
+        QVERIFY(check(found, u"linearity"_s).message.describe().contains(u"duffing"_s));
         QCOMPARE(toString(found.validity.verdict), u"suspect"_s);
     }
     void aWrongHoldIsNamedWhereItCanBeTold()
@@ -281,7 +296,7 @@ private slots:
         recording.hold = ForceHold::First;
         const Identification wrong = identifyByOutputError(recording);
         QVERIFY(!check(wrong, u"hold"_s).ok);
-        QVERIFY(check(wrong, u"hold"_s).message.contains(u"zoh"_s));
+        QVERIFY(check(wrong, u"hold"_s).message.describe().contains(u"zoh"_s));
     }
     void aGoodSqueezeIsRarelyAccused_data()
     {

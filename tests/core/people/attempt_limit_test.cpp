@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/people/attempt_limit.h"
+#include "core/people/person.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/predictive.h"
-#include "core/recognition/separation.h"
+#include "core/recognition/types/predictive.h"
+#include "core/recognition/verdict/judgement.h"
 #include "tests/core/recognition/noisy_types.h"
 #include "tests/support/test_registry.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double deviation = 0.04;
 const Eigen::Matrix3d alike = covarianceOf(deviation, deviation, deviation, 0);
-const Eigen::Matrix3d noise = covarianceOf(0.02, 0.05, 0.01, 0.4);
+const Eigen::Matrix3d scatterNoise = covarianceOf(0.02, 0.05, 0.01, 0.4);
 
 /// How many of these enrolments see scatter that is alike, and the mean of what they take it for.
 struct Seen {
@@ -29,7 +29,7 @@ Seen enrol(const Eigen::Matrix3d& between, int squeezes, int enrolments)
     NoisyTypes source(11, between);
     Seen seen;
     for (int run = 0; run < enrolments; ++run) {
-        const TypeModels models = fitTypeModels(source.enrolment(4, squeezes, noise));
+        const TypeModels models = fitTypeModels(source.enrolment(4, squeezes, scatterNoise));
         if (!models.scatter.alikeVariance)
             continue;
         seen.alike += 1;
@@ -72,11 +72,11 @@ private slots:
     void squeezesThatScatterLessThanTheirNoiseGiveThatNoise()
     {
         NoisyTypes source(12, 1e-12 * alike);
-        const TypeModels models = fitTypeModels(source.enrolment(4, 3, noise));
+        const TypeModels models = fitTypeModels(source.enrolment(4, 3, scatterNoise));
         QVERIFY(models.scatter.alikeVariance);
         QVERIFY(*models.scatter.alikeVariance > 0 && *models.scatter.alikeVariance < 0.01 * 0.01);
         const Eigen::Vector3d log = models.types[0].meanLog;
-        for (const TypePrediction& prediction : predictTypes(models, log, noise, {})) {
+        for (const TypePrediction& prediction : predictTypes(models, log, scatterNoise, {})) {
             QVERIFY(prediction.alikeCovariance);
             QVERIFY((*prediction.alikeCovariance - prediction.covariance).norm() <
                     2 * prediction.covariance.norm());
@@ -97,7 +97,7 @@ private slots:
     void typesThatSpreadInTheirOwnWayAreNotHeldToOneShape()
     {
         NoisyTypes source(13, alike);
-        const TypeModels models = fitTypeModels(source.enrolment(4, 3, noise));
+        const TypeModels models = fitTypeModels(source.enrolment(4, 3, scatterNoise));
         const Eigen::Vector3d log = models.types[0].meanLog;
         PredictionOptions robust;
         robust.robust = true;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/cluster_advice.h"
-#include "core/recognition/feature_scaling.h"
-#include "core/recognition/paper_appendix.h"
-#include "core/signal/gaussian.h"
+#include "core/clustering/cluster_advice.h"
+#include "core/clustering/feature_scaling.h"
+#include "core/math/gaussian.h"
+#include "core/recognition/types/paper_appendix.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -51,7 +51,8 @@ private slots:
               ClusterCriterion::DaviesBouldin})
             QCOMPARE(vote(*advice, criterion), std::optional(4));
         QCOMPARE(advice->clusters, 4);
-        QVERIFY(advice->reason.startsWith(u"4 groups: silhouette, Calinski-Harabasz, Davies-Bouldin"_s));
+        QVERIFY(advice->reason.describe().startsWith(
+            u"4 groups: silhouette, Calinski-Harabasz, Davies-Bouldin"_s));
         QCOMPARE(advice->figures.size(), std::size_t(8));
         QCOMPARE(advice->itemsUsed, Eigen::Index(40));
         QVERIFY(std::abs(advice->figures[3].inertia - 3.14528774528) < 1e-10);
@@ -67,7 +68,7 @@ private slots:
         QCOMPARE(vote(*advice, ClusterCriterion::Gap), std::optional(1));
         QCOMPARE(vote(*advice, ClusterCriterion::Bic), std::optional(1));
         QCOMPARE(advice->clusters, 1);
-        QVERIFY(advice->reason.startsWith(u"One group"_s));
+        QVERIFY(advice->reason.describe().startsWith(u"One group"_s));
     }
     void cloudsFarApartAreCounted_data()
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/cluster_agreement.h"
+#include "core/clustering/cluster_agreement.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Five tables against what scikit-learn found in them (tests/data/clusters/make_tables.py).
-#include "core/recognition/cluster_indices.h"
-#include "core/recognition/feature_table.h"
-#include "core/recognition/kmeans.h"
+#include "core/clustering/cluster_advice.h"
+#include "core/clustering/feature_table.h"
+#include "core/clustering/kmeans.h"
 #include "tests/support/test_registry.h"
 
 #include <QFile>

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/drift.h"
-#include "core/recognition/run_length.h"
-#include "core/recognition/self_starting_chart.h"
+#include "core/quality/drift.h"
 #include "tests/core/recognition/noisy_types.h"
 #include "tests/support/test_registry.h"
 
@@ -16,13 +14,14 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-const Eigen::Matrix3d between = covarianceOf(0.03, 0.04, 0.03, 0.2);
-const Eigen::Matrix3d noise = covarianceOf(0.01, 0.01, 0.005, 0);
+const Eigen::Matrix3d driftBetween = covarianceOf(0.03, 0.04, 0.03, 0.2);
+const Eigen::Matrix3d driftNoise = covarianceOf(0.01, 0.01, 0.005, 0);
 
 /// Types A, B, C of 10 squeezes, and later ones that something was done to.
 struct Bench {
     explicit Bench(std::uint64_t seed, int types = 3, int enrolled = 10)
-        : source(seed, between), models(fitTypeModels(source.enrolment(types, enrolled, noise))), count(types)
+        : source(seed, driftBetween), models(fitTypeModels(source.enrolment(types, enrolled, driftNoise))),
+          count(types)
     {
     }
 
@@ -32,9 +31,10 @@ struct Bench {
         std::vector<TypeSqueeze> result;
         for (int i = 0; i < squeezes; ++i)
             for (int type = 0; type < count; ++type) {
-                const Eigen::Vector3d log = source.log(NoisyTypes::mean(type), noise);
+                const Eigen::Vector3d log = source.log(NoisyTypes::mean(type), driftNoise);
                 const Eigen::Vector3d p = change(type, log.array().exp());
-                result.push_back(NoisyTypes::squeeze(QString(QChar(u'A' + type)), p.array().log(), noise));
+                result.push_back(
+                    NoisyTypes::squeeze(QString(QChar(u'A' + type)), p.array().log(), driftNoise));
             }
         return result;
     }
@@ -95,7 +95,7 @@ private slots:
             SelfStartingChart chart(bench.models, 0, weight);
             while (chart.squeezes() < longest && chart.average().cwiseAbs().maxCoeff() <= limit &&
                    chart.tSquared() <= joint)
-                chart.add(bench.source.log(NoisyTypes::mean(0), noise), noise);
+                chart.add(bench.source.log(NoisyTypes::mean(0), driftNoise), driftNoise);
             total += chart.squeezes();
         }
         // At least the stated one, since four charts that go together share it out; with four alike it would
@@ -132,7 +132,7 @@ private slots:
         const Eigen::Vector3d error = report.factor->value - Eigen::Vector3d::Constant(std::log(1.1));
         for (int i = 0; i < 3; ++i)
             QVERIFY(std::abs(error(i)) < 4 * std::sqrt(report.factor->covariance(i, i)));
-        QVERIFY(report.words[0].contains(u"calibration"_s));
+        QVERIFY(report.words[0].describe().contains(u"calibration"_s));
         for (const TypeDrift& type : report.types)
             QVERIFY(type.firstAlarm && *type.firstAlarm <= 20);
     }
@@ -147,7 +147,7 @@ private slots:
         for (int i = 0; i < 3; ++i) // to first order: a tenth of it
             QVERIFY(std::abs(report.addition->value(i) - more(i)) <
                     0.15 * more(i) + 4 * std::sqrt(report.addition->covariance(i, i)));
-        QVERIFY(report.words[0].contains(u"fingers"_s));
+        QVERIFY(report.words[0].describe().contains(u"fingers"_s));
     }
     void oneTypeAloneIsTheProduct()
     {
@@ -157,7 +157,7 @@ private slots:
         });
         QVERIFY2(report.cause == DriftCause::Product, qPrintable(toString(report.cause)));
         QCOMPARE(report.moved, QStringList{u"B"_s});
-        QVERIFY2(report.words[0].contains(u"only B"_s), qPrintable(report.words[0]));
+        QVERIFY2(report.words[0].describe().contains(u"only B"_s), qPrintable(report.words[0].describe()));
         QVERIFY(report.types[1].firstAlarm && !report.types[0].firstAlarm);
         QVERIFY(std::abs(report.types[1].shift->log(2) - std::log(0.9)) < 0.04);
     }

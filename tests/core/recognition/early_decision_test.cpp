@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/discretization.h"
-#include "core/recognition/early_decision_study.h"
-#include "core/signal/excitation.h"
-#include "core/signal/gaussian.h"
+#include "core/identification/model/discretization.h"
+#include "core/math/gaussian.h"
+#include "core/research/early_decision_study.h"
+#include "core/signal/excitation/excitation.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -17,7 +17,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double sampleTime_s = 0.05;
+constexpr double slowSampleTime_s = 0.05;
 
 CandidateType type(const QString& name, double m, double b, double k)
 {
@@ -33,7 +33,7 @@ std::vector<CandidateType> twoTypes()
 EarlyDecisionOptions heldForce()
 {
     EarlyDecisionOptions options;
-    options.sampleTime_s = sampleTime_s;
+    options.sampleTime_s = slowSampleTime_s;
     options.hold = ForceHold::Zero;
     return options;
 }
@@ -48,12 +48,12 @@ Squeeze squeezeOf(const MassDampingStiffness& object, double noiseDeviation, std
     excitation.peak = 1;
     excitation.bias = 0;
     excitation.bit_s = 0.5;
-    excitation.sampleTime_s = sampleTime_s;
+    excitation.sampleTime_s = slowSampleTime_s;
     excitation.samples = samples;
     excitation.oneSided = false;
     Squeeze squeeze;
     squeeze.force = *makeExcitation(excitation);
-    squeeze.position = simulate(object, squeeze.force, {sampleTime_s, ForceHold::Zero, 0, 0.5, 0, 3});
+    squeeze.position = simulate(object, squeeze.force, {slowSampleTime_s, ForceHold::Zero, 0, 0.5, 0, 3});
     GaussianNoise noise(11);
     for (double& y : squeeze.position)
         y += noiseDeviation * noise();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/discretization.h"
-#include "core/recognition/early_verdict.h"
-#include "core/signal/excitation.h"
-#include "core/signal/gaussian.h"
+#include "core/identification/model/discretization.h"
+#include "core/math/gaussian.h"
+#include "core/recognition/early/early_stop.h"
+#include "core/signal/excitation/excitation.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -179,7 +179,7 @@ private slots:
         const Verdict stands = verdictOnEarlyEnd(verdict, {VerdictKind::Type, u"A"_s, 0.9995, 240}, 0.12);
         QVERIFY(stands.kind == VerdictKind::Type);
         QCOMPARE(stands.type, u"A"_s);
-        QCOMPARE(stands.reasons, QStringList({u"Because."_s, u"Decided after 0.12 s."_s}));
+        QCOMPARE(described(stands.reasons), QStringList({u"Because."_s, u"Decided after 0.12 s."_s}));
     }
 
     void anEndTheRecordContradictsIsInconclusive()
@@ -190,7 +190,8 @@ private slots:
         const Verdict found = verdictOnEarlyEnd(verdict, {VerdictKind::Type, u"A"_s, 0.9995, 240}, 0.12);
         QVERIFY(found.kind == VerdictKind::Inconclusive);
         QVERIFY(found.type.isEmpty());
-        QVERIFY(found.reasons.front().contains(u"A"_s) && found.reasons.front().contains(u"B"_s));
+        QVERIFY(found.reasons.front().describe().contains(u"A"_s) &&
+                found.reasons.front().describe().contains(u"B"_s));
         const Verdict known = verdictOnEarlyEnd(verdict, {VerdictKind::Unknown, {}, 0.9995, 240}, 0.12);
         QVERIFY(known.kind == VerdictKind::Inconclusive);
         verdict.kind = VerdictKind::Invalid;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/enrollment_progress.h"
-#include "core/recognition/held_out_confusion.h"
-#include "core/recognition/paper_appendix.h"
-#include "core/recognition/type_overlap.h"
+#include "core/recognition/enrolment/enrollment_progress.h"
+#include "core/recognition/enrolment/held_out_confusion.h"
+#include "core/recognition/enrolment/type_overlap.h"
+#include "core/recognition/types/paper_appendix.h"
 #include "tests/core/recognition/gaussian_types.h"
 #include "tests/support/test_registry.h"
 
@@ -69,7 +69,7 @@ private slots:
             QCOMPARE(now.gate.has_value(), i >= 4);
             QCOMPARE(*now.moreForMost,
                      std::max(0, 22 - i)); // 4.17 sd, 1.24 times 3.37, with 21 degrees of freedom
-            QVERIFY(!inWords(now).isEmpty());
+            QVERIFY(!inWords(now).empty());
             squeezes.push_back({u"A"_s, source.squeeze(0)});
         }
     }
@@ -78,14 +78,14 @@ private slots:
         GaussianTypes source(3, 0.3, 0.04);
         const auto alone = enrollmentProgress(fitTypeModels(source.enrolment(1, 1)), u"A"_s, plainNumbers());
         QVERIFY(!alone.gate && !alone.stiffnessUncertainty);
-        QVERIFY2(inWords(alone).join(u' ').contains(u"nothing of how squeezes"_s),
-                 qPrintable(inWords(alone).join(u' ')));
+        QVERIFY2(described(inWords(alone)).join(u' ').contains(u"nothing of how squeezes"_s),
+                 qPrintable(described(inWords(alone)).join(u' ')));
         std::vector<TypeSqueeze> squeezes = source.enrolment(3, 10);
         squeezes.push_back({u"new"_s, source.squeeze(9)});
         const auto beside = enrollmentProgress(fitTypeModels(squeezes), u"new"_s, plainNumbers());
         // exp(t sd) - 1 with sd 0.04 known to 27 degrees of freedom: t = 2.05, sd within 30 % (99.9 %).
         QVERIFY(beside.gate && std::abs(*beside.stiffnessUncertainty - 0.086) < 0.03);
-        QVERIFY(inWords(beside).first().contains(u"One squeeze tells the stiffness"_s));
+        QVERIFY(inWords(beside).front().describe().contains(u"One squeeze tells the stiffness"_s));
     }
     void aToleranceGateIsWiderAndTakesMoreSqueezes()
     {
@@ -135,7 +135,7 @@ private slots:
         QVERIFY2(std::abs(double(taken) / runs - overlap->undecided - overlap->wrong) < 0.12,
                  qPrintable(u"%1 %2"_s.arg(double(taken) / runs).arg(overlap->undecided)));
         QVERIFY(overlap->undecided > 0.1 && overlap->wrong < 0.01);
-        QVERIFY(inWords(*overlap).contains(u"cannot be told from A2"_s));
+        QVERIFY(inWords(*overlap).describe().contains(u"cannot be told from A2"_s));
     }
     void heldOutSqueezesOfThePaperAreAllTheirOwn()
     {

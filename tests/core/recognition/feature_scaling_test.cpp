@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/feature_scaling.h"
-#include "core/recognition/paper_appendix.h"
+#include "core/clustering/feature_scaling.h"
+#include "core/recognition/types/paper_appendix.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -12,12 +12,6 @@ using namespace gripscope;
 class FeatureScalingTest : public QObject {
     Q_OBJECT
 private slots:
-    void namesReadBack()
-    {
-        for (FeatureScaling scaling : all)
-            QVERIFY(featureScalingFromString(toString(scaling)) == scaling);
-        QVERIFY(!featureScalingFromString(QStringLiteral("minmax")));
-    }
     void zscoresHaveMeanZeroAndPopulationDeviationOne()
     {
         for (FeatureScaling scaling : {FeatureScaling::ZScore, FeatureScaling::ZLog}) {

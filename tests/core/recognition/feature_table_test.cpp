@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/feature_table.h"
+#include "core/clustering/feature_table.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -62,8 +62,8 @@ private slots:
         const auto table = parseFeatureTable(text, u"t.csv"_s, {u"m"_s, u"b"_s});
         QVERIFY(!table);
         QCOMPARE(table.error().code, ErrorCode::BadInput);
-        QCOMPARE(table.error().arguments.size(), 3);
-        QCOMPARE(table.error().arguments[0], place);
+        QCOMPARE(table.error().arguments.size(), std::size_t(3));
+        QCOMPARE(table.error().argument(0), place);
         QVERIFY(table.error().describe().startsWith(place + u": found "_s));
     }
     void aFileThatIsNotThereIsUnreadable()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/binomial_evidence.h"
-#include "core/recognition/gates.h"
-#include "core/signal/gaussian.h"
+#include "core/math/binomial_evidence.h"
+#include "core/math/gaussian.h"
+#include "core/recognition/types/gates.h"
 #include "tests/support/test_registry.h"
 
 #include <Eigen/Cholesky>
@@ -91,9 +91,9 @@ private slots:
     void binomialEvidenceInWords()
     {
         QCOMPARE(
-            inWords(binomialEvidence(0, 40), 0.001),
+            inWords(binomialEvidence(0, 40), 0.001).describe(),
             u"0 wrong of 40: at most 7.2 % with 95 % confidence; 2,995 without one are needed to show 0.1 %."_s);
-        QCOMPARE(inWords(binomialEvidence(0, 3000), 0.001),
+        QCOMPARE(inWords(binomialEvidence(0, 3000), 0.001).describe(),
                  u"0 wrong of 3,000: at most 0.1 % with 95 % confidence."_s);
     }
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/cluster_agreement.h"
-#include "core/recognition/gaussian_mixture.h"
-#include "core/recognition/kmeans.h"
-#include "core/recognition/paper_appendix.h"
-#include "core/signal/gaussian.h"
+#include "core/clustering/cluster_agreement.h"
+#include "core/clustering/gaussian_mixture.h"
+#include "core/clustering/kmeans.h"
+#include "core/math/gaussian.h"
+#include "core/recognition/types/paper_appendix.h"
 #include "tests/support/test_registry.h"
 
 #include <Eigen/Cholesky>

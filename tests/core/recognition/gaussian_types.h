@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/recognition/type_model.h"
+#include "core/recognition/types/type_model.h"
 
 #include <Eigen/Cholesky>
 #include <boost/math/distributions/normal.hpp>

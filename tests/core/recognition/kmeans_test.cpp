@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/kmeans.h"
-#include "core/recognition/paper_appendix.h"
-#include "core/signal/gaussian.h"
+#include "core/clustering/feature_scaling.h"
+#include "core/clustering/kmeans.h"
+#include "core/math/gaussian.h"
+#include "core/recognition/types/paper_appendix.h"
+#include "core/research/paper_reproduction.h"
 #include "tests/support/test_registry.h"
 
 #include <QFile>
@@ -164,6 +166,9 @@ private slots:
         QTest::newRow("a line") << 500 << 1 << 5 << 1.0;
         QTest::newRow("a plane") << 800 << 2 << 7 << 1.0;
         QTest::newRow("five features") << 800 << 5 << 6 << 1.0;
+        QTest::newRow("many clusters of five features") << 3000 << 5 << 20 << 1.0;
+        QTest::newRow("as many as are measured in full") << 2000 << 3 << 8 << 1.0;
+        QTest::newRow("one more") << 2000 << 3 << 9 << 1.0;
         QTest::newRow("tiny numbers") << 500 << 3 << 4 << 1e-200; // whose squares vanish
         QTest::newRow("huge numbers") << 500 << 3 << 4 << 1e140;
     }
@@ -187,11 +192,24 @@ private slots:
             QCOMPARE(result->labels, byAppearance(lloyd.labels));
         }
     }
+    void equalDistancesGoToTheLowestNumberAsInPlainLloyd_data()
+    {
+        QTest::addColumn<int>("clusters");
+        QTest::newRow("few") << 3;
+        QTest::newRow("many") << 15;
+    }
     void equalDistancesGoToTheLowestNumberAsInPlainLloyd()
     {
-        // Whole numbers: every item between two centroids is exactly between them, and stays so.
-        const Eigen::MatrixXd items = column({0, 2, 4, 6, 8, 10, 12, 14, 16});
-        const Eigen::MatrixXd centres = column({16, 8, 0});
+        QFETCH(int, clusters);
+        // Whole numbers: every item between two centroids is exactly between them, and stays so. The
+        // centroids come in falling order, so that the lower number is on the other side.
+        const int last = 4 * clusters - 4;
+        Eigen::MatrixXd items(2 * clusters * clusters, 1); // repeated, so that neighbours are sought at all
+        for (Eigen::Index i = 0; i < items.rows(); ++i)
+            items(i, 0) = double(2 * (i % (2 * clusters - 1)));
+        Eigen::MatrixXd centres(clusters, 1);
+        for (int c = 0; c < clusters; ++c)
+            centres(c, 0) = last - 4 * c;
         PlainLloyd lloyd{items, centres, {}};
         const auto result = kMeansFrom(items, centres);
         for (const KMeansStep& step : result->steps) {

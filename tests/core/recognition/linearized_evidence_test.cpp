@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/linearized_evidence.h"
-#include "core/signal/gaussian.h"
+#include "core/math/gaussian.h"
+#include "core/recognition/early/linearized_evidence.h"
 #include "tests/support/test_registry.h"
 
 #include <Eigen/Dense>

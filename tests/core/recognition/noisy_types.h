@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/recognition/type_model.h"
-#include "core/signal/gaussian.h"
+#include "core/math/gaussian.h"
+#include "core/recognition/types/type_model.h"
 
 #include <Eigen/Cholesky>
 

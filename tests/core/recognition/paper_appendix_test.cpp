@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/paper_appendix.h"
+#include "core/clustering/feature_scaling.h"
+#include "core/recognition/types/paper_appendix.h"
+#include "core/research/paper_reproduction.h"
 #include "tests/support/test_registry.h"
 
 #include <QFile>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/predictive.h"
-#include "core/recognition/separation.h"
-#include "core/recognition/verdict.h"
+#include "core/recognition/types/predictive.h"
+#include "core/recognition/verdict/judgement.h"
+#include "core/recognition/verdict/verdict.h"
 #include "tests/core/recognition/noisy_types.h"
 #include "tests/support/test_registry.h"
 
@@ -168,7 +168,8 @@ private slots:
         QVERIFY(verdict.kind == VerdictKind::Inconclusive);
         QVERIFY(verdict.nearest != verdict.rival && !verdict.rival.isEmpty());
         QVERIFY(verdict.timesLonger && *verdict.timesLonger > 1.2 && *verdict.timesLonger < 10);
-        QVERIFY2(verdict.reasons[1].contains(u"times as long"_s), qPrintable(verdict.reasons[1]));
+        QVERIFY2(verdict.reasons[1].describe().contains(u"times as long"_s),
+                 qPrintable(verdict.reasons[1].describe()));
         // With what it asks for, nine of ten squeezes of a type are named.
         const Eigen::Matrix3d finer = c / *verdict.timesLonger;
         int named = 0;

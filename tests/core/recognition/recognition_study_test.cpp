@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/parallel_runs.h"
-#include "core/recognition/recognition_study_json.h"
+#include "core/base/parallel_runs.h"
+#include "core/research/recognition_study.h"
+#include "core/research/study_json.h"
 #include "tests/support/test_registry.h"
 
 #include <QJsonArray>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/scatter.h"
-#include "core/recognition/verdict.h"
+#include "core/recognition/types/scatter.h"
+#include "core/recognition/verdict/verdict.h"
 #include "tests/core/recognition/noisy_types.h"
 #include "tests/support/test_registry.h"
 

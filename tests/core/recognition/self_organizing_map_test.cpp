@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/cluster_agreement.h"
-#include "core/recognition/paper_appendix.h"
-#include "core/recognition/self_organizing_map.h"
-#include "core/signal/gaussian.h"
+#include "core/clustering/cluster_agreement.h"
+#include "core/clustering/feature_scaling.h"
+#include "core/clustering/self_organizing_map.h"
+#include "core/math/gaussian.h"
+#include "core/recognition/types/paper_appendix.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

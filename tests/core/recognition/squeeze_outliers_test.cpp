@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/squeeze_outliers.h"
+#include "core/recognition/enrolment/squeeze_outliers.h"
 #include "tests/core/recognition/gaussian_types.h"
 #include "tests/support/test_registry.h"
 
@@ -62,9 +62,9 @@ private slots:
         QCOMPARE(outliers[0].index, std::size_t(4));
         QCOMPARE(outliers[0].parameter, 2);
         QVERIFY(outliers[0].chance < 0.01);
-        QVERIFY2(outliers[0].reason.startsWith(u"Stiffness is "_s) &&
-                     outliers[0].reason.contains(u" % above the others, "_s),
-                 qPrintable(outliers[0].reason));
+        QVERIFY2(outliers[0].reason.describe().startsWith(u"Stiffness is "_s) &&
+                     outliers[0].reason.describe().contains(u" % above the others, "_s),
+                 qPrintable(outliers[0].reason.describe()));
         QVERIFY(findOutliers(squeezes, u"B"_s).empty());
     }
     void anotherPartAmongFewIsFoundWithoutOtherTypes()
@@ -75,7 +75,8 @@ private slots:
         const auto outliers = findOutliers(squeezes, u"A"_s);
         QCOMPARE(outliers.size(), std::size_t(1));
         QCOMPARE(outliers[0].index, std::size_t(6));
-        QVERIFY2(outliers[0].reason.startsWith(u"Mass is "_s), qPrintable(outliers[0].reason));
+        QVERIFY2(outliers[0].reason.describe().startsWith(u"Mass is "_s),
+                 qPrintable(outliers[0].reason.describe()));
     }
     void twoThatHideEachOtherAreBothFound()
     {
@@ -94,7 +95,7 @@ private slots:
         QCOMPARE(outliers.size(), std::size_t(1));
         QCOMPARE(outliers[0].index, std::size_t(0));
         QCOMPARE(outliers[0].parameter, -1);
-        QVERIFY(outliers[0].reason.contains(u"do not go together"_s));
+        QVERIFY(outliers[0].reason.describe().contains(u"do not go together"_s));
     }
     void aSqueezeThatWasMeasuredBadlyIsNoOutlier()
     {

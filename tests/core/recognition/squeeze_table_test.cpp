@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/squeeze_table.h"
+#include "core/recognition/types/squeeze_table.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -32,7 +32,7 @@ private slots:
         const SqueezeRow& first = rows->front();
         QCOMPARE(first.line, 3);
         QCOMPARE(first.squeeze.type, u"A, large"_s);
-        QVERIFY(first.refused.isEmpty());
+        QVERIFY(!first.refused);
         QCOMPARE(first.squeeze.parameters.m, 1.0);
         QCOMPARE(first.squeeze.parameters.k, 3.0);
         QCOMPARE((*first.squeeze.covariance)(2, 2), 0.3 * 0.3);
@@ -67,8 +67,9 @@ private slots:
         const auto rows =
             parseSqueezeTable("object,m,b,k\nA,1,2,3\n" + row + "\nB,1,2,3\n", u"t.csv"_s, columnsWithType());
         QVERIFY(rows && rows->size() == 3);
-        QVERIFY((*rows)[0].refused.isEmpty() && (*rows)[2].refused.isEmpty());
-        QVERIFY2((*rows)[1].refused.contains(place), qPrintable((*rows)[1].refused));
+        QVERIFY(!(*rows)[0].refused && !(*rows)[2].refused);
+        QVERIFY((*rows)[1].refused);
+        QVERIFY2((*rows)[1].refused->describe().contains(place), qPrintable((*rows)[1].refused->describe()));
     }
     void whatSpoilsAllRowsIsAnError()
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/transfer.h"
+#include "core/recognition/verdict/transfer.h"
 #include "tests/core/recognition/noisy_types.h"
 #include "tests/support/test_registry.h"
 
@@ -64,7 +64,7 @@ private slots:
         QVERIFY(report.unseenTypes->namedBefore <= 2);
         QVERIFY(report.unseenTypes->namedAfter >= 11);
         QVERIFY(report.unseenTypes->logDensityGain > 20);
-        QVERIFY(report.words.join(u' ').contains(u"helps: use it"_s));
+        QVERIFY(described(report.words).join(u' ').contains(u"helps: use it"_s));
     }
     void anEqualGripperNeedsNone()
     {
@@ -91,7 +91,7 @@ private slots:
         const TransferReport report = measureTransfer(models, there);
         QVERIFY(report.error && report.error->agreement < 0.01);
         QVERIFY(!report.adjust);
-        QVERIFY(report.words.join(u' ').contains(u"more than chance"_s));
+        QVERIFY(described(report.words).join(u' ').contains(u"more than chance"_s));
     }
     void adjustingTakesTheErrorOutAndKeepsItsUncertainty()
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/paper_appendix.h"
-#include "core/recognition/type_model.h"
+#include "core/recognition/types/paper_appendix.h"
+#include "core/recognition/types/type_model.h"
 #include "tests/core/recognition/gaussian_types.h"
 #include "tests/support/test_registry.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/unit_groups.h"
-#include "core/signal/gaussian.h"
+#include "core/clustering/map_training.h"
+#include "core/math/gaussian.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/paper_appendix.h"
-#include "core/recognition/quantity_text.h"
-#include "core/recognition/verdict.h"
+#include "core/recognition/types/paper_appendix.h"
+#include "core/recognition/verdict/quantity_text.h"
+#include "core/recognition/verdict/verdict.h"
 #include "tests/core/recognition/gaussian_types.h"
 #include "tests/support/test_registry.h"
 
@@ -128,34 +128,40 @@ private slots:
         QVERIFY(verdict.kind == VerdictKind::Type);
         QCOMPARE(verdict.type, u"A"_s);
         QCOMPARE(verdict.reasons.size(), 1);
-        QVERIFY2(
-            verdict.reasons[0].startsWith(u"Stiffness 9.98 kN/m is where A sits; the next type, B, is "_s),
-            qPrintable(verdict.reasons[0]));
+        QVERIFY2(verdict.reasons[0].describe().startsWith(
+                     u"Stiffness 9.98 kN/m is where A sits; the next type, B, is "_s),
+                 qPrintable(verdict.reasons[0].describe()));
         // Logs differ by log(11000/9980) = 0.0973; the sd of log k is 0.01005 sqrt(4 / 10).
         const double deviations = std::log(11000.0 / 9980) / (-std::log(0.99) * std::sqrt(0.4));
-        QVERIFY2(verdict.reasons[0].contains(shortNumber(deviations) + u" sd"_s),
-                 qPrintable(verdict.reasons[0]));
+        QVERIFY2(verdict.reasons[0].describe().contains(shortNumber(deviations).describe() + u" sd"_s),
+                 qPrintable(verdict.reasons[0].describe()));
     }
     void withoutUnitsReasonsNameNone()
     {
         const TypeModels models = fitTypeModels(cross(u"A"_s, 10000) + cross(u"B"_s, 11000));
         VerdictOptions options;
         options.siUnits = false;
-        QVERIFY(
-            judge(models, {0.04, 40, 9980}, options).reasons[0].startsWith(u"Stiffness is where A sits"_s));
-        QVERIFY(judge(models, {0.04, 40, 5000}, options).reasons[0].startsWith(u"Stiffness is 50 % below"_s));
+        QVERIFY(judge(models, {0.04, 40, 9980}, options)
+                    .reasons[0]
+                    .describe()
+                    .startsWith(u"Stiffness is where A sits"_s));
+        QVERIFY(judge(models, {0.04, 40, 5000}, options)
+                    .reasons[0]
+                    .describe()
+                    .startsWith(u"Stiffness is 50 % below"_s));
     }
     void anUnknownSaysWhatIsOffAndByHowMuch()
     {
         const TypeModels models = fitTypeModels(cross(u"A"_s, 10000) + cross(u"B"_s, 11000));
         const Verdict stiff = judge(models, {0.04, 40, 14300});
         QVERIFY(stiff.kind == VerdictKind::Unknown);
-        QCOMPARE(stiff.reasons[0], u"Stiffness 14.3 kN/m is 30 % above that of B, the nearest type."_s);
-        QCOMPARE(judge(models, {0.04, 8, 10000}).reasons[0],
+        QCOMPARE(stiff.reasons[0].describe(),
+                 u"Stiffness 14.3 kN/m is 30 % above that of B, the nearest type."_s);
+        QCOMPARE(judge(models, {0.04, 8, 10000}).reasons[0].describe(),
                  u"Damping 8 N s/m is 80 % below that of A, the nearest type."_s);
-        QCOMPARE(judge(models, {0.12, 40, 10000}).reasons[0],
+        QCOMPARE(judge(models, {0.12, 40, 10000}).reasons[0].describe(),
                  u"Mass 120 g is 3 times that of A, the nearest type."_s);
-        QVERIFY(stiff.reasons[1].contains(u"stay within"_s));
+        QVERIFY(stiff.reasons[1].describe().contains(u"stay within"_s));
     }
     void anUnknownCombinationSaysThatItIsTheCombination()
     {
@@ -164,7 +170,7 @@ private slots:
         // 1.5 sd up in m and as much down in k, where both always go together.
         const Verdict verdict = judge(models, {std::exp(0.06), 1, std::exp(-0.06)});
         QVERIFY(verdict.kind == VerdictKind::Unknown);
-        QVERIFY(verdict.reasons.last().contains(u"not the three together"_s));
+        QVERIFY(verdict.reasons.back().describe().contains(u"not the three together"_s));
     }
     void betweenTwoTypesItIsInconclusive()
     {
@@ -172,7 +178,7 @@ private slots:
         const Verdict verdict = judge(models, {0.04, 40, 10090});
         QVERIFY(verdict.kind == VerdictKind::Inconclusive);
         QVERIFY(verdict.type.isEmpty());
-        QVERIFY(verdict.reasons[0].startsWith(u"The squeeze could be A ("_s));
+        QVERIFY(verdict.reasons[0].describe().startsWith(u"The squeeze could be A ("_s));
         VerdictOptions bold;
         bold.wrongType = 0.5;
         QVERIFY(judge(models, {0.04, 40, 10090}, bold).kind == VerdictKind::Type);
@@ -182,7 +188,7 @@ private slots:
         GaussianTypes source(1, 0);
         const Verdict one = judge(fitTypeModels(source.enrolment(1, 1)), source.squeeze(0));
         QVERIFY(one.kind == VerdictKind::Inconclusive);
-        QVERIFY(one.reasons[0].contains(u"3 more are needed"_s));
+        QVERIFY(one.reasons[0].describe().contains(u"3 more are needed"_s));
         QVERIFY(!one.gate && !one.distance);
         QCOMPARE(one.nearest, u"A"_s);
         const Verdict two = judge(fitTypeModels(source.enrolment(2, 1)), source.squeeze(1));
@@ -190,7 +196,7 @@ private slots:
         QCOMPARE(two.posterior[u"A"_s], 0.5);
         const Verdict three = judge(fitTypeModels(source.enrolment(1, 3)), source.squeeze(0));
         QVERIFY(three.kind == VerdictKind::Inconclusive);
-        QVERIFY(three.reasons[0].contains(u"1 more is needed"_s));
+        QVERIFY(three.reasons[0].describe().contains(u"1 more is needed"_s));
         QVERIFY(judge(fitTypeModels(source.enrolment(1, 4)), source.squeeze(0)).gate);
     }
     void withNoTypeItIsInconclusive()
@@ -199,7 +205,7 @@ private slots:
         QVERIFY(verdict.kind == VerdictKind::Inconclusive);
         QVERIFY(verdict.nearest.isEmpty());
         QVERIFY(verdict.posterior.isEmpty());
-        QCOMPARE(verdict.reasons, QStringList({u"No type is enrolled yet."_s}));
+        QCOMPARE(described(verdict.reasons), QStringList({u"No type is enrolled yet."_s}));
     }
     void oneTypeIsNamedOrRefused()
     {
@@ -215,7 +221,7 @@ private slots:
               MassDampingStiffness{0.04, 43, std::nan("")}}) {
             const Verdict verdict = judge(models, p);
             QVERIFY(verdict.kind == VerdictKind::Invalid);
-            QVERIFY(!verdict.reasons.isEmpty());
+            QVERIFY(!verdict.reasons.empty());
         }
     }
     void aMeasurementIsScaledToTheModelsUnits()
@@ -236,7 +242,7 @@ private slots:
             {u"hold"_s, true, true, {}, {}, u"The hold is known."_s}};
         const Verdict verdict = judge(models, identification, 1);
         QVERIFY(verdict.kind == VerdictKind::Invalid);
-        QCOMPARE(verdict.reasons, QStringList({u"12 samples were lost."_s}));
+        QCOMPARE(described(verdict.reasons), QStringList({u"12 samples were lost."_s}));
         QCOMPARE(verdict.samplesUsed, std::size_t(400));
         identification.validity.verdict = ValidityVerdict::Suspect;
         QVERIFY(judge(models, identification, 1).kind == VerdictKind::Type);
@@ -247,8 +253,9 @@ private slots:
         Identification identification = measured({});
         identification.estimates[0].parameters.reset();
         identification.estimates[0].status = EstimateStatus::NotIdentifiable;
-        identification.estimates[0].message = "The force is constant.";
-        QCOMPARE(judge(models, identification, 1).reasons, QStringList({u"The force is constant."_s}));
+        identification.estimates[0].message = u"The force is constant."_s;
+        QCOMPARE(described(judge(models, identification, 1).reasons),
+                 QStringList({u"The force is constant."_s}));
         const Verdict empty = judge(models, Identification{}, 1);
         QVERIFY(empty.kind == VerdictKind::Invalid);
         QCOMPARE(empty.reasons.size(), 1);
@@ -271,16 +278,16 @@ private slots:
     void quantitiesHaveThreeDigitsAndAPrefix()
     {
         using Q = MechanicalQuantity;
-        QCOMPARE(quantityText(Q::Mass, 0.0396), u"39.6 g"_s);
-        QCOMPARE(quantityText(Q::Mass, 1.5), u"1.5 kg"_s);
-        QCOMPARE(quantityText(Q::Stiffness, 9984), u"9.98 kN/m"_s);
-        QCOMPARE(quantityText(Q::Stiffness, 999.6), u"1 kN/m"_s);
-        QCOMPARE(quantityText(Q::Stiffness, 1e12), u"1000 GN/m"_s);
-        QCOMPARE(quantityText(Q::Damping, 43), u"43 N s/m"_s);
-        QCOMPARE(quantityText(Q::Damping, 0.0021), u"2.1 mN s/m"_s);
-        QCOMPARE(quantityText(Q::Mass, 4.2e-6), u"4.2 mg"_s);
-        QCOMPARE(quantityText(Q::Mass, 4.2e-9), u"4.2 µg"_s);
-        QCOMPARE(quantityText(Q::Mass, 0), u"0 g"_s);
+        QCOMPARE(Finding::quantity(Q::Mass, 0.0396).describe(), u"39.6 g"_s);
+        QCOMPARE(Finding::quantity(Q::Mass, 1.5).describe(), u"1.5 kg"_s);
+        QCOMPARE(Finding::quantity(Q::Stiffness, 9984).describe(), u"9.98 kN/m"_s);
+        QCOMPARE(Finding::quantity(Q::Stiffness, 999.6).describe(), u"1 kN/m"_s);
+        QCOMPARE(Finding::quantity(Q::Stiffness, 1e12).describe(), u"1000 GN/m"_s);
+        QCOMPARE(Finding::quantity(Q::Damping, 43).describe(), u"43 N s/m"_s);
+        QCOMPARE(Finding::quantity(Q::Damping, 0.0021).describe(), u"2.1 mN s/m"_s);
+        QCOMPARE(Finding::quantity(Q::Mass, 4.2e-6).describe(), u"4.2 mg"_s);
+        QCOMPARE(Finding::quantity(Q::Mass, 4.2e-9).describe(), u"4.2 µg"_s);
+        QCOMPARE(Finding::quantity(Q::Mass, 0).describe(), u"0 g"_s);
     }
 };
 

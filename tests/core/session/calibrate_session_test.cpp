@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_facts.h"
 #include "core/identification/identification.h"
-#include "core/session/calibrate_session.h"
-#include "core/session/squeeze_job.h"
+#include "core/session/calibrate/calibrate_session.h"
+#include "core/session/squeeze/squeeze_job.h"
 #include "tests/core/session/session_driver.h"
 #include "tests/support/test_registry.h"
 
@@ -249,7 +249,7 @@ private slots:
         const auto facts = calibrationFacts(job.recording().provenance);
         QCOMPARE(facts.size(), std::size_t(1));
         QCOMPARE(facts[0].daysLeft, qint64(days));
-        QVERIFY(facts[0].words.contains(u"Weights"_s));
+        QVERIFY(facts[0].words.describe().contains(u"Weights"_s));
         QVERIFY(std::abs(job.recording().chain.forceScaleUncertainty - 0.004) < 1e-6);
         const Identification found = identify(job.recording());
         const auto& checks = found.validity.checks;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/comparable_units.h"
+#include "core/session/squeeze/comparable_units.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

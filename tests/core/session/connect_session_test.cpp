@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/connect_session.h"
+#include "core/session/connection/connect_session.h"
 #include "tests/core/session/session_driver.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
 
+#include <cmath>
+
 using namespace gripscope;
 using namespace gripscope::test;
-using State = ConnectSession::State;
+using ConnectState = ConnectSession::State;
 
 namespace {
 
@@ -43,7 +45,7 @@ private slots:
         factory.gripper->opensAtOnce = false;
         ConnectSession session(factory);
         QVERIFY(session.connectTo(QStringLiteral("fake:")));
-        QCOMPARE(session.state(), State::Connecting);
+        QCOMPARE(session.state(), ConnectState::Connecting);
         QVERIFY(!session.port());
         factory.gripper->state = LinkState::Ready;
         std::vector<std::uint64_t> heard;
@@ -55,7 +57,7 @@ private slots:
             factory.gripper->push(1, 2, 0);
         for (int i = 0; i < 10; ++i)
             session.poll();
-        QCOMPARE(session.state(), State::Connected);
+        QCOMPARE(session.state(), ConnectState::Connected);
         QCOMPARE(session.identity().serial, QStringLiteral("F-1"));
         QCOMPARE(heard.size(), std::size_t(250));
         for (std::size_t i = 0; i < heard.size(); ++i)
@@ -89,6 +91,31 @@ private slots:
         QCOMPARE(first, 1);
         QCOMPARE(second, 2);
     }
+    void aGripperThatSaysNonsenseOfItselfIsRefused_data()
+    {
+        QTest::addColumn<double>("sampleTime");
+        QTest::addColumn<double>("lag");
+        QTest::addColumn<QString>("word");
+        for (const double sampleTime : {1e-15, 0.0, -1.0, 10.0, std::nan(""), HUGE_VAL})
+            QTest::addRow("sample time %g", sampleTime) << sampleTime << 0.0 << QStringLiteral("sample time");
+        for (const double lag : {5.0, -5.0, std::nan("")})
+            QTest::addRow("lag %g", lag) << 0.001 << lag << QStringLiteral("lag");
+    }
+    void aGripperThatSaysNonsenseOfItselfIsRefused()
+    {
+        QFETCH(double, sampleTime);
+        QFETCH(double, lag);
+        QFETCH(QString, word);
+        ArmedConnection connection;
+        connection.gripper().identity.sampleTime_s = sampleTime;
+        connection.gripper().identity.forceLag_s = lag;
+        QVERIFY(!connection.open(false));
+        QCOMPARE(connection.session.state(), ConnectState::Disconnected);
+        QCOMPARE(connection.session.lastError()->code, ErrorCode::DeviceRefused);
+        QVERIFY(connection.session.lastError()->describe().contains(word));
+        QVERIFY(!connection.session.gate());
+        QVERIFY(!connection.session.arm(QStringLiteral("Ada")));
+    }
     void aLossIsToldWithItsReasonAfterTheLastSamples()
     {
         ArmedConnection connection;
@@ -101,7 +128,7 @@ private slots:
             Error{ErrorCode::DeviceLost, {QStringLiteral("fake:"), QStringLiteral("unplugged")}};
         connection.session.poll();
         QCOMPARE(heard, 1);
-        QCOMPARE(connection.session.state(), State::Lost);
+        QCOMPARE(connection.session.state(), ConnectState::Lost);
         QCOMPARE(connection.session.lastError()->code, ErrorCode::DeviceLost);
         QVERIFY(!connection.session.port());
         QVERIFY(!connection.session.gate());
@@ -127,11 +154,11 @@ private slots:
         connection.session.setMeasuringChain(2e-4, chain);
         QVERIFY(!connection.session.awaiting());
         unplug(connection);
-        QCOMPARE(connection.session.state(), State::Lost);
+        QCOMPARE(connection.session.state(), ConnectState::Lost);
         QVERIFY(connection.session.awaiting());
         QCOMPARE(connection.factory.comeback->awaited->identity.serial, QStringLiteral("F-1"));
         const auto back = plugIn(connection);
-        QCOMPARE(connection.session.state(), State::Connected);
+        QCOMPARE(connection.session.state(), ConnectState::Connected);
         QVERIFY(!connection.session.lastError());
         QVERIFY(!connection.session.awaiting());
         QVERIFY(!connection.factory.comeback->looking);
@@ -166,7 +193,7 @@ private slots:
         unplug(connection);
         QVERIFY(connection.factory.comeback->awaited->worthATry);
         const auto silent = plugIn(connection);
-        QCOMPARE(connection.session.state(), State::Connected);
+        QCOMPARE(connection.session.state(), ConnectState::Connected);
         silent->state = LinkState::Lost;
         connection.session.poll();
         QVERIFY(!connection.factory.comeback->awaited->worthATry);
@@ -182,11 +209,11 @@ private slots:
         QVERIFY(connection.open());
         unplug(connection);
         (void)plugIn(connection, QStringLiteral("F-2"));
-        QCOMPARE(connection.session.state(), State::Lost);
+        QCOMPARE(connection.session.state(), ConnectState::Lost);
         QVERIFY(connection.session.lastError()->describe().contains(QStringLiteral("F-2")));
         QVERIFY(connection.session.awaiting());
         (void)plugIn(connection);
-        QCOMPARE(connection.session.state(), State::Connected);
+        QCOMPARE(connection.session.state(), ConnectState::Connected);
         QCOMPARE(connection.session.identity().serial, QStringLiteral("F-1"));
     }
     void oneThatComesBackAndDoesNotOpenIsTriedAgain()
@@ -201,11 +228,11 @@ private slots:
         shut->state = LinkState::Lost;
         shut->error = Error{ErrorCode::DevicePermission, {QStringLiteral("fake:"), QStringLiteral("ask")}};
         connection.session.poll();
-        QCOMPARE(connection.session.state(), State::Lost);
+        QCOMPARE(connection.session.state(), ConnectState::Lost);
         QCOMPARE(connection.session.lastError()->code, ErrorCode::DevicePermission);
         QVERIFY(connection.session.awaiting());
         (void)plugIn(connection);
-        QCOMPARE(connection.session.state(), State::Connected);
+        QCOMPARE(connection.session.state(), ConnectState::Connected);
     }
     void oneThatIsNotThereYetIsConnectedWhenItComes()
     {
@@ -215,10 +242,10 @@ private slots:
         connection.gripper().state = LinkState::Lost;
         connection.gripper().error = Error{ErrorCode::DeviceNotFound, {QStringLiteral("fake:"), {}}};
         connection.session.poll();
-        QCOMPARE(connection.session.state(), State::Lost);
+        QCOMPARE(connection.session.state(), ConnectState::Lost);
         QVERIFY(connection.session.awaiting());
         (void)plugIn(connection, QStringLiteral("F-9"));
-        QCOMPARE(connection.session.state(), State::Connected);
+        QCOMPARE(connection.session.state(), ConnectState::Connected);
         QCOMPARE(connection.session.reconnections(), 0); // it had not been here before
     }
     void anAddressThatCannotComeRightIsNotWaitedFor()
@@ -229,7 +256,7 @@ private slots:
         connection.gripper().state = LinkState::Lost;
         connection.gripper().error = Error{ErrorCode::DeviceAmbiguous, {QStringLiteral("fake:1, fake:2")}};
         connection.session.poll();
-        QCOMPARE(connection.session.state(), State::Lost);
+        QCOMPARE(connection.session.state(), ConnectState::Lost);
         QVERIFY(!connection.session.awaiting());
     }
     void disconnectingEndsTheLookingOut()
@@ -240,7 +267,7 @@ private slots:
         connection.session.disconnect();
         QVERIFY(!connection.factory.comeback->looking);
         (void)plugIn(connection);
-        QCOMPARE(connection.session.state(), State::Disconnected);
+        QCOMPARE(connection.session.state(), ConnectState::Disconnected);
     }
     void theEndOfAStreamIsNoLoss()
     {
@@ -248,7 +275,7 @@ private slots:
         QVERIFY(connection.open(false));
         connection.gripper().state = LinkState::Closed;
         connection.session.poll();
-        QCOMPARE(connection.session.state(), State::Disconnected);
+        QCOMPARE(connection.session.state(), ConnectState::Disconnected);
         QVERIFY(connection.session.streamEnded());
         connection.session.disconnect();
         QVERIFY(!connection.session.streamEnded());
@@ -260,7 +287,7 @@ private slots:
         connection.session.disconnect();
         QCOMPARE(connection.gripper().stops.load(), 1);
         QCOMPARE(connection.gripper().closed, 1);
-        QCOMPARE(connection.session.state(), State::Disconnected);
+        QCOMPARE(connection.session.state(), ConnectState::Disconnected);
     }
     void anAddressThatMakesNoPortIsAnError()
     {
@@ -268,8 +295,28 @@ private slots:
         factory.refuses = Error{ErrorCode::Usage, {QStringLiteral("no such address")}};
         ConnectSession session(factory);
         QVERIFY(!session.connectTo(QStringLiteral("nonsense:")));
-        QCOMPARE(session.state(), State::Disconnected);
+        QCOMPARE(session.state(), ConnectState::Disconnected);
         QCOMPARE(session.lastError()->code, ErrorCode::Usage);
+    }
+    void whatDidNotObeyStopIsNotArmedUntilItWasConnectedAnew()
+    {
+        ArmedConnection connection;
+        QVERIFY(connection.open());
+        connection.gripper().obeysStop = false;
+        connection.session.stop();
+        connection.session.poll();
+        QCOMPARE(connection.session.stopState(), StopState::NotObeyed);
+        const int asked = connection.gripper().armRequests;
+        const Expected<void> armed = connection.session.arm(QStringLiteral("Ada"));
+        QVERIFY(!armed);
+        QCOMPARE(armed.error().describe(),
+                 QStringLiteral("The gripper did not obey Stop. Switch off its power."));
+        QCOMPARE(connection.gripper().armRequests, asked);
+        unplug(connection);
+        QCOMPARE(connection.session.stopState(), StopState::NotObeyed); // not by going away
+        (void)plugIn(connection);
+        QCOMPARE(connection.session.stopState(), StopState::None);
+        QVERIFY(connection.session.arm(QStringLiteral("Ada")));
     }
     void nothingIsArmedWithoutAConnection()
     {
@@ -279,7 +326,7 @@ private slots:
         session.stop(); // nothing to stop, and no harm
         session.disarm();
         session.poll();
-        QCOMPARE(session.state(), State::Disconnected);
+        QCOMPARE(session.state(), ConnectState::Disconnected);
     }
 };
 

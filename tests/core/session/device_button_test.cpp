@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/device_button.h"
+#include "core/session/connection/device_button.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/library/child_process.h"
 #include "tests/core/session/enrollment_run.h"
 #include "tests/core/session/session_recordings.h"
-#include "tests/core/store/child_process.h"
 #include "tests/support/test_registry.h"
 
 #include <QTemporaryDir>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/paper_appendix.h"
-#include "core/session/enrollment_advice.h"
+#include "core/recognition/types/paper_appendix.h"
+#include "core/session/enroll/enrollment_advice.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -67,7 +67,7 @@ private slots:
         QCOMPARE(advice.progress.squeezes, 10); // the pending one is not enrolled yet
         QCOMPARE(advice.outliers.size(), std::size_t(1));
         QCOMPARE(advice.outliers.begin()->first, 10);
-        QVERIFY(advice.outliers.begin()->second.reason.contains(u"below the others"_s));
+        QVERIFY(advice.outliers.begin()->second.reason.describe().contains(u"below the others"_s));
     }
     void theReviewChecksTheWholeLibrary()
     {

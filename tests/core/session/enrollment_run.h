@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/enroll_session.h"
+#include "core/session/enroll/enroll_session.h"
 #include "tests/core/session/session_driver.h"
 
 namespace gripscope::test {

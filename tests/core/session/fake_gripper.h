@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/identification/discretization.h"
-#include "core/session/gripper_return.h"
+#include "core/identification/model/discretization.h"
+#include "core/session/connection/gripper_return.h"
 
 #include <QMap>
 
@@ -31,6 +31,9 @@ struct FakeGripper {
     bool refusesExcitation = false;
     bool neverStarts = false; ///< takes the excitation and does nothing
     bool armsOnRequest = true;
+    bool obeysStop = true;
+    StopState stopState = StopState::None;
+    std::optional<Error> disarmReason;
     bool finishesOnRequest = true;
     std::function<bool()> holdsBack;     ///< true: samples wait, as if the squeeze stood still
     std::optional<int> lostAfterSamples; ///< goes away after so many samples of a squeeze
@@ -193,12 +196,18 @@ public:
     void stop() noexcept override
     {
         ++m_gripper->stops;
+        if (!m_gripper->obeysStop) {
+            m_gripper->stopState = StopState::NotObeyed;
+            return;
+        }
         if (m_gripper->squeezeState == SqueezeState::Running ||
             m_gripper->squeezeState == SqueezeState::Uploading)
             m_gripper->squeezeState = SqueezeState::Stopped;
         if (m_gripper->state == LinkState::Armed)
             m_gripper->state = LinkState::Ready;
     }
+    StopState stopState() const override { return m_gripper->stopState; }
+    std::optional<Error> disarmReason() const override { return m_gripper->disarmReason; }
     void confirmAlive() noexcept override { ++m_gripper->confirmed; }
 
 private:

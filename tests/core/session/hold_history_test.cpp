@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/hold_history.h"
+#include "core/session/squeeze/hold_history.h"
 #include "tests/core/session/session_recordings.h"
 #include "tests/support/test_registry.h"
 

@@ -7,7 +7,7 @@
 
 using namespace gripscope;
 using namespace gripscope::test;
-using State = InspectSession::State;
+using InspectState = InspectSession::State;
 
 class InspectSessionTest : public QObject {
     Q_OBJECT
@@ -57,7 +57,7 @@ private slots:
     void aSqueezeOfTheGripperGetsItsVerdictAndANumber()
     {
         Run run(m_file);
-        QCOMPARE(run.inspection.state(), State::Loading);
+        QCOMPARE(run.inspection.state(), InspectState::Loading);
         QVERIFY(!run.inspection.squeeze()); // not before the library is read
         QVERIFY(run.connection.open());
         QVERIFY(run.ready());
@@ -65,7 +65,7 @@ private slots:
         run.inspection.setOperator(QStringLiteral("Ada"));
         run.inspection.setExpectedType(QStringLiteral("A"));
         QVERIFY(run.inspection.squeeze());
-        QCOMPARE(run.inspection.state(), State::Squeezing);
+        QCOMPARE(run.inspection.state(), InspectState::Squeezing);
         QVERIFY(run.ready());
         QVERIFY(!run.inspection.lastError());
         const InspectSession::Result& result = *run.inspection.result();
@@ -197,7 +197,7 @@ private slots:
         QVERIFY(run.inspection.squeeze());
         run.inspection.poll();
         run.inspection.cancel();
-        QCOMPARE(run.inspection.state(), State::Ready);
+        QCOMPARE(run.inspection.state(), InspectState::Ready);
         QCOMPARE(run.connection.gripper().stops.load(), 1);
         QCOMPARE(run.inspection.lastError()->code, ErrorCode::Cancelled);
     }
@@ -206,7 +206,7 @@ private slots:
         const QString folder = m_folder->filePath(QStringLiteral("later"));
         Run run(folder + QStringLiteral("/library.db"));
         QVERIFY(run.until([&] { return run.inspection.lastError().has_value(); }));
-        QCOMPARE(run.inspection.state(), State::Loading);
+        QCOMPARE(run.inspection.state(), InspectState::Loading);
         QCOMPARE(run.inspection.lastError()->code, ErrorCode::StorageOpen);
         QVERIFY(QDir().mkpath(folder));
         run.inspection.reload();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/enrollment_storage.h"
-#include "core/session/inspect_session.h"
+#include "core/session/enroll/enrollment_storage.h"
+#include "core/session/inspect/inspect_session.h"
 #include "tests/core/session/session_driver.h"
 #include "tests/core/session/session_recordings.h"
 

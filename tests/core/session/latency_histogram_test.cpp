@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/latency_histogram.h"
+#include "core/session/connection/latency_histogram.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_facts.h"
-#include "core/session/reference_check_session.h"
+#include "core/session/calibrate/measuring_sessions.h"
 #include "tests/core/session/series_fixture.h"
 #include "tests/support/test_registry.h"
 
@@ -81,8 +81,9 @@ private slots:
         QVERIFY(stored().at(0).verdict == CheckVerdict::Failed);
         const ValidityCheck check = verdictOnTheCalibration();
         QVERIFY(!check.ok && !check.decisive);
-        QVERIFY2(check.message.contains(u"failed"_s) && check.message.contains(u"Spring S-12"_s),
-                 qPrintable(check.message));
+        QVERIFY2(check.message.describe().contains(u"failed"_s) &&
+                     check.message.describe().contains(u"Spring S-12"_s),
+                 qPrintable(check.message.describe()));
     }
 
     void aBadMeasurementSaysNothingOfTheGripper()
@@ -95,7 +96,7 @@ private slots:
         QVERIFY(stored().at(0).obstacle.contains(u"missing"_s) && !stored().at(0).measured[2]);
         QVERIFY(!m_connection->session.calibration().reference()->last);
         m_connection->gripper().dropSample = {};
-        QVERIFY(verdictOnTheCalibration().message.contains(u"was due"_s));
+        QVERIFY(verdictOnTheCalibration().message.describe().contains(u"was due"_s));
     }
 
     void whatIsMeasuredTooCoarselyIsNotPassed()
@@ -114,7 +115,7 @@ private slots:
         noteReferenceCheck(provenance, *m_connection->session.calibration().reference(),
                            QDateTime::currentDateTimeUtc());
         QCOMPARE(referenceCheckFact(provenance)->status, CheckStatus::Due);
-        QCOMPARE(referenceCheckFact(provenance)->words, u"never on Spring S-12"_s);
+        QCOMPARE(referenceCheckFact(provenance)->words.describe(), u"never on Spring S-12"_s);
         QVERIFY(!referenceCheckFact({}));
     }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/safety_gate.h"
+#include "core/session/connection/safety_gate.h"
 #include "tests/core/session/fake_gripper.h"
 #include "tests/support/test_registry.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/series_session.h"
+#include "core/session/squeeze/series_session.h"
 #include "tests/core/session/session_driver.h"
 
 #include <QTemporaryDir>

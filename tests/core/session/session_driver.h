@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/connect_session.h"
+#include "core/session/connection/connect_session.h"
 #include "tests/core/session/fake_gripper.h"
 
 #include <chrono>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/squeeze_job.h"
+#include "core/session/connection/limit_watch.h"
+#include "core/session/squeeze/squeeze_job.h"
+#include "core/signal/preparation/preparation_parts.h"
 #include "tests/core/session/session_driver.h"
 #include "tests/support/test_registry.h"
 
@@ -8,7 +10,7 @@
 
 using namespace gripscope;
 using namespace gripscope::test;
-using State = SqueezeJob::State;
+using JobState = SqueezeJob::State;
 
 class SqueezeJobTest : public QObject {
     Q_OBJECT
@@ -26,8 +28,9 @@ private:
     }
     bool finish()
     {
-        return pollUntil([this] { poll(); },
-                         [this] { return m_job->state() == State::Done || m_job->state() == State::Failed; });
+        return pollUntil(
+            [this] { poll(); },
+            [this] { return m_job->state() == JobState::Done || m_job->state() == JobState::Failed; });
     }
 
 private slots:
@@ -49,7 +52,7 @@ private slots:
         QVERIFY(pollUntil([this] { poll(); }, [this] { return m_job->progress() > 0.3; }));
         m_job->finish(QStringLiteral("A after 0.1 s"));
         QVERIFY(finish());
-        QCOMPARE(m_job->state(), State::Done);
+        QCOMPARE(m_job->state(), JobState::Done);
         QVERIFY(m_job->endedEarly());
         QVERIFY(m_connection->session.armed());
         QCOMPARE(gripper().finished, 1);
@@ -62,6 +65,17 @@ private slots:
         QVERIFY(!m_job->endedEarly());
         QVERIFY(m_job->recording().size() > 500);
     }
+    void whatDidNotObeyStopHasNoResult()
+    {
+        QVERIFY(m_job->start(m_recipe, 3));
+        QVERIFY(pollUntil([this] { poll(); }, [this] { return m_job->progress() > 0.3; }));
+        gripper().obeysStop = false; // it goes on to the squeeze's own end
+        m_connection->session.stop();
+        QVERIFY(finish());
+        QCOMPARE(m_job->state(), JobState::Failed);
+        QCOMPARE(m_job->error()->describe(),
+                 QStringLiteral("The gripper did not obey Stop. Switch off its power."));
+    }
     void aGripperThatCannotEndEarlyGoesOnToTheEnd()
     {
         gripper().finishesOnRequest = false;
@@ -69,7 +83,7 @@ private slots:
         QVERIFY(pollUntil([this] { poll(); }, [this] { return m_job->progress() > 0.3; }));
         m_job->finish(QStringLiteral("A after 0.1 s"));
         QVERIFY(finish());
-        QCOMPARE(m_job->state(), State::Done);
+        QCOMPARE(m_job->state(), JobState::Done);
         QVERIFY(!m_job->endedEarly());
         QVERIFY(m_job->recording().size() > 500);
         QVERIFY(!m_job->recording().provenance.contains(QStringLiteral("ended_early")));
@@ -95,11 +109,17 @@ private slots:
         QVERIFY(m_job->start(m_recipe, 3));
         QCOMPARE(gripper().admittedMaxForce_N, std::min(maxForce_N, 100.0)); // which the gripper watches, too
         QVERIFY(finish());
-        QCOMPARE(m_job->state() == State::Done, word.isEmpty());
+        QCOMPARE(m_job->state() == JobState::Done, word.isEmpty());
         if (word.isEmpty())
             return;
         QVERIFY(gripper().stops.load() > 0);
         QVERIFY2(m_job->error()->describe().contains(word), qPrintable(m_job->error()->describe()));
+    }
+    void aLimitThatNobodyGaveLeavesRoomForWhatIsMeasured()
+    {
+        QCOMPARE(limitAbove(30, 0), 33.0);   // a tenth
+        QCOMPARE(limitAbove(30, 0.5), 33.0); // which is more than the noise
+        QCOMPARE(limitAbove(30, 1), 35.0);   // five standard deviations are more
     }
     void aRecipeIsItsExcitationInNewtonsAtTheDevicesRate()
     {
@@ -120,10 +140,10 @@ private slots:
         m_connection->session.poll();
         m_job->setOperator(QStringLiteral("Ada"));
         QVERIFY(m_job->start(m_recipe, 3));
-        QCOMPARE(m_job->state(), State::Starting);
+        QCOMPARE(m_job->state(), JobState::Starting);
         QVERIFY(finish());
         QVERIFY(!m_job->error());
-        QCOMPARE(m_job->state(), State::Done);
+        QCOMPARE(m_job->state(), JobState::Done);
         QCOMPARE(m_job->progress(), 1.0);
 
         const Recording& recording = m_job->recording();
@@ -219,7 +239,7 @@ private slots:
         gripper().dropSample = [](int index) { return index >= 100 && index < 107; };
         QVERIFY(m_job->start(m_recipe, 1));
         QVERIFY(finish());
-        QCOMPARE(m_job->state(), State::Done);
+        QCOMPARE(m_job->state(), JobState::Done);
         QCOMPARE(findGaps(m_job->recording()), (std::vector<Gap>{{140, 7}}));
     }
     void theEndIsFoundWhenTheLastMovingSamplesAreLost()
@@ -227,7 +247,7 @@ private slots:
         gripper().dropSample = [](int index) { return index >= 490; };
         QVERIFY(m_job->start(m_recipe, 1));
         QVERIFY(finish());
-        QCOMPARE(m_job->state(), State::Done);
+        QCOMPARE(m_job->state(), JobState::Done);
     }
     void aDeviceThatOnlySendsWhileItMovesIsNotWaitedFor()
     {
@@ -238,10 +258,10 @@ private slots:
         gripper().squeezeState = SqueezeState::Finished;
         for (int i = 0; i < 10; ++i)
             poll();
-        QCOMPARE(m_job->state(), State::Squeezing); // the rest may still come
+        QCOMPARE(m_job->state(), JobState::Squeezing); // the rest may still come
         m_now += std::chrono::milliseconds(251);
         poll();
-        QCOMPARE(m_job->state(), State::Done);
+        QCOMPARE(m_job->state(), JobState::Done);
         QCOMPARE(m_job->recording().size(), std::size_t(500));
     }
     void aLostDeviceFailsTheSqueezeWithItsReason()
@@ -249,7 +269,7 @@ private slots:
         gripper().lostAfterSamples = 200;
         QVERIFY(m_job->start(m_recipe, 1));
         QVERIFY(finish());
-        QCOMPARE(m_job->state(), State::Failed);
+        QCOMPARE(m_job->state(), JobState::Failed);
         QCOMPARE(m_job->error()->code, ErrorCode::DeviceLost);
     }
     void aRefusalOfTheDeviceFailsTheSqueeze()
@@ -263,7 +283,7 @@ private slots:
     {
         m_recipe.maxForce_N = 29; // bias 20 + peak 10
         QCOMPARE(m_job->start(m_recipe, 1).error().code, ErrorCode::LimitExceeded);
-        QCOMPARE(m_job->state(), State::Idle);
+        QCOMPARE(m_job->state(), JobState::Idle);
         m_connection->session.disarm();
         m_recipe.maxForce_N = 40;
         QCOMPARE(m_job->start(m_recipe, 1).error().code, ErrorCode::NotArmed);
@@ -284,7 +304,7 @@ private slots:
         QVERIFY(m_job->start(m_recipe, 1));
         poll();
         m_job->cancel();
-        QCOMPARE(m_job->state(), State::Failed);
+        QCOMPARE(m_job->state(), JobState::Failed);
         QCOMPARE(m_job->error()->code, ErrorCode::Cancelled);
         QCOMPARE(gripper().stops.load(), 1);
     }
@@ -309,6 +329,77 @@ private slots:
         QCOMPARE(m_job->error()->code, ErrorCode::DeviceRefused);
         QVERIFY(m_job->error()->describe().contains(QStringLiteral("travel limit")));
     }
+    void whatTheDeviceSaysBeforeAnythingMovedIsToldNotCancelled_data()
+    {
+        QTest::addColumn<int>("status");
+        QTest::addColumn<QString>("word");
+        QTest::newRow("a limit at the first moving sample")
+            << int(StatusForceLimit) << QStringLiteral("the force limit was reached");
+        QTest::newRow("travel") << int(StatusTravelLimit) << QStringLiteral("the travel limit was reached");
+        QTest::newRow("watchdog") << int(StatusWatchdog)
+                                  << QStringLiteral("no longer heard from this program");
+        QTest::newRow("fault") << int(StatusFault) << QStringLiteral("it reports a fault");
+    }
+    void whatTheDeviceSaysBeforeAnythingMovedIsToldNotCancelled()
+    {
+        QFETCH(int, status);
+        QFETCH(QString, word);
+        gripper().neverStarts = true;
+        QVERIFY(m_job->start(m_recipe, 1));
+        for (int i = 0; i < 40; ++i)
+            gripper().push(0, 0.001, StatusArmed);
+        gripper().push(0, 0.001, static_cast<std::uint16_t>(status)); // disarmed by itself
+        gripper().squeezeState = SqueezeState::Stopped;
+        QVERIFY(finish());
+        QCOMPARE(m_job->error()->code, ErrorCode::DeviceRefused);
+        QVERIFY2(m_job->error()->describe().contains(word), qPrintable(m_job->error()->describe()));
+    }
+    void whatItSaidBeforeItWasArmedIsOld()
+    {
+        gripper().neverStarts = true;
+        QVERIFY(m_job->start(m_recipe, 1));
+        gripper().push(0, 0.001, StatusForceLimit); // of the squeeze before; Arm clears it
+        for (int i = 0; i < 40; ++i)
+            gripper().push(0, 0.001, StatusArmed);
+        poll();
+        m_connection->session.stop();
+        QVERIFY(finish());
+        QCOMPARE(m_job->error()->code, ErrorCode::Cancelled);
+    }
+    void aReasonThatTheLinkKnowsIsTold_data()
+    {
+        QTest::addColumn<SqueezeState>("state");
+        QTest::newRow("stopped") << SqueezeState::Stopped;
+        QTest::newRow("no end") << SqueezeState::Running;
+    }
+    void aReasonThatTheLinkKnowsIsTold()
+    {
+        QFETCH(SqueezeState, state);
+        gripper().neverStarts = true;
+        QVERIFY(m_job->start(m_recipe, 1));
+        poll();
+        const Error reason{ErrorCode::DeviceRefused,
+                           {QStringLiteral("start"), QStringLiteral("motor too hot")}};
+        gripper().error = reason;
+        gripper().squeezeState = state;
+        m_now += std::chrono::milliseconds(2251);
+        QVERIFY(finish());
+        QCOMPARE(m_job->error()->describe(), reason.describe());
+    }
+    void reportsThatCannotBeReadAreNamedInPlaceOfTheCable()
+    {
+        gripper().neverStarts = true;
+        gripper().counters.badReports = 3; // before
+        poll();
+        QVERIFY(m_job->start(m_recipe, 1));
+        gripper().counters.badReports = 503;
+        poll();
+        m_now += std::chrono::milliseconds(2251);
+        QVERIFY(finish());
+        const QString told = m_job->error()->describe();
+        QVERIFY2(told.contains(QStringLiteral("500 of its reports")), qPrintable(told));
+        QVERIFY2(!told.contains(QStringLiteral("cable")), qPrintable(told));
+    }
     void aSqueezeThatEndsFarTooEarlyIsNoSqueeze()
     {
         gripper().neverStarts = true;
@@ -319,7 +410,7 @@ private slots:
             gripper().push(20, 0.001, StatusArmed);
         gripper().squeezeState = SqueezeState::Finished;
         QVERIFY(finish());
-        QCOMPARE(m_job->state(), State::Failed);
+        QCOMPARE(m_job->state(), JobState::Failed);
     }
     void withoutAnEndTheGripperIsStoppedTwoSecondsAfterItWasDue()
     {
@@ -327,10 +418,10 @@ private slots:
         QVERIFY(m_job->start(m_recipe, 1));
         m_now += std::chrono::milliseconds(2249);
         poll();
-        QCOMPARE(m_job->state(), State::Squeezing);
+        QCOMPARE(m_job->state(), JobState::Squeezing);
         m_now += std::chrono::milliseconds(2);
         poll();
-        QCOMPARE(m_job->state(), State::Failed);
+        QCOMPARE(m_job->state(), JobState::Failed);
         QCOMPARE(m_job->error()->code, ErrorCode::DeviceTimeout);
         QCOMPARE(gripper().stops.load(), 1);
     }
@@ -348,7 +439,7 @@ private slots:
         for (int i = 0; i < 300; ++i)
             gripper().push(i, 0, 0);
         QVERIFY(finish());
-        QCOMPARE(m_job->state(), State::Done);
+        QCOMPARE(m_job->state(), JobState::Done);
         QCOMPARE(m_job->recording().size(), std::size_t(200));
         QCOMPARE(gripper().started + gripper().stops.load(), 0);
     }
@@ -369,7 +460,7 @@ private slots:
         poll();
         gripper().state = LinkState::Closed;
         QVERIFY(finish());
-        QCOMPARE(m_job->state(), State::Done);
+        QCOMPARE(m_job->state(), JobState::Done);
         QCOMPARE(m_job->recording().size(), std::size_t(50));
     }
     void silenceWhileListeningTimesOut()
@@ -377,7 +468,7 @@ private slots:
         QVERIFY(m_job->listen(1));
         m_now += std::chrono::milliseconds(3001);
         poll();
-        QCOMPARE(m_job->state(), State::Failed);
+        QCOMPARE(m_job->state(), JobState::Failed);
         QCOMPARE(m_job->error()->code, ErrorCode::DeviceTimeout);
     }
     void aDisconnectionFailsTheSqueeze()
@@ -386,7 +477,7 @@ private slots:
         QVERIFY(m_job->start(m_recipe, 1));
         m_connection->session.disconnect();
         m_job->poll();
-        QCOMPARE(m_job->state(), State::Failed);
+        QCOMPARE(m_job->state(), JobState::Failed);
         QCOMPARE(m_job->error()->code, ErrorCode::DeviceLost);
     }
 };

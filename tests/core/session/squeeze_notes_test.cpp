@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/squeeze_notes.h"
-#include "core/signal/recording_csv.h"
+#include "core/session/squeeze/squeeze_notes.h"
+#include "core/signal/recording/recording_csv.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -66,6 +66,8 @@ private slots:
         QTest::newRow("empty") << QString();
         QTest::newRow("another") << u"session\nname: x\n"_s;
         QTest::newRow("no count") << u"squeeze begins\nmode: movement\n"_s;
+        QTest::newRow("more than there can be")
+            << u"squeeze begins\nmode: movement\nsamples: 9999999999999999999\n"_s;
         QTest::newRow("no head") << u"squeeze ended\nsamples: 3\n"_s;
         QTest::newRow("a damaged head")
             << u"squeeze ended\nsamples: 3\n# gripscope-recording: 9\ntime_s,force,position\n"_s;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/stored_chain.h"
-#include "core/signal/recording_csv.h"
+#include "core/session/squeeze/stored_chain.h"
+#include "core/signal/recording/recording_csv.h"
 #include "tests/core/session/session_driver.h"
 #include "tests/support/test_registry.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/contact.h"
-#include "core/signal/contact_loss.h"
+#include "core/signal/preparation/preparation_parts.h"
 #include "tests/core/signal/squeeze_record.h"
 #include "tests/support/test_registry.h"
 

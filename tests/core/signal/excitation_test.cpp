@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/excitation.h"
+#include "core/signal/excitation/excitation.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

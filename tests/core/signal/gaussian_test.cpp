@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/gaussian.h"
+#include "core/math/gaussian.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

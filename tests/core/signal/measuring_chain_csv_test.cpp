@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/recording_csv.h"
+#include "core/signal/recording/recording_csv.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -72,11 +72,12 @@ private slots:
     {
         QTest::addColumn<QByteArray>("line");
         QTest::addColumn<QString>("word");
-        const QString number = u"a number from 0 up"_s;
-        const QString three = u"three numbers from 0 up"_s;
+        const QString number = u"a number from 0 to 1e+30"_s;
+        const QString three = u"three numbers from 0 to 1e+30"_s;
         QTest::newRow("a word") << QByteArray("# force_lag_uncertainty_s: some") << number;
         QTest::newRow("below zero") << QByteArray("# force_scale_uncertainty: -0.01") << number;
         QTest::newRow("infinite") << QByteArray("# position_scale_uncertainty: inf") << number;
+        QTest::newRow("huge") << QByteArray("# force_noise: 2.2e60") << number;
         QTest::newRow("empty") << QByteArray("# frame_compliance:") << number;
         QTest::newRow("two numbers") << QByteArray("# frame_compliance_uncertainty: 1,2") << number;
         QTest::newRow("two of three") << QByteArray("# baseline: 1,2") << three;
@@ -84,6 +85,7 @@ private slots:
         QTest::newRow("a word among three") << QByteArray("# baseline: 1,b,3") << three;
         QTest::newRow("a comma at the end") << QByteArray("# baseline: 1,2,") << three;
         QTest::newRow("negative") << QByteArray("# baseline_uncertainty: 1,2,-3") << three;
+        QTest::newRow("a huge one") << QByteArray("# baseline: 1,2e31,3") << three;
         QTest::newRow("empty three") << QByteArray("# baseline_uncertainty:") << three;
     }
     void aBadValueIsFoundAtItsPlace()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/preparation.h"
+#include "core/signal/preparation/preparation.h"
 #include "tests/core/signal/squeeze_record.h"
 #include "tests/support/test_registry.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/recording_csv.h"
+#include "core/signal/recording/recording_csv.h"
 #include "tests/support/test_registry.h"
 
 #include <QFile>
@@ -79,6 +79,33 @@ private slots:
         const Expected<Recording> back = parseRecordingCsv(toCsv(recording), u"x.csv"_s);
         QVERIFY(back.has_value());
         QCOMPARE(back->provenance[u"note"_s], u"two lines"_s);
+    }
+    void whatIsReadIsWrittenAndReadTheSame_data()
+    {
+        QTest::addColumn<QByteArray>("head");
+        QTest::newRow("a key behind a space that is none of ASCII") << QByteArray("# \u00a0force_noise: 2\n");
+        QTest::newRow("a key behind two byte order marks") << QByteArray("# \ufeff\ufeffforce_noise: 2\n");
+        QTest::newRow("a key with a vertical tab") << QByteArray("# \x0bnote\x0b: a\x0b\n");
+        QTest::newRow("a key of spaces") << QByteArray("# \u00a0: a\n");
+        QTest::newRow("a lone carriage return") << QByteArray("# note: a\rb\n");
+        QTest::newRow("line ends of other alphabets") << QByteArray("# note: a\u2028b\u0085c\n");
+        QTest::newRow("a unit of spaces") << QByteArray("# force_unit: \u2003\n");
+        QTest::newRow("the longest line") << "#k:" + QByteArray(65'536 - 5, 'v') + "\n";
+        QByteArray facts;
+        for (int i = 0; i < 999; ++i) // one more, the source of the sample time, is added when it is read
+            facts += "# " + QByteArray::number(i) + ": x\n";
+        QTest::newRow("as many facts as there may be") << facts;
+    }
+    void whatIsReadIsWrittenAndReadTheSame()
+    {
+        QFETCH(QByteArray, head);
+        const auto read = parseRecordingCsv(head + "time_s,force,position\n0,1,2\n0.1,1,2\n", u"x.csv"_s);
+        QVERIFY2(read.has_value(), read ? "" : qPrintable(read.error().describe()));
+        const QByteArray written = toCsv(*read);
+        const auto again = parseRecordingCsv(written, u"x.csv"_s);
+        QVERIFY2(again.has_value(), again ? "" : qPrintable(again.error().describe()));
+        QVERIFY(*again == *read);
+        QCOMPARE(toCsv(*again), written);
     }
     void theFileIsWrittenAndReadBack()
     {
@@ -179,7 +206,11 @@ private slots:
             u"x.csv:1:1", u"no column");
         row("newer format", "# gripscope-recording: 2\nu,y\n1,2\n", u"x.csv:1:1", u"version 1");
         row("bad hold", "# force_hold: spline\nu,y\n1,2\n", u"x.csv:1:1", u"zoh or foh");
-        row("bad sample time", "# sample_time_s: 0\nu,y\n1,2\n", u"x.csv:1:1", u"above 0");
+        row("bad sample time", "# sample_time_s: 0\nu,y\n1,2\n", u"x.csv:1:1", u"from 1e-06 to 1");
+        row("sample time too fine", "# sample_time_s: 1e-22\nu,y\n1,2\n", u"x.csv:1:1", u"from 1e-06 to 1");
+        row("number too large", "u,y\n1,1e200\n", u"x.csv:2:2", u"1e+30");
+        row("lag too long", "# force_lag_s: 5\nu,y\n1,2\n", u"x.csv:1:1", u"from -1 to 1");
+        row("long line", "# x: " + QByteArray(70'000, 'x') + "\nu,y\n1,2\n", u"x.csv:1:1", u"65536");
         row("bad lag", "# force_lag_s: soon\nu,y\n1,2\n", u"x.csv:1:1", u"seconds");
     }
     void mistakesAreFoundAtTheirPlace()
@@ -191,7 +222,7 @@ private slots:
         QVERIFY(!recording);
         QCOMPARE(recording.error().name(), u"bad_input"_s);
         const QString message = recording.error().describe();
-        QVERIFY2(recording.error().arguments.value(0) == place, qPrintable(message));
+        QVERIFY2(recording.error().argument(0) == place, qPrintable(message));
         QVERIFY2(message.contains(word), qPrintable(message));
         QVERIFY2(message.startsWith(place + u": "_s), qPrintable(message));
     }
@@ -199,6 +230,10 @@ private slots:
     {
         CsvReadOptions options = uAndY();
         options.sampleTime_s.reset();
+        for (const QByteArray& steps : {QByteArray("1e9"), QByteArray("1e-9")}) {
+            const auto odd = parseRecordingCsv("time_s,u,y\n0,1,2\n" + steps + ",1,2\n", u"x.csv"_s, options);
+            QVERIFY(!odd && odd.error().describe().contains(u"from 1e-06 to 1"_s));
+        }
         QVERIFY(!parseRecordingCsv("u,y\n1,2\n3,4\n", u"x.csv"_s, options));
         QCOMPARE(
             parseRecordingCsv("# sample_time_s: 0.25\nu,y\n1,2\n3,4\n", u"x.csv"_s, options)->sampleTime_s,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/recording_csv.h"
-#include "core/signal/recording_markers.h"
+#include "core/signal/recording/recording.h"
+#include "core/signal/recording/recording_csv.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/recording.h"
+#include "core/signal/recording/recording.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -51,23 +51,16 @@ void number(Recording& recording)
 class RecordingTest : public QObject {
     Q_OBJECT
 private slots:
-    void aWholeRecordingHasNoGapAndOneWindow()
+    void aWholeRecordingHasNoGap()
     {
         const Recording recording = countingRecording(50);
         QVERIFY(findGaps(recording).empty());
-        QVERIFY((unbrokenWindows(recording) == std::vector<Window>{{0, 50}}));
-    }
-    void anEmptyRecordingHasNoWindow()
-    {
-        QVERIFY(unbrokenWindows(Recording()).empty());
-        QVERIFY(!longestUnbrokenWindow(Recording()));
+        QVERIFY(findGaps(Recording()).empty());
     }
     void lostSamplesAreCountedFromTheTime()
     {
         const Recording recording = without(countingRecording(50), 20, 3);
         QVERIFY((findGaps(recording) == std::vector<Gap>{{20, 3}}));
-        QVERIFY((unbrokenWindows(recording) == std::vector<Window>{{0, 20}, {20, 27}}));
-        QVERIFY((*longestUnbrokenWindow(recording) == Window{20, 27}));
     }
     void lostSamplesAreCountedFromTheSequenceWhereThereIsOne()
     {
@@ -84,14 +77,13 @@ private slots:
             recording.time_s[i] += 0.0002;
         QVERIFY(findGaps(recording).empty());
     }
-    void aSequenceThatJumpsBackBreaksTheWindowWithoutInventingLosses()
+    void aSequenceThatJumpsBackIsAGapWithoutInventedLosses()
     {
         Recording recording = countingRecording(10);
         number(recording);
         for (std::size_t i = 4; i < 10; ++i)
             recording.sequence[i] = i - 4; // the device started again
         QVERIFY((findGaps(recording) == std::vector<Gap>{{4, 0}}));
-        QCOMPARE(unbrokenWindows(recording).size(), std::size_t(2));
     }
     void anAbsurdJumpInTimeStaysACount()
     {
@@ -100,11 +92,6 @@ private slots:
         const std::vector<Gap> gaps = findGaps(recording);
         QCOMPARE(gaps.size(), std::size_t(1));
         QVERIFY(gaps[0].lostSamples > 0);
-    }
-    void theFirstOfEquallyLongWindowsIsTaken()
-    {
-        const Recording recording = without(countingRecording(41), 20, 1);
-        QVERIFY((*longestUnbrokenWindow(recording) == Window{0, 20}));
     }
     void aSliceKeepsWhatBelongsToTheRecording()
     {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/force_projection.h"
-#include "core/signal/gaussian.h"
-#include "core/signal/lost_share.h"
-#include "core/signal/regular_grid.h"
+#include "core/math/gaussian.h"
+#include "core/signal/preparation/preparation_parts.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/gaussian.h"
-#include "core/signal/preparation.h"
-#include "core/signal/resting_force.h"
+#include "core/math/gaussian.h"
+#include "core/signal/preparation/preparation.h"
+#include "core/signal/preparation/preparation_parts.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

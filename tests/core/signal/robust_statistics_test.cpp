@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/gaussian.h"
-#include "core/signal/robust_statistics.h"
+#include "core/math/gaussian.h"
+#include "core/math/robust_statistics.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/gaussian.h"
-#include "core/signal/sample_clock.h"
+#include "core/math/gaussian.h"
+#include "core/signal/preparation/sample_clock.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/identification/discretization.h"
-#include "core/signal/excitation.h"
-#include "core/signal/gaussian.h"
-#include "core/signal/recording.h"
+#include "core/identification/model/discretization.h"
+#include "core/math/gaussian.h"
+#include "core/signal/excitation/excitation.h"
+#include "core/signal/recording/recording.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/units.h"
+#include "core/signal/recording/units.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/clipping.h"
-#include "core/signal/gaussian.h"
-#include "core/signal/value_lattice.h"
+#include "core/math/gaussian.h"
+#include "core/math/value_lattice.h"
+#include "core/signal/preparation/sensor_faults.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/signal/window.h"
+#include "core/signal/preparation/preparation_parts.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

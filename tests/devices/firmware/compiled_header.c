@@ -48,3 +48,18 @@ gripscope_reading compiled_command(const uint8_t* report, size_t size, gripscope
 {
     return gripscope_read_command(report, size, command);
 }
+
+uint8_t compiled_answer_arm(uint32_t token, uint32_t* last_token, bool fault, bool armed)
+{
+    return gripscope_answer_arm(token, last_token, fault, armed);
+}
+
+bool compiled_feeds_watchdog(uint8_t id, uint8_t result)
+{
+    return gripscope_feeds_watchdog(id, result);
+}
+
+int64_t compiled_protective_force(int32_t limit, int32_t own_limit)
+{
+    return gripscope_protective_force(limit, own_limit);
+}

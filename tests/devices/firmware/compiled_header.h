@@ -19,6 +19,9 @@ void compiled_identity(uint8_t* report, const gripscope_identity* identity);
 void compiled_measurement(uint8_t* report, const gripscope_measurement* measurement);
 void compiled_limits(uint8_t* report, const gripscope_limits* limits);
 gripscope_reading compiled_command(const uint8_t* report, size_t size, gripscope_command* command);
+uint8_t compiled_answer_arm(uint32_t token, uint32_t* last_token, bool fault, bool armed);
+bool compiled_feeds_watchdog(uint8_t id, uint8_t result);
+int64_t compiled_protective_force(int32_t limit, int32_t own_limit);
 
 #ifdef __cplusplus
 }

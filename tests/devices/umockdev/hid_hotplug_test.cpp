@@ -55,8 +55,8 @@ private slots:
     void initTestCase()
     {
         const MockedSystem system;
-        if (!umockdev_in_mock_environment())
-            QSKIP("umockdev's library is not loaded: start this with umockdev-wrapper");
+        QVERIFY2(umockdev_in_mock_environment(),
+                 "umockdev's library is not loaded: start this with umockdev-wrapper");
     }
 
     void aGripperIsFoundOpenedAndStreamsWithoutLoss()

@@ -16,8 +16,10 @@
 #include <atomic>
 #include <cstdio>
 #include <fcntl.h>
+#include <linux/hidraw.h>
 #include <linux/uhid.h>
 #include <random>
+#include <sys/ioctl.h>
 #include <thread>
 #include <unistd.h>
 
@@ -197,12 +199,16 @@ void stoppedWhileAFeatureIsAwaited()
                          });
     std::atomic<bool> asks{false};
     std::atomic<bool> answered{false};
+    // Not by a HidTransport, which would find the node held.
     std::thread other([&] {
-        HidTransport transport(std::get<HidAddress>(*parseDeviceAddress(address)));
-        if (transport.open()) {
-            asks = true;
-            answered = transport.feature(protocol::ReportId::Identity).has_value();
-        }
+        const std::vector<HidNode> nodes = grippersAmong(listHidNodes());
+        const int file = nodes.empty() ? -1 : ::open(qPrintable(nodes.front().path), O_RDWR | O_CLOEXEC);
+        if (file < 0)
+            return;
+        protocol::Report report{static_cast<std::uint8_t>(protocol::ReportId::Identity)};
+        asks = true;
+        answered = ::ioctl(file, HIDIOCGFEATURE(protocol::reportSize), report.data()) >= 0;
+        ::close(file);
     });
     const auto waited = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
     const bool waits = gripper.pollUntil([&] { return asks && std::chrono::steady_clock::now() > waited; });

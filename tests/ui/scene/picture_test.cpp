@@ -3,8 +3,8 @@
 // get stale. packaging/keep_pictures.sh makes them anew, to be looked at before they are committed.
 #include "tests/support/test_registry.h"
 #include "tests/ui/scene/picture_comparison.h"
-#include "ui/language.h"
-#include "ui/tour.h"
+#include "ui/context/language.h"
+#include "ui/shell/tour.h"
 
 #include <QDir>
 #include <QPainter>

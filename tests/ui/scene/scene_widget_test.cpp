@@ -2,7 +2,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/scene/scene_example.h"
 #include "ui/scene/offscreen_gl.h"
-#include "ui/scene/scene_widget.h"
+#include "ui/scene/scene_view.h"
 #include "ui/theme/theme.h"
 
 #include <QSignalSpy>
@@ -48,7 +48,7 @@ class SceneWidgetTest : public QObject {
         scene.resize(720, 540);
         scene.setContent(std::move(content));
         scene.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&scene));
+        QVERIFY(QTest::qWaitForWindowExposed(&scene, gripscope::test::longEnough_ms));
         QTRY_VERIFY(scene.settled());
     }
 

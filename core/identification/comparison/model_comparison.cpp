@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/comparison/model_comparison.h"
+
+#include "core/base/words.h"
+#include "core/identification/noise/noise_model.h"
+#include "core/identification/uncertainty/effect_regression.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// A change of m, b or k that counts, in standard errors.
+constexpr double noticeable = 2;
+
+/// The residuals of the samples that were measured and used: those that every model has.
+std::vector<double> usedResiduals(const Estimate& e, const OutputErrorOptions& options)
+{
+    std::vector<double> out;
+    for (std::size_t i = 0; i < e.residual.size(); ++i) {
+        if (!std::binary_search(options.lost.begin(), options.lost.end(), i))
+            out.push_back(e.residual[i]);
+    }
+    return out;
+}
+
+/// Fills in likelihood and criterion; false when there is nothing to judge.
+bool judge(ComparedModel& model, const OutputErrorOptions& options)
+{
+    const Estimate& e = model.estimate;
+    if (e.status != EstimateStatus::Converged || !e.parameters)
+        return false;
+    const std::vector<double> residuals = usedResiduals(e, options);
+    const std::optional<SeriesModel> series = autoregressiveModel(residuals);
+    if (!series)
+        return false;
+    model.noiseOrder = static_cast<int>(series->coefficients.size());
+    model.parameters += 3 + model.noiseOrder + 1 + (e.nuisance.x0 ? 2 : 0) + (e.nuisance.offset ? 1 : 0);
+    model.logLikelihood = series->logLikelihood;
+    model.criterion =
+        -2 * series->logLikelihood + model.parameters * std::log(static_cast<double>(residuals.size()));
+    return std::isfinite(model.criterion);
+}
+
+ComparedModel modelOf(const QString& id, const Finding& words, Estimate estimate, int extra = 0)
+{
+    ComparedModel model;
+    model.id = id;
+    model.words = words;
+    model.estimate = std::move(estimate);
+    model.parameters = extra;
+    return model;
+}
+
+/// The delay that explains the residuals of `e` best, to first order, in seconds.
+double delayStep(const Estimate& e, const std::vector<double>& force, const OutputErrorOptions& options)
+{
+    const LinearizedRecord record = linearizedRecord(e, force, options);
+    if (!record.usable())
+        return 0;
+    const std::vector<std::vector<double>> effects{record.velocity};
+    const Eigen::MatrixXd triangle = effectTriangle(record, effects, e.residual, {}).triangle;
+    const Eigen::Index at = record.nuisances.cols() + 3;
+    const double step = triangle(at, at + 1) / triangle(at, at);
+    return std::isfinite(step) ? step : 0;
+}
+
+ComparedModel delayed(const std::vector<double>& force, const std::vector<double>& position,
+                      const OutputErrorOptions& options, const Estimate& linear)
+{
+    constexpr int iterations = 4;
+    OutputErrorOptions moved = options;
+    ComparedModel best =
+        modelOf(u"delay"_s, Words::say("a further delay between force and position"), linear, 1);
+    best.delay_s = 0;
+    Estimate at = linear;
+    for (int i = 0; i < iterations; ++i) {
+        // A sample at a time: the response is smooth only between samples.
+        moved.lag_s += std::clamp(delayStep(at, force, moved), -options.sampleTime_s, options.sampleTime_s);
+        moved.start = at.parameters;
+        at = estimateOutputError(force, position, moved);
+        if (at.status != EstimateStatus::Converged)
+            break;
+        if (at.residuals.sse * static_cast<double>(best.estimate.residual.size()) <
+            best.estimate.residuals.sse * static_cast<double>(at.residual.size())) {
+            best.estimate = at;
+            best.delay_s = moved.lag_s - options.lag_s;
+        }
+    }
+    return best;
+}
+
+std::vector<ComparedModel> candidates(const std::vector<double>& force, const std::vector<double>& position,
+                                      const OutputErrorOptions& options, const Estimate& linear,
+                                      const std::optional<Estimate>& cubic)
+{
+    std::vector<ComparedModel> models;
+    models.push_back(modelOf(u"linear"_s, Words::say("mass, spring and damper"), linear));
+    if (cubic && cubic->cubic) {
+        const bool stiffens = cubic->cubic->k3 > 0;
+        models.push_back(modelOf(
+            u"cubic_spring"_s,
+            stiffens ? Words::say("a stiffening spring") : Words::say("a softening spring"), *cubic, 1));
+    }
+    OutputErrorOptions other = options;
+    other.start = linear.parameters;
+    other.freeOffset = !options.freeOffset;
+    models.push_back(modelOf(options.freeOffset ? u"without_offset"_s : u"with_offset"_s,
+                             options.freeOffset ? Words::say("no offset of the position")
+                                                : Words::say("an offset of the position"),
+                             estimateOutputError(force, position, other)));
+    models.push_back(delayed(force, position, options, linear));
+    other.freeOffset = options.freeOffset;
+    const bool straight = options.hold == ForceHold::First;
+    other.hold = straight ? ForceHold::Zero : ForceHold::First;
+    models.push_back(modelOf(u"other_hold"_s,
+                             straight ? Words::say("a force that is held from sample to sample")
+                                      : Words::say("a force that runs straight from sample to sample"),
+                             estimateOutputError(force, position, other)));
+    if (straight) {
+        other.hold = options.hold;
+        models.push_back(modelOf(u"smooth_force"_s, Words::say("a force that is smooth between its samples"),
+                                 estimateOutputError(straightAsSpline(force), position, other)));
+    }
+    return models;
+}
+
+/// The smaller standard errors count: a poor model's own are large because it is poor.
+double changeInErrors(const Estimate& linear, const Estimate& other)
+{
+    const std::optional<Eigen::Vector3d> errors = linear.standardErrors();
+    const std::optional<Eigen::Vector3d> others = other.standardErrors();
+    if (!errors || !others)
+        return 0;
+    const Eigen::Vector3d smaller = errors->cwiseMin(*others);
+    const Eigen::Vector3d change = other.parameters->vector() - linear.parameters->vector();
+    const double largest = smaller.minCoeff() > 0 ? change.cwiseAbs().cwiseQuotient(smaller).maxCoeff() : 0.0;
+    return std::isfinite(largest) ? largest : 0;
+}
+
+void conclude(ModelComparison& comparison)
+{
+    const ComparedModel& best = comparison.ranked.front();
+    const ComparedModel& linear = *comparison.find(u"linear"_s);
+    const bool clear = linear.delta > decisiveDelta;
+    if (!clear) {
+        comparison.sentence = Words::say("The linear model is enough.");
+        return;
+    }
+    if (best.change <= noticeable) {
+        comparison.sentence =
+            Words::say("%1 explains this squeeze better, but m, b and k stay within their errors: the "
+                       "linear model is enough.")
+                .arg(best.words.capitalized());
+        return;
+    }
+    comparison.decisive = true;
+    comparison.sentence = Words::say("%1 explains this squeeze better.").arg(best.words.capitalized());
+}
+
+} // namespace
+
+const ComparedModel* ModelComparison::find(const QString& id) const
+{
+    const auto found = std::find_if(ranked.begin(), ranked.end(),
+                                    [&](const ComparedModel& model) { return model.id == id; });
+    return found != ranked.end() ? &*found : nullptr;
+}
+
+ModelComparison compareModels(const std::vector<double>& force, const std::vector<double>& position,
+                              const OutputErrorOptions& options, const Estimate& linear,
+                              const std::optional<Estimate>& cubic)
+{
+    ModelComparison comparison;
+    comparison.criterion = u"BIC"_s;
+    if (linear.status != EstimateStatus::Converged || !linear.parameters ||
+        linear.residual.size() != force.size() || force.size() != position.size())
+        return comparison;
+    for (ComparedModel& model : candidates(force, position, options, linear, cubic)) {
+        if (!judge(model, options)) {
+            if (model.id == u"linear"_s)
+                return comparison;
+            continue;
+        }
+        model.change = changeInErrors(linear, model.estimate);
+        comparison.ranked.push_back(std::move(model));
+    }
+    std::stable_sort(
+        comparison.ranked.begin(), comparison.ranked.end(),
+        [](const ComparedModel& a, const ComparedModel& b) { return a.criterion < b.criterion; });
+    double sum = 0;
+    for (ComparedModel& model : comparison.ranked) {
+        model.delta = model.criterion - comparison.ranked.front().criterion;
+        model.weight = std::exp(-model.delta / 2);
+        sum += model.weight;
+    }
+    for (ComparedModel& model : comparison.ranked)
+        model.weight /= sum;
+    conclude(comparison);
+    return comparison;
+}
+
+} // namespace gripscope

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/identification/model/estimate.h"
+#include "core/identification/output_error/output_error.h"
+
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace gripscope {
+
+/// One model of the squeeze among others. `id`: linear (as asked for), cubic_spring, without_offset,
+/// with_offset, delay, other_hold, smooth_force.
+struct ComparedModel {
+    QString id;
+    Finding words;
+    Estimate estimate;
+    int parameters = 0; ///< all that were fitted: of the motion, of the start, of the noise
+    int noiseOrder = 0; ///< of the autoregressive model of its residuals
+    double logLikelihood = 0;
+    double criterion = 0; ///< BIC; the lowest is best
+    double delta = 0;     ///< above the best one's
+    double weight = 0;    ///< exp(-delta / 2), all weights adding up to 1
+    double change = 0;    ///< largest change of m, b or k from the linear model's, in standard errors
+    std::optional<double> delay_s; ///< of `delay`: beyond the declared lag
+};
+
+/// Models ranked by the Bayesian information criterion BIC = -2 ln L + p ln N (Schwarz 1978). L is the
+/// Gaussian likelihood of the model's residuals under their own autoregressive noise (order by BIC, up to
+/// 20), since residuals are seldom white and a likelihood that takes them for white is sure of far too much.
+struct ModelComparison {
+    std::vector<ComparedModel> ranked; ///< best first
+    QString criterion;                 ///< "BIC"
+    bool decisive = false;             ///< another model than the linear one is better, and it matters
+    Finding sentence;                  ///< the outcome in words; empty when nothing could be compared
+    [[nodiscard]] const ComparedModel* find(const QString& id) const;
+};
+
+/// Differences of the criterion below this decide nothing (Kass and Raftery 1995: "very strong").
+inline constexpr double decisiveDelta = 10;
+
+/// `linear` is the output-error estimate with `options`; `cubic`, where there is one, the Duffing estimate of
+/// the same record. The others are estimated here: the offset the other way, a further delay between the
+/// channels (by Gauss-Newton), the other hold, and for straight forces one that is smooth between its samples
+/// (straightAsSpline()). A model is claimed to be better only where the criterion is decisively lower and m,
+/// b or k differ by more than two standard errors, the smaller of the two models' each.
+[[nodiscard]] ModelComparison compareModels(const std::vector<double>& force,
+                                            const std::vector<double>& position,
+                                            const OutputErrorOptions& options, const Estimate& linear,
+                                            const std::optional<Estimate>& cubic = std::nullopt);
+
+} // namespace gripscope

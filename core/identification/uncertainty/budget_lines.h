@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/identification/uncertainty/effect_regression.h"
+#include "core/identification/uncertainty/uncertainty_budget.h"
+
+#include <Eigen/Core>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace gripscope {
+
+/// A term that a linear spring and damper leave out and that the residuals ask for.
+struct MissingTerm {
+    QString id; ///< cubic_spring, quadratic_spring, quadratic_damping, dry_friction, smooth_force
+    Finding words;
+    Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< what leaving it out did to ln m, ln b, ln k
+};
+
+/// What the residuals of one record, as far as force and motion explain them, say about the error of m, b and
+/// k: model error, as opposed to noise.
+struct ModelMisfit {
+    std::vector<MissingTerm> terms;
+    /// Of (ln m, ln b, ln k), from what no term explains but past and present force does: unmodelled linear
+    /// dynamics.
+    Eigen::Matrix3d remainder = Eigen::Matrix3d::Zero();
+    double remainderDegreesOfFreedom = 0;
+    std::optional<double> remainderP; ///< that past and present force explains nothing more
+};
+
+/// Probability that a true model in white (or well modelled) Gaussian noise is charged with a misfit; half of
+/// it goes to the terms together, half to the remainder.
+inline constexpr double misfitLevel = 1e-3;
+
+/// Linear regression of the residuals on what candidate terms add to the position (force that x^3, x^2,
+/// x'|x'| or the sign of x' take up; force that is smooth between the samples where first-order hold has
+/// straight lines, straightAsSpline()), x0, v0, offset and the
+/// sensitivities to m, b and k along. Terms enter one by one by their F test; the shifts of
+/// (ln m, ln b, ln k) that leaving them out caused belong together, since terms that are alike share theirs.
+/// A term that bends must also explain more than the linearisation leaves of the whole misfit.
+///
+/// What is left is regressed on the force at the lags of residual_tests.h. Where that explains more than
+/// noise would, by the variance ratio F, the misfit is taken to be as large in the three directions of m, b
+/// and k, where the fit has hidden it, as it is on average in the others: covariance (F - 1) s^2 (S'S)^-1.
+///
+/// `known` are effects that the budget counts already (a lag or a compliance declared with an uncertainty):
+/// what they explain is no misfit. All rows are whitened by the autoregressive model of the residuals
+/// (autoregressiveModel()). Nothing is found in residuals at the size of rounding errors (below 1e-9 of the
+/// position).
+[[nodiscard]] ModelMisfit modelMisfit(const Estimate& estimate, const LinearizedRecord& record,
+                                      const std::vector<double>& force, const OutputErrorOptions& options,
+                                      const std::vector<std::vector<double>>& known = {});
+
+// The single lines of an uncertainty budget before they are added up; see uncertaintyBudget(). Effects that
+// are not there give no line. `p` is what the line is about, in the channels' units.
+
+/// A line whose covariance in (ln m, ln b, ln k) is `relative`.
+[[nodiscard]] BudgetLine lineOf(const QString& id, const Finding& words, EvaluationType type,
+                                const Eigen::Vector3d& p, const Eigen::Matrix3d& relative);
+
+/// The lines of an uncertainty budget (see uncertaintyBudget()) that come from the channels' noise: one from
+/// the residuals; or, where the force channel's noise is known, one for each channel. Then the force's noise
+/// F(t) moves the position by g * F, g the model's impulse response, and the estimate by
+///     A' (g * F),   A' = (S'S)^-1 S',
+/// S the sensitivities without the nuisances: covariance sd^2 (A' G)(A' G)', G the convolution with g; the
+/// position's noise has what is left of the residuals' variance. Exact for white noise, to first order in the
+/// noise. Residuals whose colour this does not explain keep their own noise model where that asks for more.
+[[nodiscard]] std::vector<BudgetLine> noiseLines(const Estimate& estimate, const LinearizedRecord& record,
+                                                 const OutputErrorOptions& options,
+                                                 double forceNoiseDeviation);
+
+/// Lag and frame compliance.
+[[nodiscard]] std::vector<BudgetLine> effectLines(const Eigen::Vector3d& p, const LinearizedRecord& record,
+                                                  const MeasuringChain& chain);
+/// The other hold of HoldEvidence, and a force that is smooth between its samples. `others`: the covariance
+/// that all other lines add up to.
+[[nodiscard]] std::vector<BudgetLine> holdLines(const Eigen::Vector3d& p,
+                                                const std::optional<HoldAmbiguity>& hold, double coverage,
+                                                const ModelMisfit& misfit, const Eigen::Matrix3d& others);
+[[nodiscard]] std::vector<BudgetLine> calibrationLines(const Eigen::Vector3d& p, const MeasuringChain& chain);
+[[nodiscard]] std::vector<BudgetLine> baselineLines(const GripperBaseline& baseline);
+[[nodiscard]] std::vector<BudgetLine> discrepancyLines(const Eigen::Vector3d& p,
+                                                       const std::optional<ModelDiscrepancy>& discrepancy,
+                                                       const ModelMisfit& misfit);
+
+} // namespace gripscope

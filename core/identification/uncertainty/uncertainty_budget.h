@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/identification/model/estimate.h"
+#include "core/identification/output_error/output_error.h"
+#include "core/signal/recording/measuring_chain.h"
+
+#include <Eigen/Core>
+#include <QString>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gripscope {
+
+/// By how much m, b and k differ from one part of the record (or one squeeze, or one amplitude) to the next
+/// beyond what the stated noise explains: what the model leaves out, as far as it changes with time and
+/// amplitude.
+struct ModelDiscrepancy {
+    /// Of (ln m, ln b, ln k) from one part to another; zero when the parts agree. It belongs to each part and
+    /// to the whole alike, undivided: more samples of the same do not average a wrong model out.
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d degreesOfFreedom = Eigen::Vector3d::Ones(); ///< of its three variances
+    int parts = 0;                                              ///< how many were compared; 0: none
+    std::optional<double> agreementP; ///< p-value of the hypothesis that all parts have one m, b and k
+    Finding words;                    ///< what was found, or why it could not be
+    [[nodiscard]] bool found() const { return covariance.trace() > 0; }
+};
+
+/// Parts whose probability of agreeing is above this are taken to agree. A true model is charged so seldom
+/// that its intervals grow by 1 to 2 % on average.
+inline constexpr double discrepancyLevel = 0.003;
+
+/// From estimates of different parts, each with its own covariance. Cochran's Q in three dimensions, theta =
+/// (ln m, ln b, ln k), with Student's correction for estimated variances, against F(3 (K - 1), sum of their
+/// degrees of freedom); when it is significant, the between-part covariance by moments,
+///     Psi = S - mean V_i, S the sample covariance of the theta_i,
+/// cut to its positive part (DerSimonian and Laird 1986; Jackson, White and Riley 2013, in several
+/// dimensions, unweighted), with (K - 1) (Psi_jj / S_jj)^2 degrees of freedom, at least one.
+///
+/// Estimates that did not converge, without a covariance or with a standard error above 25 % are left out;
+/// fewer than three say nothing.
+[[nodiscard]] ModelDiscrepancy discrepancyBetween(std::span<const Estimate> estimates);
+
+/// The stretches of equal length a record is split into: 4 to 6 of at least 60 samples, 4 time constants and
+/// 2 swings each; none when it is too short.
+[[nodiscard]] std::vector<Window> discrepancyWindows(std::size_t samples, double sampleTime_s,
+                                                     const MassDampingStiffness& parameters);
+
+/// Estimates every window of a record on its own (`estimate` with a free initial state; any estimator) and
+/// compares them. `whole` is the estimate from all samples.
+[[nodiscard]] ModelDiscrepancy modelDiscrepancy(std::size_t samples, double sampleTime_s,
+                                                const Estimate& whole,
+                                                const std::function<Estimate(Window)>& estimate);
+
+/// How a standard uncertainty was found (JCGM 100, 2.3): A from the statistics of this record, B otherwise.
+enum class EvaluationType { A, B };
+[[nodiscard]] QString toString(EvaluationType type); ///< "A", "B"
+
+/// One effect's part in the uncertainty of m, b and k. `id` is one of position_noise, noise (position and
+/// force noise together, coloured), force_noise, lag, hold, calibration, frame_compliance, baseline,
+/// model_discrepancy.
+struct BudgetLine {
+    QString id;
+    Finding words; ///< what it is and how large, plain words
+    EvaluationType type = EvaluationType::B;
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of (m, b, k), the channels' units squared
+    std::optional<Eigen::Vector3d> degreesOfFreedom;      ///< of m, b, k; none: as good as infinite
+    Eigen::Vector3d share = Eigen::Vector3d::Zero();      ///< of the combined variances of m, b, k, 0 to 1
+    [[nodiscard]] Eigen::Vector3d standardUncertainties() const;
+};
+
+/// The range that holds the value with the stated probability.
+struct CoverageInterval {
+    double lower = 0, upper = 0;
+    bool logarithmic = false; ///< symmetric in the logarithm, else symmetric
+    /// The data says only that the value is at most `upper`: the relative standard uncertainty is above 50 %,
+    /// or the range begins at zero.
+    bool onlyUpperBound = false;
+};
+
+/// A standard uncertainty with its effective degrees of freedom and the factor that gives the expanded one.
+struct CombinedUncertainty {
+    double standardUncertainty = 0;
+    std::optional<double> degreesOfFreedom; ///< none: as good as infinite
+    double coverageFactor = 0;              ///< Student's t
+};
+
+/// The uncertainty of one estimate as a whole, in the manner of the Guide to the Expression of Uncertainty in
+/// Measurement (JCGM 100:2008): every effect a line, covariances added up, effective degrees of freedom after
+/// Welch and Satterthwaite (G.4.1), intervals after Student.
+struct UncertaintyBudget {
+    Finding message; ///< why there is no budget, or what could not be counted; empty when all was
+    std::optional<MassDampingStiffness> parameters; ///< without the empty gripper's; none: no budget
+    std::vector<BudgetLine> lines;
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< sum over the lines
+    std::array<CombinedUncertainty, 3> combined;          ///< of m, b, k
+    std::array<CoverageInterval, 3> intervals;            ///< of m, b, k
+    double coverage = 0.95;
+
+    [[nodiscard]] const BudgetLine* find(const QString& id) const;
+    /// Of a quantity with these derivatives to m, b, k; to first order.
+    [[nodiscard]] CombinedUncertainty propagate(const Eigen::Vector3d& gradient) const;
+};
+
+/// What m, b and k would be under the other hold, and how probable that one is after the data (0 to 1).
+struct HoldAmbiguity {
+    MassDampingStiffness other;
+    double probability = 0;
+};
+
+struct BudgetOptions {
+    std::optional<HoldAmbiguity> hold;
+    std::optional<ModelDiscrepancy> discrepancy; ///< between windows, amplitudes or squeezes
+    bool subtractBaseline = true;                ///< false: `estimate` is that of the object alone already
+    double coverage = 0.95;
+};
+
+/// The budget of an output-error estimate (or another one of the same model) of this record. Linear
+/// propagation (effect_regression.h):
+/// - noise: the estimate's own covariance; where the chain states the noise of the force, the covariance that
+///   its filtered answer causes and s^2 (J'J)^-1 with the rest of s^2, unless the residuals are coloured so
+///   strongly that their own noise model asks for more;
+/// - lag: the velocity is what a second of lag adds; frame compliance: the force is what a unit of compliance
+///   adds (a declared compliance was taken off the position before the estimate);
+/// - calibration: m, b, k are proportional to force over position, exactly; after the baseline, which the
+///   same channels measured;
+/// - hold: so much that the interval reaches the parameters under the other hold. With coverage 1 - 2 q and a
+///   probability P of the other hold those are missed with probability q / P when they are true; a P of q
+///   needs no line. As P comes from a likelihood ratio, 1 / P is 2 on average where the other hold is true:
+///   the interval covers under either hold, however well the record tells them apart;
+/// - baseline: subtracted, its variances added.
+/// A line appears for every effect that is there. Intervals are symmetric in the logarithm, which positive
+/// parameters with relative uncertainties suit better and where a scale error is exact, but symmetric after
+/// a baseline and where an uncertainty is above half the value; they do not reach below zero.
+[[nodiscard]] UncertaintyBudget uncertaintyBudget(const Estimate& estimate, const std::vector<double>& force,
+                                                  const std::vector<double>& position,
+                                                  const OutputErrorOptions& options,
+                                                  const MeasuringChain& chain,
+                                                  const BudgetOptions& budgetOptions = {});
+
+} // namespace gripscope

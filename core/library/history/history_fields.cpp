@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/history/history_fields.h"
+
+#include "core/base/json_value.h"
+#include "core/library/history/history_view.h"
+#include "core/library/tables/estimate_tables.h"
+#include "core/library/tables/inspection_tables.h"
+#include "core/signal/recording/units.h"
+
+#include <QJsonObject>
+#include <QLocale>
+#include <QStringList>
+
+#include <array>
+#include <iterator>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+using Entry = HistoryEntry;
+using Need = HistorySelection;
+
+QString exactText(const std::optional<double>& value)
+{
+    return value ? QString::number(*value, 'g', QLocale::FloatingPointShortest) : QString();
+}
+
+QString exactUtc(const Entry& entry)
+{
+    return entry.time.toUTC().toString(Qt::ISODateWithMs);
+}
+
+QString outcomeText(const Entry& entry)
+{
+    const std::optional<InspectionOutcome> outcome = entry.outcome();
+    return outcome ? toString(*outcome) : QString();
+}
+
+QJsonValue byName(const std::optional<Eigen::Vector3d>& values)
+{
+    if (!values)
+        return {};
+    return QJsonObject{{u"m"_s, jsonNumber((*values)(0))},
+                       {u"b"_s, jsonNumber((*values)(1))},
+                       {u"k"_s, jsonNumber((*values)(2))}};
+}
+
+/// m, b and k with their errors and units, where there are any.
+QStringList parameterCells(const Entry& entry)
+{
+    const ParameterUnits units = parameterUnits(entry.forceUnit, entry.positionUnit);
+    const std::array<QString, 3> names{units.m, units.b, units.k};
+    QStringList cells;
+    for (int i = 0; i < 3; ++i) {
+        const auto at = [i](const auto& values) {
+            return values ? std::optional((*values)(i)) : std::optional<double>();
+        };
+        const auto vector = entry.parameters ? std::optional(entry.parameters->vector()) : std::nullopt;
+        cells << exactText(at(vector)) << exactText(at(entry.standardErrors))
+              << (vector ? names[std::size_t(i)] : QString());
+    }
+    return cells;
+}
+
+QJsonValue unitsByName(const Entry& entry)
+{
+    const ParameterUnits units = parameterUnits(entry.forceUnit, entry.positionUnit);
+    return QJsonObject{{u"m"_s, units.m}, {u"b"_s, units.b}, {u"k"_s, units.k}};
+}
+
+template <QString Entry::*member>
+HistoryField textField(const char* name, const QString& sql)
+{
+    return {name,
+            name,
+            sql,
+            [](Statement& row, Entry& entry) { entry.*member = row.takeText(); },
+            [](const Entry& entry) { return QStringList{entry.*member}; },
+            [](const Entry& entry) { return jsonText(entry.*member); }};
+}
+
+/// `csv`: empty for what is in JSON alone.
+template <std::optional<double> Entry::*member>
+HistoryField numberField(const char* name, const char* csv, const QString& sql)
+{
+    return {name,
+            csv,
+            sql,
+            [](Statement& row, Entry& entry) { entry.*member = row.takeOptionalReal(); },
+            [](const Entry& entry) { return QStringList{exactText(entry.*member)}; },
+            [](const Entry& entry) { return jsonNumber(entry.*member); }};
+}
+
+HistoryField numberOfInspection()
+{
+    return {"number",
+            "number",
+            u"COALESCE(i.number, 0)"_s,
+            [](Statement& row, Entry& entry) { entry.number = row.takeInteger(); },
+            [](const Entry& entry) {
+                return QStringList{entry.number > 0 ? QString::number(entry.number) : QString()};
+            },
+            [](const Entry& entry) { return entry.number > 0 ? QJsonValue(entry.number) : QJsonValue(); }};
+}
+
+HistoryField kindOfSqueeze()
+{
+    return {"kind",
+            "kind",
+            u"CASE WHEN g.type_id IS NULL THEN 0 ELSE 1 END"_s,
+            [](Statement& row, Entry& entry) {
+                entry.kind = row.takeInteger() != 0 ? SqueezeKind::Enrollment : SqueezeKind::Inspection;
+            },
+            [](const Entry& entry) { return QStringList{toString(entry.kind)}; },
+            [](const Entry& entry) { return QJsonValue(toString(entry.kind)); }};
+}
+
+HistoryField verdictOfInspection()
+{
+    return {
+        "verdict",
+        "verdict",
+        u"COALESCE(i.verdict, '')"_s,
+        [](Statement& row, Entry& entry) { entry.verdict = verdictKindFromString(row.takeText()); },
+        [](const Entry& entry) { return QStringList{entry.verdict ? toString(*entry.verdict) : QString()}; },
+        [](const Entry& entry) {
+            return entry.verdict ? QJsonValue(toString(*entry.verdict)) : QJsonValue();
+        }};
+}
+
+std::vector<HistoryField> fieldsOfTheVerdict()
+{
+    return {numberOfInspection(),
+            {"time_utc", "time_utc", u"g.recorded_utc"_s,
+             [](Statement& row, Entry& entry) { entry.time = row.takeUtc(); },
+             [](const Entry& entry) { return QStringList{exactUtc(entry)}; },
+             [](const Entry& entry) { return QJsonValue(exactUtc(entry)); }},
+            kindOfSqueeze(),
+            textField<&Entry::expectedType>("expected", u"COALESCE(i.expected_type, '')"_s),
+            {"outcome",
+             "outcome",
+             {},
+             nullptr,
+             [](const Entry& entry) { return QStringList{outcomeText(entry)}; },
+             [](const Entry& entry) { return jsonText(outcomeText(entry)); }},
+            verdictOfInspection(),
+            textField<&Entry::type>("type", historyTypeSql()),
+            textField<&Entry::nearest>("nearest", u"COALESCE(i.nearest, '')"_s),
+            numberField<&Entry::posterior>("posterior", "posterior", u"i.posterior"_s),
+            numberField<&Entry::distance>("distance", "", u"i.distance"_s),
+            numberField<&Entry::gate>("gate", "", u"i.gate"_s),
+            numberField<&Entry::falseReject>("false_reject_rate", "", u"i.false_reject"_s),
+            numberField<&Entry::wrongType>("wrong_type_rate", "", u"i.wrong_type"_s)};
+}
+
+std::vector<HistoryField> fieldsOfTheEstimate()
+{
+    return {
+        {"units", "", u"g.force_unit, g.position_unit"_s,
+         [](Statement& row, Entry& entry) {
+             entry.forceUnit = row.takeText();
+             entry.positionUnit = row.takeText();
+         },
+         nullptr, unitsByName},
+        {"parameters", "m,m_standard_error,m_unit,b,b_standard_error,b_unit,k,k_standard_error,k_unit",
+         u"e.m, e.b, e.k"_s,
+         [](Statement& row, Entry& entry) { entry.parameters = estimate_table::takeParameters(row); },
+         parameterCells,
+         [](const Entry& entry) {
+             return byName(entry.parameters ? std::optional(entry.parameters->vector()) : std::nullopt);
+         }},
+        {"standard_errors", "", u"e.var_m, e.var_b, e.var_k"_s,
+         [](Statement& row, Entry& entry) { entry.standardErrors = estimate_table::takeStandardErrors(row); },
+         nullptr, [](const Entry& entry) { return byName(entry.standardErrors); }},
+        numberField<&Entry::simulationFitPercent>("simulation_fit_percent", "simulation_fit_percent",
+                                                  u"e.simulation_fit_percent"_s),
+        numberField<&Entry::seconds>("squeeze_s", "squeeze_s", u"i.seconds"_s)};
+}
+
+std::vector<HistoryField> fieldsOfTheRecord()
+{
+    return {
+        textField<&Entry::operatorName>("operator", u"g.operator_name"_s),
+        textField<&Entry::device>("device", u"g.device_name"_s),
+        textField<&Entry::serial>("serial", u"g.device_serial"_s),
+        textField<&Entry::firmware>("firmware", u"g.firmware"_s),
+        textField<&Entry::source>("source", u"g.source"_s),
+        textField<&Entry::part>("part", u"g.part"_s),
+        {"accepted", "accepted", u"COALESCE(p.accepted, 1)"_s,
+         [](Statement& row, Entry& entry) { entry.accepted = row.takeInteger() != 0; },
+         [](const Entry& entry) { return QStringList{entry.accepted ? u"yes"_s : u"no"_s}; },
+         [](const Entry& entry) { return QJsonValue(entry.accepted); }},
+        textField<&Entry::estimator>("estimator", u"COALESCE(e.estimator, '')"_s),
+        textField<&Entry::program>("software", u"COALESCE(e.program, '')"_s),
+        textField<&Entry::graspId>("key", u"g.id"_s),
+        {"reason", "reason", u"COALESCE(i.reasons, '[]')"_s,
+         [](Statement& row, Entry& entry) { entry.reason = inspection_table::joinReasons(row.takeText()); },
+         [](const Entry& entry) { return QStringList{entry.reason.describe()}; },
+         [](const Entry& entry) { return jsonText(entry.reason.describe()); }},
+        textField<&Entry::batch>("batch", u"COALESCE(o.name, '')"_s)};
+}
+
+template <double MassDampingStiffness::*member>
+QVariant inSi(const Entry& entry)
+{
+    if (!entry.parameters)
+        return {};
+    return (*entry.parameters).*member * siFactor(entry.forceUnit, entry.positionUnit).value_or(1);
+}
+
+template <QString Entry::*member>
+QVariant textOf(const Entry& entry)
+{
+    return entry.*member;
+}
+
+QVariant numberOr(const std::optional<double>& number)
+{
+    return number ? QVariant(*number) : QVariant();
+}
+
+QString word(const QString& column)
+{
+    return u"LOWER(NULLIF(%1, ''))"_s.arg(column);
+}
+
+std::vector<HistoryColumnFacts> columnsOfTheVerdict()
+{
+    return {{HistoryColumn::Number, ColumnFormat::Count, QT_TRANSLATE_NOOP("Words", "Number"),
+             [](const Entry& entry) { return entry.number > 0 ? QVariant(entry.number) : QVariant(); },
+             u"i.number"_s, Need::Inspections},
+            {HistoryColumn::Time,
+             ColumnFormat::Time,
+             QT_TRANSLATE_NOOP("Words", "Time"),
+             [](const Entry& entry) { return QVariant(entry.time); },
+             {}},
+            {HistoryColumn::Kind, ColumnFormat::Kind, QT_TRANSLATE_NOOP("Words", "Kind"),
+             [](const Entry& entry) { return QVariant(int(entry.kind)); },
+             u"CASE WHEN g.type_id IS NULL THEN 0 ELSE 1 END"_s},
+            {HistoryColumn::Outcome, ColumnFormat::Outcome, QT_TRANSLATE_NOOP("Words", "Outcome"),
+             [](const Entry& entry) {
+                 const std::optional<InspectionOutcome> outcome = entry.outcome();
+                 return outcome ? QVariant(int(*outcome)) : QVariant();
+             },
+             historyOutcomeSql(), Need::Inspections},
+            {HistoryColumn::Expected, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Expected"),
+             textOf<&Entry::expectedType>, word(u"i.expected_type"_s), Need::Inspections},
+            {HistoryColumn::Type, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Type"),
+             textOf<&Entry::type>, word(historyTypeSql()), Need::Inspections | Need::Types},
+            {HistoryColumn::Posterior, ColumnFormat::Probability, QT_TRANSLATE_NOOP("Words", "Posterior"),
+             [](const Entry& entry) { return numberOr(entry.tellingPosterior()); },
+             u"CASE WHEN i.verdict IN ('type', 'inconclusive') THEN i.posterior END"_s, Need::Inspections}};
+}
+
+std::vector<HistoryColumnFacts> columnsOfTheEstimate()
+{
+    return {{HistoryColumn::Mass, ColumnFormat::Quantity, QT_TRANSLATE_NOOP("Words", "Mass m"),
+             inSi<&MassDampingStiffness::m>, historySiSql(u"e.m"_s), Need::Estimates},
+            {HistoryColumn::Damping, ColumnFormat::Quantity, QT_TRANSLATE_NOOP("Words", "Damping b"),
+             inSi<&MassDampingStiffness::b>, historySiSql(u"e.b"_s), Need::Estimates},
+            {HistoryColumn::Stiffness, ColumnFormat::Quantity, QT_TRANSLATE_NOOP("Words", "Stiffness k"),
+             inSi<&MassDampingStiffness::k>, historySiSql(u"e.k"_s), Need::Estimates},
+            {HistoryColumn::Fit, ColumnFormat::Percent, QT_TRANSLATE_NOOP("Words", "Simulation fit"),
+             [](const Entry& entry) { return numberOr(entry.simulationFitPercent); },
+             u"e.simulation_fit_percent"_s, Need::Estimates},
+            {HistoryColumn::Seconds, ColumnFormat::Seconds, QT_TRANSLATE_NOOP("Words", "Length"),
+             [](const Entry& entry) { return numberOr(entry.seconds); }, u"i.seconds"_s, Need::Inspections}};
+}
+
+std::vector<HistoryColumnFacts> columnsOfTheRecord()
+{
+    return {
+        {HistoryColumn::Operator, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Operator"),
+         textOf<&Entry::operatorName>, word(u"g.operator_name"_s)},
+        {HistoryColumn::Device, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Gripper"),
+         [](const Entry& entry) { return QVariant(u"%1 %2"_s.arg(entry.device, entry.serial).trimmed()); },
+         word(historyDeviceSql())},
+        {HistoryColumn::Batch, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Batch"), textOf<&Entry::batch>,
+         word(u"o.name"_s), Need::Batches},
+        {HistoryColumn::Estimator, ColumnFormat::Estimator, QT_TRANSLATE_NOOP("Words", "Estimator"),
+         textOf<&Entry::estimator>, u"e.estimator"_s, Need::Estimates},
+        {HistoryColumn::Program, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Software"),
+         textOf<&Entry::program>, u"e.program"_s, Need::Estimates}};
+}
+
+template <typename Row>
+std::vector<Row> together(std::vector<Row> first, std::vector<Row> second, std::vector<Row> third)
+{
+    for (std::vector<Row>* more : {&second, &third})
+        first.insert(first.end(), std::make_move_iterator(more->begin()),
+                     std::make_move_iterator(more->end()));
+    return first;
+}
+
+} // namespace
+
+const std::vector<HistoryField>& historyFields()
+{
+    static const auto fields = together(fieldsOfTheVerdict(), fieldsOfTheEstimate(), fieldsOfTheRecord());
+    return fields;
+}
+
+const std::vector<HistoryColumnFacts>& historyColumns()
+{
+    static const auto columns = together(columnsOfTheVerdict(), columnsOfTheEstimate(), columnsOfTheRecord());
+    return columns;
+}
+
+const HistoryColumnFacts& factsOf(HistoryColumn column)
+{
+    return historyColumns()[std::size_t(column)];
+}
+
+} // namespace gripscope

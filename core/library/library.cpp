@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/library.h"
+
+#include "core/base/words.h"
+#include "core/library/audit/audit_trail.h"
+#include "core/library/library_private.h"
+#include "core/library/migrations/migration.h"
+#include "core/library/people/people_register.h"
+#include "core/library/tables/audit_table.h"
+#include "core/library/tables/calibration_tables.h"
+#include "core/library/tables/change_table.h"
+#include "core/library/tables/document_table.h"
+#include "core/library/tables/grasp_table.h"
+#include "core/library/tables/grasp_writer.h"
+#include "core/library/tables/inspection_tables.h"
+#include "core/library/tables/placement_table.h"
+#include "core/library/tables/recording_table.h"
+#include "core/library/tables/type_tables.h"
+#include "core/library/tables/type_writer.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QScopedValueRollback>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// One more squeeze of a type is a new version of the library.
+Expected<qint64> recordSqueeze(Database& database, const NewGrasp& grasp)
+{
+    ASSIGN_OR_RETURN(const auto type, requireType(database, grasp.typeId));
+    return change_table::insert(database,
+                                {0, {}, {}, ChangeKind::Squeeze, type.name, {}, 1, grasp.operatorName, {}});
+}
+
+} // namespace
+
+Library::Library(std::unique_ptr<Private> p) : d(std::move(p)) {}
+Library::~Library() = default;
+
+QString Library::defaultFile()
+{
+    // Not by the application's name: desktop and command line are to find the same one.
+    return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + u"/gripscope/library.db"_s;
+}
+
+Expected<std::unique_ptr<Library>> Library::open(const QString& file)
+{
+    if (file == defaultFile()) // any other folder is the user's to make: a typing error must not create one
+        QDir().mkpath(QFileInfo(file).absolutePath());
+    ASSIGN_OR_RETURN(auto database, Database::open(file));
+    RETURN_IF_ERROR(migrate(*database));
+    return std::unique_ptr<Library>(new Library(std::make_unique<Private>(std::move(database))));
+}
+
+QString Library::file() const
+{
+    return d->database->file();
+}
+
+void Library::actAs(const Acting& acting)
+{
+    d->database->actAs(acting);
+}
+
+PeopleRegister Library::people()
+{
+    return PeopleRegister(*d->database);
+}
+
+AuditTrail Library::auditTrail()
+{
+    return AuditTrail(*d->database);
+}
+
+int Library::schemaVersion() const
+{
+    return migrations().back().version; // open() brought it there
+}
+
+Expected<GraspRecord> Library::addGrasp(const NewGrasp& grasp)
+{
+    return d->write<GraspRecord>(Words::tr("store the squeeze"), [&]() -> Expected<GraspRecord> {
+        ASSIGN_OR_RETURN(const auto version,
+                         grasp.typeId.isEmpty() ? Expected<qint64>(0) : recordSqueeze(*d->database, grasp));
+        const auto id = storeGrasp(*d->database, grasp, version);
+        return id ? requireGrasp(*d->database, *id) : tl::unexpected(id.error());
+    });
+}
+
+Expected<void> Library::atOnce(const std::function<Expected<void>()>& work)
+{
+    return d->write<void>(Words::tr("store what belongs together"), [&] {
+        const QScopedValueRollback<bool> within(d->atOnce, true);
+        return work();
+    });
+}
+
+Expected<void> Library::Private::place(const QString& graspId, ChangeKind kind, const QString& reason,
+                                       const QString& operatorName)
+{
+    const bool accepted = kind == ChangeKind::Undrop;
+    return writeIf<void>(
+        Permission::DropSqueezes,
+        accepted ? Words::tr("put the squeeze back") : Words::tr("drop the squeeze"),
+        [&]() -> Expected<void> {
+            ASSIGN_OR_RETURN(const auto grasp, requireGrasp(*database, graspId));
+            if (grasp.typeId.isEmpty())
+                return failure(ErrorCode::Usage,
+                               {Words::tr("The squeeze of an inspection belongs to no type.")});
+            if (grasp.accepted == accepted)
+                return {};
+            ASSIGN_OR_RETURN(const auto version,
+                             change_table::insert(
+                                 *database, {0, {}, {}, kind, grasp.typeName, {}, 1, operatorName, reason}));
+            return placement_table::insert(*database, version, graspId, {grasp.typeId, accepted});
+        });
+}
+
+Expected<void> Library::dropGrasp(const QString& graspId, const QString& reason, const QString& operatorName)
+{
+    return d->place(graspId, ChangeKind::Drop, reason, operatorName);
+}
+
+Expected<void> Library::undropGrasp(const QString& graspId, const QString& operatorName)
+{
+    return d->place(graspId, ChangeKind::Undrop, {}, operatorName);
+}
+
+Expected<std::vector<GraspRecord>> Library::grasps(const QString& typeId) const
+{
+    return grasp_table::ofType(*d->database, typeId);
+}
+
+Expected<std::optional<GraspRecord>> Library::grasp(const QString& graspId) const
+{
+    return grasp_table::find(*d->database, graspId);
+}
+
+Expected<Recording> Library::recording(const QString& graspId) const
+{
+    return recording_table::read(*d->database, graspId);
+}
+
+Expected<QJsonObject> Library::identificationDocument(const QString& graspId) const
+{
+    return document_table::read(*d->database, graspId);
+}
+
+Expected<std::vector<TypeSqueeze>> Library::enrolledSqueezes() const
+{
+    return grasp_table::enrolled(*d->database);
+}
+
+Expected<InspectionRecord> Library::addInspection(const NewInspection& inspection)
+{
+    return d->write<InspectionRecord>(Words::tr("store the inspection"), [&]() -> Expected<InspectionRecord> {
+        ASSIGN_OR_RETURN(const auto graspId, storeGrasp(*d->database, inspection.grasp));
+        const RowStamp stamp = RowStamp::now();
+        RETURN_IF_ERROR(inspection_table::insert(*d->database, stamp, graspId, inspection));
+        ASSIGN_OR_RETURN(const auto stored, inspection_table::find(*d->database, stamp.id));
+        return stored.value();
+    });
+}
+
+Expected<std::vector<InspectionRecord>> Library::inspections(const HistoryFilter& filter) const
+{
+    return inspection_table::page(*d->database, filter);
+}
+
+Expected<InspectionCounts> Library::inspectionCounts() const
+{
+    return inspection_table::counts(*d->database);
+}
+
+Expected<void> Library::addMeasuringChain(const NewMeasuringChain& measured)
+{
+    if (measured.gripperSerial.isEmpty())
+        return failure(ErrorCode::Usage,
+                       {Words::tr("This gripper has no serial number to keep what was measured under.")});
+    const MeasuringChain& chain = measured.chain;
+    std::vector<double> numbers{measured.forceLag_s,
+                                chain.forceLagUncertainty_s,
+                                chain.forceNoiseDeviation,
+                                chain.forceScaleUncertainty,
+                                chain.positionScaleUncertainty,
+                                chain.frameCompliance,
+                                chain.frameComplianceUncertainty};
+    if (chain.baseline) {
+        numbers.insert(numbers.end(), chain.baseline->parameters.begin(), chain.baseline->parameters.end());
+        numbers.insert(numbers.end(), chain.baseline->standardErrors.begin(),
+                       chain.baseline->standardErrors.end());
+    }
+    if (!std::all_of(numbers.begin(), numbers.end(), [](double value) { return std::isfinite(value); }))
+        return failure(ErrorCode::Usage,
+                       {Words::tr("A number that was measured of the gripper is not finite.")});
+    return d->writeIf<void>(
+        Permission::AcceptCalibrations, Words::tr("store what was measured of the gripper"),
+        [&]() -> Expected<void> {
+            RETURN_IF_ERROR(measuring_chain_table::insert(*d->database, RowStamp::now(), measured));
+            return audit_table::append(*d->database, {QString::fromUtf16(audit_action::chainMeasured),
+                                                      measured.gripperSerial,
+                                                      measured.basis,
+                                                      {{u"force_lag_s"_s, measured.forceLag_s}},
+                                                      measured.operatorName});
+        });
+}
+
+Expected<std::optional<MeasuringChainRecord>> Library::measuringChain(const QString& gripperSerial) const
+{
+    return measuring_chain_table::newest(*d->database, gripperSerial);
+}
+
+} // namespace gripscope

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/identification/identification.h"
+#include "core/library/records/inspection_record.h"
+#include "core/library/records/library_change.h"
+#include "core/library/records/measuring_chain_record.h"
+#include "core/library/records/squeeze_record.h"
+#include "core/library/records/type_record.h"
+#include "core/recognition/types/type_model.h"
+#include "core/recognition/verdict/verdict.h"
+#include "core/signal/recording/recording.h"
+
+#include <QDateTime>
+#include <QJsonObject>
+#include <QString>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace gripscope {
+
+struct Acting;
+struct SensorCalibration;
+class HistoryKeys;
+struct HistoryQuery;
+struct HistoryEntry;
+struct HistoryCounts;
+struct HistoryPoints;
+struct HistoryChoices;
+struct SqueezeDetails;
+struct Reidentification;
+struct CalibrationRecord;
+struct CalibrationsInForce;
+struct EnrollmentDraft;
+struct DraftSqueeze;
+struct PartPicture;
+enum class DraftEnd;
+struct ReferenceCheck;
+struct ReferenceCheckRecord;
+struct ReferenceObject;
+struct NewBatch;
+struct BatchRecord;
+class AuditTrail;
+class PeopleRegister;
+
+/// The library of types, squeezes and inspections in one SQLite file. Rows are appended, never overwritten;
+/// keys are UUIDs in time order; every write is one transaction, so a squeeze is stored whole or not at all.
+/// All types of a library have comparable units: channels that can be taken to SI, or all the same units
+/// ("1"). Several processes may use one file at once. An object belongs to the thread that opened it.
+///
+/// Whatever changes the types is one version of the library, with who, when and why; any earlier version can
+/// be looked at and restored, which is a new version again, so that nothing is ever lost.
+///
+/// Once people are in it (people_register.h), what needs a supervisor fails with Usage unless one acts
+/// or has consented, and nothing is changed then; see permission.h. What was done is in the audit trail.
+///
+/// Every function may fail with StorageFailed (locked, disk full) or StorageCorrupt; nothing is changed then.
+class Library {
+public:
+    /// Opens or creates `file`, brings an older one up to date. StorageOpen, StorageNewer, StorageCorrupt.
+    [[nodiscard]] static Expected<std::unique_ptr<Library>> open(const QString& file);
+    /// The user's own library when no file is named.
+    [[nodiscard]] static QString defaultFile();
+
+    ~Library();
+    Library(const Library&) = delete;
+    Library& operator=(const Library&) = delete;
+
+    [[nodiscard]] QString file() const;
+    [[nodiscard]] int schemaVersion() const;
+    /// All that `work` asks of this library is one transaction: when it fails, nothing of it is stored.
+    [[nodiscard]] Expected<void> atOnce(const std::function<Expected<void>()>& work);
+
+    /// Who works through this object from now on: what may be done, and whom the audit trail names.
+    void actAs(const Acting& acting);
+    [[nodiscard]] PeopleRegister people(); ///< lives no longer than the library
+    [[nodiscard]] AuditTrail auditTrail(); ///< lives no longer than the library
+
+    // Types. NotFound: there is no such type. Usage: what is asked for makes no sense; says why.
+    /// Usage: no name, or one that is taken. UnitsDiffer: not comparable with the types that are there.
+    [[nodiscard]] Expected<TypeRecord> addType(const QString& name, const Recipe& recipe,
+                                               const QString& forceUnit, const QString& positionUnit,
+                                               const QString& operatorName = {});
+    /// Another recipe for the type; the old one stays on record.
+    [[nodiscard]] Expected<TypeRecord> reviseType(const QString& typeId, const Recipe& recipe);
+    [[nodiscard]] Expected<void> approveType(const QString& typeId, const QString& operatorName);
+    [[nodiscard]] Expected<std::vector<TypeRecord>> types() const;        ///< those in use, by name
+    [[nodiscard]] Expected<std::vector<TypeRecord>> retiredTypes() const; ///< by name
+    /// In use or retired, see TypeRecord::status.
+    [[nodiscard]] Expected<std::optional<TypeRecord>> findType(const QString& name) const;
+
+    // Changing types. Each asks for a reason.
+    /// Inspections that were made keep the old name.
+    [[nodiscard]] Expected<TypeRecord> renameType(const QString& typeId, const QString& name,
+                                                  const ChangeNote& note);
+    /// The accepted squeezes of `typeId` go to `intoId`, which then needs approval again; the first type is
+    /// gone.
+    [[nodiscard]] Expected<TypeRecord> mergeTypes(const QString& typeId, const QString& intoId,
+                                                  const ChangeNote& note);
+    /// These accepted squeezes of the type, not all of them, become a new type with its recipe. Both need
+    /// approval then. Returns the new one.
+    [[nodiscard]] Expected<TypeRecord> splitType(const QString& typeId, const QStringList& graspIds,
+                                                 const QString& name, const ChangeNote& note);
+    /// No longer recognised; kept.
+    [[nodiscard]] Expected<void> retireType(const QString& typeId, const ChangeNote& note);
+    /// A retired type is recognised again, and needs approval.
+    [[nodiscard]] Expected<void> reinstateType(const QString& typeId, const ChangeNote& note);
+    /// What a scanner reads on its parts; empty: no longer any. Usage: another type has that code.
+    [[nodiscard]] Expected<TypeRecord> setTypeCode(const QString& typeId, const QString& code,
+                                                   const ChangeNote& note);
+
+    // Versions
+    [[nodiscard]] Expected<qint64> version() const;
+    [[nodiscard]] Expected<std::vector<LibraryChange>> changes(int limit,
+                                                               int offset = 0) const; ///< newest first
+    /// Usage: there is no such version.
+    [[nodiscard]] Expected<LibraryState> stateAt(qint64 version) const;
+    /// Types and squeezes are again as they were at that version; returns the new version. Squeezes that came
+    /// later stay on record. Usage: no such version, or nothing differs from it.
+    [[nodiscard]] Expected<qint64> restoreVersion(qint64 version, const ChangeNote& note);
+
+    // Squeezes
+    /// NotFound: no such type. UnitsDiffer: not comparable with the type's. Usage: no estimate for an
+    /// enrolment, a retired type, a number that is not finite, channels of different length.
+    [[nodiscard]] Expected<GraspRecord> addGrasp(const NewGrasp& grasp);
+    /// Takes a squeeze out of its type; it stays on record. Dropping it again changes nothing. NotFound;
+    /// Usage for the squeeze of an inspection.
+    [[nodiscard]] Expected<void> dropGrasp(const QString& graspId, const QString& reason,
+                                           const QString& operatorName);
+    /// Undoes dropGrasp(). One that counts already stays as it is. Errors as there.
+    [[nodiscard]] Expected<void> undropGrasp(const QString& graspId, const QString& operatorName);
+    [[nodiscard]] Expected<std::vector<GraspRecord>>
+    grasps(const QString& typeId) const; ///< in order of recording
+    [[nodiscard]] Expected<std::optional<GraspRecord>> grasp(const QString& graspId) const;
+    /// The raw recording, its SHA-256 checked: StorageCorrupt when the bytes are not those that were stored.
+    [[nodiscard]] Expected<Recording> recording(const QString& graspId) const;
+    /// The identify document that was stored with it; empty when there was none.
+    [[nodiscard]] Expected<QJsonObject> identificationDocument(const QString& graspId) const;
+    /// The accepted squeezes of all types in use, what fitTypeModels() takes: m, b, k of the recommended
+    /// estimate, in SI where the channels' units are known, else in the units they have. Squeezes without
+    /// parameters are left out.
+    [[nodiscard]] Expected<std::vector<TypeSqueeze>> enrolledSqueezes() const;
+
+    // Inspections
+    /// Squeeze, estimates (there may be none) and verdict in one transaction.
+    [[nodiscard]] Expected<InspectionRecord> addInspection(const NewInspection& inspection);
+    [[nodiscard]] Expected<std::vector<InspectionRecord>>
+    inspections(const HistoryFilter& filter) const; ///< newest first
+    [[nodiscard]] Expected<InspectionCounts> inspectionCounts() const;
+
+    // History: every squeeze, inspected or enrolled (core/library/records/history.h)
+    /// The keys of all that a query finds, in its order: pages of it are read with historyEntries().
+    [[nodiscard]] Expected<HistoryKeys> historyKeys(const HistoryQuery& query) const;
+    /// At most 1000 at once, in that order; those that are not there are left out.
+    [[nodiscard]] Expected<std::vector<HistoryEntry>>
+    historyEntries(const std::vector<QString>& graspIds) const;
+    [[nodiscard]] Expected<HistoryCounts> historyCounts(const HistoryQuery& query) const;
+    [[nodiscard]] Expected<HistoryPoints> historyPoints(const HistoryQuery& query) const;
+    [[nodiscard]] Expected<HistoryChoices> historyChoices() const;
+    /// NotFound.
+    [[nodiscard]] Expected<SqueezeDetails> squeezeDetails(const QString& graspId) const;
+    /// One more estimate of a stored squeeze, kept beside those that are there: neither the estimate that
+    /// stands for the squeeze nor a verdict changes. NotFound. Usage: a number that is not finite.
+    [[nodiscard]] Expected<void> addReidentification(const QString& graspId, const Estimate& estimate,
+                                                     const Reidentification& how);
+    // Batches: parts that are inspected and counted together
+    /// Usage: no name, a name or a number of parts out of range, or a batch is under way at this station.
+    [[nodiscard]] Expected<BatchRecord> beginBatch(const NewBatch& batch);
+    /// Ends it, whole or not; ending it again changes nothing. NotFound: there is no such batch.
+    [[nodiscard]] Expected<BatchRecord> endBatch(const QString& batchId, const QString& operatorName);
+    /// The one under way at this station.
+    [[nodiscard]] Expected<std::optional<BatchRecord>> batchUnderWay() const;
+    [[nodiscard]] Expected<std::vector<BatchRecord>> batches(int limit) const; ///< newest first
+
+    // Grippers
+    /// What is known of a gripper from now on. Usage: no serial number, or a number that is not finite.
+    [[nodiscard]] Expected<void> addMeasuringChain(const NewMeasuringChain& measured);
+    [[nodiscard]] Expected<std::optional<MeasuringChainRecord>>
+    measuringChain(const QString& gripperSerial) const; ///< the newest
+
+    /// A sensor against a reference, in force from now on. Usage: no serial number or unit, no due date, or
+    /// points that evaluateCalibration() refuses.
+    [[nodiscard]] Expected<void> addCalibration(const SensorCalibration& calibration);
+    /// Newest first; of all grippers where the serial number is empty.
+    [[nodiscard]] Expected<std::vector<CalibrationRecord>> calibrations(const QString& gripperSerial,
+                                                                        int limit) const;
+    /// With the reference object of the gripper and its newest check.
+    [[nodiscard]] Expected<CalibrationsInForce> calibrationsInForce(const QString& gripperSerial) const;
+
+    // Enrolments under way (enrollment_draft.h)
+    /// In force for its name from now on.
+    [[nodiscard]] Expected<void> saveDraft(const EnrollmentDraft& draft);
+    /// It is no longer to be gone on with; its rows stay. Nothing when there is none.
+    [[nodiscard]] Expected<void> endDraft(const QString& name, DraftEnd end, const QString& operatorName);
+    [[nodiscard]] Expected<std::vector<EnrollmentDraft>> drafts() const; ///< open ones, newest first
+    [[nodiscard]] Expected<std::optional<EnrollmentDraft>> draft(const QString& name) const;
+    [[nodiscard]] Expected<void> addDraftSqueeze(const DraftSqueeze& squeeze);
+    /// NotFound; StorageCorrupt when the bytes are not those that were stored.
+    [[nodiscard]] Expected<DraftSqueeze> draftSqueeze(const QString& id) const;
+
+    // Pictures of parts
+    /// Once; Usage when it is neither PNG nor JPEG.
+    [[nodiscard]] Expected<void> addPicture(const PartPicture& picture);
+    /// NotFound; StorageCorrupt when the bytes are not those that were stored.
+    [[nodiscard]] Expected<PartPicture> picture(const QString& pictureId) const;
+    /// From now on; no picture where the key is empty.
+    [[nodiscard]] Expected<void> setTypePicture(const QString& typeId, const QString& pictureId,
+                                                const QString& operatorName);
+    [[nodiscard]] Expected<std::optional<PartPicture>> typePicture(const QString& typeId) const;
+    /// What a gripper is checked on from now on. Usage: no serial number, or problemOf() has one.
+    [[nodiscard]] Expected<void> addReferenceObject(const ReferenceObject& reference);
+    /// A check as it was judged. NotFound: no such reference object. Usage: a number that is not finite.
+    [[nodiscard]] Expected<void> addReferenceCheck(const ReferenceCheck& check);
+    [[nodiscard]] Expected<std::vector<ReferenceCheckRecord>>
+    referenceChecks(const QString& gripperSerial, int limit) const; ///< newest first
+
+    /// Adds the paper's four cans in SI as types A to D with 10 squeezes each, once: nothing when they are
+    /// there.
+    [[nodiscard]] Expected<void> loadExampleTypes();
+
+private:
+    struct Private;
+    explicit Library(std::unique_ptr<Private> d);
+    std::unique_ptr<Private> d;
+};
+
+} // namespace gripscope

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/library_service.h"
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+namespace gripscope {
+
+namespace {
+
+struct Job {
+    Acting acting; ///< who asked for it
+    std::function<void(Expected<Library*>)> work;
+};
+
+} // namespace
+
+struct LibraryService::Private {
+    QString file;
+    mutable std::mutex mutex; ///< guards jobs, acting and ending
+    std::condition_variable wake;
+    std::deque<Job> jobs;
+    Acting acting;
+    bool ending = false;
+    std::thread thread;
+
+    /// The next job, or none when the service ends and the queue is empty.
+    std::optional<Job> next()
+    {
+        std::unique_lock lock(mutex);
+        wake.wait(lock, [this] { return ending || !jobs.empty(); });
+        if (jobs.empty())
+            return {};
+        Job job = std::move(jobs.front());
+        jobs.pop_front();
+        return job;
+    }
+
+    /// A library that does not open is tried again with the next job: a disk may have come back.
+    void loop()
+    {
+        std::unique_ptr<Library> library;
+        while (auto job = next()) {
+            if (!library) {
+                auto opened = Library::open(file);
+                if (!opened) {
+                    job->work(tl::unexpected(opened.error()));
+                    continue;
+                }
+                library = std::move(*opened);
+            }
+            library->actAs(job->acting);
+            job->work(library.get());
+        }
+    }
+};
+
+LibraryService::LibraryService(QString file) : d(std::make_unique<Private>())
+{
+    d->file = std::move(file);
+    d->thread = std::thread([p = d.get()] { p->loop(); });
+}
+
+LibraryService::~LibraryService()
+{
+    {
+        const std::lock_guard lock(d->mutex);
+        d->ending = true;
+    }
+    d->wake.notify_one();
+    d->thread.join();
+}
+
+QString LibraryService::file() const
+{
+    return d->file;
+}
+
+void LibraryService::actAs(const Acting& acting)
+{
+    const std::lock_guard lock(d->mutex);
+    d->acting = acting;
+}
+
+void LibraryService::post(std::function<void(Expected<Library*>)> job)
+{
+    {
+        const std::lock_guard lock(d->mutex);
+        d->jobs.push_back({d->acting, std::move(job)});
+    }
+    d->wake.notify_one();
+}
+
+} // namespace gripscope

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/pending.h"
+#include "core/library/library.h"
+#include "core/people/acting.h"
+
+#include <functional>
+#include <memory>
+
+namespace gripscope {
+
+/// The library behind a thread of its own, so that a screen never waits for the disk. Work is done in the
+/// order it was asked for; the destructor finishes what is queued.
+class LibraryService {
+public:
+    explicit LibraryService(QString file);
+    ~LibraryService();
+    LibraryService(const LibraryService&) = delete;
+    LibraryService& operator=(const LibraryService&) = delete;
+
+    /// Runs `work` with the library on its thread. When the library cannot be opened, that error is the
+    /// answer.
+    template <typename T>
+    [[nodiscard]] Pending<Expected<T>> run(std::function<Expected<T>(Library&)> work)
+    {
+        const Promise<Expected<T>> answer;
+        post([answer, work = std::move(work)](Expected<Library*> library) {
+            answer.give(library ? work(**library) : Expected<T>(tl::unexpected<Error>(library.error())));
+        });
+        return answer.pending();
+    }
+
+    [[nodiscard]] QString file() const;
+
+    /// Who asks for what is asked for from now on.
+    void actAs(const Acting& acting);
+
+private:
+    void post(std::function<void(Expected<Library*>)> job);
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace gripscope

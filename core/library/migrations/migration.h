@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/library/sql/database.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <vector>
+
+namespace gripscope {
+
+/// One numbered step of the schema. Once released it is never edited: what comes later is a further step.
+struct Migration {
+    int version = 0; ///< 1, 2, 3... without a hole
+    QString name;
+    QStringList statements;                 ///< "{blob}" stands for the database's type for bytes
+    [[nodiscard]] QString checksum() const; ///< SHA-256 over the statements
+};
+
+/// All steps this program knows.
+[[nodiscard]] const std::vector<Migration>& migrations();
+
+/// The statements of a script: comment lines dropped, cut at each semicolon that ends a line.
+[[nodiscard]] QStringList statementsOf(const QString& script);
+
+/// 0 for an empty file. StorageOpen when the tables are not those of a library.
+[[nodiscard]] Expected<int> schemaVersion(Database& database);
+
+/// Brings the database to the last of `steps`, each step in a transaction of its own together with its entry
+/// in schema_migrations. StorageNewer (nothing changed) when it is further already, StorageOpen when a step
+/// was applied with other statements than this program's.
+[[nodiscard]] Expected<void> migrate(Database& database, const std::vector<Migration>& steps = migrations());
+
+/// The schema as numbered scripts, one file each, never edited after a release (a checksum in every library
+/// sees it).
+extern const char* const migrationScript1;
+extern const char* const migrationScript2;
+extern const char* const migrationScript3;
+extern const char* const migrationScript4;
+extern const char* const migrationScript5;
+extern const char* const migrationScript6;
+extern const char* const migrationScript7;
+extern const char* const migrationScript8;
+extern const char* const migrationScript9;
+extern const char* const migrationScript10;
+extern const char* const migrationScript11;
+
+} // namespace gripscope

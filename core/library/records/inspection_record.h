@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/library/records/squeeze_record.h"
+#include "core/recognition/verdict/verdict.h"
+
+#include <QMap>
+
+namespace gripscope {
+
+struct NewInspection {
+    NewGrasp grasp;
+    Verdict verdict;
+    VerdictOptions rates;
+    QString expectedType; ///< name; empty when nothing was expected
+    double seconds = 0;   ///< length of the squeeze
+    QString batchId = {}; ///< empty: of no batch
+};
+
+struct InspectionRecord {
+    QString id, graspId, expectedType;
+    qint64 number = 0; ///< 1, 2, 3... in this library
+    QDateTime inspected;
+    VerdictKind verdict = VerdictKind::Invalid;
+    QString type, nearest, operatorName;
+    Finding reason;
+    std::optional<double> posterior, distance, gate;
+    std::optional<MassDampingStiffness> parameters;
+    QString forceUnit, positionUnit;
+    double seconds = 0;
+    QString batch = {};   ///< the name of its batch; empty: of none
+    bool suspect = false; ///< so was its measurement
+};
+
+struct HistoryFilter {
+    int limit = 200;
+    int offset = 0;
+};
+
+/// Valid squeezes of parts that were said to be of one type.
+struct ExpectedCounts {
+    qint64 squeezes = 0, otherType = 0, unknown = 0;
+};
+
+struct InspectionCounts {
+    qint64 total = 0, asExpected = 0, otherType = 0, unknown = 0, inconclusive = 0, invalid = 0;
+    QMap<QString, ExpectedCounts> expected = {}; ///< by the type that was expected
+};
+
+} // namespace gripscope

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/model/estimate.h"
+#include "core/signal/recording/recording.h"
+
+#include <QDateTime>
+#include <QJsonObject>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace gripscope {
+
+struct NewGrasp {
+    QString typeId;                     ///< of an enrolment; empty for an inspection
+    std::optional<Recording> recording; ///< absent for a row of an imported table
+    std::vector<Estimate> estimates;    ///< at least one, the recommended first
+    QString forceUnit, positionUnit;
+    QString source; ///< file or device it came from
+    QString operatorName;
+    QJsonObject identification; ///< the whole identify document, for audit; may be empty
+    QString part = {};          ///< which part of the type it was, as the operator calls it; may be empty
+};
+
+struct GraspRecord {
+    QString id, typeId, typeName, source, operatorName;
+    QDateTime recorded;
+    bool hasRecording = false;
+    bool accepted = true; ///< false once the squeeze was dropped from its type
+    Estimator estimator = Estimator::OutputError;
+    std::optional<MassDampingStiffness> parameters;
+    std::optional<Eigen::Matrix3d> covariance;
+    std::optional<double> simulationFitPercent;
+    QString forceUnit, positionUnit;
+    QString firstTypeId; ///< the type it was enrolled in; typeId is where it belongs now
+    QString part;        ///< among the squeezes enrolled in that type; empty: not told
+};
+
+} // namespace gripscope

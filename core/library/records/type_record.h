@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/library/records/library_change.h"
+
+#include <QDateTime>
+#include <QString>
+
+namespace gripscope {
+
+/// How a part is squeezed. Forces in newtons.
+struct Recipe {
+    QString name = QStringLiteral("squeeze-10N");
+    double peak_N = 10, bias_N = 20, bit_s = 0.005, seconds = 1.0;
+    double maxForce_N = 40; ///< crush limit: no command for this type goes above
+    double maxTravel_m = 0.02;
+    friend bool operator==(const Recipe&, const Recipe&) = default;
+};
+
+struct TypeRecord {
+    QString id, name;
+    Recipe recipe;
+    QString forceUnit, positionUnit; ///< units of its squeezes' estimates
+    QDateTime created;
+    int squeezes = 0; ///< accepted ones
+    bool approved = false;
+    TypeStatus status = TypeStatus::Enrolled;
+    int recipeVersion = 1; ///< its recipes are numbered from 1
+    QString code = {};     ///< what a scanner reads on its parts (a GTIN...); empty: none
+};
+
+} // namespace gripscope

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/people/acting.h"
+#include "core/people/audit_chain.h"
+
+#include <QSqlDatabase>
+#include <QString>
+#include <QStringList>
+
+#include <memory>
+
+class QSqlError;
+
+namespace gripscope {
+
+/// One connection to the file of a library, for the thread that opened it. What only SQLite does its own way
+/// is in this class (pragmas, the list of tables, error numbers, the name of the type for bytes); the table
+/// files use SQL that PostgreSQL understands too.
+class Database {
+public:
+    /// Opens or creates the file and changes nothing in it. StorageOpen, StorageCorrupt.
+    [[nodiscard]] static Expected<std::unique_ptr<Database>> open(const QString& file);
+    ~Database();
+    Database(const Database&) = delete;
+    Database& operator=(const Database&) = delete;
+
+    /// Write-ahead log and full synchronisation. The log lets a reader go on while another process writes;
+    /// FULL because a squeeze that was reported as stored must survive a power cut, and one flush a squeeze
+    /// is cheap.
+    [[nodiscard]] Expected<void> prepareForWriting();
+
+    [[nodiscard]] Expected<void> execute(const QString& sql, const QString& doing);
+    [[nodiscard]] Expected<QStringList> tables();
+    [[nodiscard]] QString blobType() const { return QStringLiteral("BLOB"); }
+
+    /// The error as a value. `doing` completes "the library could not ...".
+    [[nodiscard]] tl::unexpected<Error> error(const QSqlError& error, const QString& doing) const;
+
+    [[nodiscard]] const QSqlDatabase& connection() const { return m_connection; }
+    [[nodiscard]] QString file() const { return m_file; }
+
+    /// Who works through this connection.
+    void actAs(const Acting& acting) { m_acting = acting; }
+    [[nodiscard]] const Acting& acting() const { return m_acting; }
+    /// Where the audit trail ends by what was written in the open transaction; nothing where it was not
+    /// continued.
+    void setNewAuditHead(std::optional<AuditHead> head) { m_newAuditHead = std::move(head); }
+    [[nodiscard]] const std::optional<AuditHead>& newAuditHead() const { return m_newAuditHead; }
+
+private:
+    Database(QString file, const QString& name);
+    QString m_file;
+    QSqlDatabase m_connection;
+    Acting m_acting;
+    std::optional<AuditHead> m_newAuditHead;
+};
+
+/// A write transaction that takes its lock at once: one that starts as a reader and then wants to write fails
+/// without waiting when another process was quicker. Rolled back unless committed.
+class Transaction {
+public:
+    [[nodiscard]] static Expected<std::unique_ptr<Transaction>> begin(Database& database,
+                                                                      const QString& doing);
+    ~Transaction();
+    Transaction(const Transaction&) = delete;
+    Transaction& operator=(const Transaction&) = delete;
+    [[nodiscard]] Expected<void> commit();
+
+private:
+    Transaction(Database& database, QString doing) : m_database(database), m_doing(std::move(doing)) {}
+    Database& m_database;
+    QString m_doing;
+    bool m_open = true;
+};
+
+} // namespace gripscope

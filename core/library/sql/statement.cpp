@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/sql/statement.h"
+
+#include "core/library/sql/time_ordered_id.h"
+
+#include <QCryptographicHash>
+#include <QSqlError>
+#include <QSysInfo>
+#include <QTimeZone>
+#include <QVariant>
+
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+Statement::Statement(Database& database, QString doing, const QString& sql)
+    : m_database(database), m_doing(std::move(doing)), m_query(database.connection())
+{
+    m_query.setForwardOnly(true);
+    m_prepared = m_query.prepare(sql);
+}
+
+Statement& Statement::bind(const QString& text)
+{
+    m_query.addBindValue(text.isNull() ? u""_s : text); // Qt takes a null string for NULL
+    return *this;
+}
+
+Statement& Statement::bindOrNull(const QString& text)
+{
+    m_query.addBindValue(text.isEmpty() ? QVariant(QMetaType::fromType<QString>()) : QVariant(text));
+    return *this;
+}
+
+Statement& Statement::bind(double number)
+{
+    m_query.addBindValue(number);
+    return *this;
+}
+
+Statement& Statement::bind(const std::optional<double>& number)
+{
+    m_query.addBindValue(number ? QVariant(*number) : QVariant(QMetaType::fromType<double>()));
+    return *this;
+}
+
+Statement& Statement::bind(qint64 number)
+{
+    m_query.addBindValue(number);
+    return *this;
+}
+
+Statement& Statement::bindBytes(const QByteArray& bytes)
+{
+    m_query.addBindValue(bytes);
+    return *this;
+}
+
+Expected<void> Statement::run()
+{
+    if (!m_prepared || !m_query.exec())
+        return m_database.error(m_query.lastError(), m_doing);
+    return {};
+}
+
+Expected<void> Statement::forEach(const std::function<void(Statement&)>& row)
+{
+    RETURN_IF_ERROR(run());
+    while (m_query.next()) {
+        m_column = 0;
+        row(*this);
+    }
+    if (m_query.lastError().isValid())
+        return m_database.error(m_query.lastError(), m_doing);
+    m_query.finish();
+    return {};
+}
+
+QString Statement::takeText()
+{
+    return m_query.value(m_column++).toString();
+}
+
+double Statement::takeReal()
+{
+    return m_query.value(m_column++).toDouble();
+}
+
+std::optional<double> Statement::takeOptionalReal()
+{
+    const QVariant value = m_query.value(m_column++);
+    const double number = value.toDouble();
+    // An infinity got in past this program: it is no number to count with.
+    return value.isNull() || !std::isfinite(number) ? std::nullopt : std::optional(number);
+}
+
+qint64 Statement::takeInteger()
+{
+    return m_query.value(m_column++).toLongLong();
+}
+
+QByteArray Statement::takeBytes()
+{
+    return m_query.value(m_column++).toByteArray();
+}
+
+QDateTime Statement::takeUtc()
+{
+    return QDateTime::fromString(takeText(), Qt::ISODateWithMs);
+}
+
+QString utcText(const QDateTime& time)
+{
+    return time.toUTC().toString(Qt::ISODateWithMs);
+}
+
+QString stationId()
+{
+    static const QString id = [] {
+        const QByteArray machine = "gripscope station " + QSysInfo::machineUniqueId();
+        const QByteArray digits =
+            QCryptographicHash::hash(machine, QCryptographicHash::Sha256).toHex().left(8);
+        return QSysInfo::machineHostName() + u'-' + QString::fromLatin1(digits);
+    }();
+    return id;
+}
+
+RowStamp RowStamp::now()
+{
+    return {newTimeOrderedId(), stationId(), utcText(QDateTime::currentDateTimeUtc())};
+}
+
+} // namespace gripscope

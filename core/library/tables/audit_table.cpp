@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/tables/audit_table.h"
+
+#include "core/base/words.h"
+#include "core/library/sql/rows.h"
+
+#include <QJsonDocument>
+
+#include <algorithm>
+
+namespace gripscope::audit_table {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString readingTrail()
+{
+    return Words::tr("read its audit trail");
+}
+const auto auditColumns =
+    u"SELECT number, created_utc, station, person, role, action, subject, reason, details, "
+    "previous_hash, hash FROM audit_entries"_s;
+
+AuditEntry takeAuditEntry(Statement& row)
+{
+    AuditEntry entry;
+    entry.number = row.takeInteger();
+    for (QString* text : {&entry.utc, &entry.station, &entry.person, &entry.role, &entry.action,
+                          &entry.subject, &entry.reason, &entry.details, &entry.previousHash, &entry.hash})
+        *text = row.takeText();
+    return entry;
+}
+
+Expected<AuditHead> newest(Database& database)
+{
+    AuditHead head{0, firstPreviousHash()};
+    Statement query(database, readingTrail(),
+                    u"SELECT number, hash FROM audit_entries ORDER BY number DESC LIMIT 1"_s);
+    const auto done = query.forEach([&](Statement& row) {
+        head.entries = row.takeInteger();
+        head.hash = row.takeText();
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return head;
+}
+
+/// Who it was: by whose consent, who is signed in, or the name that was typed.
+void sign(AuditEntry& entry, QJsonObject& details, const NewAuditEntry& told, const Acting& acting)
+{
+    const std::optional<Authority> by = told.by          ? told.by
+                                        : acting.granted ? std::optional(acting.granted->by)
+                                                         : acting.signedIn;
+    const QString operatorName = acting.signedIn               ? acting.signedIn->name()
+                                 : told.operatorName.isEmpty() ? acting.operatorName
+                                                               : told.operatorName;
+    entry.person = by ? by->name() : operatorName;
+    entry.role = by ? toString(by->role()) : QString();
+    if (acting.granted && !operatorName.isEmpty() && operatorName != entry.person)
+        details.insert(u"operator"_s, operatorName);
+}
+
+/// "WHERE" with what to look for in every text that is shown.
+QString condition(const AuditFilter& filter)
+{
+    QStringList terms;
+    if (!filter.action.isEmpty())
+        terms += u"action LIKE ? ESCAPE '\\'"_s;
+    if (!filter.text.trimmed().isEmpty())
+        terms +=
+            u"LOWER(person || ' ' || subject || ' ' || reason || ' ' || details || ' ' || station) LIKE ? "
+            "ESCAPE '\\'"_s;
+    return terms.isEmpty() ? QString() : u" WHERE "_s + terms.join(u" AND "_s);
+}
+
+QString escaped(QString text)
+{
+    return text.replace(u'\\', u"\\\\"_s).replace(u'%', u"\\%"_s).replace(u'_', u"\\_"_s);
+}
+
+void bindFilter(Statement& query, const AuditFilter& filter)
+{
+    if (!filter.action.isEmpty())
+        query.bind(escaped(filter.action) + u'%');
+    if (!filter.text.trimmed().isEmpty())
+        query.bind(u'%' + escaped(filter.text.trimmed().toLower()) + u'%');
+}
+
+} // namespace
+
+Expected<void> append(Database& database, const NewAuditEntry& told)
+{
+    ASSIGN_OR_RETURN(const auto last, newest(database));
+    const RowStamp stamp = RowStamp::now();
+    QJsonObject details = told.details;
+    AuditEntry entry;
+    entry.number = last.entries + 1;
+    entry.utc = stamp.utc;
+    entry.station = stamp.station;
+    sign(entry, details, told, database.acting());
+    entry.action = told.action;
+    entry.subject = told.subject;
+    entry.reason = told.reason;
+    if (!details.isEmpty())
+        entry.details = QString::fromUtf8(QJsonDocument(details).toJson(QJsonDocument::Compact));
+    entry.previousHash = last.hash;
+    entry.hash = auditHash(entry);
+    Statement row(database, Words::tr("continue the audit trail"),
+                  u"INSERT INTO audit_entries (number, created_utc, station, person, role, action, subject, "
+                  "reason, details, previous_hash, hash) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+    row.bind(entry.number);
+    for (const QString* text :
+         {&entry.utc, &entry.station, &entry.person, &entry.role, &entry.action, &entry.subject,
+          &entry.reason, &entry.details, &entry.previousHash, &entry.hash})
+        row.bind(*text);
+    RETURN_IF_ERROR(row.run());
+    database.setNewAuditHead(AuditHead{entry.number, entry.hash});
+    return {};
+}
+
+Expected<std::vector<AuditEntry>> page(Database& database, const AuditFilter& filter)
+{
+    Statement query(database, readingTrail(),
+                    auditColumns + condition(filter) + u" ORDER BY number DESC LIMIT ? OFFSET ?"_s);
+    bindFilter(query, filter);
+    query.bind(std::max(0, filter.limit)).bind(std::max(0, filter.offset));
+    return allRows(query, takeAuditEntry);
+}
+
+Expected<qint64> count(Database& database, const AuditFilter& filter)
+{
+    qint64 number = 0;
+    Statement query(database, readingTrail(), u"SELECT COUNT(*) FROM audit_entries"_s + condition(filter));
+    bindFilter(query, filter);
+    if (auto done = query.forEach([&](Statement& row) { number = row.takeInteger(); }); !done)
+        return tl::unexpected(done.error());
+    return number;
+}
+
+Expected<void> forEach(Database& database, const std::function<void(const AuditEntry&)>& taken)
+{
+    Statement query(database, readingTrail(), auditColumns + u" ORDER BY number"_s);
+    return query.forEach([&](Statement& row) { taken(takeAuditEntry(row)); });
+}
+
+Expected<QString> hashOf(Database& database, qint64 number)
+{
+    QString hash;
+    Statement query(database, readingTrail(), u"SELECT hash FROM audit_entries WHERE number = ?"_s);
+    if (auto done = query.bind(number).forEach([&](Statement& row) { hash = row.takeText(); }); !done)
+        return tl::unexpected(done.error());
+    return hash;
+}
+
+} // namespace gripscope::audit_table

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/tables/change_table.h"
+
+#include "core/base/words.h"
+#include "core/library/tables/audit_table.h"
+
+#include <algorithm>
+
+namespace gripscope::change_table {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString readingVersions()
+{
+    return Words::tr("read its versions");
+}
+
+/// Every version is an entry of the audit trail, too.
+Expected<void> audit(Database& database, const LibraryChange& change, qint64 version)
+{
+    NewAuditEntry entry;
+    entry.action = QString::fromUtf16(audit_action::typePrefix) + toString(change.kind);
+    entry.subject = change.type;
+    entry.reason = change.reason;
+    entry.operatorName = change.operatorName;
+    entry.details = {{u"version"_s, version}};
+    if (!change.other.isEmpty())
+        entry.details.insert(u"other"_s, change.other);
+    if (change.squeezes != 0)
+        entry.details.insert(u"squeezes"_s, change.squeezes);
+    return audit_table::append(database, entry);
+}
+
+} // namespace
+
+Expected<qint64> insert(Database& database, const LibraryChange& change)
+{
+    const auto newest = newestVersion(database);
+    if (!newest)
+        return newest;
+    const RowStamp stamp = RowStamp::now();
+    Statement row(database, Words::tr("record the change"),
+                  u"INSERT INTO library_changes (id, station, changed_utc, version, kind, type_name, "
+                  "other_name, squeezes, operator_name, reason) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+    row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(*newest + 1).bind(toString(change.kind));
+    row.bind(change.type).bind(change.other).bind(change.squeezes);
+    RETURN_IF_ERROR(row.bind(change.operatorName).bind(change.reason).run());
+    RETURN_IF_ERROR(audit(database, change, *newest + 1));
+    return *newest + 1;
+}
+
+Expected<qint64> newestVersion(Database& database)
+{
+    qint64 version = 0;
+    Statement query(database, readingVersions(), u"SELECT COALESCE(MAX(version), 0) FROM library_changes"_s);
+    const auto done = query.forEach([&](Statement& row) { version = row.takeInteger(); });
+    if (!done)
+        return tl::unexpected(done.error());
+    return version;
+}
+
+Expected<std::vector<LibraryChange>> page(Database& database, int limit, int offset)
+{
+    std::vector<LibraryChange> changes;
+    Statement query(database, readingVersions(),
+                    u"SELECT version, changed_utc, station, kind, type_name, other_name, squeezes, "
+                    "operator_name, reason FROM library_changes ORDER BY version DESC LIMIT ? OFFSET ?"_s);
+    query.bind(std::max(0, limit)).bind(std::max(0, offset));
+    const auto done = query.forEach([&](Statement& row) {
+        LibraryChange change;
+        change.version = row.takeInteger();
+        change.changed = row.takeUtc();
+        change.station = row.takeText();
+        change.kind = changeKindFromString(row.takeText()).value_or(ChangeKind::NewType);
+        change.type = row.takeText();
+        change.other = row.takeText();
+        change.squeezes = int(row.takeInteger());
+        change.operatorName = row.takeText();
+        change.reason = row.takeText();
+        changes.push_back(std::move(change));
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return changes;
+}
+
+} // namespace gripscope::change_table

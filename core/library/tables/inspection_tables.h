@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/library/records/batch.h"
+#include "core/library/records/inspection_record.h"
+#include "core/library/sql/statement.h"
+
+namespace gripscope::inspection_table {
+
+/// The sentences of a stored list, as one text.
+/// As they were stored, sentences of earlier versions as text; what is no reason is left out.
+[[nodiscard]] Finding joinReasons(const QString& json);
+/// Numbers the inspection: one more than the highest so far. Inside a write transaction, so that two never
+/// meet.
+[[nodiscard]] Expected<void> insert(Database& database, const RowStamp& stamp, const QString& graspId,
+                                    const NewInspection& inspection);
+[[nodiscard]] Expected<std::optional<InspectionRecord>> find(Database& database, const QString& id);
+[[nodiscard]] Expected<std::vector<InspectionRecord>> page(Database& database, const HistoryFilter& filter);
+/// Of one batch; of all where it is empty.
+[[nodiscard]] Expected<InspectionCounts> counts(Database& database, const QString& batchId = {});
+
+} // namespace gripscope::inspection_table
+
+namespace gripscope::batch_table {
+
+[[nodiscard]] Expected<void> insert(Database& database, const RowStamp& stamp, const NewBatch& batch);
+[[nodiscard]] Expected<void> insertEnd(Database& database, const QString& batchId,
+                                       const QString& operatorName);
+// What is read comes without its counts.
+[[nodiscard]] Expected<std::optional<BatchRecord>> find(Database& database, const QString& id);
+/// The newest of `station` that has no end.
+[[nodiscard]] Expected<std::optional<BatchRecord>> underWay(Database& database, const QString& station);
+[[nodiscard]] Expected<std::vector<BatchRecord>> newest(Database& database, int limit);
+
+} // namespace gripscope::batch_table

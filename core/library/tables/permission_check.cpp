@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/tables/permission_check.h"
+
+#include "core/base/words.h"
+#include "core/library/tables/person_table.h"
+#include "core/library/tables/policy_table.h"
+
+namespace gripscope {
+
+namespace {
+
+Expected<bool> holds(Database& database, const Authority& authority, Permission permission,
+                     ArmingPolicy arming)
+{
+    ASSIGN_OR_RETURN(const auto person, person_table::find(database, authority.personId()));
+    return person && person->person.active && mayDo(person->person.role, permission, arming);
+}
+
+} // namespace
+
+Expected<void> requirePermission(Database& database, Permission permission)
+{
+    ASSIGN_OR_RETURN(const auto anybody, person_table::isAnybodyThere(database));
+    if (!anybody)
+        return {};
+    ASSIGN_OR_RETURN(const auto arming, policy_table::arming(database));
+    const Acting& acting = database.acting();
+    Expected<bool> may = false;
+    if (acting.granted && acting.granted->permission == permission)
+        may = holds(database, acting.granted->by, permission, arming);
+    if (may && !*may && acting.signedIn)
+        may = holds(database, *acting.signedIn, permission, arming);
+    if (!may)
+        return tl::unexpected(may.error());
+    if (*may)
+        return {};
+    if (mayDo(Role::Operator, permission, arming))
+        return failure(ErrorCode::Usage,
+                       {Words::tr("%1 needs somebody who has signed in. Sign in, then try again.")
+                            .arg(inWords(permission))});
+    return failure(ErrorCode::Usage,
+                   {Words::tr("%1 needs a supervisor. Nothing was changed; ask one to authorise it.")
+                        .arg(inWords(permission))});
+}
+
+} // namespace gripscope

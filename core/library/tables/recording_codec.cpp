@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/words.h"
+#include "core/library/tables/packed_recording.h"
+#include "core/signal/recording/recording_limits.h"
+
+#include <QtEndian>
+
+#include <cstring>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr char magic[4] = {'G', 'S', 'R', 'B'};
+constexpr std::uint16_t plainVersion = 1;
+constexpr std::uint16_t chainVersion = 2;
+constexpr std::uint16_t forceNoiseVersion = 3; ///< the chain states the noise of the force as well
+enum Columns : std::uint8_t { HasSequence = 1, HasStatus = 2 };
+
+class Writer {
+public:
+    template <typename T>
+    void put(T value)
+    {
+        char raw[sizeof(T)];
+        qToLittleEndian(value, raw);
+        m_bytes.append(raw, sizeof(T));
+    }
+    void put(const QString& text)
+    {
+        const QByteArray utf8 = text.toUtf8();
+        put(std::uint32_t(utf8.size()));
+        m_bytes.append(utf8);
+    }
+    template <typename T>
+    void put(const std::vector<T>& values)
+    {
+        if (values.empty()) // it has no address to copy from
+            return;
+        const qsizetype start = m_bytes.size();
+        m_bytes.resize(start + qsizetype(values.size() * sizeof(T)));
+        qToLittleEndian<T>(values.data(), qsizetype(values.size()), m_bytes.data() + start);
+    }
+    void raw(const char* data, qsizetype size) { m_bytes.append(data, size); }
+    [[nodiscard]] QByteArray take() { return std::move(m_bytes); }
+
+private:
+    QByteArray m_bytes;
+};
+
+/// Reads as long as there are bytes; after the first shortage everything is zero and ok() is false.
+class Reader {
+public:
+    explicit Reader(const QByteArray& bytes) : m_bytes(bytes) {}
+    template <typename T>
+    T get()
+    {
+        if (!has(sizeof(T)))
+            return T{};
+        const T value = qFromLittleEndian<T>(m_bytes.constData() + m_at);
+        m_at += qsizetype(sizeof(T));
+        return value;
+    }
+    QString text()
+    {
+        const auto size = get<std::uint32_t>();
+        if (!has(size))
+            return {};
+        m_at += size;
+        return QString::fromUtf8(m_bytes.constData() + m_at - size, size);
+    }
+    template <typename T>
+    void get(std::vector<T>& values, std::uint64_t count)
+    {
+        // The division keeps a damaged count from overflowing or from asking for more memory than there are
+        // bytes.
+        if (!m_ok || count > std::uint64_t(m_bytes.size() - m_at) / sizeof(T)) {
+            m_ok = false;
+            return;
+        }
+        values.resize(count);
+        if (count == 0)
+            return;
+        qFromLittleEndian<T>(m_bytes.constData() + m_at, qsizetype(count), values.data());
+        m_at += qsizetype(count * sizeof(T));
+    }
+    [[nodiscard]] bool ok() const { return m_ok; }
+    [[nodiscard]] bool atEnd() const { return m_at == m_bytes.size(); }
+
+private:
+    bool has(std::uint64_t size)
+    {
+        m_ok = m_ok && size <= std::uint64_t(m_bytes.size() - m_at);
+        return m_ok;
+    }
+    const QByteArray& m_bytes;
+    qsizetype m_at = 0;
+    bool m_ok = true;
+};
+
+std::uint8_t holdCode(const std::optional<ForceHold>& hold)
+{
+    return !hold ? 0 : *hold == ForceHold::Zero ? 1 : 2;
+}
+
+void putChain(Writer& out, const MeasuringChain& chain)
+{
+    out.put(chain.forceLagUncertainty_s);
+    out.put(chain.forceScaleUncertainty);
+    out.put(chain.positionScaleUncertainty);
+    out.put(chain.frameCompliance);
+    out.put(chain.frameComplianceUncertainty);
+    if (chain.forceNoiseDeviation != 0)
+        out.put(chain.forceNoiseDeviation);
+    out.put(std::uint8_t(chain.baseline ? 1 : 0));
+    if (!chain.baseline)
+        return;
+    for (const double value : chain.baseline->parameters)
+        out.put(value);
+    for (const double value : chain.baseline->standardErrors)
+        out.put(value);
+}
+
+MeasuringChain getChain(Reader& in, std::uint16_t version)
+{
+    MeasuringChain chain;
+    chain.forceLagUncertainty_s = in.get<double>();
+    chain.forceScaleUncertainty = in.get<double>();
+    chain.positionScaleUncertainty = in.get<double>();
+    chain.frameCompliance = in.get<double>();
+    chain.frameComplianceUncertainty = in.get<double>();
+    if (version == forceNoiseVersion)
+        chain.forceNoiseDeviation = in.get<double>();
+    if (in.get<std::uint8_t>() == 0)
+        return chain;
+    chain.baseline.emplace();
+    for (double& value : chain.baseline->parameters)
+        value = in.get<double>();
+    for (double& value : chain.baseline->standardErrors)
+        value = in.get<double>();
+    return chain;
+}
+
+tl::unexpected<Error> damaged(const QString& reason)
+{
+    return failure(ErrorCode::StorageCorrupt, {Words::tr("A recording"), reason});
+}
+
+} // namespace
+
+Expected<QByteArray> encodeRecording(const Recording& recording)
+{
+    const std::size_t n = recording.size();
+    if (const std::optional<Finding> reason = outOfRange(recording))
+        return failure(ErrorCode::Usage,
+                       {Words::tr("The recording can't be kept: %1.").arg(reason->describe())});
+    Writer out;
+    out.raw(magic, sizeof(magic));
+    const bool hasChain = !(recording.chain == MeasuringChain());
+    // The oldest layout that holds it all, so that earlier programs read on what they can.
+    const bool statesForceNoise = recording.chain.forceNoiseDeviation != 0;
+    out.put(statesForceNoise ? forceNoiseVersion : hasChain ? chainVersion : plainVersion);
+    out.put(recording.sampleTime_s);
+    out.put(recording.forceLag_s);
+    out.put(holdCode(recording.hold));
+    out.put(recording.forceUnit);
+    out.put(recording.positionUnit);
+    out.put(std::uint32_t(recording.provenance.size()));
+    for (auto it = recording.provenance.cbegin(); it != recording.provenance.cend(); ++it) {
+        out.put(it.key());
+        out.put(it.value());
+    }
+    out.put(std::uint64_t(n));
+    out.put(std::uint8_t((recording.sequence.empty() ? 0 : HasSequence) |
+                         (recording.status.empty() ? 0 : HasStatus)));
+    out.put(recording.time_s);
+    out.put(recording.force);
+    out.put(recording.position);
+    out.put(recording.sequence);
+    out.put(recording.status);
+    if (hasChain)
+        putChain(out, recording.chain);
+    return out.take();
+}
+
+Expected<Recording> decodeRecording(const QByteArray& bytes)
+{
+    if (!bytes.startsWith(QByteArrayView(magic, sizeof(magic))))
+        return damaged(Words::tr("it does not begin like one"));
+    const QByteArray body = bytes.mid(sizeof(magic));
+    Reader in(body);
+    const auto version = in.get<std::uint16_t>();
+    if (version < plainVersion || version > forceNoiseVersion)
+        return damaged(Words::tr("its layout has version %1; this program knows up to %2")
+                           .arg(version)
+                           .arg(forceNoiseVersion));
+    Recording recording;
+    recording.sampleTime_s = in.get<double>();
+    recording.forceLag_s = in.get<double>();
+    const auto hold = in.get<std::uint8_t>();
+    if (hold > 2)
+        return damaged(Words::tr("its hold is not known"));
+    if (hold > 0)
+        recording.hold = hold == 1 ? ForceHold::Zero : ForceHold::First;
+    recording.forceUnit = in.text();
+    recording.positionUnit = in.text();
+    const auto facts = in.get<std::uint32_t>();
+    if (facts > mostFacts)
+        return damaged(Words::tr("more than %1 facts stand beside its samples").arg(mostFacts));
+    for (auto left = facts; left > 0 && in.ok(); --left) {
+        const QString key = in.text();
+        recording.provenance.insert(key, in.text());
+    }
+    const auto samples = in.get<std::uint64_t>();
+    const auto columns = in.get<std::uint8_t>();
+    in.get(recording.time_s, samples);
+    in.get(recording.force, samples);
+    in.get(recording.position, samples);
+    if (columns & HasSequence)
+        in.get(recording.sequence, samples);
+    if (columns & HasStatus)
+        in.get(recording.status, samples);
+    if (version >= chainVersion)
+        recording.chain = getChain(in, version);
+    if (!in.ok() || !in.atEnd())
+        return damaged(Words::tr("it is shorter or longer than it says"));
+    if (const std::optional<Finding> reason = outOfRange(recording))
+        return damaged(reason->describe());
+    return recording;
+}
+
+} // namespace gripscope

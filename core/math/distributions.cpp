@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/math/distributions.h"
+
+#include <boost/math/distributions/beta.hpp>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/gamma.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
+#include <boost/math/distributions/non_central_f.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <boost/math/policies/policy.hpp>
+#include <boost/math/special_functions/gamma.hpp>
+
+namespace gripscope {
+
+namespace {
+
+using Policy = boost::math::policies::policy<
+    boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
+    boost::math::policies::evaluation_error<boost::math::policies::ignore_error>,
+    boost::math::policies::promote_double<false>>;
+using Normal = boost::math::normal_distribution<double, Policy>;
+using Student = boost::math::students_t_distribution<double, Policy>;
+using ChiSquared = boost::math::chi_squared_distribution<double, Policy>;
+using NonCentralChiSquared = boost::math::non_central_chi_squared_distribution<double, Policy>;
+using Fisher = boost::math::fisher_f_distribution<double, Policy>;
+using NonCentralFisher = boost::math::non_central_f_distribution<double, Policy>;
+using Gamma = boost::math::gamma_distribution<double, Policy>;
+using Beta = boost::math::beta_distribution<double, Policy>;
+
+using boost::math::cdf;
+using boost::math::complement;
+using boost::math::quantile;
+
+} // namespace
+
+double normalQuantile(double below)
+{
+    return quantile(Normal(), below);
+}
+
+double normalQuantileAbove(double above)
+{
+    return quantile(complement(Normal(), above));
+}
+
+double studentAbove(double t, double degreesOfFreedom)
+{
+    return cdf(complement(Student(degreesOfFreedom), t));
+}
+
+double studentQuantile(double below, double degreesOfFreedom)
+{
+    return quantile(Student(degreesOfFreedom), below);
+}
+
+double studentQuantileAbove(double above, double degreesOfFreedom)
+{
+    return quantile(complement(Student(degreesOfFreedom), above));
+}
+
+double chiSquaredBelow(double x, double degreesOfFreedom)
+{
+    return cdf(ChiSquared(degreesOfFreedom), x);
+}
+
+double chiSquaredAbove(double x, double degreesOfFreedom)
+{
+    return cdf(complement(ChiSquared(degreesOfFreedom), x));
+}
+
+double chiSquaredQuantile(double below, double degreesOfFreedom)
+{
+    return quantile(ChiSquared(degreesOfFreedom), below);
+}
+
+double chiSquaredQuantileAbove(double above, double degreesOfFreedom)
+{
+    return quantile(complement(ChiSquared(degreesOfFreedom), above));
+}
+
+double nonCentralChiSquaredBelow(double x, double degreesOfFreedom, double shift)
+{
+    return cdf(NonCentralChiSquared(degreesOfFreedom, shift), x);
+}
+
+double fisherAbove(double f, double numerator, double denominator)
+{
+    return cdf(complement(Fisher(numerator, denominator), f));
+}
+
+double fisherQuantile(double below, double numerator, double denominator)
+{
+    return quantile(Fisher(numerator, denominator), below);
+}
+
+double fisherQuantileAbove(double above, double numerator, double denominator)
+{
+    return quantile(complement(Fisher(numerator, denominator), above));
+}
+
+double nonCentralFisherBelow(double f, double numerator, double denominator, double shift)
+{
+    return cdf(NonCentralFisher(numerator, denominator, shift), f);
+}
+
+double gammaAbove(double x, double shape, double scale)
+{
+    return cdf(complement(Gamma(shape, scale), x));
+}
+
+double betaQuantile(double below, double alpha, double beta)
+{
+    return quantile(Beta(alpha, beta), below);
+}
+
+double logGamma(double x)
+{
+    return boost::math::lgamma(x, Policy());
+}
+
+} // namespace gripscope

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recognition/enrolment/type_overlap.h"
+
+#include "core/base/words.h"
+#include "core/math/distributions.h"
+#include "core/math/gaussian.h"
+#include "core/recognition/types/predictive.h"
+#include "core/recognition/verdict/quantity_text.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr double leastDegrees = 3; ///< as for a gate
+
+/// Squeezes of a type as its predictive distribution says: mean + L z sqrt(v / chi2_{v-2}), L L' = V.
+class PredictedSqueezes {
+public:
+    explicit PredictedSqueezes(const TypePrediction& type)
+        : m_mean(type.meanLog), m_degrees(type.degreesOfFreedom),
+          m_factor(Eigen::Matrix3d((1 + 1 / type.effectiveSqueezes) * type.covariance).llt().matrixL())
+    {
+    }
+
+    Eigen::Vector3d operator()()
+    {
+        Eigen::Vector3d z;
+        for (double& value : z)
+            value = m_noise();
+        const double chiSquared = chiSquaredQuantile(1 - m_noise.uniform(), m_degrees - 2);
+        return m_mean + std::sqrt(m_degrees / chiSquared) * (m_factor * z);
+    }
+
+private:
+    GaussianNoise m_noise{1};
+    Eigen::Vector3d m_mean;
+    double m_degrees;
+    Eigen::Matrix3d m_factor;
+};
+
+void count(const Verdict& verdict, const QString& type, double share, ExpectedVerdicts& expected)
+{
+    switch (verdict.kind) {
+    case VerdictKind::Type:
+        (verdict.type == type ? expected.named : expected.wrong[verdict.type]) += share;
+        break;
+    case VerdictKind::Inconclusive: {
+        const QString other = verdict.nearest == type ? verdict.rival : verdict.nearest;
+        (other.isEmpty() ? expected.undecidedAlone : expected.undecided[other]) += share;
+        break;
+    }
+    case VerdictKind::Unknown:
+    case VerdictKind::Invalid:
+        expected.unknown += share;
+        break;
+    }
+}
+
+/// "12 in 100", "3 in 1,000".
+Finding oftenness(double share)
+{
+    if (share >= 0.01)
+        return Words::say("%1 in 100").arg(shortNumber(std::round(100 * share)));
+    return Words::say("%1 in 1,000").arg(shortNumber(std::ceil(1000 * share)));
+}
+
+} // namespace
+
+std::optional<ExpectedVerdicts> expectedVerdicts(const TypeModels& models, const QString& type,
+                                                 const VerdictOptions& options, int draws)
+{
+    const TypeModel* model = models.find(type);
+    if (!model || models.degreesOfFreedom < 1 || draws < 1)
+        return {};
+    const TypePrediction own = predictType(models, *model, model->meanLog, {}, {options.robust});
+    if (!(own.degreesOfFreedom >= leastDegrees))
+        return {};
+    PredictedSqueezes next(own);
+    ExpectedVerdicts expected;
+    for (int draw = 0; draw < draws; ++draw) {
+        const Eigen::Vector3d p = next().array().exp();
+        count(judge(models, {p(0), p(1), p(2)}, options), type, 1.0 / draws, expected);
+    }
+    return expected;
+}
+
+std::optional<TypeOverlap> worstOverlap(const TypeModels& models, const QString& type,
+                                        const VerdictOptions& options)
+{
+    const auto expected = expectedVerdicts(models, type, options);
+    if (!expected)
+        return {};
+    std::optional<TypeOverlap> worst;
+    for (const TypeModel& other : models.types) {
+        const TypeOverlap overlap{type, other.name, expected->undecided.value(other.name),
+                                  expected->wrong.value(other.name), 0};
+        const double taken = overlap.undecided + overlap.wrong;
+        if (taken > 0 && (!worst || taken > worst->undecided + worst->wrong))
+            worst = overlap;
+    }
+    if (!worst)
+        return {};
+    if (const auto others = expectedVerdicts(models, worst->other, options))
+        worst->back = others->undecided.value(type) + others->wrong.value(type);
+    return worst;
+}
+
+Finding inWords(const TypeOverlap& overlap)
+{
+    Finding text = Words::say("%1 and %2 overlap: of the squeezes of %1, about %3 cannot be told from %2")
+                       .arg(overlap.type, overlap.other, oftenness(overlap.undecided + overlap.wrong));
+    if (overlap.wrong > 0)
+        text += Words::say(", and %1 are called %2").arg(oftenness(overlap.wrong), overlap.other);
+    if (overlap.back > 0)
+        text += Words::say("; of those of %2, about %3 cannot be told from %1")
+                    .arg(overlap.type, overlap.other, oftenness(overlap.back));
+    return text + u"."_s;
+}
+
+} // namespace gripscope

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/recognition/types/type_model.h"
+
+#include <vector>
+
+namespace gripscope {
+
+/// One type as it is seen from a squeeze that is to be judged.
+struct TypePrediction {
+    Eigen::Vector3d meanLog = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of a squeeze about the true mean, S_i + C
+    double degreesOfFreedom = 0;                          ///< behind it
+    double effectiveSqueezes = 1; ///< as many of the squeeze's own noise give the type's mean as well
+    /// d' V^-1 d, V = S_i + C + covariance of the mean, d from the mean.
+    double squaredDistance = 0;
+    double logDeterminant = 0; ///< of V
+    /// Of the squeeze's log(m, b, k) if it is of this type: Student t with v - 2 degrees of freedom and scale
+    /// V v/(v - 2),
+    ///     ln G((v+1)/2) - ln G((v-2)/2) - (3/2) ln(pi v) - (1/2) ln|V| - (v+1)/2 ln(1 + d' V^-1 d / v).
+    double logDensity = 0;
+    double logDensityAtMean = 0; ///< the same at d = 0
+    double tailDegrees = 3;      ///< v of these densities, at least 3
+    /// S + C where S is alike in log m, log b and log k; absent: the squeezes speak against that.
+    std::optional<Eigen::Matrix3d> alikeCovariance = {};
+};
+
+/// How a squeeze is held against types.
+struct PredictionOptions {
+    /// For squeezes that spread unlike: each type's own covariance counts at least half from 10 squeezes on,
+    /// and densities have the tails of Student's t with 5 degrees of freedom.
+    bool robust = false;
+};
+
+/// One type, which need not be one of `models`, with the scatter they share. `noise`: as below.
+[[nodiscard]] TypePrediction predictType(const TypeModels& models, const TypeModel& type,
+                                         const Eigen::Vector3d& log,
+                                         const std::optional<Eigen::Matrix3d>& noise,
+                                         const PredictionOptions& options);
+
+/// All types in their order. `noise`: the squeeze's own covariance in logs, absent where not known. `models`
+/// has at least one degree of freedom. (Murphy, Conjugate Bayesian analysis of the Gaussian distribution,
+/// 2007.)
+[[nodiscard]] std::vector<TypePrediction> predictTypes(const TypeModels& models, const Eigen::Vector3d& log,
+                                                       const std::optional<Eigen::Matrix3d>& noise,
+                                                       const PredictionOptions& options);
+
+} // namespace gripscope

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recognition/verdict/verdict_reasons.h"
+
+#include "core/base/words.h"
+#include "core/recognition/verdict/quantity_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// log(m, b, k) less the type's mean.
+Eigen::Vector3d offsets(const TypeModel& type, const MassDampingStiffness& parameters)
+{
+    return parameters.vector().array().log().matrix() - type.meanLog;
+}
+
+/// The same in standard deviations of each parameter on its own.
+Eigen::Vector3d offsetsInDeviations(const TypeModels& models, const TypeModel& type,
+                                    const MassDampingStiffness& parameters)
+{
+    return offsets(type, parameters).cwiseQuotient(models.covarianceLog.diagonal().cwiseSqrt());
+}
+
+/// "Stiffness 9.98 kN/m", or only "Stiffness" where the numbers have no units.
+Finding named(int parameter, const MassDampingStiffness& parameters, bool siUnits)
+{
+    const auto quantity = MechanicalQuantity(parameter);
+    if (!siUnits)
+        return nameOf(quantity);
+    return nameOf(quantity) + u" "_s + Finding::quantity(quantity, parameters.vector()(parameter));
+}
+
+Finding percent(double share)
+{
+    return shortNumber(100 * share) + u" %"_s;
+}
+
+/// "29 % below", "12 % above", "3.2 times"; `offset` is a difference of logarithms.
+Finding comparedWith(double offset, const QString& type)
+{
+    const double ratio = std::exp(offset);
+    if (ratio >= 2)
+        return Words::say("%1 times that of %2").arg(shortNumber(ratio), type);
+    if (ratio >= 1)
+        return Words::say("%1 above that of %2").arg(percent(ratio - 1), type);
+    return Words::say("%1 below that of %2").arg(percent(1 - ratio), type);
+}
+
+} // namespace
+
+Findings typeReasons(const TypeModels& models, const TypeModel& type, const std::optional<NextType>& next,
+                     const MassDampingStiffness& parameters, const VerdictOptions& options)
+{
+    if (!next)
+        return {Words::say("Mass, damping and stiffness are where %1 sits; it is the only type enrolled.")
+                    .arg(type.name)};
+    // The parameter that tells the two types apart best.
+    Eigen::Index parameter = 0;
+    offsetsInDeviations(models, *next->type, parameters).cwiseAbs().maxCoeff(&parameter);
+    return {Words::say("%1 is where %2 sits; the next type, %3, is %4 sd away.")
+                .arg(named(int(parameter), parameters, options.siUnits), type.name, next->type->name,
+                     shortNumber(next->deviations))};
+}
+
+Findings unknownReasons(const TypeModels& models, const TypeModel& nearest,
+                        const MassDampingStiffness& parameters, const Verdict& verdict,
+                        const VerdictOptions& options)
+{
+    Eigen::Index parameter = 0;
+    const double most = offsetsInDeviations(models, nearest, parameters).cwiseAbs().maxCoeff(&parameter);
+    const double offset = offsets(nearest, parameters)(parameter);
+    const double distance = std::sqrt(verdict.distance.value_or(0));
+    const double gate = std::sqrt(verdict.gate.value_or(0));
+    Findings reasons;
+    reasons.push_back(
+        Words::say("%1 is %2, the nearest type.")
+            .arg(named(int(parameter), parameters, options.siUnits), comparedWith(offset, nearest.name)));
+    reasons.push_back(Words::say("That is %1 sd away; squeezes of %2 stay within %3 sd.")
+                          .arg(shortNumber(distance), nearest.name, shortNumber(gate)));
+    if (most < gate / 2) // each is near its usual value, but they do not go together as they do in the type
+        reasons.push_back(
+            Words::say("Each of mass, damping and stiffness alone could be %1, but not the three together.")
+                .arg(nearest.name));
+    return reasons;
+}
+
+Findings betweenTypesReasons(const Verdict& verdict, bool covarianceKnown)
+{
+    if (verdict.rival.isEmpty())
+        return {};
+    // The more probable first.
+    QString first = verdict.nearest, second = verdict.rival;
+    if (verdict.posterior.value(first) < verdict.posterior.value(second))
+        first.swap(second);
+    Findings reasons{Words::say("The squeeze could be %1 (%2) or %3 (%4).")
+                         .arg(first, percent(verdict.posterior.value(first)), second,
+                              percent(verdict.posterior.value(second)))};
+    if (verdict.timesLonger && *verdict.timesLonger > 1.05)
+        reasons.push_back(Words::say("Squeezed %1 times as long, nine of ten would tell them apart.")
+                              .arg(shortNumber(*verdict.timesLonger)));
+    else if (covarianceKnown && !verdict.timesLonger)
+        reasons.push_back(
+            Words::say("The two types lie so close that a longer squeeze would not tell them apart."));
+    reasons.push_back(
+        Words::say("Squeeze it again; if this happens often, enrol more squeezes of both types."));
+    return reasons;
+}
+
+Findings strangerReasons(const Verdict& verdict)
+{
+    return {Words::say(
+                "The squeeze could be %1, but lies so far out that a part of no enrolled type is as likely.")
+                .arg(verdict.nearest),
+            Words::say("Squeeze it again; enrolling more squeezes narrows what %1 is.").arg(verdict.nearest)};
+}
+
+Findings noGateReasons(const TypeModels& models)
+{
+    if (models.types.empty())
+        return {Words::say("No type is enrolled yet.")};
+    const int missing = 3 - models.degreesOfFreedom;
+    if (missing <= 0)
+        return {
+            Words::say("The rate of false alarms asked for is too small for so few squeezes; enrol more.")};
+    if (missing == 1)
+        return {Words::say("Too few squeezes are enrolled to say what is usual: 1 more is needed.")};
+    return {
+        Words::say("Too few squeezes are enrolled to say what is usual: %1 more are needed.").arg(missing)};
+}
+
+Findings invalidReasons(const Identification& identification)
+{
+    Findings reasons;
+    if (identification.validity.verdict == ValidityVerdict::Invalid)
+        reasons = summaryOf(identification.validity).reasons;
+    if (!reasons.empty())
+        return reasons;
+    for (const Estimate& estimate : identification.estimates)
+        if (estimate.estimator == identification.recommended && !estimate.message.isEmpty())
+            reasons.push_back(estimate.message);
+    if (reasons.empty())
+        reasons.push_back(Words::say("No mass, damping and stiffness could be found from this squeeze."));
+    return reasons;
+}
+
+} // namespace gripscope

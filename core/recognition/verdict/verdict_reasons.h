@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/recognition/types/type_model.h"
+#include "core/recognition/verdict/verdict.h"
+
+namespace gripscope {
+
+// Why a verdict is what it is, in short sentences for a technician.
+
+/// Another type and how far off it is, in standard deviations of the squeeze.
+struct NextType {
+    const TypeModel* type = nullptr;
+    double deviations = 0;
+};
+/// `next`: the nearest of the other types, absent when there is none.
+[[nodiscard]] Findings typeReasons(const TypeModels& models, const TypeModel& type,
+                                   const std::optional<NextType>& next,
+                                   const MassDampingStiffness& parameters, const VerdictOptions& options);
+/// Which of m, b, k is off most, by how much, and how far that is; `verdict` has distance and gate.
+[[nodiscard]] Findings unknownReasons(const TypeModels& models, const TypeModel& nearest,
+                                      const MassDampingStiffness& parameters, const Verdict& verdict,
+                                      const VerdictOptions& options);
+/// Which two types, and, where the squeeze's own covariance is known, how much longer it should be.
+[[nodiscard]] Findings betweenTypesReasons(const Verdict& verdict, bool covarianceKnown);
+/// Within a gate, but where strangers are as likely as the type.
+[[nodiscard]] Findings strangerReasons(const Verdict& verdict);
+[[nodiscard]] Findings noGateReasons(const TypeModels& models);
+[[nodiscard]] Findings invalidReasons(const Identification& identification);
+
+} // namespace gripscope

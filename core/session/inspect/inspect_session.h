@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/library/library_service.h"
+#include "core/library/records/batch.h"
+#include "core/recognition/early/early_stop.h"
+#include "core/recognition/verdict/inspection_outcome.h"
+#include "core/session/squeeze/squeeze_job.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace gripscope {
+
+/// Inspections one after another.
+///
+///     Loading -> Ready -> Squeezing -> Judging -> Ready (result()) ...
+///
+/// The squeezes of a session tell together how a gripper holds its force (hold_evidence.h); what was judged
+/// before stays as it was.
+///
+/// A squeeze of the gripper ends as soon as it is decided (EarlyStop, in the thread pool; a decision that
+/// comes late only makes the squeeze longer). Its record is identified and judged as any other, and where
+/// that says something else than the decision, the verdict is inconclusive (verdictOnEarlyEnd()).
+///
+/// The verdict is shown as soon as it is known; storing goes on behind it, and a failure to store is
+/// lastError().
+class InspectSession {
+public:
+    enum class State { Loading, Ready, Squeezing, Judging };
+
+    InspectSession(ConnectSession& connection, LibraryService& library);
+    ~InspectSession();
+    InspectSession(const InspectSession&) = delete;
+    InspectSession& operator=(const InspectSession&) = delete;
+
+    void setOperator(const QString& name);
+    void setExpectedType(const QString& name); ///< empty: none
+    void setRates(const VerdictOptions& rates);
+    void setIdentificationOptions(const IdentificationOptions& options);
+    /// The squeezes come from another gripper than the types; nothing ends early then.
+    void setTransfer(const std::optional<CommonShift>& error);
+    void setRecipe(const Recipe& recipe);   ///< used when nothing is expected; else the type's own
+    void setStoring(bool store);            ///< off: classify only (the command line)
+    void setEarlyEnd(bool early);           ///< on unless told otherwise
+    void setClock(SqueezeJob::Clock clock); ///< for the time limits of a squeeze, see SqueezeJob
+    /// Whether forecast() is worked out while nothing else is done; off unless told otherwise.
+    void setForecasting(bool on);
+    /// Called on another thread when a squeeze was judged, so that poll() need not wait for its next turn.
+    void setWake(std::function<void()> wake);
+    void reload(); ///< the library changed
+
+    /// Inspections that begin from now on are counted for a batch, until it is whole (then it ends by itself)
+    /// or is ended. One that is under way goes on after a restart. Done behind; a failure is lastError().
+    void beginBatch(const NewBatch& batch);
+    void endBatch();
+
+    [[nodiscard]] Expected<void> squeeze();
+    [[nodiscard]] Expected<void> judgeRecording(Recording recording, const QString& source);
+    void cancel();
+    bool poll(); ///< never waits; true when something changed
+
+    struct Result {
+        qint64 number = 0; ///< in the library; 0 until it is stored
+        Recording recording;
+        Identification identification;
+        Verdict verdict;
+        InspectionOutcome outcome = InspectionOutcome::NotValid;
+        QString expectedType;
+        double seconds = 0;
+        /// Counts the squeezes of the session, so that two results are told apart before they are stored.
+        std::uint64_t squeeze = 0;
+        /// What ended the squeeze before its time.
+        std::optional<EarlyEnd> earlyEnd = {};
+    };
+    [[nodiscard]] State state() const;
+    [[nodiscard]] double progress() const;
+    [[nodiscard]] const std::optional<Result>& result() const; ///< of the last squeeze
+    [[nodiscard]] bool looking() const;                        ///< samples of the squeeze are being looked at
+    /// How long squeezes of the enrolled types take until they are decided. Nothing while this is worked out,
+    /// where it cannot be, and where squeezes do not end early.
+    [[nodiscard]] const std::optional<EarlyTimes>& forecast() const;
+    [[nodiscard]] double longestSeconds() const; ///< of the next squeeze: the recipe's
+    [[nodiscard]] bool earlyEnd() const;
+    [[nodiscard]] const VerdictOptions& rates() const;
+    [[nodiscard]] InspectionCounts counts() const; ///< of all inspections
+    /// The batch under way, or the one that ended last while the program ran.
+    [[nodiscard]] const std::optional<BatchRecord>& batch() const;
+    [[nodiscard]] bool changingBatch() const;       ///< a begin or an end is on its way into the library
+    [[nodiscard]] const TypeModels& models() const; ///< in SI where any type's units are known
+    [[nodiscard]] const std::vector<TypeRecord>& types() const;
+    [[nodiscard]] bool storing() const; ///< an inspection is on its way into the library
+    [[nodiscard]] std::optional<Error> lastError() const;
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace gripscope

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/inspect/inspect_session_private.h"
+
+#include "core/base/words.h"
+#include "core/recognition/early/early_stop.h"
+#include "core/recognition/verdict/judgement.h"
+#include "core/session/enroll/enrollment_storage.h"
+#include "core/signal/recording/units.h"
+
+#include <algorithm>
+
+namespace gripscope {
+
+namespace {
+
+double lengthOf(const Recording& recording)
+{
+    return recording.time_s.empty()
+               ? static_cast<double>(recording.size()) * recording.sampleTime_s
+               : recording.time_s.back() - recording.time_s.front() + recording.sampleTime_s;
+}
+
+} // namespace
+
+void InspectSession::Private::reload()
+{
+    if (state == State::Ready)
+        state = State::Loading;
+    archive.load([this](const Expected<void>& done) {
+        noticeFailure(done);
+        if (done && state == State::Loading) {
+            state = State::Ready;
+            error.reset();
+        }
+    });
+}
+
+void InspectSession::Private::noticeFailure(const Expected<void>& done)
+{
+    if (!done)
+        error = done.error();
+}
+
+Expected<void> InspectSession::Private::ready() const
+{
+    switch (state) {
+    case State::Ready:
+        return {};
+    case State::Loading:
+        return failure(ErrorCode::Usage, {Words::tr("The library is still being read.")});
+    case State::Squeezing:
+    case State::Judging:
+        break;
+    }
+    return failure(ErrorCode::Usage, {Words::tr("The last squeeze is still being worked on.")});
+}
+
+Recipe InspectSession::Private::wantedRecipe() const
+{
+    const std::vector<TypeRecord>& types = archive.types();
+    const auto type = std::find_if(types.begin(), types.end(),
+                                   [this](const TypeRecord& record) { return record.name == expectedType; });
+    return type == types.end() ? recipe : type->recipe;
+}
+
+void InspectSession::Private::begin(State next)
+{
+    state = next;
+    result.reset();
+    error.reset();
+    watch.end();
+    measuredEarlyEnd.reset();
+    measuredExpectedType = expectedType;
+    const std::optional<BatchRecord>& batch = archive.batch();
+    measuredBatch = batch && !batch->ended ? batch->id : QString();
+}
+
+void InspectSession::Private::fail(const Error& reason)
+{
+    error = reason;
+    state = State::Ready;
+}
+
+std::optional<EarlyStopSetup> InspectSession::Private::earlyStopSetup() const
+{
+    const GripperIdentity identity = connection.identity();
+    if (!endsEarly || judge.transfer || !identity.commandable)
+        return {};
+    const Expected<ComparableTypes::Choice> choice =
+        archive.comparable().modelsFor(identity.forceUnit, identity.positionUnit);
+    if (!choice)
+        return {};
+    EarlyStopSetup setup{choice->models, choice->factor, judge.rates, {}, connection.measuringChain()};
+    setup.rates.siUnits = siFactor(identity.forceUnit, identity.positionUnit).has_value();
+    setup.decision.sampleTime_s = identity.sampleTime_s;
+    const IdentificationOptions& options = judge.identification;
+    setup.decision.hold = options.hold.value_or(identity.hold);
+    setup.decision.lag_s = connection.forceLag_s();
+    setup.decision.freeInitialState = options.initialState == InitialState::Free;
+    setup.decision.freeOffset = options.freeOffset;
+    return setup;
+}
+
+void InspectSession::Private::followSqueeze()
+{
+    job.poll();
+    watch.poll();
+    if (watch.decision())
+        job.finish(inWords(*watch.decision(), static_cast<double>(watch.decision()->samples) *
+                                                  connection.identity().sampleTime_s)
+                       .english());
+    if (job.state() == SqueezeJob::State::Done) {
+        if (job.endedEarly())
+            measuredEarlyEnd = watch.decision();
+        identify(job.recording(), connection.address());
+    } else if (job.state() == SqueezeJob::State::Failed) {
+        fail(*job.error());
+    }
+}
+
+bool InspectSession::Private::pollForecast()
+{
+    if (!forecasting || state != State::Ready)
+        return false;
+    const std::optional<EarlyStopSetup> setup =
+        connection.state() == ConnectSession::State::Connected ? earlyStopSetup() : std::nullopt;
+    if (setup)
+        forecast.ask(*setup, wantedRecipe());
+    else
+        forecast.forget();
+    return forecast.poll();
+}
+
+void InspectSession::Private::identify(Recording recording, const QString& from)
+{
+    source = from;
+    if (const Expected<void> started = judge.start(std::move(recording), archive.comparable()); !started)
+        return fail(started.error());
+    state = State::Judging;
+}
+
+void InspectSession::Private::show(InspectionJudge::Judged judged)
+{
+    Result found;
+    found.verdict = std::move(judged.verdict);
+    found.earlyEnd = measuredEarlyEnd;
+    if (found.earlyEnd)
+        found.verdict =
+            verdictOnEarlyEnd(std::move(found.verdict), *found.earlyEnd,
+                              static_cast<double>(found.earlyEnd->samples) * judged.recording.sampleTime_s);
+    found.outcome = inspectionOutcome(found.verdict.kind, found.verdict.type, measuredExpectedType);
+    found.expectedType = measuredExpectedType;
+    found.seconds = lengthOf(judged.recording);
+    found.squeeze = squeezes;
+    found.identification = std::move(judged.identification);
+    found.recording = std::move(judged.recording);
+    result = std::move(found);
+    state = State::Ready;
+    if (storeResults)
+        keep(judged.rates);
+}
+
+void InspectSession::Private::keep(const VerdictOptions& rates)
+{
+    NewInspection inspection;
+    inspection.grasp = makeGrasp(result->recording, result->identification, source, operatorName);
+    inspection.verdict = result->verdict;
+    inspection.rates = rates;
+    inspection.expectedType = result->expectedType;
+    inspection.seconds = result->seconds;
+    inspection.batchId = measuredBatch;
+    archive.keep(inspection, [this, which = squeezes](const Expected<qint64>& number) {
+        if (!number)
+            error = number.error();
+        else if (result && result->squeeze == which)
+            result->number = *number;
+    });
+}
+
+Expected<void> InspectionJudge::start(Recording recording, const ComparableTypes& types)
+{
+    ASSIGN_OR_RETURN(const ComparableTypes::Choice choice,
+                     types.modelsFor(recording.forceUnit, recording.positionUnit));
+    IdentificationOptions withEarlier = identification;
+    withEarlier.earlierHold = m_holds.before(recording, identification);
+    m_ratesThen = rates;
+    m_ratesThen.siUnits = siFactor(recording.forceUnit, recording.positionUnit).has_value();
+    m_measured = recording;
+    m_task = inPool([recording = std::move(recording), withEarlier, judging = m_ratesThen, other = transfer,
+                     models = choice.models, factor = choice.factor] {
+        Found found{identify(recording, withEarlier), {}};
+        found.verdict = judge(*models, found.identification, factor, judging, other);
+        return found;
+    });
+    m_task.whenReady(wake);
+    return {};
+}
+
+std::optional<InspectionJudge::Judged> InspectionJudge::take()
+{
+    std::optional<Found> found = m_task.take();
+    if (!found)
+        return {};
+    m_holds.add(m_measured, found->identification);
+    return Judged{std::move(m_measured), std::move(found->identification), std::move(found->verdict),
+                  m_ratesThen};
+}
+
+} // namespace gripscope

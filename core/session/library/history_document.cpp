@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/library/history_document.h"
+
+#include "core/base/csv.h"
+#include "core/library/history/history_fields.h"
+
+#include <QJsonDocument>
+#include <QStringList>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr std::size_t rowsAtOnce = 500;
+
+QString utc(const QDateTime& time)
+{
+    return time.toUTC().toString(Qt::ISODateWithMs);
+}
+
+QByteArray compact(const QJsonObject& object)
+{
+    return QJsonDocument(object).toJson(QJsonDocument::Compact);
+}
+
+} // namespace
+
+QByteArray historyCsvHeader()
+{
+    QByteArrayList heads;
+    for (const HistoryField& field : historyFields())
+        if (*field.csv != 0)
+            heads << field.csv;
+    return heads.join(',') + '\n';
+}
+
+QByteArray toCsv(const std::vector<HistoryEntry>& entries)
+{
+    QString text;
+    for (const HistoryEntry& entry : entries) {
+        QStringList line;
+        for (const HistoryField& field : historyFields())
+            if (*field.csv != 0)
+                for (const QString& cell : field.cells(entry))
+                    line << csvCell(cell);
+        text += line.join(u',') + u'\n';
+    }
+    return text.toUtf8();
+}
+
+QJsonObject toJson(const HistoryEntry& entry)
+{
+    QJsonObject object;
+    for (const HistoryField& field : historyFields())
+        object.insert(QLatin1String(field.json), field.value(entry));
+    return object;
+}
+
+QJsonObject toJson(const HistoryQuery& query)
+{
+    QJsonObject object;
+    const auto add = [&object](const QString& name, const QString& text) {
+        if (!text.isEmpty())
+            object.insert(name, text);
+    };
+    add(u"text"_s, query.text);
+    add(u"kind"_s, query.kind ? toString(*query.kind) : QString());
+    add(u"outcome"_s, query.outcome ? toString(*query.outcome) : QString());
+    add(u"type"_s, query.type);
+    add(u"expected"_s, query.expected);
+    add(u"operator"_s, query.operatorName);
+    add(u"device"_s, query.device);
+    add(u"from_utc"_s, query.from.isValid() ? utc(query.from) : QString());
+    add(u"to_utc"_s, query.to.isValid() ? utc(query.to) : QString());
+    return object;
+}
+
+HistoryDocument::HistoryDocument(HistoryQuery query, HistoryFormat format)
+    : m_query(std::move(query)), m_format(format)
+{
+}
+
+QByteArray HistoryDocument::head() const
+{
+    if (m_format == HistoryFormat::Csv)
+        return historyCsvHeader();
+    QByteArray text = compact({{u"format"_s, u"gripscope-history"_s},
+                               {u"version"_s, 1},
+                               {u"software"_s, QStringLiteral(GRIPSCOPE_VERSION)},
+                               {u"exported_utc"_s, utc(QDateTime::currentDateTimeUtc())},
+                               {u"filter"_s, toJson(m_query)},
+                               {u"count"_s, qint64(total())}});
+    text.chop(1); // the closing brace comes at the end
+    return text + ",\"squeezes\":[\n";
+}
+
+QByteArray HistoryDocument::rows(const std::vector<HistoryEntry>& entries)
+{
+    if (m_format == HistoryFormat::Csv)
+        return toCsv(entries);
+    QByteArray text;
+    for (const HistoryEntry& entry : entries) {
+        text += m_first ? QByteArray() : QByteArray(",\n");
+        text += compact(toJson(entry));
+        m_first = false;
+    }
+    return text;
+}
+
+Expected<QByteArray> HistoryDocument::next(Library& library)
+{
+    if (m_ended)
+        return QByteArray();
+    QByteArray text;
+    if (!m_keys) {
+        ASSIGN_OR_RETURN(HistoryKeys keys, library.historyKeys(m_query));
+        m_keys = std::move(keys);
+        text = head();
+    }
+    const std::vector<QString> part = m_keys->part(m_written, rowsAtOnce);
+    ASSIGN_OR_RETURN(const std::vector<HistoryEntry> entries, library.historyEntries(part));
+    text += rows(entries);
+    m_written += part.size();
+    m_ended = m_written >= m_keys->size();
+    if (m_ended && m_format == HistoryFormat::Json)
+        text += "\n]}\n";
+    return text;
+}
+
+} // namespace gripscope

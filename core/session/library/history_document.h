@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/library/library.h"
+#include "core/library/records/history.h"
+
+#include <QByteArray>
+
+#include <optional>
+
+namespace gripscope {
+
+enum class HistoryFormat { Csv, Json };
+
+/// Squeezes as lines of CSV: UTF-8, LF, C locale, times in UTC, numbers in their shortest form that reads
+/// back the same, m, b and k in the squeeze's own units, which stand beside them.
+[[nodiscard]] QByteArray toCsv(const std::vector<HistoryEntry>& entries);
+/// The header of those lines.
+[[nodiscard]] QByteArray historyCsvHeader();
+/// One squeeze; the manual's page on the history tells every member. What is not known is null.
+[[nodiscard]] QJsonObject toJson(const HistoryEntry& entry);
+/// What a query lets through: only the members that narrow it.
+[[nodiscard]] QJsonObject toJson(const HistoryQuery& query);
+
+/// All that a query finds as one text, piece by piece, so that neither memory nor the library is taken by it
+/// for long. JSON: {"format": "gripscope-history", "version": 1, ..., "squeezes": [...]}, a squeeze a line.
+class HistoryDocument {
+public:
+    HistoryDocument(HistoryQuery query, HistoryFormat format);
+
+    /// The next piece, of some hundred squeezes; empty after the last. On the library's thread.
+    [[nodiscard]] Expected<QByteArray> next(Library& library);
+    [[nodiscard]] std::size_t written() const { return m_written; }
+    [[nodiscard]] std::size_t total() const { return m_keys ? m_keys->size() : 0; }
+
+private:
+    [[nodiscard]] QByteArray head() const;
+    [[nodiscard]] QByteArray rows(const std::vector<HistoryEntry>& entries);
+    HistoryQuery m_query;
+    HistoryFormat m_format;
+    std::optional<HistoryKeys> m_keys;
+    std::size_t m_written = 0;
+    bool m_first = true, m_ended = false;
+};
+
+} // namespace gripscope

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "devices/address/fault_script.h"
+
+#include <QString>
+
+#include <variant>
+
+namespace gripscope {
+
+struct VirtualAddress {
+    QString object = QStringLiteral("A"); ///< "A".."D", or "m,b,k" in SI
+    std::uint64_t seed = 1;
+    std::optional<double> positionNoise_m; ///< standard deviation; default 5 um
+    double speed = 1; ///< device seconds in a second; 0: as fast as it can, and only while a squeeze runs
+    std::vector<FaultEvent> faults; ///< in order of time
+    QString script;                 ///< file with further ones (fault_script.h); empty: none
+    bool millimetres = false;       ///< the device states its positions in mm instead of m
+    QString capture;                ///< file for the raw reports (.gscap); empty: none
+    /// Another maker's gripper, which squeezes by itself: what its bytes are read by, and what they are sent
+    /// by. A file, or the name of a profile that came with the program; one alone stands for both, but for
+    /// `like` alone, which is read by the profile there is for its USB numbers.
+    QString profile, like;
+    friend bool operator==(const VirtualAddress&, const VirtualAddress&) = default;
+};
+struct HidAddress {
+    std::optional<std::uint16_t> vendor, product;
+    QString serial{};  ///< empty: the only one there is
+    QString capture{}; ///< file for the raw reports (.gscap); empty: none
+    QString port{};    ///< where it is plugged in; empty: anywhere
+    QString profile{}; ///< what another maker's gripper is read by; empty: the one there is for its numbers
+};
+struct ReplayAddress {
+    QString file;
+    double speed = 1; ///< times the pace it was taken at; 0: as fast as it is read
+};
+using DeviceAddress = std::variant<VirtualAddress, HidAddress, ReplayAddress>;
+
+/// `virtual:?object=A&seed=7&noise=20e-6&speed=0&fault=loss:0.01,stuck&script=FILE`, `hid:`, `hid:1209:0001`,
+/// `hid:1209:0001:SERIAL`, `hid:1209:0001:SERIAL?port=usb-0000:00:14.0-2/input0` (of several with the same
+/// number, or none, the one at that port), `replay:FILE` or `replay:FILE?speed=10` (a recording, or a
+/// capture: FILE ends in .gscap). With the option capture=FILE, behind `virtual:?` or `hid:...?`, the raw
+/// reports are kept. Usage errors name the part that is wrong and what it may be. profile=FILE reads another
+/// maker's gripper by that profile.
+///
+/// Faults: loss:P, duplicate:P, crc:P, saturate:N, stuck and units from the beginning on; stall:S, unplug:S,
+/// deaf:S, hang-feature:S, hang-write:S, broken:S and button:S after so many seconds; replug:S so long after
+/// the unplug. A script (fault_script.h) says more; it is read when the gripper is opened.
+[[nodiscard]] Expected<DeviceAddress> parseDeviceAddress(const QString& text);
+
+} // namespace gripscope

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/calibration_record.h"
+#include "core/library/audit/audit_trail.h"
+#include "core/library/migrations/migration.h"
+#include "core/library/people/people_register.h"
+#include "core/library/records/enrollment_draft.h"
+#include "tests/core/library/library_fixture.h"
+#include "tests/core/library/raw_database.h"
+#include "tests/support/test_registry.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QTest>
+
+#include <unistd.h>
+
+using namespace gripscope;
+using namespace gripscope::test;
+
+namespace {
+
+void write(const QString& name, const QByteArray& bytes)
+{
+    QFile file(name);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+        qFatal("%s", qPrintable(file.errorString()));
+}
+
+/// A library as an earlier version of the schema left it, with one type, squeeze and inspection and, from
+/// version 2, one gripper's channels, from version 5 their calibration; from SQL alone.
+void makeVersion(const QString& file, int version)
+{
+    RawDatabase raw(file);
+    for (int part = 1; part <= version; ++part) {
+        const QString name = u"/library_version_%1.sql"_s.arg(part);
+        const QString script = QString::fromUtf8(bytesOf(QStringLiteral(GRIPSCOPE_TEST_DATA) + name));
+        if (script.isEmpty())
+            qFatal("tests/data%s is missing", qPrintable(name));
+        for (const QString& statement : statementsOf(script))
+            raw.run(statement);
+    }
+}
+
+/// As an ordinary user, since root may write everywhere. Back to what it was at the end.
+class OrdinaryUser {
+public:
+    OrdinaryUser() : m_user(geteuid())
+    {
+        if (m_user == 0 && seteuid(65534) != 0)
+            qFatal("cannot become an ordinary user");
+    }
+    ~OrdinaryUser()
+    {
+        if (seteuid(m_user) != 0)
+            qFatal("cannot become the old user again");
+    }
+    OrdinaryUser(const OrdinaryUser&) = delete;
+    OrdinaryUser& operator=(const OrdinaryUser&) = delete;
+
+private:
+    uid_t m_user;
+};
+
+void setMode(const QString& name, bool writable)
+{
+    using P = QFileDevice;
+    const QFileDevice::Permissions read =
+        P::ReadOwner | P::ExeOwner | P::ReadGroup | P::ExeGroup | P::ReadOther | P::ExeOther;
+    QFile::setPermissions(name, writable ? read | P::WriteOwner : read);
+}
+
+} // namespace
+
+class LibraryOpenTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aNewFileGetsTheNewestSchema()
+    {
+        const LibraryFolder folder;
+        QCOMPARE(folder.open()->schemaVersion(), migrations().back().version);
+        RawDatabase raw(folder.file());
+        QCOMPARE(raw.count(u"schema_migrations"_s), qint64(migrations().size()));
+        QCOMPARE(raw.run(u"SELECT checksum FROM schema_migrations WHERE version = 1"_s).toString(),
+                 migrations()[0].checksum());
+        QCOMPARE(raw.run(u"PRAGMA journal_mode"_s).toString(), u"wal"_s);
+    }
+    void anEmptyFileBecomesALibrary()
+    {
+        const LibraryFolder folder;
+        write(folder.file(), {});
+        QVERIFY(Library::open(folder.file()));
+    }
+    void aFileOfAnEarlierVersionOpensWithAllThatIsInIt_data()
+    {
+        QTest::addColumn<int>("version");
+        for (int version = 1; version < migrations().back().version; ++version)
+            QTest::addRow("version %d", version) << version;
+    }
+    void aFileOfAnEarlierVersionOpensWithAllThatIsInIt()
+    {
+        QFETCH(int, version);
+        const LibraryFolder folder;
+        makeVersion(folder.file(), version);
+        const auto library = folder.open();
+        QCOMPARE(library->schemaVersion(), migrations().back().version);
+        const auto type = valueOf(library->findType(u"Can"_s));
+        QVERIFY(type && type->approved);
+        QCOMPARE(type->squeezes, 1);
+        QCOMPARE(type->recipe.peak_N, 11.0);
+        const auto squeezes = valueOf(library->enrolledSqueezes());
+        QCOMPARE(squeezes.size(), std::size_t(1));
+        QVERIFY((squeezes[0].parameters == MassDampingStiffness{0.04, 43, 9990}));
+        const auto inspections = valueOf(library->inspections({}));
+        QCOMPARE(inspections.size(), std::size_t(1));
+        QCOMPARE(inspections[0].reason.describe(), u"It was so."_s);
+        QCOMPARE(inspections[0].batch, QString());
+        QCOMPARE(type->code, QString());
+        QCOMPARE(valueOf(library->addInspection(anInspection())).number, 8);
+        // What was approved and dropped before versions were kept is told as versions, and can be undone.
+        const auto changes = valueOf(library->changes(10));
+        QCOMPARE(changes.size(), std::size_t(2));
+        QCOMPARE(inWords(changes[0]), u"1 squeeze of Can was dropped."_s);
+        QCOMPARE(changes[0].reason, u"slipped"_s);
+        QCOMPARE(inWords(changes[1]), u"Can was approved."_s);
+        QCOMPARE(changes[1].operatorName, u"Ada"_s);
+        valueOf(library->restoreVersion(1, {u"Ada"_s, u"it had not slipped"_s}));
+        QCOMPARE(valueOf(library->findType(u"Can"_s))->squeezes, 2);
+        const auto chain = valueOf(library->measuringChain(u"0001"_s));
+        QCOMPARE(chain.has_value(), version > 1);
+        const MeasuringChain stored{
+            2e-6, 0, 0.002, 0.001, 1e-5, 1e-6, GripperBaseline{{0.01, 2, 300}, {0.001, 0.2, 30}}};
+        if (chain)
+            QVERIFY(chain->chain == stored);
+        const auto calibrations = valueOf(library->calibrations(u"0001"_s, 10));
+        QCOMPARE(calibrations.size(), std::size_t(version > 4 ? 1 : 0));
+        QVERIFY(calibrations.empty() || calibrations[0].points.size() == 3);
+        const auto drafts = valueOf(library->drafts());
+        QCOMPARE(drafts.size(), std::size_t(version > 5 ? 1 : 0));
+        QVERIFY(drafts.empty() || drafts[0].name == u"Jar"_s);
+        QCOMPARE(valueOf(library->calibrationsInForce(u"0001"_s)).reference.has_value(), version > 6);
+        const auto checks = valueOf(library->referenceChecks(u"0001"_s, 10));
+        QCOMPARE(checks.size(), std::size_t(version > 6 ? 1 : 0));
+        // Nobody has to sign in, and the trail begins with what is done from now on.
+        QVERIFY(!valueOf(library->people().inForce()));
+        const auto trail = valueOf(library->auditTrail().verify());
+        QVERIFY(trail.whole());
+        QCOMPARE(trail.head.entries, 1);
+        QCOMPARE(valueOf(library->auditTrail().entries({})).front().reason, u"it had not slipped"_s);
+    }
+    void migrationsAreNeverEdited()
+    {
+        // What was released is in users' files: a change needs a further step, not another text.
+        QCOMPARE(migrations()[0].checksum(),
+                 u"3fe0d89f2b05a7707d258048112e93e811eaeedda21d2fd53aa4554bb97e77c9"_s);
+        QCOMPARE(migrations()[1].checksum(),
+                 u"9372b5894d92b40436f836603ca4079adff5daaa3771bb30cafc6a3b373a5afe"_s);
+        QCOMPARE(migrations()[2].checksum(),
+                 u"d9dce13d44c1015bbeb24bd09c2ec4b7f0c9c6c9b0f49fdecc871916c1716a84"_s);
+        QCOMPARE(migrations()[3].checksum(),
+                 u"df417d941c7bf59bbcd7a281f62730f4f446b821cadc67fe975cad7793ee6ad9"_s);
+        QCOMPARE(migrations()[4].checksum(),
+                 u"ec80b874498ca7ec92bac62d324aa44dbb2303a2826586f7085a908edb3d760b"_s);
+        QCOMPARE(migrations()[5].checksum(),
+                 u"f07cec2ca6f45dcb71f40d83f40432f15a1dbcc3245a9f1ce7e62eed29a6aa13"_s);
+        QCOMPARE(migrations()[6].checksum(),
+                 u"f7842ddc6ff44aaf6c12793077c3dd46143fa76204f9f993dba6a89c7f6c566c"_s);
+        QCOMPARE(migrations()[7].checksum(),
+                 u"517bb996476637705568edfda69712aa9be39162f767cf970caa259e29f09eac"_s);
+        QCOMPARE(migrations()[8].checksum(),
+                 u"3f2565d5ab259e5129148646da42fe3cc2fa526dba3245630a347515c0c0ead7"_s);
+        QCOMPARE(migrations()[9].checksum(),
+                 u"f7301b5a84b65eae0bdcbc682b302de2919f6f30d755ae64ae7d072027c0c453"_s);
+    }
+    void furtherStepsAreAppliedInOrderAndOnce()
+    {
+        const LibraryFolder folder;
+        std::vector<Migration> steps = {{1, u"one"_s, {u"CREATE TABLE a (x {blob})"_s}}};
+        {
+            const auto database = valueOf(Database::open(folder.file()));
+            valueOf(migrate(*database, steps));
+        }
+        steps.push_back(
+            {2, u"two"_s, {u"ALTER TABLE a ADD COLUMN y TEXT"_s, u"INSERT INTO a (y) VALUES ('kept')"_s}});
+        for (int i = 0; i < 2; ++i) {
+            const auto database = valueOf(Database::open(folder.file()));
+            valueOf(migrate(*database, steps));
+            QCOMPARE(valueOf(schemaVersion(*database)), 2);
+        }
+        QCOMPARE(RawDatabase(folder.file()).count(u"a"_s), 1);
+    }
+    void aStepThatFailsLeavesTheVersionBefore()
+    {
+        const LibraryFolder folder;
+        const std::vector<Migration> steps = {{1, u"one"_s, {u"CREATE TABLE a (x TEXT)"_s}},
+                                              {2, u"two"_s, {u"CREATE TABLE b (x TEXT)"_s, u"no SQL"_s}}};
+        const auto database = valueOf(Database::open(folder.file()));
+        QCOMPARE(migrate(*database, steps).error().code, ErrorCode::StorageFailed);
+        QCOMPARE(valueOf(schemaVersion(*database)), 1);
+        QVERIFY(!valueOf(database->tables()).contains(u"b"_s));
+    }
+    void aStepAppliedWithAnotherTextIsNoticed()
+    {
+        const LibraryFolder folder;
+        folder.open();
+        RawDatabase(folder.file()).run(u"UPDATE schema_migrations SET checksum = 'another'"_s);
+        QCOMPARE(Library::open(folder.file()).error().code, ErrorCode::StorageOpen);
+    }
+    void aNewerFileIsLeftUntouched()
+    {
+        const LibraryFolder folder;
+        folder.open();
+        RawDatabase(folder.file())
+            .run(u"INSERT INTO schema_migrations VALUES (99, 'later', '', '', '', '')"_s);
+        const QByteArray before = bytesOf(folder.file());
+        const auto library = Library::open(folder.file());
+        QCOMPARE(library.error().code, ErrorCode::StorageNewer);
+        QCOMPARE(described(library.error().arguments),
+                 QStringList({folder.file(), u"99"_s, QString::number(migrations().back().version)}));
+        QVERIFY(bytesOf(folder.file()) == before);
+        QCOMPARE(QDir(folder.folder.path()).entryList(QDir::Files), QStringList({u"library.db"_s}));
+    }
+    void aNewerFileOfAnotherJournalIsLeftUntouched()
+    {
+        const LibraryFolder folder;
+        {
+            RawDatabase raw(folder.file());
+            raw.run(u"CREATE TABLE schema_migrations (version INTEGER)"_s);
+            raw.run(u"INSERT INTO schema_migrations VALUES (99)"_s);
+        }
+        const QByteArray before = bytesOf(folder.file());
+        QCOMPARE(Library::open(folder.file()).error().code, ErrorCode::StorageNewer);
+        QVERIFY(bytesOf(folder.file()) == before);
+    }
+    void filesThatAreNoLibraryAreRefusedUntouched_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::newRow("text") << QByteArray("time_s,force,position\n0,1,2\n");
+        QTest::newRow("short") << QByteArray("SQL");
+        QTest::newRow("binary") << QByteArray(5000, '\xa5');
+    }
+    void filesThatAreNoLibraryAreRefusedUntouched()
+    {
+        QFETCH(QByteArray, bytes);
+        const LibraryFolder folder;
+        write(folder.file(), bytes);
+        const auto library = Library::open(folder.file());
+        QCOMPARE(library.error().code, ErrorCode::StorageOpen);
+        QVERIFY(library.error().describe().contains(u"another kind"_s));
+        QVERIFY(bytesOf(folder.file()) == bytes);
+    }
+    void anotherProgramsDatabaseIsRefusedUntouched()
+    {
+        const LibraryFolder folder;
+        RawDatabase(folder.file()).run(u"CREATE TABLE recipes (soup TEXT)"_s);
+        const QByteArray before = bytesOf(folder.file());
+        const auto library = Library::open(folder.file());
+        QCOMPARE(library.error().code, ErrorCode::StorageOpen);
+        QVERIFY(library.error().describe().contains(u"another program"_s));
+        QVERIFY(bytesOf(folder.file()) == before);
+    }
+    void aLibraryThatRunsProgramsOfItsOwnIsRefused_data()
+    {
+        QTest::addColumn<QString>("sql");
+        QTest::newRow("trigger")
+            << u"CREATE TRIGGER turn AFTER INSERT ON inspections BEGIN UPDATE inspections "
+               "SET verdict = 'type'; END"_s;
+        QTest::newRow("view") << u"CREATE VIEW all_types AS SELECT * FROM types"_s;
+        QTest::newRow("computed column") << u"CREATE TABLE big (x TEXT, y BLOB AS (zeroblob(1000000000)))"_s;
+        QTest::newRow("virtual table") << u"CREATE VIRTUAL TABLE words USING fts5(text)"_s;
+    }
+    void aLibraryThatRunsProgramsOfItsOwnIsRefused()
+    {
+        QFETCH(QString, sql);
+        const LibraryFolder folder;
+        QVERIFY(folder.open());
+        RawDatabase(folder.file()).run(sql);
+        const auto library = Library::open(folder.file());
+        QVERIFY(!library);
+        QCOMPARE(library.error().code, ErrorCode::StorageOpen);
+        QVERIFY(library.error().describe().contains(u"a program of its own"_s));
+    }
+    void aDamagedDatabaseIsCorrupt()
+    {
+        const LibraryFolder folder;
+        valueOf(folder.open()->loadExampleTypes());
+        QByteArray bytes = bytesOf(folder.file());
+        bytes.replace(100, 3000, QByteArray(3000, '\x5a')); // the root of the schema, behind the header
+        write(folder.file(), bytes);
+        QCOMPARE(Library::open(folder.file()).error().code, ErrorCode::StorageCorrupt);
+    }
+    void placesThatCannotHoldAFileAreErrors_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::newRow("no name") << u""_s;
+        QTest::newRow("no such folder") << u"/nowhere/at/all/library.db"_s;
+        QTest::newRow("a folder") << QDir::tempPath();
+        QTest::newRow("not a real disk") << u"/proc/library.db"_s;
+    }
+    void placesThatCannotHoldAFileAreErrors()
+    {
+        QFETCH(QString, file);
+        const auto library = Library::open(file);
+        QCOMPARE(library.error().code, ErrorCode::StorageOpen);
+        QCOMPARE(library.error().argument(0), file);
+        QVERIFY(!library.error().argument(1).isEmpty());
+        QVERIFY(!QFileInfo::exists(u"/nowhere"_s));
+    }
+    void aFolderWithoutWritePermissionIsAnError()
+    {
+        const LibraryFolder folder;
+        setMode(folder.folder.path(), false);
+        {
+            const OrdinaryUser user;
+            QCOMPARE(Library::open(folder.file()).error().code, ErrorCode::StorageOpen);
+        }
+        setMode(folder.folder.path(), true);
+        folder.open();
+        setMode(folder.folder.path(), false);
+        setMode(folder.file(), false);
+        {
+            const OrdinaryUser user;
+            const auto library = Library::open(folder.file()); // there, but nothing can be written beside it
+            QVERIFY(!library);
+            QVERIFY2(library.error().code == ErrorCode::StorageOpen ||
+                         library.error().describe().contains(u"write-protected"_s),
+                     qPrintable(library.error().describe()));
+        }
+        setMode(folder.folder.path(), true);
+    }
+    void theUsersOwnLibraryGetsItsFolder()
+    {
+        // Test mode: below a folder for tests, not the user's own.
+        QDir(QFileInfo(Library::defaultFile()).path()).removeRecursively();
+        QVERIFY(Library::open(Library::defaultFile()));
+        QVERIFY(QFileInfo::exists(Library::defaultFile()));
+    }
+};
+
+GRIPSCOPE_TEST(LibraryOpenTest)
+#include "library_open_test.moc"

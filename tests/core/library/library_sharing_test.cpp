@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/library/child_process.h"
+#include "tests/core/library/library_fixture.h"
+#include "tests/core/library/raw_database.h"
+#include "tests/support/test_registry.h"
+
+#include <QSet>
+#include <QTest>
+
+#include <thread>
+
+using namespace gripscope;
+using namespace gripscope::test;
+
+class LibrarySharingTest : public QObject {
+    Q_OBJECT
+private slots:
+    void manyOpenANewFileAtOnce()
+    {
+        const LibraryFolder folder;
+        std::vector<std::thread> threads;
+        for (int i = 0; i < 8; ++i)
+            threads.emplace_back([&] { valueOf(valueOf(Library::open(folder.file()))->loadExampleTypes()); });
+        for (std::thread& thread : threads)
+            thread.join();
+        QCOMPARE(valueOf(folder.open()->types()).size(), std::size_t(4));
+        QCOMPARE(valueOf(folder.open()->enrolledSqueezes()).size(), std::size_t(40));
+    }
+    void twoProcessesWriteAtOnce()
+    {
+        const LibraryFolder folder;
+        folder.open();
+        std::vector<pid_t> processes;
+        for (int i = 0; i < 2; ++i) {
+            processes.push_back(startChild([&] {
+                const auto library = valueOf(Library::open(folder.file()));
+                for (int j = 0; j < 25; ++j)
+                    valueOf(library->addInspection(anInspection()));
+            }));
+        }
+        for (pid_t process : processes)
+            QVERIFY(endedWell(process));
+        checkNumbers(folder, 50);
+    }
+    void twoThreadsWithAnObjectEachWriteAtOnce()
+    {
+        const LibraryFolder folder;
+        folder.open();
+        std::vector<std::thread> threads;
+        for (int i = 0; i < 2; ++i)
+            threads.emplace_back([&] {
+                const auto library = valueOf(Library::open(folder.file()));
+                for (int j = 0; j < 25; ++j)
+                    valueOf(library->addInspection(anInspection()));
+            });
+        for (std::thread& thread : threads)
+            thread.join();
+        checkNumbers(folder, 50);
+    }
+    void oneSeesAtOnceWhatTheOtherStored()
+    {
+        const LibraryFolder folder;
+        const auto one = folder.open();
+        const auto two = folder.open();
+        valueOf(one->addType(u"A"_s, {}, u"N"_s, u"m"_s));
+        QVERIFY(valueOf(two->findType(u"A"_s)));
+        QCOMPARE(two->addType(u"A"_s, {}, u"N"_s, u"m"_s).error().code, ErrorCode::Usage);
+    }
+
+private:
+    /// 1, 2, 3... without hole or double.
+    static void checkNumbers(const LibraryFolder& folder, int inspections)
+    {
+        QSet<qint64> numbers;
+        for (const InspectionRecord& inspection : valueOf(folder.open()->inspections({})))
+            numbers.insert(inspection.number);
+        QCOMPARE(numbers.size(), inspections);
+        for (qint64 number = 1; number <= inspections; ++number)
+            QVERIFY(numbers.contains(number));
+    }
+};
+
+GRIPSCOPE_TEST(LibrarySharingTest)
+#include "library_sharing_test.moc"

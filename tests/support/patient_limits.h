@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "devices/acquisition/link_limits.h"
+#include "tests/support/patience.h"
+
+namespace gripscope::test {
+
+/// A link that bears a program's thread which others keep from the processor; what it expects of the gripper
+/// stays as it is.
+inline LinkLimits limitsForABusyProgram()
+{
+    using std::chrono::milliseconds;
+    LinkLimits limits;
+    limits.aliveFor = milliseconds(longEnough_ms);
+    limits.obeyWithin = milliseconds(10'000);
+    limits.writerMayWait = milliseconds(10'000);
+    limits.deafReaderLimit = milliseconds(10'000);
+    return limits;
+}
+
+/// One that bears a late reader and late reports, too. What the device itself does without heartbeats stays
+/// as it is.
+inline LinkLimits patientLimits()
+{
+    using std::chrono::milliseconds;
+    LinkLimits limits = limitsForABusyProgram();
+    limits.freshFor = milliseconds(10'000);
+    limits.reportPeriod = milliseconds(10'000);
+    limits.silenceLimit = milliseconds(longEnough_ms);
+    limits.watchdogMargin = milliseconds(1'000); // also how long it is silent after Stop
+    return limits;
+}
+
+} // namespace gripscope::test

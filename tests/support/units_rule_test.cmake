@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What packaging/cmake/units_rule.cmake refuses: cmake -DSOURCE=... -DWORK=... -P units_rule_test.cmake
+cmake_minimum_required(VERSION 3.25)
+include("${SOURCE}/packaging/cmake/units_rule.cmake")
+file(REMOVE_RECURSE "${WORK}")
+
+# expect(LINE REFUSED): whether a file of ui with that line is refused.
+function(expect line refused)
+  file(WRITE "${WORK}/file.cpp" "${line}\n")
+  gripscope_unit_violations("${WORK}/file.cpp" ui/pages/any.cpp found)
+  if((refused AND NOT found) OR (NOT refused AND found))
+    message(FATAL_ERROR "${line}: expected ${refused}, found: ${found}")
+  endif()
+endfunction()
+
+expect("label->setText(u\"mm\"_s);" TRUE)
+expect("field->setSuffix(u\" N\"_s);" TRUE)
+expect("return {u\"kN/m\"_s, 1e-3};" TRUE)
+expect("tr(\"%1 \\xc2\\xb1 %2 N for %3 s\")" TRUE)
+expect("tr(\"Crush limit: %1 N, %2 mm\")" TRUE)
+expect("u\"%L1 N\"_qs.arg(force_N)" TRUE)
+expect("tr(\"at most %1 N.\")" TRUE)
+expect("tr(\"stiffness (kN/m)\")" TRUE)
+expect("forceText(limits.maxForce_N)" FALSE)
+expect("tr(\"%1 Newtonian\")" FALSE)
+expect("tr(\"%1 of %2\") // 30 N of \"100 N\"" FALSE)
+expect("/// \"12.5 N\" and \"%1 mm\"" FALSE)
+expect("scene->look(u\"m\"_s);" FALSE)
+expect("#include \"N\"" FALSE)
+expect("tr(\"in %1 ms, %2 s\")" FALSE)
+
+gripscope_unit_violations("${SOURCE}/ui/format/number_format.cpp" ui/format/number_format.cpp found)
+if(found)
+  message(FATAL_ERROR "the place that names units is refused: ${found}")
+endif()

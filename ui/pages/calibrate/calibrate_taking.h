@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/display_units.h"
+#include "core/calibration/calibration_plan.h"
+#include "core/session/calibrate/calibrate_session.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QDateEdit;
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QStackedWidget;
+class QTableView;
+
+namespace gripscope {
+
+class CalibrationPlot;
+class CalibrationPointsModel;
+class Workbench;
+
+/// What a calibration is to be: the channel, the loads, how often, against what. Says at once what is wrong.
+class CalibrateSetup : public QWidget {
+    Q_OBJECT
+public:
+    explicit CalibrateSetup(Workbench& workbench, QWidget* parent = nullptr);
+    [[nodiscard]] CalibrationPlan plan() const; ///< loads in the channel's unit
+
+signals:
+    void begun(const gripscope::CalibrationPlan& plan);
+
+private:
+    void build();
+    void proposeLoads();
+    void validate();
+    /// Loads as they are typed, newtons or millimetres; nothing when it is not a list of numbers.
+    [[nodiscard]] std::optional<std::vector<double>> typedLoads() const;
+    enum class Way { Weights, LoadCell, GaugeBlocks };
+    [[nodiscard]] Way way() const;
+    [[nodiscard]] SensorChannel channel() const;
+    /// N or mm, or what the person reads in their place.
+    [[nodiscard]] ShownUnit typedUnit() const;
+    [[nodiscard]] double perTyped() const; ///< channel's units in a typed one
+    [[nodiscard]] QString problem() const;
+
+    Workbench* m_workbench;
+    QComboBox* m_channel;
+    QLineEdit* m_loads;
+    QSpinBox* m_runs;
+    QCheckBox* m_descending;
+    QSpinBox* m_degree;
+    QLineEdit* m_reference;
+    QLineEdit* m_certificate;
+    QDoubleSpinBox* m_uncertainty;
+    QLabel* m_summary;
+    QPushButton* m_begin;
+};
+
+/// A calibration under way: which load comes next, what the channel says, the points so far with what is left
+/// of them, and in the end the figures and the decision.
+class CalibrateTaking : public QWidget {
+    Q_OBJECT
+public:
+    CalibrateTaking(Workbench& workbench, CalibrateSession& session, QWidget* parent = nullptr);
+    ~CalibrateTaking() override;
+    void refresh();        ///< after the session changed
+    void refreshReading(); ///< the number that the channel says now
+    void takeOrAccept();   ///< what Space does
+    void undo();           ///< what Backspace does
+
+signals:
+    void abandoned();
+
+private:
+    QWidget* makePlots();
+    QWidget* makeSide();
+    QWidget* makeNext();
+    QWidget* makeDecision();
+    void take();
+    void accept();
+    void showPoints();
+    void showNext();
+    void showLoad(const PlannedPoint& next);
+    void showFigures();
+    [[nodiscard]] static QString instruction(const PlannedPoint& next, const CalibrationPlan& plan);
+    [[nodiscard]] std::vector<double> recentValues() const; ///< of the channel, evenly spaced in time
+    [[nodiscard]] QString shown(double value, int digits) const;
+
+    Workbench* m_workbench;
+    CalibrateSession* m_session;
+    CalibrationPlot* m_plot;
+    CalibrationPointsModel* m_model;
+    QTableView* m_table;
+    QStackedWidget* m_stack;
+    QLabel *m_title, *m_step, *m_load, *m_way, *m_reading, *m_steady, *m_words;
+    QWidget* m_shownBox;        ///< what a load cell shows
+    QDoubleSpinBox* m_onIt;     ///< in the unit of m_load
+    double m_perChannel = 1;    ///< that unit's number for one of the channel's
+    std::size_t m_proposed = 0; ///< points there were when a load was proposed, and one
+    QProgressBar* m_progress;
+    QPushButton *m_take, *m_undo, *m_abandon, *m_accept;
+    QGridLayout* m_figures;
+    QLabel* m_doubt;
+    QSpinBox* m_degree;
+    QDateEdit* m_due;
+    QLineEdit* m_note;
+};
+
+} // namespace gripscope

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/enroll/enroll_review_panel.h"
+
+#include "core/base/words.h"
+#include "core/math/distributions.h"
+#include "core/session/squeeze/comparable_units.h"
+#include "ui/charts/type_map.h"
+#include "ui/context/workbench.h"
+#include "ui/format/number_format.h"
+#include "ui/format/parameter_text.h"
+#include "ui/format/shown_unit.h"
+#include "ui/pages/part_picture.h"
+#include "ui/people/authorize.h"
+#include "ui/widgets/controls.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSet>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace gripscope {
+
+TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels& models, const QString& name)
+{
+    TypeReview review;
+    review.models = models;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Vector3d squares = Eigen::Vector3d::Zero();
+    for (const TypeSqueeze& squeeze : squeezes)
+        if (squeeze.type == name) {
+            ++review.squeezes;
+            sum += squeeze.parameters.vector();
+        }
+    if (review.squeezes == 0)
+        return review;
+    const Eigen::Vector3d mean = sum / review.squeezes;
+    review.mean = {mean[0], mean[1], mean[2]};
+    for (const TypeSqueeze& squeeze : squeezes)
+        if (squeeze.type == name)
+            squares += (squeeze.parameters.vector() - mean).cwiseAbs2();
+    if (review.squeezes > 1)
+        review.spreadPercent = 100 * (squares / (review.squeezes - 1)).cwiseSqrt().cwiseQuotient(mean);
+    const TypeModel* own = models.find(name);
+    if (!own || models.degreesOfFreedom < 1)
+        return review;
+    const Eigen::Vector3d centre = own->meanLog.array().exp();
+    for (const TypeModel& other : models.types) {
+        if (other.name == name)
+            continue;
+        const std::optional<double> squared =
+            squaredDistance(models, other, {centre[0], centre[1], centre[2]});
+        if (!squared)
+            continue;
+        const double distance = std::sqrt(*squared);
+        if (!review.nearestSd || distance < *review.nearestSd) {
+            review.nearestSd = distance;
+            review.nearest = other.name;
+        }
+    }
+    if (const std::optional<double> gate =
+            falseRejectGate(own->squeezes, models.degreesOfFreedom, VerdictOptions{}.falseReject))
+        review.gateSd = std::sqrt(*gate);
+    return review;
+}
+
+namespace {
+
+Expected<TypeReview> loadReview(Library& library, const QString& name)
+{
+    ASSIGN_OR_RETURN(const std::vector<TypeRecord> types, library.types());
+    ASSIGN_OR_RETURN(const std::vector<TypeSqueeze> squeezes, library.enrolledSqueezes());
+    for (const TypeRecord& type : types) {
+        if (type.name != name)
+            continue;
+        ASSIGN_OR_RETURN(const ComparableTypes::Choice choice,
+                         ComparableTypes(types, squeezes).modelsFor(type.forceUnit, type.positionUnit));
+        TypeReview review = reviewType(squeezes, *choice.models, name);
+        review.forceUnit = type.forceUnit;
+        review.positionUnit = type.positionUnit;
+        return review;
+    }
+    return failure(ErrorCode::NotFound, {name});
+}
+
+} // namespace
+
+QStringList summaryLines(const EnrollSession& session)
+{
+    int rejected = 0;
+    QSet<QString> parts;
+    for (const EnrollSqueeze& squeeze : session.squeezes()) {
+        if (squeeze.decision != EnrollSqueeze::Decision::Accepted)
+            ++rejected;
+        else if (!squeeze.part.isEmpty())
+            parts.insert(squeeze.part);
+    }
+    QString squeezes = rejected == 0
+                           ? EnrollReviewPanel::tr("Squeezes: %1 accepted").arg(session.acceptedCount())
+                           : EnrollReviewPanel::tr("Squeezes: %1 accepted, %2 not")
+                                 .arg(session.acceptedCount())
+                                 .arg(rejected);
+    if (!parts.isEmpty())
+        squeezes += u'\n' + EnrollReviewPanel::tr("Of %n part(s) with a mark", nullptr,
+                                                  static_cast<int>(parts.size()));
+    const Recipe& recipe = session.recipe();
+    return {squeezes,
+            EnrollReviewPanel::tr("Force: %1 to %2 for %3 s")
+                .arg(forceText(recipe.bias_N - recipe.peak_N), forceText(recipe.bias_N + recipe.peak_N),
+                     Words::number(recipe.seconds)),
+            EnrollReviewPanel::tr("Crush limit: %1, %2")
+                .arg(forceText(recipe.maxForce_N), lengthText(recipe.maxTravel_m))};
+}
+
+QWidget* EnrollReviewPanel::makeFacts(QWidget* parent)
+{
+    auto* card = new QWidget(parent);
+    auto* facts = new QVBoxLayout(card);
+    setSpacing(facts, 0, 8);
+    m_picture = new PartPictureView(*m_workbench, 64, PartPictureView::Empty::Hidden, card);
+    m_summary = makeLabel({}, "second", card);
+    m_summary->setObjectName("reviewSummary");
+    m_summary->setWordWrap(true);
+    auto* what = new QHBoxLayout;
+    what->setSpacing(12);
+    what->addWidget(m_picture, 0, Qt::AlignTop);
+    what->addWidget(m_summary, 1);
+    facts->addLayout(what);
+    facts->addSpacing(8);
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(24);
+    grid->setVerticalSpacing(8);
+    grid->addWidget(makeLabel(tr("Mean (95 %)"), "caption", card), 0, 1, Qt::AlignRight);
+    grid->addWidget(makeLabel(tr("Spread (1 sd)"), "caption", card), 0, 2, Qt::AlignRight);
+    const QString names[] = {tr("moving mass m"), tr("damping b"), tr("stiffness k")};
+    for (int i = 0; i < 3; ++i) {
+        const int row = 3 - i;
+        m_mean[i] = makeLabel({}, "number", card);
+        m_spread[i] = makeLabel({}, "number", card);
+        grid->addWidget(makeLabel(names[i], "", card), row, 0);
+        grid->addWidget(m_mean[i], row, 1, Qt::AlignRight);
+        grid->addWidget(m_spread[i], row, 2, Qt::AlignRight);
+    }
+    facts->addLayout(grid);
+    facts->addSpacing(8);
+    m_distance = makeLabel({}, "", card);
+    m_distance->setObjectName("distanceLabel");
+    m_sentences = makeLabel({}, "", card);
+    m_sentences->setObjectName("reviewSentences");
+    m_gate = makeLabel({}, "second", card);
+    for (QLabel* label : {m_distance, m_sentences, m_gate}) {
+        label->setWordWrap(true);
+        facts->addWidget(label);
+    }
+    facts->addStretch(1);
+    // Long names and many sentences: it scrolls rather than grow beyond the least window.
+    auto* scroll = new QScrollArea(parent);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFixedWidth(368);
+    scroll->setWidget(card);
+    return scroll;
+}
+
+EnrollReviewPanel::EnrollReviewPanel(Workbench& workbench, QWidget* parent)
+    : QWidget(parent), m_workbench(&workbench)
+{
+    QFrame* card = makeCard(this);
+    auto* column = new QVBoxLayout(card);
+    setSpacing(column, 24, 12);
+    m_title = makeLabel({}, "heading", card);
+    column->addWidget(m_title);
+    auto* body = new QHBoxLayout;
+    body->setSpacing(24);
+    m_map = new TypeMap(card);
+    m_check = new EnrollCheck(card);
+    auto* views = new QTabWidget(card);
+    views->setStyleSheet(u"QTabWidget > QStackedWidget { background: transparent; }"_s); // the card's
+    views->addTab(m_check, tr("Held-out check"));
+    views->addTab(m_map, tr("Map"));
+    body->addWidget(makeFacts(card));
+    body->addWidget(views, 1);
+    column->addLayout(body, 1);
+    auto* row = new QHBoxLayout;
+    QPushButton* back = makeButton(tr("Back to the squeezes"), {}, "", card);
+    back->setObjectName("reviewBack");
+    m_approve = makeButton(tr("Approve"), u"dialog-ok-apply"_s, "primary", card);
+    m_approve->setObjectName("approveButton");
+    row->addWidget(back);
+    row->addStretch(1);
+    row->addWidget(m_approve);
+    column->addLayout(row);
+    auto* outer = new QVBoxLayout(this);
+    setSpacing(outer, 0, 0);
+    outer->addWidget(card);
+    setFocusProxy(m_approve);
+    const auto tell = [this](const Expected<void>& done) {
+        if (!done)
+            m_workbench->messages().report(done.error().describe());
+        emit changed();
+    };
+    connect(back, &QPushButton::clicked, this, [this, tell] { tell(m_workbench->enrollment().back()); });
+    connect(m_approve, &QPushButton::clicked, this, [this, tell] {
+        authorize(*m_workbench, this, Permission::ApproveTypes,
+                  [this, tell] { tell(m_workbench->enrollment().approve()); });
+    });
+}
+
+void EnrollReviewPanel::load()
+{
+    const QString name = m_workbench->enrollment().typeName();
+    m_title->setText(tr("Review of %1").arg(name));
+    m_picture->setPicture(m_workbench->enrollment().picture());
+    m_summary->setText(summaryLines(m_workbench->enrollment()).join(u'\n'));
+    m_workbench->background().ask<TypeReview>(
+        this, [name](Library& library) { return loadReview(library, name); },
+        [this](const Expected<TypeReview>& review) {
+            if (review)
+                show(*review);
+            else
+                m_workbench->messages().report(review.error().describe());
+        });
+    loadCheck();
+}
+
+void EnrollReviewPanel::loadCheck()
+{
+    using Squeezes = std::vector<TypeSqueeze>;
+    const EnrollSession& session = m_workbench->enrollment();
+    const AdviceRequest request = adviceRequest(session.typeName(), session.squeezes());
+    m_check->clear();
+    m_sentences->clear();
+    const auto finish = [this, request](const EnrollmentReview& review) {
+        if (request.type != m_workbench->enrollment().typeName())
+            return;
+        m_check->show(review.confusion, request.type);
+        m_sentences->setText(reviewSentences(review).join(u"\n"_s));
+    };
+    m_workbench->background().ask<Squeezes>(
+        this, [](Library& library) { return library.enrolledSqueezes(); },
+        [this, request, finish](const Expected<Squeezes>& library) {
+            if (!library)
+                return m_workbench->messages().report(library.error().describe());
+            m_workbench->background().compute<EnrollmentReview>(
+                this, [request, squeezes = *library] { return reviewEnrollment(request, squeezes); }, finish);
+        });
+}
+
+void EnrollReviewPanel::show(const TypeReview& review)
+{
+    m_title->setText(
+        tr("Review of %1: %2 squeezes").arg(m_workbench->enrollment().typeName()).arg(review.squeezes));
+    // The mean's own interval says how well it is known: Student's t, since the squeezes are few.
+    std::optional<Eigen::Vector3d> halfWidths;
+    if (review.spreadPercent) {
+        const double t = studentQuantile(0.975, review.squeezes - 1);
+        halfWidths =
+            t * review.spreadPercent->cwiseProduct(review.mean.vector()) / (100 * std::sqrt(review.squeezes));
+    }
+    const ParameterTexts texts =
+        parameterTextsWithin(review.mean, halfWidths, review.forceUnit, review.positionUnit);
+    const QString means[] = {texts.m.text(), texts.b.text(), texts.k.text()};
+    for (int i = 0; i < 3; ++i) {
+        m_mean[i]->setText(means[i]);
+        m_spread[i]->setText(review.spreadPercent ? formatPercent((*review.spreadPercent)[i]) : u"–"_s);
+    }
+    if (!review.nearestSd)
+        m_distance->setText(
+            tr("It is the only type that it can be compared with; enroll others to see how far they are."));
+    else if (review.gateSd && *review.nearestSd < *review.gateSd)
+        m_distance->setText(tr("The nearest other type, %1, is only %2 sd away: within the gate. Squeezes of "
+                               "the two will be mixed "
+                               "up. Choose a recipe that tells them apart, or treat them as one type.")
+                                .arg(review.nearest)
+                                .arg(*review.nearestSd, 0, 'f', 1));
+    else
+        m_distance->setText(tr("The nearest other type is %1, %2 sd away.")
+                                .arg(review.nearest)
+                                .arg(*review.nearestSd, 0, 'f', 1));
+    m_gate->setText(review.gateSd ? tr("A squeeze further than %1 sd from the type is called unknown (1 % of "
+                                       "its own squeezes are).")
+                                        .arg(*review.gateSd, 0, 'f', 1)
+                                  : tr("Too few squeezes for a gate yet: every verdict on this type stays "
+                                       "inconclusive. Add some."));
+    m_map->setTypes(review.models);
+}
+
+} // namespace gripscope

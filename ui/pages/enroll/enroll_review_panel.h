@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/recognition/types/type_model.h"
+#include "core/session/enroll/enrollment_advice.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <optional>
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace gripscope {
+
+class EnrollSession;
+class Library;
+class PartPictureView;
+class TypeMap;
+class Workbench;
+
+/// What the enrolled squeezes are called by models that do not know them: a row for each type, and under it
+/// what that proves.
+class EnrollCheck : public QWidget {
+    Q_OBJECT
+public:
+    explicit EnrollCheck(QWidget* parent = nullptr);
+    /// The row of `type` stands out.
+    void show(const HeldOutConfusion& confusion, const QString& type);
+    void clear();
+
+private:
+    void fillRow(const HeldOutConfusion& confusion, int row, bool strong);
+    QTableWidget* m_table;
+    QLabel* m_words;
+};
+
+/// What the review says besides the table: outliers, overlap, parts against grips; a sentence each.
+[[nodiscard]] QStringList reviewSentences(const EnrollmentReview& review);
+
+/// What a type looks like after its squeezes: made on the library's thread, shown before it is approved.
+struct TypeReview {
+    int squeezes = 0;
+    MassDampingStiffness mean;                    ///< of the accepted squeezes, in the type's units
+    std::optional<Eigen::Vector3d> spreadPercent; ///< standard deviation over mean, m, b, k
+    QString forceUnit, positionUnit;
+    TypeModels models;               ///< of all types it can be compared with
+    QString nearest;                 ///< other type
+    std::optional<double> nearestSd; ///< how far, in standard deviations
+    std::optional<double> gateSd;    ///< where a squeeze is called unknown at 1 %
+};
+[[nodiscard]] TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels& models,
+                                    const QString& name);
+
+/// What was enrolled and how, a line each: squeezes and parts, recipe, crush limit.
+[[nodiscard]] QStringList summaryLines(const EnrollSession& session);
+
+/// The review step: mean and spread, how far the nearest other type is, what overlaps, what held-out squeezes
+/// are called, and approval.
+class EnrollReviewPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit EnrollReviewPanel(Workbench& workbench, QWidget* parent = nullptr);
+    void load();
+
+signals:
+    void changed();
+
+private:
+    void show(const TypeReview& review);
+    QWidget* makeFacts(QWidget* parent);
+    void loadCheck();
+    Workbench* m_workbench;
+    PartPictureView* m_picture;
+    QLabel *m_title, *m_summary, *m_mean[3], *m_spread[3], *m_distance, *m_gate, *m_sentences;
+    TypeMap* m_map;
+    EnrollCheck* m_check;
+    QPushButton* m_approve;
+};
+
+} // namespace gripscope

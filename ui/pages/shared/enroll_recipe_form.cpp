@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/shared/enroll_recipe_form.h"
+
+#include "core/base/words.h"
+#include "core/session/enroll/enrollment_storage.h"
+#include "ui/context/workbench.h"
+#include "ui/format/shown_unit.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/quantity_box.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+using namespace Qt::StringLiterals;
+
+namespace gripscope {
+
+EnrollRecipeForm::EnrollRecipeForm(Workbench& workbench, QWidget* parent)
+    : QWidget(parent), m_workbench(&workbench)
+{
+    const ShownUnit force = fieldUnit(MechanicalQuantity::Force);
+    constexpr double mostForce_N = 1000, leastForce_N = 0.1;
+    m_bias = makeField(tr("Preload"), force, {0, mostForce_N}, leastForce_N);
+    m_peak = makeField(tr("Push and release"), force, {leastForce_N, mostForce_N}, leastForce_N);
+    m_bit = makeField(tr("Shortest push"), {u"ms"_s, 1e3}, {0.5e-3, 1}, 0.1e-3);
+    m_seconds = makeField(tr("Length"), {u"s"_s, 1}, {0.1, 60}, 0.01);
+    m_maxForce = makeField(tr("Crush limit"), force, {leastForce_N, mostForce_N}, leastForce_N);
+    m_maxTravel = makeField(tr("Travel limit"), fieldUnit(MechanicalQuantity::Length), {1e-5, 1}, 1e-5);
+    m_peak->setPrefix(u"± "_s);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(24);
+    grid->setVerticalSpacing(4);
+    QuantityBox* fields[] = {m_bias, m_peak, m_maxForce, m_bit, m_seconds, m_maxTravel};
+    for (int i = 0; i < 6; ++i) {
+        auto* label = makeLabel(fields[i]->accessibleName(), "strong", this);
+        label->setBuddy(fields[i]);
+        label->setContentsMargins(0, i < 3 ? 0 : 8, 0, 0);
+        grid->addWidget(label, i / 3 * 2, i % 3);
+        grid->addWidget(fields[i], i / 3 * 2 + 1, i % 3);
+    }
+    m_summary = makeLabel({}, "second", this);
+    m_summary->setObjectName("recipeSummary");
+    m_summary->setWordWrap(true);
+    m_summary->setMinimumHeight(40);
+    grid->addWidget(m_summary, 4, 0, 1, 3);
+    setFocusProxy(m_bias);
+    connect(&workbench, &Workbench::connectionChanged, this, &EnrollRecipeForm::validate);
+    setRecipe({}, false);
+}
+
+QuantityBox* EnrollRecipeForm::makeField(const QString& name, const ShownUnit& unit,
+                                         std::pair<double, double> range_si, double resolution_si)
+{
+    auto* field = new QuantityBox(unit, range_si, resolution_si, this);
+    field->setAccessibleName(name);
+    connect(field, &QDoubleSpinBox::valueChanged, this, &EnrollRecipeForm::validate);
+    return field;
+}
+
+void EnrollRecipeForm::setRecipe(const Recipe& recipe, bool readOnly)
+{
+    m_name = readOnly ? recipe.name : QString();
+    const std::pair<QuantityBox*, double> values[] = {
+        {m_bias, recipe.bias_N},     {m_peak, recipe.peak_N},         {m_bit, recipe.bit_s},
+        {m_seconds, recipe.seconds}, {m_maxForce, recipe.maxForce_N}, {m_maxTravel, recipe.maxTravel_m}};
+    for (const auto& [field, value] : values) {
+        const QSignalBlocker quiet(field);
+        field->setSi(value);
+        field->setEnabled(!readOnly);
+    }
+    validate();
+}
+
+Recipe EnrollRecipeForm::recipe() const
+{
+    Recipe recipe;
+    recipe.bias_N = m_bias->si();
+    recipe.peak_N = m_peak->si();
+    recipe.bit_s = m_bit->si();
+    recipe.seconds = m_seconds->si();
+    recipe.maxForce_N = m_maxForce->si();
+    recipe.maxTravel_m = m_maxTravel->si();
+    recipe.name = m_name.isEmpty() ? u"squeeze-%1N"_s.arg(recipe.peak_N) : m_name;
+    return recipe;
+}
+
+QString EnrollRecipeForm::problem(const Recipe& recipe) const
+{
+    if (const std::optional<Error> error = recipeError(recipe))
+        return error->describe();
+    if (recipe.bias_N < recipe.peak_N)
+        return tr("The push and release is larger than the preload: the gripper would have to pull. Raise "
+                  "the preload to at "
+                  "least %1.")
+            .arg(forceText(recipe.peak_N));
+    ConnectSession& connection = m_workbench->connection();
+    if (connection.state() != ConnectSession::State::Connected || !connection.identity().commandable)
+        return {};
+    const GripperIdentity identity = connection.identity();
+    if (recipe.bias_N + recipe.peak_N > identity.limits.maxForce_N)
+        return tr("The largest force is %1, and this gripper allows %2. Choose less.")
+            .arg(forceText(recipe.bias_N + recipe.peak_N), forceText(identity.limits.maxForce_N));
+    if (identity.sampleTime_s > 0 &&
+        recipe.seconds / identity.sampleTime_s > static_cast<double>(identity.limits.maxSamples))
+        return tr("This gripper holds at most %1 s of force. Choose a shorter squeeze.")
+            .arg(static_cast<double>(identity.limits.maxSamples) * identity.sampleTime_s);
+    return {};
+}
+
+void EnrollRecipeForm::validate()
+{
+    const Recipe wanted = recipe();
+    const QString wrong = problem(wanted);
+    m_valid = wrong.isEmpty();
+    m_summary->setText(
+        m_valid ? tr("The force goes from %1 to %2 for %3 s. The gripper stops by itself at %4 or %5.")
+                      .arg(forceText(wanted.bias_N - wanted.peak_N), forceText(wanted.bias_N + wanted.peak_N),
+                           Words::number(wanted.seconds), forceText(wanted.maxForce_N),
+                           lengthText(wanted.maxTravel_m))
+                : wrong);
+    setRole(m_summary, m_valid ? "second" : "error");
+    emit changed();
+}
+
+} // namespace gripscope

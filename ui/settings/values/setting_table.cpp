@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recognition/verdict/verdict.h"
+#include "devices/replay/capture_writer.h"
+#include "ui/settings/values/setting.h"
+
+#include <QCoreApplication>
+
+namespace gripscope {
+
+namespace {
+
+constexpr const char* percentUnit = "%";
+/// Of rates, as the Rates window allows them.
+constexpr double leastShare = 1e-5, mostShare = 0.2;
+
+Setting toggle(const char* key, bool fallback, SettingGroup group, const char* name, const char* explanation)
+{
+    return {key, SettingKind::Switch, fallback, group, name, explanation};
+}
+
+Setting choice(const char* key, const char* fallback, SettingGroup group, const char* name,
+               const char* explanation, std::vector<SettingChoice> choices)
+{
+    Setting made{key, SettingKind::Choice, QString::fromLatin1(fallback), group, name, explanation};
+    made.choices = std::move(choices);
+    return made;
+}
+
+Setting text(const char* key, SettingKind kind, SettingGroup group, const char* name, const char* explanation)
+{
+    return {key, kind, QString(), group, name, explanation};
+}
+
+Setting rate(const char* key, double fallback, const char* name, const char* explanation)
+{
+    Setting made{key, SettingKind::Number, fallback, SettingGroup::Rates, name, explanation};
+    made.least = leastShare;
+    made.most = mostShare;
+    made.factor = 100;
+    made.decimals = 3;
+    made.unit = percentUnit;
+    made.needsSupervisor = true;
+    return made;
+}
+
+std::vector<Setting> appearance()
+{
+    Setting language =
+        choice(setting::language.key, "en", SettingGroup::Appearance,
+               QT_TRANSLATE_NOOP("gripscope::Setting", "Language"),
+               QT_TRANSLATE_NOOP("gripscope::Setting", "Of all words and numbers on the screen."),
+               {{"en", "English"}, {"de", "Deutsch"}});
+    Setting scale = choice(setting::scale.key, "100", SettingGroup::Appearance,
+                           QT_TRANSLATE_NOOP("gripscope::Setting", "Text and control size"),
+                           QT_TRANSLATE_NOOP("gripscope::Setting", "Enlarges everything in the window."),
+                           {{"100", "100 %"}, {"125", "125 %"}, {"150", "150 %"}, {"200", "200 %"}});
+    language.choicesAreNames = scale.choicesAreNames = true;
+    scale.applies = SettingApplies::NextStart;
+    scale.portable = false; // it goes with the screen
+    return {choice(setting::theme.key, "light", SettingGroup::Appearance,
+                   QT_TRANSLATE_NOOP("gripscope::Setting", "Theme"),
+                   QT_TRANSLATE_NOOP("gripscope::Setting", "Colours of the window."),
+                   {{"light", QT_TRANSLATE_NOOP("gripscope::Setting", "Light")},
+                    {"dark", QT_TRANSLATE_NOOP("gripscope::Setting", "Dark")},
+                    {"contrast", QT_TRANSLATE_NOOP("gripscope::Setting", "High contrast")}}),
+            language, scale};
+}
+
+std::vector<Setting> inspecting()
+{
+    Setting sound = toggle(setting::soundOnVerdict.key, true, SettingGroup::Inspecting,
+                           QT_TRANSLATE_NOOP("gripscope::Setting", "Sound on a verdict"),
+                           QT_TRANSLATE_NOOP("gripscope::Setting", "A beep when an inspection is decided."));
+    Setting early = toggle(setting::earlyEnd.key, true, SettingGroup::Inspecting,
+                           QT_TRANSLATE_NOOP("gripscope::Setting", "End a squeeze as soon as it is decided"),
+                           QT_TRANSLATE_NOOP("gripscope::Setting",
+                                             "Parts that are clear take less time; the rates still hold."));
+    early.needsSupervisor = true;
+    Setting disarm{setting::disarmMinutes.key,
+                   SettingKind::Number,
+                   5.0,
+                   SettingGroup::Inspecting,
+                   QT_TRANSLATE_NOOP("gripscope::Setting", "Disarm when nothing is done"),
+                   QT_TRANSLATE_NOOP("gripscope::Setting",
+                                     "After so many minutes without a key, a click, a scan or a squeeze.")};
+    disarm.least = 1;
+    disarm.most = 60;
+    disarm.unit = "min";
+    disarm.needsSupervisor = true;
+    return {sound, early, disarm};
+}
+
+std::vector<Setting> rates()
+{
+    const VerdictOptions usual;
+    Setting confidence =
+        choice(setting::confidence.key, "0", SettingGroup::Rates,
+               QT_TRANSLATE_NOOP("gripscope::Setting", "The false-reject rate holds"),
+               QT_TRANSLATE_NOOP("gripscope::Setting", "With confidence for this library, gates are wider."),
+               {{"0", QT_TRANSLATE_NOOP("gripscope::Setting", "on average over libraries")},
+                {"0.95", QT_TRANSLATE_NOOP("gripscope::Setting", "with 95 % confidence")}});
+    confidence.needsSupervisor = true;
+    Setting robust =
+        toggle(setting::robust.key, usual.robust, SettingGroup::Rates,
+               QT_TRANSLATE_NOOP("gripscope::Setting", "Types spread unlike"),
+               QT_TRANSLATE_NOOP("gripscope::Setting",
+                                 "Or have wild squeezes among them: allows for both by wider gates."));
+    robust.needsSupervisor = true;
+    return {rate(setting::falseReject.key, usual.falseReject,
+                 QT_TRANSLATE_NOOP("gripscope::Setting", "False-reject rate"),
+                 QT_TRANSLATE_NOOP("gripscope::Setting",
+                                   "Share of squeezes of enrolled types that may be called unknown.")),
+            rate(setting::wrongType.key, usual.wrongType,
+                 QT_TRANSLATE_NOOP("gripscope::Setting", "Wrong-type rate"),
+                 QT_TRANSLATE_NOOP("gripscope::Setting",
+                                   "Share of squeezes of enrolled types that may be named another type.")),
+            rate(setting::strangerAccept.key, usual.strangerAccept,
+                 QT_TRANSLATE_NOOP("gripscope::Setting", "Stranger-accept rate"),
+                 QT_TRANSLATE_NOOP("gripscope::Setting",
+                                   "Share of parts of no enrolled type that may be named a type.")),
+            confidence, robust};
+}
+
+std::vector<Setting> sessions()
+{
+    Setting keep =
+        toggle(setting::keepSessions.key, true, SettingGroup::Sessions,
+               QT_TRANSLATE_NOOP("gripscope::Setting", "Keep the raw reports of every session"),
+               QT_TRANSLATE_NOOP("gripscope::Setting", "So that it can be replayed. Of real grippers only."));
+    Setting folder = text(setting::captureFolder.key, SettingKind::Folder, SettingGroup::Sessions,
+                          QT_TRANSLATE_NOOP("gripscope::Setting", "Folder of kept sessions"),
+                          QT_TRANSLATE_NOOP("gripscope::Setting", "Empty: the usual folder for data."));
+    folder.portable = false;
+    Setting bound{setting::captureMegabytes.key,
+                  SettingKind::Number,
+                  static_cast<double>(CaptureLimits().totalBytes) / 1e6,
+                  SettingGroup::Sessions,
+                  QT_TRANSLATE_NOOP("gripscope::Setting", "Room for kept sessions"),
+                  QT_TRANSLATE_NOOP("gripscope::Setting", "When it is full, the oldest make room.")};
+    bound.least = 100;
+    bound.most = 1e6;
+    bound.unit = "MB";
+    keep.needsSupervisor = true; // what is not kept cannot be replayed
+    for (Setting* one : {&keep, &folder, &bound})
+        one->applies = SettingApplies::NextConnection;
+    return {keep, folder, bound};
+}
+
+std::vector<Setting> start()
+{
+    Setting connect =
+        choice(setting::connectAtStart.key, "last", SettingGroup::Start,
+               QT_TRANSLATE_NOOP("gripscope::Setting", "Connect at the start"),
+               QT_TRANSLATE_NOOP("gripscope::Setting", "The gripper that Gripscope looks for by itself."),
+               {{"last", QT_TRANSLATE_NOOP("gripscope::Setting", "The one used last")},
+                {"virtual", QT_TRANSLATE_NOOP("gripscope::Setting", "The virtual gripper")},
+                {"nothing", QT_TRANSLATE_NOOP("gripscope::Setting", "None")}});
+    Setting examples =
+        toggle(setting::examplesAtStart.key, false, SettingGroup::Start,
+               QT_TRANSLATE_NOOP("gripscope::Setting", "Example types"),
+               QT_TRANSLATE_NOOP("gripscope::Setting", "Adds the four example types to the library."));
+    connect.applies = examples.applies = SettingApplies::NextStart;
+    Setting last = text(setting::lastGripper.key, SettingKind::Text, SettingGroup::Start,
+                        QT_TRANSLATE_NOOP("gripscope::Setting", "Gripper used last"), "");
+    Setting person = text(setting::operatorName.key, SettingKind::Text, SettingGroup::People,
+                          QT_TRANSLATE_NOOP("gripscope::Setting", "Operator"), "");
+    Setting explained = toggle(setting::stopExplained.key, false, SettingGroup::Start,
+                               QT_TRANSLATE_NOOP("gripscope::Setting", "What STOP is was read"), "");
+    for (Setting* one : {&last, &person, &explained})
+        one->shown = one->portable = false;
+    Setting idle{setting::idleMinutes.key,
+                 SettingKind::Number,
+                 15.0,
+                 SettingGroup::People,
+                 QT_TRANSLATE_NOOP("gripscope::Setting", "Sign out when nobody works"),
+                 QT_TRANSLATE_NOOP("gripscope::Setting", "After so many minutes without a key or a click.")};
+    idle.most = 240;
+    idle.unit = "min";
+    idle.zeroMeans = QT_TRANSLATE_NOOP("gripscope::Setting", "never");
+    idle.needsSupervisor = true;
+    return {connect, examples, last, person, explained, idle};
+}
+
+} // namespace
+
+const std::vector<Setting>& allSettings()
+{
+    static const std::vector<Setting> all = [] {
+        std::vector<Setting> made;
+        for (const std::vector<Setting>& group : {appearance(), inspecting(), rates(), sessions(), start()})
+            made.insert(made.end(), group.begin(), group.end());
+        return made;
+    }();
+    return all;
+}
+
+} // namespace gripscope

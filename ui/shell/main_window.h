@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPointer>
+#include <QWidget>
+
+#include <vector>
+
+class QButtonGroup;
+class QStackedWidget;
+
+namespace gripscope {
+
+class HeaderBar;
+class ManualWindow;
+class MessageBar;
+class Page;
+class Workbench;
+
+/// The one window: navigation rail, header with Stop, message bar, the page, status line. Stop is
+/// in reach whatever is open (WindowGuard); Ctrl+1... choose a page, Ctrl+, opens the settings.
+class MainWindow : public QWidget {
+    Q_OBJECT
+public:
+    explicit MainWindow(Workbench& workbench, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    [[nodiscard]] const std::vector<Page*>& pages() const { return m_pages; }
+    [[nodiscard]] Page* currentPage() const;
+    void showPage(int index);
+    void showPage(const QString& id);
+    void showHelp(); ///< the manual, at the page about the screen
+    void showSettings();
+    [[nodiscard]] QString message() const; ///< the one in the message bar
+    /// Those that another window still shows, which this one replaces.
+    void takeMessages(const MainWindow& other);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void addPages();
+    void makeRoom();
+    void tellDisarmed(); ///< why, though nobody asked for it; until it is armed again
+    QWidget* makeRail();
+    void showAbout();
+    void makeShortcuts();
+    Workbench* m_workbench;
+    std::vector<Page*> m_pages;
+    QStackedWidget* m_stack;
+    HeaderBar* m_header;
+    MessageBar* m_messages;
+    QButtonGroup* m_rail;
+    QPointer<ManualWindow> m_manual;
+};
+
+} // namespace gripscope

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/tour.h"
+
+#include "core/library/tables/audit_witness.h"
+#include "ui/context/language.h"
+#include "ui/context/workbench.h"
+#include "ui/pages/page.h"
+#include "ui/shell/main_window.h"
+#include "ui/widgets/message_bar.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QPixmap>
+#include <QTemporaryDir>
+#include <QTextStream>
+#include <QTimer>
+
+#include <functional>
+
+using namespace Qt::StringLiterals;
+
+namespace gripscope {
+
+namespace {
+
+constexpr int patience_ms = 30000;
+constexpr int settle_ms = 250; ///< for what is still being drawn when a page says it is ready
+
+/// Lets the program live until `reached`, or for `most_ms`.
+bool waitFor(const std::function<bool()>& reached, int most_ms)
+{
+    QElapsedTimer clock;
+    clock.start();
+    QEventLoop loop;
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, &loop, [&] {
+        if (reached() || clock.elapsed() > most_ms)
+            loop.quit();
+    });
+    timer.start(10);
+    loop.exec();
+    return reached();
+}
+
+void complain(const QString& what)
+{
+    QTextStream(stderr) << "tour: " << what << Qt::endl;
+}
+
+bool loadExamples(Workbench& bench)
+{
+    bool answered = false;
+    bool loaded = false;
+    bench.background().ask<void>(
+        nullptr, [](Library& library) { return library.loadExampleTypes(); },
+        [&](const Expected<void>& done) {
+            answered = true;
+            loaded = done.has_value();
+            if (!done)
+                complain(done.error().describe());
+        });
+    const bool inTime = waitFor([&answered] { return answered; }, patience_ms);
+    bench.tellLibraryChanged();
+    return inTime && loaded;
+}
+
+/// A page in a telling state. False: it never came to one.
+bool prepare(MainWindow& window, int index)
+{
+    Page* page = window.pages()[static_cast<std::size_t>(index)];
+    window.showPage(index);
+    page->prepareTour();
+    const bool good = waitFor([page] { return page->tourReady(); }, patience_ms);
+    if (!good)
+        complain(u"the page %1 was not ready after %2 s (%3)"_s.arg(page->id())
+                     .arg(patience_ms / 1000)
+                     .arg(window.message()));
+    QElapsedTimer settling;
+    settling.start();
+    (void)waitFor([&settling] { return settling.elapsed() > settle_ms; }, settle_ms * 4);
+    window.showPage(index); // a squeeze may have opened another page
+    return good;
+}
+
+/// A busy computer may let the gripper's watchdog trip, which is told: true when there was something to
+/// take away again.
+bool takeMessagesAway(MainWindow& window, const QSize& size)
+{
+    auto* bar = window.findChild<MessageBar*>();
+    const bool told = !bar->messages().isEmpty();
+    while (!bar->messages().isEmpty()) {
+        complain(u"taken away: %1"_s.arg(bar->messages().constFirst()));
+        bar->dismiss();
+    }
+    if (told)
+        window.resize(size);
+    return told;
+}
+
+bool visit(MainWindow& window, int index, const QSize& size, const QDir& folder)
+{
+    Page* page = window.pages()[static_cast<std::size_t>(index)];
+    bool good = prepare(window, index);
+    constexpr int tries = 3;
+    for (int i = 1; takeMessagesAway(window, size) && i < tries; ++i)
+        good = prepare(window, index);
+    const QString file = folder.filePath(page->id() + u".png"_s);
+    if (!window.grab().save(file)) {
+        complain(u"%1 could not be written"_s.arg(file));
+        good = false;
+    }
+    return good;
+}
+
+} // namespace
+
+int runTour(const TourOptions& options)
+{
+    const QDir folder(options.folder);
+    if (!folder.mkpath(u"."_s)) {
+        complain(u"the folder %1 cannot be made"_s.arg(options.folder));
+        return 1;
+    }
+    QTemporaryDir temporary;
+    if (!temporary.isValid()) {
+        complain(temporary.errorString());
+        return 1;
+    }
+    Theme::instance().apply(options.theme);
+    if (!applyLanguage(options.language)) {
+        complain(u"there are no words in the language %1"_s.arg(options.language));
+        return 1;
+    }
+    bool good = true;
+    {
+        const PassingLibrary library(temporary.filePath(u"tour.gripscope"_s));
+        Workbench bench(library.file());
+        bench.setOperatorName(u"Mai"_s);
+        LinkLimits unhurried; // nobody sits before it
+        unhurried.aliveFor = std::chrono::seconds(60);
+        bench.setLinkLimits(unhurried);
+        good = loadExamples(bench);
+        bench.connectTo(u"virtual:"_s);
+        MainWindow window(bench);
+        window.resize(options.size);
+        window.show();
+        for (int i = 0; i < static_cast<int>(window.pages().size()); ++i)
+            good = visit(window, i, options.size, folder) && good;
+        window.close();
+    }
+    return good ? 0 : 1;
+}
+
+} // namespace gripscope
