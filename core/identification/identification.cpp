@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/identification.h"
 
+#include "core/base/parallel_runs.h"
 #include "core/base/words.h"
 #include "core/identification/comparison/hold_evidence.h"
 #include "core/identification/comparison/model_comparison.h"
@@ -59,22 +60,35 @@ UncertaintyBudget budgetOf(const Estimate& estimate, const PreparedRecord& recor
                              record.chain, options);
 }
 
-/// Output error of the record against other models; a cubic spring is tried where no sample is lost and the
-/// record is short enough for it to be quick. Empty without a converged output-error estimate.
-ModelComparison comparisonOf(const Identification& identification, const PreparedRecord& record,
-                             const EstimatorTask& task)
+bool hasLinear(const Identification& identification)
 {
     const Estimate* const linear = identification.find(Estimator::OutputError);
-    if (linear == nullptr || linear->status != EstimateStatus::Converged)
-        return {};
+    return linear != nullptr && linear->status == EstimateStatus::Converged;
+}
+
+/// A cubic spring: the one that was asked for; else it is tried where there is something to compare it with,
+/// no sample is lost and the record is short enough for it to be quick.
+std::optional<Estimate> cubicOf(const Identification& identification, const PreparedRecord& record,
+                                const EstimatorTask& task)
+{
     std::optional<Estimate> cubic;
     if (const Estimate* const found = identification.find(Estimator::Duffing))
         cubic = *found;
-    else if (record.lost.empty() && record.force.size() <= longestCubic)
+    else if (hasLinear(identification) && record.lost.empty() && record.force.size() <= longestCubic)
         cubic = runEstimator(Estimator::Duffing, record, task);
     if (cubic && cubic->status != EstimateStatus::Converged)
         cubic.reset();
-    return compareModels(record.force, record.position, outputErrorOptions(record, task), *linear, cubic);
+    return cubic;
+}
+
+/// Output error of the record against other models. Empty without a converged output-error estimate.
+ModelComparison comparisonOf(const Identification& identification, const PreparedRecord& record,
+                             const EstimatorTask& task, const std::optional<Estimate>& cubic)
+{
+    if (!hasLinear(identification))
+        return {};
+    return compareModels(record.force, record.position, outputErrorOptions(record, task),
+                         *identification.find(Estimator::OutputError), cubic);
 }
 
 /// What keeps every estimator from starting, or nothing.
@@ -205,17 +219,24 @@ Identification identify(const Recording& recording, const IdentificationOptions&
                                     estimator == Estimator::Periodic ? &result.repetition : nullptr));
     result.recommended = recommend(result.estimates);
     const Estimate* const outputError = result.find(Estimator::OutputError);
-    if (outputError != nullptr && !obstacle)
-        result.holdEvidence = weighHolds(record.force, record.position, outputErrorOptions(record, task),
-                                         *outputError, recording.chain.forceLagUncertainty_s);
+    const bool assessed = options.assess && !obstacle;
+    std::optional<Estimate> cubic;
+    // Side by side: somebody waits for the verdict.
+    shareAmongThreads(2, 0, [&](std::int64_t part) {
+        if (part == 0 && outputError != nullptr && !obstacle)
+            result.holdEvidence = weighHolds(record.force, record.position, outputErrorOptions(record, task),
+                                             *outputError, recording.chain.forceLagUncertainty_s);
+        else if (part == 1 && assessed)
+            cubic = cubicOf(result, record, task);
+    });
     result.summedHold = combine(std::array{options.earlierHold, result.holdEvidence});
     result.preparation = record.steps;
     result.time_s = record.time_s;
     result.force = record.force;
     result.position = record.position;
     result.lost = record.lost;
-    if (options.assess && !obstacle)
-        result.comparison = comparisonOf(result, record, task);
+    if (assessed)
+        result.comparison = comparisonOf(result, record, task, cubic);
     result.validity.checks = checkValidity(result, recording, options);
     if (const Estimator better = reconsidered(result); better != result.recommended) {
         result.recommended = better;

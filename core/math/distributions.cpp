@@ -29,90 +29,86 @@ using NonCentralFisher = boost::math::non_central_f_distribution<double, Policy>
 using Gamma = boost::math::gamma_distribution<double, Policy>;
 using Beta = boost::math::beta_distribution<double, Policy>;
 
-using boost::math::cdf;
-using boost::math::complement;
-using boost::math::quantile;
-
 } // namespace
 
 double normalQuantile(double below)
 {
-    return quantile(Normal(), below);
+    return boost::math::quantile(Normal(), below);
 }
 
 double normalQuantileAbove(double above)
 {
-    return quantile(complement(Normal(), above));
+    return boost::math::quantile(boost::math::complement(Normal(), above));
 }
 
 double studentAbove(double t, double degreesOfFreedom)
 {
-    return cdf(complement(Student(degreesOfFreedom), t));
+    return boost::math::cdf(boost::math::complement(Student(degreesOfFreedom), t));
 }
 
 double studentQuantile(double below, double degreesOfFreedom)
 {
-    return quantile(Student(degreesOfFreedom), below);
+    return boost::math::quantile(Student(degreesOfFreedom), below);
 }
 
 double studentQuantileAbove(double above, double degreesOfFreedom)
 {
-    return quantile(complement(Student(degreesOfFreedom), above));
+    return boost::math::quantile(boost::math::complement(Student(degreesOfFreedom), above));
 }
 
 double chiSquaredBelow(double x, double degreesOfFreedom)
 {
-    return cdf(ChiSquared(degreesOfFreedom), x);
+    return boost::math::cdf(ChiSquared(degreesOfFreedom), x);
 }
 
 double chiSquaredAbove(double x, double degreesOfFreedom)
 {
-    return cdf(complement(ChiSquared(degreesOfFreedom), x));
+    return boost::math::cdf(boost::math::complement(ChiSquared(degreesOfFreedom), x));
 }
 
 double chiSquaredQuantile(double below, double degreesOfFreedom)
 {
-    return quantile(ChiSquared(degreesOfFreedom), below);
+    return boost::math::quantile(ChiSquared(degreesOfFreedom), below);
 }
 
 double chiSquaredQuantileAbove(double above, double degreesOfFreedom)
 {
-    return quantile(complement(ChiSquared(degreesOfFreedom), above));
+    return boost::math::quantile(boost::math::complement(ChiSquared(degreesOfFreedom), above));
 }
 
 double nonCentralChiSquaredBelow(double x, double degreesOfFreedom, double shift)
 {
-    return cdf(NonCentralChiSquared(degreesOfFreedom, shift), x);
+    return boost::math::cdf(NonCentralChiSquared(degreesOfFreedom, shift), x);
 }
 
 double fisherAbove(double f, double numerator, double denominator)
 {
-    return cdf(complement(Fisher(numerator, denominator), f));
+    return boost::math::cdf(boost::math::complement(Fisher(numerator, denominator), f));
 }
 
 double fisherQuantile(double below, double numerator, double denominator)
 {
-    return quantile(Fisher(numerator, denominator), below);
+    return boost::math::quantile(Fisher(numerator, denominator), below);
 }
 
 double fisherQuantileAbove(double above, double numerator, double denominator)
 {
-    return quantile(complement(Fisher(numerator, denominator), above));
+    return boost::math::quantile(boost::math::complement(Fisher(numerator, denominator), above));
 }
 
 double nonCentralFisherBelow(double f, double numerator, double denominator, double shift)
 {
-    return cdf(NonCentralFisher(numerator, denominator, shift), f);
+    return boost::math::cdf(NonCentralFisher(numerator, denominator, shift), f);
 }
 
 double gammaAbove(double x, double shape, double scale)
 {
-    return cdf(complement(Gamma(shape, scale), x));
+    return boost::math::cdf(boost::math::complement(Gamma(shape, scale), x));
 }
 
 double betaQuantile(double below, double alpha, double beta)
 {
-    return quantile(Beta(alpha, beta), below);
+    return boost::math::quantile(Beta(alpha, beta), below);
 }
 
 double logGamma(double x)

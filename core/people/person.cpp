@@ -8,7 +8,6 @@
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
-using std::chrono::seconds;
 
 QString toString(Role role)
 {
@@ -30,10 +29,10 @@ QString inWords(Role role)
 
 std::chrono::seconds SignInTries::wait() const
 {
-    constexpr seconds first{30};
-    constexpr seconds longest{15 * 60};
+    constexpr std::chrono::seconds first{30};
+    constexpr std::chrono::seconds longest{15 * 60};
     if (wrong < free)
-        return seconds(0);
+        return std::chrono::seconds(0);
     const int doublings = std::min(wrong - free, 10); // far beyond the longest
     return std::min(longest, first * (1 << doublings));
 }
@@ -41,9 +40,9 @@ std::chrono::seconds SignInTries::wait() const
 std::chrono::seconds SignInTries::remaining(const QDateTime& now) const
 {
     if (!last.isValid())
-        return seconds(0);
-    const seconds passed(std::max<qint64>(0, last.secsTo(now)));
-    return std::max(seconds(0), wait() - passed);
+        return std::chrono::seconds(0);
+    const std::chrono::seconds passed(std::max<qint64>(0, last.secsTo(now)));
+    return std::max(std::chrono::seconds(0), wait() - passed);
 }
 
 QString waitInWords(std::chrono::seconds wait)

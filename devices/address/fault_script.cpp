@@ -13,7 +13,6 @@
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
-using protocol::ReportId;
 
 namespace {
 
@@ -52,14 +51,14 @@ constexpr Word scriptWords[] = {
 
 struct CommandName {
     const char* text;
-    ReportId id;
+    protocol::ReportId id;
 };
 
 constexpr CommandName commandNames[] = {
-    {"arm", ReportId::Arm},          {"disarm", ReportId::Disarm},
-    {"stop", ReportId::Stop},        {"heartbeat", ReportId::Heartbeat},
-    {"limits", ReportId::SetLimits}, {"upload", ReportId::Upload},
-    {"start", ReportId::Start},      {"finish", ReportId::Finish},
+    {"arm", protocol::ReportId::Arm},          {"disarm", protocol::ReportId::Disarm},
+    {"stop", protocol::ReportId::Stop},        {"heartbeat", protocol::ReportId::Heartbeat},
+    {"limits", protocol::ReportId::SetLimits}, {"upload", protocol::ReportId::Upload},
+    {"start", protocol::ReportId::Start},      {"finish", protocol::ReportId::Finish},
 };
 
 template <typename Table>
@@ -261,7 +260,8 @@ void FaultState::apply(const FaultEvent& event)
         if (!event.value)
             deafTo = 0;
         else if (*event.value > 0)
-            deafTo |= 1U << (static_cast<unsigned>(*event.value) - static_cast<unsigned>(ReportId::Arm));
+            deafTo |=
+                1U << (static_cast<unsigned>(*event.value) - static_cast<unsigned>(protocol::ReportId::Arm));
         else
             deafTo = ~0U;
         return;
@@ -288,7 +288,7 @@ void FaultState::apply(const FaultEvent& event)
 
 bool FaultState::deaf(std::uint8_t reportId) const
 {
-    const unsigned bit = reportId - static_cast<unsigned>(ReportId::Arm);
+    const unsigned bit = reportId - static_cast<unsigned>(protocol::ReportId::Arm);
     return bit < 32 ? deafTo >> bit & 1U : deafTo == ~0U;
 }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/comparison/model_comparison.h"
 
+#include "core/base/parallel_runs.h"
 #include "core/base/words.h"
 #include "core/identification/noise/noise_model.h"
 #include "core/identification/uncertainty/effect_regression.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <utility>
 
 namespace gripscope {
@@ -75,6 +78,7 @@ ComparedModel delayed(const std::vector<double>& force, const std::vector<double
 {
     constexpr int iterations = 4;
     OutputErrorOptions moved = options;
+    moved.residualTests = false;
     ComparedModel best =
         modelOf(u"delay"_s, Words::say("a further delay between force and position"), linear, 1);
     best.delay_s = 0;
@@ -92,9 +96,22 @@ ComparedModel delayed(const std::vector<double>& force, const std::vector<double
             best.delay_s = moved.lag_s - options.lag_s;
         }
     }
+    if (*best.delay_s == 0)
+        return best;
+    moved.lag_s = options.lag_s + *best.delay_s;
+    moved.start = best.estimate.parameters;
+    moved.residualTests = true;
+    best.estimate = estimateOutputError(force, position, moved);
     return best;
 }
 
+OutputErrorOptions fromLinear(OutputErrorOptions options, const Estimate& linear)
+{
+    options.start = linear.parameters;
+    return options;
+}
+
+/// Side by side: somebody waits for the verdict that rests on them.
 std::vector<ComparedModel> candidates(const std::vector<double>& force, const std::vector<double>& position,
                                       const OutputErrorOptions& options, const Estimate& linear,
                                       const std::optional<Estimate>& cubic)
@@ -107,26 +124,33 @@ std::vector<ComparedModel> candidates(const std::vector<double>& force, const st
             u"cubic_spring"_s,
             stiffens ? Words::say("a stiffening spring") : Words::say("a softening spring"), *cubic, 1));
     }
-    OutputErrorOptions other = options;
-    other.start = linear.parameters;
-    other.freeOffset = !options.freeOffset;
-    models.push_back(modelOf(options.freeOffset ? u"without_offset"_s : u"with_offset"_s,
-                             options.freeOffset ? Words::say("no offset of the position")
-                                                : Words::say("an offset of the position"),
-                             estimateOutputError(force, position, other)));
-    models.push_back(delayed(force, position, options, linear));
-    other.freeOffset = options.freeOffset;
     const bool straight = options.hold == ForceHold::First;
-    other.hold = straight ? ForceHold::Zero : ForceHold::First;
-    models.push_back(modelOf(u"other_hold"_s,
-                             straight ? Words::say("a force that is held from sample to sample")
-                                      : Words::say("a force that runs straight from sample to sample"),
-                             estimateOutputError(force, position, other)));
-    if (straight) {
-        other.hold = options.hold;
-        models.push_back(modelOf(u"smooth_force"_s, Words::say("a force that is smooth between its samples"),
-                                 estimateOutputError(straightAsSpline(force), position, other)));
-    }
+    std::vector<std::function<ComparedModel()>> others;
+    others.emplace_back([&] { return delayed(force, position, options, linear); }); // the longest
+    others.emplace_back([&, other = fromLinear(options, linear)]() mutable {
+        other.freeOffset = !options.freeOffset;
+        return modelOf(options.freeOffset ? u"without_offset"_s : u"with_offset"_s,
+                       options.freeOffset ? Words::say("no offset of the position")
+                                          : Words::say("an offset of the position"),
+                       estimateOutputError(force, position, other));
+    });
+    others.emplace_back([&, other = fromLinear(options, linear)]() mutable {
+        other.hold = straight ? ForceHold::Zero : ForceHold::First;
+        return modelOf(u"other_hold"_s,
+                       straight ? Words::say("a force that is held from sample to sample")
+                                : Words::say("a force that runs straight from sample to sample"),
+                       estimateOutputError(force, position, other));
+    });
+    if (straight)
+        others.emplace_back([&, other = fromLinear(options, linear)] {
+            return modelOf(u"smooth_force"_s, Words::say("a force that is smooth between its samples"),
+                           estimateOutputError(straightAsSpline(force), position, other));
+        });
+    std::vector<ComparedModel> found(others.size());
+    shareAmongThreads(static_cast<std::int64_t>(others.size()), 0, [&](std::int64_t i) {
+        found[static_cast<std::size_t>(i)] = others[static_cast<std::size_t>(i)]();
+    });
+    std::move(found.begin(), found.end(), std::back_inserter(models));
     return models;
 }
 

@@ -95,6 +95,8 @@ void describeResiduals(const OutputErrorProblem& problem, const SearchResult& se
     estimate.residuals.sse = std::min(estimate.residuals.sse, std::numeric_limits<double>::max());
     estimate.residuals.degreesOfFreedom =
         static_cast<double>(problem.terms() - 3 - search.linear.nuisanceRank);
+    if (!options.residualTests)
+        return;
     const OutputErrorResiduals tests = testOutputError(problem, search.theta, search.linear.nuisance);
     ResidualSummary summary = tests.summary;
     summary.sse = estimate.residuals.sse;

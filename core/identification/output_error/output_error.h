@@ -10,6 +10,9 @@ namespace gripscope {
 /// How to find m, b, k by output error. A lost force is one more unknown, its position is no row of the sum.
 struct OutputErrorOptions : ContinuousTimeOptions {
     int maxIterations = 200;
+    /// Off: no residual tests and no noise model; `covariance` is that under white noise. For a fit on the
+    /// way to another.
+    bool residualTests = true;
 };
 
 /// Minimises sum (y - x(m, b, k, x0, v0, offset, lost forces))^2 over the measured samples, x the exact
