@@ -24,6 +24,7 @@ const std::vector<Command>& commands()
         {u"history"_qs, u"lists the squeezes of a library, inspected or enrolled, as a table, CSV or JSON"_qs,
          runHistory},
         {u"audit"_qs, u"lists and verifies who did what, when and why"_qs, runAudit},
+        {u"library"_qs, u"verifies that every row of a library is as it was written"_qs, runLibrary},
         {u"drift"_qs, u"says whether inspected parts have moved since the enrolment, and what moved"_qs,
          runDrift},
         {u"transfer"_qs, u"compares two grippers by squeezes of the same types"_qs, runTransfer},

@@ -32,6 +32,7 @@ int runEnroll(const QStringList& arguments);
 int runClassify(const QStringList& arguments);
 int runTypes(const QStringList& arguments);
 int runHistory(const QStringList& arguments);
+int runLibrary(const QStringList& arguments);
 int runAudit(const QStringList& arguments);
 int runDrift(const QStringList& arguments);
 int runTransfer(const QStringList& arguments);

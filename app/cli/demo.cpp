@@ -2,7 +2,7 @@
 #include "app/cli/demo.h"
 
 #include "app/cli/drive.h"
-#include "core/library/tables/audit_witness.h"
+#include "core/library/ledger/library_witness.h"
 #include "core/session/enroll/enroll_session.h"
 #include "core/session/inspect/inspect_session.h"
 #include "devices/factory/gripper_factory.h"

@@ -6,7 +6,16 @@
 namespace gripscope::cli {
 
 /// What the program tells its caller, as contracts say.
-enum class Exit { Done = 0, Usage = 2, BadInput = 3, Device = 4, Storage = 5, NotAType = 6 };
+enum class Exit {
+    Done = 0,
+    Usage = 2,
+    BadInput = 3,
+    Device = 4,
+    Storage = 5,
+    NotAType = 6,
+    Differs = 6, ///< from what was written
+    NotWitnessed = 7
+};
 
 [[nodiscard]] Exit exitFor(const Error& error);
 

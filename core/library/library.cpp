@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/library.h"
 
+#include "core/base/printable.h"
 #include "core/base/words.h"
 #include "core/library/audit/audit_trail.h"
 #include "core/library/library_private.h"
 #include "core/library/migrations/migration.h"
+#include "core/library/migrations/schema_check.h"
 #include "core/library/people/people_register.h"
 #include "core/library/tables/audit_table.h"
 #include "core/library/tables/calibration_tables.h"
@@ -40,6 +42,20 @@ Expected<qint64> recordSqueeze(Database& database, const NewGrasp& grasp)
                                 {0, {}, {}, ChangeKind::Squeeze, type.name, {}, 1, grasp.operatorName, {}});
 }
 
+/// A library whose tables hold rows to something else, or that does something by itself, is no longer one.
+Expected<void> refuseForeignSchema(Database& database)
+{
+    ASSIGN_OR_RETURN(const auto differences, schemaDifferences(database));
+    if (differences.empty())
+        return {};
+    const SchemaDifference& first = differences.front();
+    return failure(ErrorCode::StorageOpen,
+                   {database.file(),
+                    Words::tr("it is not as this program makes it: the %1 %2 %3. Go on with a backup, or ask "
+                              "who changed it")
+                        .arg(first.type, printable(first.name, longestQuote), inWords(first.what))});
+}
+
 } // namespace
 
 Library::Library(std::unique_ptr<Private> p) : d(std::move(p)) {}
@@ -57,6 +73,7 @@ Expected<std::unique_ptr<Library>> Library::open(const QString& file)
         QDir().mkpath(QFileInfo(file).absolutePath());
     ASSIGN_OR_RETURN(auto database, Database::open(file));
     RETURN_IF_ERROR(migrate(*database));
+    RETURN_IF_ERROR(refuseForeignSchema(*database));
     return std::unique_ptr<Library>(new Library(std::make_unique<Private>(std::move(database))));
 }
 
@@ -162,8 +179,17 @@ Expected<std::vector<TypeSqueeze>> Library::enrolledSqueezes() const
 Expected<InspectionRecord> Library::addInspection(const NewInspection& inspection)
 {
     return d->write<InspectionRecord>(Words::tr("store the inspection"), [&]() -> Expected<InspectionRecord> {
+        if (!inspection.id.isEmpty()) {
+            ASSIGN_OR_RETURN(const auto before, inspection_table::find(*d->database, inspection.id));
+            if (before)
+                return *before;
+        }
         ASSIGN_OR_RETURN(const auto graspId, storeGrasp(*d->database, inspection.grasp));
-        const RowStamp stamp = RowStamp::now();
+        RowStamp stamp = RowStamp::now();
+        if (!inspection.id.isEmpty())
+            stamp.id = inspection.id;
+        if (inspection.grasp.recorded.isValid())
+            stamp.utc = utcText(inspection.grasp.recorded);
         RETURN_IF_ERROR(inspection_table::insert(*d->database, stamp, graspId, inspection));
         ASSIGN_OR_RETURN(const auto stored, inspection_table::find(*d->database, stamp.id));
         return stored.value();

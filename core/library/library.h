@@ -146,7 +146,8 @@ public:
     [[nodiscard]] Expected<std::vector<TypeSqueeze>> enrolledSqueezes() const;
 
     // Inspections
-    /// Squeeze, estimates (there may be none) and verdict in one transaction.
+    /// Squeeze, estimates (there may be none) and verdict in one transaction. One whose key is there already
+    /// is not stored again.
     [[nodiscard]] Expected<InspectionRecord> addInspection(const NewInspection& inspection);
     [[nodiscard]] Expected<std::vector<InspectionRecord>>
     inspections(const HistoryFilter& filter) const; ///< newest first

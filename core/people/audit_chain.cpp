@@ -7,8 +7,6 @@ namespace gripscope {
 
 using namespace Qt::StringLiterals;
 
-namespace {
-
 QString faultInWords(const AuditVerification& found)
 {
     switch (found.fault) {
@@ -35,8 +33,6 @@ QString faultInWords(const AuditVerification& found)
     }
     return {};
 }
-
-} // namespace
 
 QString toString(AuditFault fault)
 {

@@ -6,7 +6,7 @@
 namespace gripscope {
 
 /// How far a trail goes and how it ends: what is kept in a second place
-/// (core/library/tables/audit_witness.h).
+/// (core/library/ledger/library_witness.h).
 struct AuditHead {
     qint64 entries = 0;
     QString hash;
@@ -31,6 +31,8 @@ struct AuditVerification {
     QString witness;        ///< the file that is the second place
     [[nodiscard]] bool whole() const { return fault == AuditFault::None; }
 };
+/// The fault alone, a sentence; empty where there is none.
+[[nodiscard]] QString faultInWords(const AuditVerification& verification);
 /// What was found, what it means, what to do next.
 [[nodiscard]] QString inWords(const AuditVerification& verification);
 

@@ -80,6 +80,7 @@ QString actionInWords(const QString& action)
         {"chain.measured", QT_TRANSLATE_NOOP("Words", "Gripper's channels measured")},
         {"policy.arming", QT_TRANSLATE_NOOP("Words", "Who may arm changed")},
         {"gripper.armed", QT_TRANSLATE_NOOP("Words", "Gripper armed")},
+        {"clock.back", QT_TRANSLATE_NOOP("Words", "Clock was set back")},
         {"type.new_type", QT_TRANSLATE_NOOP("Words", "Type added")},
         {"type.squeeze", QT_TRANSLATE_NOOP("Words", "Squeeze enrolled")},
         {"type.drop", QT_TRANSLATE_NOOP("Words", "Squeeze dropped")},

@@ -28,6 +28,7 @@ inline constexpr char16_t referenceStated[] = u"calibration.reference"; ///< wha
 inline constexpr char16_t chainMeasured[] = u"chain.measured";
 inline constexpr char16_t armingPolicy[] = u"policy.arming"; ///< who may arm
 inline constexpr char16_t gripperArmed[] = u"gripper.armed"; ///< the subject is its serial number
+inline constexpr char16_t clockBack[] = u"clock.back";       ///< of the station, since its last entry
 inline constexpr char16_t typePrefix[] = u"type.";
 } // namespace audit_action
 

@@ -4742,6 +4742,182 @@ m  %3</translation>
         <source>Software</source>
         <translation>Software</translation>
     </message>
+    <message>
+        <source>read its ledger</source>
+        <translation>ihr Hauptbuch lesen</translation>
+    </message>
+    <message>
+        <source>continue its ledger</source>
+        <translation>ihr Hauptbuch fortschreiben</translation>
+    </message>
+    <message>
+        <source>a row of %1 is not there although it was just stored</source>
+        <translation>eine Zeile von %1 fehlt, obwohl sie eben gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>it is not as this program makes it: the %1 %2 %3. Go on with a backup, or ask who changed it</source>
+        <translation>sie ist nicht so, wie dieses Programm sie anlegt: %1 %2 %3. Mit einer Sicherung weiterarbeiten oder klären, wer sie verändert hat</translation>
+    </message>
+    <message>
+        <source>the ledger of all rows, and their order</source>
+        <translation>das Hauptbuch über alle Zeilen und ihre Reihenfolge</translation>
+    </message>
+    <message>
+        <source>be compared with what this program makes</source>
+        <translation>mit dem vergleichen, was dieses Programm anlegt</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>differs from what this program makes</source>
+        <translation>weicht von dem ab, was dieses Programm anlegt</translation>
+    </message>
+    <message>
+        <source>was made by no version of this program</source>
+        <translation>stammt von keiner Version dieses Programms</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>es gibt keine solche Datei</translation>
+    </message>
+    <message>
+        <source>there is no room for the copy that it has to be read from</source>
+        <translation>für die Kopie, aus der gelesen werden muss, ist kein Platz</translation>
+    </message>
+    <message>
+        <source>its file %1 was removed or replaced while it was open. Put it back where it was; where that cannot be, close the program, put back a copy and start again</source>
+        <translation>ihre Datei %1 wurde entfernt oder ersetzt, während sie geöffnet war. Die Datei an ihren Ort zurücklegen; wo das nicht geht, das Programm schließen, eine Kopie zurückspielen und neu starten</translation>
+    </message>
+    <message>
+        <source>the links before it are missing, from number %1 on</source>
+        <translation>die Glieder davor fehlen, ab Nummer %1</translation>
+    </message>
+    <message>
+        <source>does not follow from the link before it</source>
+        <translation>folgt nicht aus dem Glied davor</translation>
+    </message>
+    <message>
+        <source>is in a format that this program does not know</source>
+        <translation>hat ein Format, das dieses Programm nicht kennt</translation>
+    </message>
+    <message>
+        <source>was changed: its hash is of something else</source>
+        <translation>wurde geändert: Sein Hash gehört zu etwas anderem</translation>
+    </message>
+    <message>
+        <source>is not signed by the key that its chain belongs to</source>
+        <translation>ist nicht mit dem Schlüssel signiert, zu dem seine Kette gehört</translation>
+    </message>
+    <message>
+        <source>its signature is not of it</source>
+        <translation>die Signatur gehört nicht dazu</translation>
+    </message>
+    <message>
+        <source>the second place knows another link of this number: the ledger was made anew, or an older copy was put back and gone on with</source>
+        <translation>die zweite Stelle kennt ein anderes Glied mit dieser Nummer: Das Hauptbuch wurde neu gemacht, oder eine ältere Kopie wurde zurückgespielt und fortgeführt</translation>
+    </message>
+    <message>
+        <source>is missing, and what came after it: the second place knows %1 links. An older copy was put back, or the end was cut off</source>
+        <translation>fehlt, und was danach kam: Die zweite Stelle kennt %1 Glieder. Eine ältere Kopie wurde zurückgespielt, oder das Ende wurde abgeschnitten</translation>
+    </message>
+    <message>
+        <source>its leaves cannot be read</source>
+        <translation>die Fingerabdrücke darin sind nicht lesbar</translation>
+    </message>
+    <message>
+        <source>be verified</source>
+        <translation>nachprüfen</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>points to a row of %1 that is not there</source>
+        <translation>verweist auf eine Zeile von %1, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>is no step of this program</source>
+        <translation>ist kein Schritt dieses Programms</translation>
+    </message>
+    <message>
+        <source>it is of version %1 of the library, and what is verified is of version %2. Open it with the program once, which brings it up to date; keep a copy of it as it is</source>
+        <translation>sie hat Version %1, nachgeprüft wird Version %2. Einmal mit dem Programm öffnen, das sie auf den neuen Stand bringt; eine Kopie so aufbewahren, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Differences from what was written: %1.</source>
+        <translation>Abweichungen von dem, was geschrieben wurde: %1.</translation>
+    </message>
+    <message>
+        <source>The first: %1.</source>
+        <translation>Die erste: %1.</translation>
+    </message>
+    <message>
+        <source>Keep a copy of the file, find out who could write it, and go on with a backup that is whole.</source>
+        <translation>Eine Kopie der Datei aufbewahren, klären, wer sie schreiben konnte, und mit einer heilen Sicherung weiterarbeiten.</translation>
+    </message>
+    <message>
+        <source>All %1 rows are as they were written.</source>
+        <translation>Alle %1 Zeilen sind so, wie sie geschrieben wurden.</translation>
+    </message>
+    <message>
+        <source>Of these, %1 are from before the ledger: they are as they were found when it began.</source>
+        <translation>Davon stammen %1 aus der Zeit vor dem Hauptbuch: Sie sind so, wie sie bei seinem Beginn vorgefunden wurden.</translation>
+    </message>
+    <message>
+        <source>The second place on this computer knows the same end.</source>
+        <translation>Die zweite Stelle auf diesem Rechner kennt dasselbe Ende.</translation>
+    </message>
+    <message>
+        <source>The second place on this computer knows the beginning; what came after was not witnessed by it.</source>
+        <translation>Die zweite Stelle auf diesem Rechner kennt den Anfang; was danach kam, hat sie nicht bezeugt.</translation>
+    </message>
+    <message>
+        <source>No second place on this computer knows this library: whether its end is missing cannot be told. Verify it where it is written.</source>
+        <translation>Keine zweite Stelle auf diesem Rechner kennt diese Bibliothek: Ob das Ende fehlt, lässt sich nicht sagen. Dort nachprüfen, wo sie geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>is of a table that this program does not know</source>
+        <translation>gehört zu einer Tabelle, die dieses Programm nicht kennt</translation>
+    </message>
+    <message>
+        <source>was changed</source>
+        <translation>wurde geändert</translation>
+    </message>
+    <message>
+        <source>is in the ledger twice</source>
+        <translation>steht zweimal im Hauptbuch</translation>
+    </message>
+    <message>
+        <source>was put in past this program: the ledger does not know it</source>
+        <translation>wurde an diesem Programm vorbei eingefügt: Das Hauptbuch kennt sie nicht</translation>
+    </message>
+    <message>
+        <source>Clock was set back</source>
+        <translation>Uhr wurde zurückgestellt</translation>
+    </message>
+    <message>
+        <source>%1 inspections are not stored yet, and no more can be kept. %2</source>
+        <translation>%1 Prüfungen sind noch nicht gespeichert, und mehr lassen sich nicht behalten. %2</translation>
+    </message>
+    <message>
+        <source>The document of the squeeze %1</source>
+        <translation>Das Dokument des Druckversuchs %1</translation>
+    </message>
+    <message>
+        <source>be worked out again</source>
+        <translation>neu ausrechnen</translation>
+    </message>
+    <message>
+        <source>its m, b and k cannot be found in its recording</source>
+        <translation>m, b und k lassen sich in der Aufnahme nicht finden</translation>
+    </message>
+    <message>
+        <source>its m, b and k are not those of its recording</source>
+        <translation>m, b und k sind nicht die der Aufnahme</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>
@@ -5020,10 +5196,6 @@ m  %3</translation>
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>Read every entry and check that none was changed, removed or put in</source>
-        <translation>Alle Einträge lesen und prüfen, dass keiner geändert, entfernt oder eingefügt wurde</translation>
-    </message>
-    <message>
         <source>Entries: %1</source>
         <translation>Einträge: %1</translation>
     </message>
@@ -5050,6 +5222,14 @@ m  %3</translation>
     <message>
         <source>Arming</source>
         <translation>Scharfschalten</translation>
+    </message>
+    <message>
+        <source>Read all of the library and check that no row was changed, removed or put in past the program</source>
+        <translation>Die ganze Bibliothek lesen und prüfen, dass keine Zeile am Programm vorbei geändert, entfernt oder eingefügt wurde</translation>
+    </message>
+    <message>
+        <source>Reading all of the library…</source>
+        <translation>Die ganze Bibliothek wird gelesen…</translation>
     </message>
 </context>
 <context>
@@ -9642,6 +9822,22 @@ Vorh. %</translation>
         <source>The manual, at the page about this screen (F1)</source>
         <translation>Das Handbuch, auf der Seite zu diesem Bild (F1)</translation>
     </message>
+    <message>
+        <source>Close and lose what is not stored?</source>
+        <translation>Schließen und nicht Gespeichertes verlieren?</translation>
+    </message>
+    <message>
+        <source>Not stored yet: %1. They are stored as soon as that can be, while the program runs. %2</source>
+        <translation>Noch nicht gespeichert: %1. Sie werden gespeichert, sobald es geht, solange das Programm läuft. %2</translation>
+    </message>
+    <message>
+        <source>Close and lose them</source>
+        <translation>Schließen und verlieren</translation>
+    </message>
+    <message>
+        <source>Keep it open</source>
+        <translation>Geöffnet lassen</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::ManualWindow</name>
@@ -9917,6 +10113,14 @@ Vorh. %</translation>
     <message>
         <source>Suspect: %1</source>
         <translation>Fraglich: %1</translation>
+    </message>
+    <message>
+        <source>%1 · not stored yet</source>
+        <translation>%1 · noch nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 · NOT STORED</source>
+        <translation>%1 · NICHT GESPEICHERT</translation>
     </message>
 </context>
 <context>

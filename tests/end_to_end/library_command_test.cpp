@@ -5,6 +5,8 @@
 #include "tests/end_to_end/program_run.h"
 #include "tests/support/test_registry.h"
 
+#include <QDir>
+
 #include <cmath>
 
 using namespace gripscope;
@@ -192,6 +194,45 @@ private slots:
         const ProgramRun adjusted = work.cli(ask + QStringList{u"--transfer"_s, u"there.db"_s});
         QVERIFY2(verdict(adjusted) == u"type large"_s, (adjusted.out + adjusted.err).constData());
         QCOMPARE(work.cli(ask + QStringList{u"--transfer"_s, u"none.db"_s}).exit, 5);
+    }
+    void aLibraryIsVerified()
+    {
+        const Workplace work;
+        const QString file = work.path(u"lib.db"_s);
+        QCOMPARE(work.cli({u"simulate"_s, u"--object"_s, u"2,3,40"_s, u"-o"_s, u"a.csv"_s}).exit, 0);
+        QCOMPARE(work.cli({u"enroll"_s, u"--library"_s, file, u"--type"_s, u"Alphabet"_s, u"a.csv"_s}).exit,
+                 0);
+        const QStringList verify{u"library"_s, u"verify"_s, u"--library"_s, file, u"--json"_s};
+        const ProgramRun whole = work.cli(verify);
+        QCOMPARE(whole.exit, 0);
+        QCOMPARE(whole.json().keys(), (QStringList{u"differences"_s, u"rows"_s, u"whole"_s, u"witness"_s}));
+        QVERIFY(whole.json()[u"whole"_s].toBool() && whole.json()[u"rows"_s].toInt() > 15);
+        QCOMPARE(whole.json()[u"witness"_s].toString(), u"matched"_s);
+        QVERIFY(whole.json()[u"differences"_s].toArray().isEmpty());
+        QCOMPARE(work.cli(verify + QStringList{u"--recompute"_s}).exit, 0);
+        QVERIFY(work.cli(verify.first(4)).out.contains("as they were written"));
+        // On a computer that does not know it.
+        QVERIFY(QDir(work.path(u"gripscope/audit"_s)).removeRecursively());
+        const ProgramRun alone = work.cli(verify);
+        QCOMPARE(alone.exit, 7);
+        QCOMPARE(alone.json()[u"witness"_s].toString(), u"absent"_s);
+        QFile edited(file);
+        QVERIFY(edited.open(QIODevice::ReadWrite));
+        const QByteArray bytes = edited.readAll().replace("Alphabet", "Alphabot");
+        QVERIFY(edited.seek(0) && edited.write(bytes) == bytes.size());
+        edited.close();
+        const ProgramRun changed = work.cli(verify);
+        QCOMPARE(changed.exit, 6);
+        QStringList tables;
+        for (const QJsonValue difference : changed.json()[u"differences"_s].toArray()) {
+            tables += difference[u"table"_s].toString();
+            QVERIFY(!difference[u"row"_s].toString().isEmpty() &&
+                    !difference[u"what"_s].toString().isEmpty());
+        }
+        QVERIFY(tables.contains(u"types"_s) && tables.contains(u"type_states"_s));
+        QVERIFY(work.cli(verify.first(4)).out.contains("types"));
+        QCOMPARE(work.cli({u"library"_s, u"verify"_s, u"--library"_s, work.path(u"none.db"_s)}).exit, 5);
+        QCOMPARE(work.cli({u"library"_s}).exit, 2);
     }
 };
 

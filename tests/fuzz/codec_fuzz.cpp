@@ -20,5 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(written.has_value());
     const Expected<Recording> again = decodeRecording(*written);
     require(again && *again == *read);
+    const Expected<QByteArray> series = encodeInSeries(*read);
+    const Expected<Recording> unpacked = series.has_value() ? decodeRecording(*series) : read;
+    require(series && unpacked && encodeRecording(*unpacked) == written);
     return 0;
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/ledger/library_witness.h"
 #include "core/library/migrations/migration.h"
+#include "core/library/migrations/schema_check.h"
 #include "core/library/sql/database.h"
 #include "core/library/tables/audit_table.h"
 #include "core/library/tables/calibration_tables.h"
@@ -9,6 +11,8 @@
 #include "core/library/tables/person_table.h"
 #include "core/library/tables/recording_table.h"
 #include "core/library/tables/type_state_table.h"
+#include "core/library/verification/ledger_check.h"
+#include "core/library/verification/library_verification.h"
 #include "core/signal/recording/recording_limits.h"
 #include "tests/fuzz/fuzzing.h"
 
@@ -45,7 +49,7 @@ void fill(Database& database)
     run(u"INSERT INTO grasps (id, station, recorded_utc, type_id, operator_name, source, force_unit, "
         u"position_unit) "
         "VALUES ('g', 's', '2026-01-01T00:00:00.000Z', 't', 'Ada', 'virtual:', 'N', 'm')"_s);
-    run(u"INSERT INTO documents VALUES ('d', 's', '2026-01-01T00:00:00.000Z', 'g', '{\"recommended\":\"oe\"}')"_s);
+    run(u"INSERT INTO documents VALUES ('d', 's', '2026-01-01T00:00:00.000Z', 'g', '{\"recommended\":\"oe\"}', NULL)"_s);
     run(u"INSERT INTO library_changes VALUES ('c', 's', '2026-01-01T00:00:00.000Z', 1, 'squeeze', 'A', '', 1, 'Ada', '')"_s);
     run(u"INSERT INTO people VALUES ('p', 's', '2026-01-01T00:00:00.000Z', 'q', 1, 'Ada', 'supervisor', 1, 'x', 1)"_s);
     run(u"INSERT INTO audit_entries VALUES (1, 's', '2026-01-01T00:00:00.000Z', 'Ada', 'supervisor', 'a', "
@@ -53,7 +57,7 @@ void fill(Database& database)
         "'', 'h')"_s);
     run(u"INSERT INTO calibrations VALUES ('k', 's', '2026-01-01T00:00:00.000Z', 'GS-1', 'n', 'force', 'N', "
         u"'r', 'c', 0.1, 0, "
-        "1, '0 0' || char(10) || '1 1', '2026-01-01T00:00:00.000Z', '2027-01-01', 'Ada', '')"_s);
+        "1, '0 0' || char(10) || '1 1', '2026-01-01T00:00:00.000Z', '2027-01-01', 'Ada', '', 1)"_s);
     require(recording_table::insert(database, RowStamp::now(), u"g"_s, aRecording()).has_value());
 }
 
@@ -101,6 +105,10 @@ void readAll(Database& database)
     static_cast<void>(calibration_table::inForce(database, u"GS-1"_s));
     static_cast<void>(reference_table::read(database, u"GS-1"_s));
     static_cast<void>(audit_table::forEach(database, [](const AuditEntry&) {}));
+    if (const auto differences = schemaDifferences(database); differences && differences->empty()) {
+        LibraryVerification found;
+        checkLedger(database, {}, found);
+    }
 }
 
 } // namespace

@@ -93,7 +93,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(model->rowCount(), 1, gripscope::test::longEnough_ms);
         f.click(f.find<QPushButton>("auditVerify"));
         auto* result = f.find<QLabel>("auditResult");
-        QTRY_VERIFY_WITH_TIMEOUT(result->text().startsWith(u"All 4 entries are as they were written"_s),
+        QTRY_VERIFY_WITH_TIMEOUT(result->text().contains(u" rows are as they were written"_s),
                                  gripscope::test::longEnough_ms);
         const QTemporaryDir folder;
         const QString file = folder.filePath(u"trail.csv"_s);

@@ -57,7 +57,7 @@ inline void fillWithHostileNames(const QString& file, const QStringList& names)
                 .arg(i));
     raw.run(QStringLiteral(
         "INSERT INTO enrollment_drafts VALUES ('d', '', '2026-01-01T00:00:00.000Z', 'x', 'open', "
-        "'recipe', 'x', 10, 20, 0.005, 1, 40, 0.02, 'x', NULL, NULL, 'x', 'x')"));
+        "'recipe', 'x', 10, 20, 0.005, 1, 40, 0.02, 'x', NULL, NULL, 'x', 'x', 1)"));
     int next = 0;
     const auto fill = [&](const QString& table, const QStringList& columns) {
         const qint64 rows = raw.count(table);

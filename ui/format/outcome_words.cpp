@@ -131,6 +131,10 @@ VerdictWords verdictWords(const InspectSession::Result& result)
         if (const Findings& doubts = result.verdict.validity.reasons; !doubts.empty())
             words.reason = OutcomeWords::tr("Suspect: %1").arg(described(doubts).join(u' '));
     }
+    if (result.keeping == InspectSession::Keeping::Waiting)
+        words.outcome = OutcomeWords::tr("%1 · not stored yet").arg(words.outcome);
+    else if (result.keeping == InspectSession::Keeping::Refused)
+        words.outcome = OutcomeWords::tr("%1 · NOT STORED").arg(words.outcome);
     return words;
 }
 

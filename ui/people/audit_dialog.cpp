@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/csv.h"
 #include "core/library/library.h"
+#include "core/library/verification/library_verification.h"
 #include "core/people/permission.h"
 #include "ui/context/workbench.h"
 #include "ui/format/date_text.h"
@@ -256,7 +257,8 @@ QWidget* AuditDialog::makeBar()
     m_action->addItem(tr("Settings"), u"setting."_s);
     m_verify->setObjectName("auditVerify");
     m_verify->setAutoDefault(false);
-    m_verify->setToolTip(tr("Read every entry and check that none was changed, removed or put in"));
+    m_verify->setToolTip(
+        tr("Read all of the library and check that no row was changed, removed or put in past the program"));
     line->addWidget(m_text, 1);
     line->addWidget(m_action);
     line->addWidget(m_verify);
@@ -321,9 +323,13 @@ void AuditDialog::fetch(int offset)
 void AuditDialog::verify()
 {
     m_verify->setEnabled(false);
-    m_workbench->background().ask<AuditVerification>(
-        this, [](Library& library) { return library.auditTrail().verify(); },
-        [this](const Expected<AuditVerification>& found) {
+    setRole(m_result, "second");
+    m_result->setText(tr("Reading all of the library…"));
+    m_result->show();
+    // Beside the library's own thread, which goes on storing meanwhile.
+    m_workbench->background().compute<Expected<LibraryVerification>>(
+        this, [file = m_workbench->library().file()] { return verifyLibrary(file); },
+        [this](const Expected<LibraryVerification>& found) {
             const bool whole = found && found->whole();
             setRole(m_result, whole ? "strong" : "error");
             m_result->setText(found ? inWords(*found) : found.error().describe());

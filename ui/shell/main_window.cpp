@@ -17,6 +17,7 @@
 #include "ui/shell/window_bars.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/message_bar.h"
+#include "ui/windows/question.h"
 #include "ui/windows/stop_controls.h"
 #include "ui/windows/window_guard.h"
 
@@ -222,7 +223,31 @@ void MainWindow::closeEvent(QCloseEvent* event)
 {
     // The port's own close is bounded; what must not wait is that the gripper stops.
     m_workbench->stop();
+    const InspectSession& inspection = m_workbench->inspection();
+    if (inspection.unstored() > 0 && !inspection.storing() && !m_closesAnyway) {
+        event->ignore();
+        return askWhetherToLose();
+    }
     QWidget::closeEvent(event);
+}
+
+void MainWindow::askWhetherToLose()
+{
+    const InspectSession& session = m_workbench->inspection();
+    const std::optional<Error> why = session.lastError();
+    auto* question = new Question(
+        tr("Close and lose what is not stored?"),
+        tr("Not stored yet: %1. They are stored as soon as that can be, while the program runs. %2")
+            .arg(session.unstored())
+            .arg(why ? why->describe() : QString()),
+        tr("Close and lose them"), tr("Keep it open"), this);
+    question->setObjectName("unstoredQuestion");
+    question->yes()->setObjectName("unstoredClose");
+    connect(question, &QDialog::accepted, this, [this] {
+        m_closesAnyway = true;
+        close();
+    });
+    question->open();
 }
 
 } // namespace gripscope

@@ -40,6 +40,8 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    void askWhetherToLose();
+    bool m_closesAnyway = false; ///< though inspections are not stored
     void addPages();
     void makeRoom();
     void tellDisarmed(); ///< why, though nobody asked for it; until it is armed again

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/tour.h"
 
-#include "core/library/tables/audit_witness.h"
+#include "core/library/ledger/library_witness.h"
 #include "ui/context/language.h"
 #include "ui/context/workbench.h"
 #include "ui/pages/page.h"

@@ -23,7 +23,7 @@ Expected<qint64> AuditTrail::count(const AuditFilter& filter) const
 Expected<AuditVerification> AuditTrail::verify() const
 {
     // Before the trail: what another process adds in between is only more.
-    AuditChainCheck check(readWitness(m_database->file()));
+    AuditChainCheck check(readWitness(m_database->file()).audit);
     const auto done = audit_table::forEach(*m_database, [&](const AuditEntry& entry) { check.take(entry); });
     if (!done)
         return tl::unexpected(done.error());

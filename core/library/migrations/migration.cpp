@@ -2,6 +2,7 @@
 #include "core/library/migrations/migration.h"
 
 #include "core/base/words.h"
+#include "core/library/ledger/ledger_writer.h"
 #include "core/library/sql/statement.h"
 
 #include <QCryptographicHash>
@@ -40,6 +41,7 @@ Expected<void> checkApplied(Database& database, const std::vector<Migration>& st
 Expected<void> apply(Database& database, const Migration& step)
 {
     ASSIGN_OR_RETURN(auto transaction, Transaction::begin(database, bringingUpToDate()));
+    database.knownColumns().clear();
     const auto version = schemaVersion(database); // another process may have been quicker
     if (!version)
         return tl::unexpected(version.error());
@@ -47,10 +49,7 @@ Expected<void> apply(Database& database, const Migration& step)
         return {};
     QStringList statements = step.statements;
     if (*version == 0)
-        statements.prepend(
-            u"CREATE TABLE schema_migrations (version INTEGER PRIMARY KEY, name TEXT NOT NULL, "
-            "checksum TEXT NOT NULL, program TEXT NOT NULL, station TEXT NOT NULL, "
-            "applied_utc TEXT NOT NULL)"_s);
+        statements.prepend(migrationTable());
     for (QString& statement : statements)
         RETURN_IF_ERROR(
             database.execute(statement.replace("{blob}"_L1, database.blobType()), bringingUpToDate()));
@@ -60,7 +59,9 @@ Expected<void> apply(Database& database, const Migration& step)
     entry.bind(step.version).bind(step.name).bind(step.checksum());
     entry.bind(QStringLiteral(GRIPSCOPE_VERSION)).bind(stamp.station).bind(stamp.utc);
     RETURN_IF_ERROR(entry.run());
-    return (transaction)->commit();
+    if (step.afterwards)
+        RETURN_IF_ERROR(step.afterwards(database));
+    return transaction->commit();
 }
 
 } // namespace
@@ -91,8 +92,10 @@ QStringList statementsOf(const QString& script)
 
 const std::vector<Migration>& migrations()
 {
-    const auto step = [](int version, const char* name, const char* script) {
-        return Migration{version, QString::fromUtf8(name), statementsOf(QString::fromUtf8(script))};
+    const auto step = [](int version, const char* name, const char* script,
+                         std::function<Expected<void>(Database&)> afterwards = {}) {
+        return Migration{version, QString::fromUtf8(name), statementsOf(QString::fromUtf8(script)),
+                         std::move(afterwards)};
     };
     static const std::vector<Migration> steps = {
         step(1, QT_TRANSLATE_NOOP("Words", "types, squeezes and inspections"), migrationScript1),
@@ -106,8 +109,17 @@ const std::vector<Migration>& migrations()
         step(9, QT_TRANSLATE_NOOP("Words", "batches, and codes of types"), migrationScript9),
         step(10, QT_TRANSLATE_NOOP("Words", "people and the audit trail"), migrationScript10),
         step(11, QT_TRANSLATE_NOOP("Words", "policies"), migrationScript11),
+        step(12, QT_TRANSLATE_NOOP("Words", "the ledger of all rows, and their order"), migrationScript12,
+             enterFoundRows),
     };
     return steps;
+}
+
+QString migrationTable()
+{
+    return u"CREATE TABLE schema_migrations (version INTEGER PRIMARY KEY, name TEXT NOT NULL, "
+           "checksum TEXT NOT NULL, program TEXT NOT NULL, station TEXT NOT NULL, "
+           "applied_utc TEXT NOT NULL)"_s;
 }
 
 Expected<int> schemaVersion(Database& database)

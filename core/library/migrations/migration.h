@@ -6,6 +6,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <functional>
 #include <vector>
 
 namespace gripscope {
@@ -14,7 +15,10 @@ namespace gripscope {
 struct Migration {
     int version = 0; ///< 1, 2, 3... without a hole
     QString name;
-    QStringList statements;                 ///< "{blob}" stands for the database's type for bytes
+    QStringList statements; ///< "{blob}" stands for the database's type for bytes
+    /// In the same transaction, after the statements and the entry in schema_migrations: from the ledger on,
+    /// what puts the new rows into it.
+    std::function<Expected<void>(Database&)> afterwards = {};
     [[nodiscard]] QString checksum() const; ///< SHA-256 over the statements
 };
 
@@ -23,6 +27,9 @@ struct Migration {
 
 /// The statements of a script: comment lines dropped, cut at each semicolon that ends a line.
 [[nodiscard]] QStringList statementsOf(const QString& script);
+
+/// The statement that makes schema_migrations, before all else.
+[[nodiscard]] QString migrationTable();
 
 /// 0 for an empty file. StorageOpen when the tables are not those of a library.
 [[nodiscard]] Expected<int> schemaVersion(Database& database);
@@ -45,5 +52,6 @@ extern const char* const migrationScript8;
 extern const char* const migrationScript9;
 extern const char* const migrationScript10;
 extern const char* const migrationScript11;
+extern const char* const migrationScript12;
 
 } // namespace gripscope

@@ -15,6 +15,9 @@ struct NewInspection {
     QString expectedType; ///< name; empty when nothing was expected
     double seconds = 0;   ///< length of the squeeze
     QString batchId = {}; ///< empty: of no batch
+    /// newTimeOrderedId(), so that one that is asked for again, after an answer that nobody got, is stored
+    /// once. Empty: it is not asked for again.
+    QString id = {};
 };
 
 struct InspectionRecord {

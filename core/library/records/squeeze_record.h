@@ -22,6 +22,7 @@ struct NewGrasp {
     QString operatorName;
     QJsonObject identification; ///< the whole identify document, for audit; may be empty
     QString part = {};          ///< which part of the type it was, as the operator calls it; may be empty
+    QDateTime recorded = {};    ///< now where it is not valid
 };
 
 struct GraspRecord {

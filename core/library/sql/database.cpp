@@ -10,7 +10,9 @@
 #include <QFileInfo>
 #include <QSqlError>
 #include <QSqlQuery>
+#include <QTemporaryDir>
 #include <QThread>
+#include <QUrl>
 
 #include <atomic>
 
@@ -111,8 +113,6 @@ Expected<void> refuseForeignPrograms(const Database& database)
 Database::Database(QString file, const QString& name)
     : m_file(std::move(file)), m_connection(QSqlDatabase::addDatabase(u"QSQLITE"_s, name))
 {
-    m_connection.setDatabaseName(m_file);
-    m_connection.setConnectOptions(u"QSQLITE_BUSY_TIMEOUT=%1"_s.arg(busyTimeout_ms));
 }
 
 Database::~Database()
@@ -123,13 +123,14 @@ Database::~Database()
     QSqlDatabase::removeDatabase(name);
 }
 
-Expected<std::unique_ptr<Database>> Database::open(const QString& file)
+Expected<std::unique_ptr<Database>> Database::connect(const QString& file, const QString& name,
+                                                      const QString& options)
 {
-    if (const auto reason = reasonNotToOpen(file))
-        return failure(ErrorCode::StorageOpen, {file, *reason});
     if (!QSqlDatabase::isDriverAvailable(u"QSQLITE"_s))
         return failure(ErrorCode::StorageOpen, {file, Words::tr("Qt's SQLite driver is not installed")});
     std::unique_ptr<Database> database(new Database(file, uniqueConnectionName()));
+    database->m_connection.setDatabaseName(name);
+    database->m_connection.setConnectOptions(u"QSQLITE_BUSY_TIMEOUT=%1"_s.arg(busyTimeout_ms) + options);
     if (!database->m_connection.open())
         return failure(ErrorCode::StorageOpen, {file, inWords(database->m_connection.lastError())});
     // With the usual 2 MB of pages a library of a hundred thousand squeezes is read from the disk again and
@@ -139,8 +140,58 @@ Expected<std::unique_ptr<Database>> Database::open(const QString& file)
     for (const QString& setting : {u"PRAGMA trusted_schema=OFF"_s, u"PRAGMA cell_size_check=ON"_s,
                                    u"PRAGMA foreign_keys=ON"_s, u"PRAGMA cache_size=-65536"_s})
         RETURN_IF_ERROR(database->execute(setting, Words::tr("be opened")));
+    return database;
+}
+
+Expected<std::unique_ptr<Database>> Database::open(const QString& file)
+{
+    if (const auto reason = reasonNotToOpen(file))
+        return failure(ErrorCode::StorageOpen, {file, *reason});
+    ASSIGN_OR_RETURN(auto database, connect(file, file, {}));
     RETURN_IF_ERROR(refuseForeignPrograms(*database));
     return database;
+}
+
+Expected<std::unique_ptr<Database>> Database::openToRead(const QString& file)
+{
+    if (const auto reason = reasonNotToOpen(file))
+        return failure(ErrorCode::StorageOpen, {file, *reason});
+    if (!QFileInfo::exists(file))
+        return failure(ErrorCode::StorageOpen, {file, Words::tr("there is no such file")});
+    const bool log = QFileInfo::exists(file + u"-wal"_s);
+    const bool halfWritten = QFileInfo::exists(file + u"-journal"_s);
+    const bool inUse = log && QFileInfo::exists(file + u"-shm"_s);
+    std::unique_ptr<QTemporaryDir> copy;
+    QString place = file;
+    if (halfWritten || (log && !inUse)) { // to be read it has to be mended first: not the original
+        copy = std::make_unique<QTemporaryDir>();
+        place = copy->filePath(u"copy"_s);
+        for (const QString& part : {u""_s, u"-wal"_s, u"-journal"_s})
+            if (QFileInfo::exists(file + part) && !QFile::copy(file + part, place + part))
+                return failure(
+                    ErrorCode::StorageOpen,
+                    {file, Words::tr("there is no room for the copy that it has to be read from")});
+    }
+    const bool alone = !copy && !inUse;
+    const QString name =
+        QString::fromLatin1(QUrl::fromLocalFile(QFileInfo(place).absoluteFilePath()).toEncoded());
+    ASSIGN_OR_RETURN(auto database, copy ? connect(file, place, {})
+                                         : connect(file, name + (alone ? u"?immutable=1"_s : u"?mode=ro"_s),
+                                                   u";QSQLITE_OPEN_URI;QSQLITE_OPEN_READONLY"_s));
+    database->m_copy = std::move(copy);
+    database->m_alone = alone;
+    RETURN_IF_ERROR(database->execute(u"PRAGMA query_only=ON"_s, Words::tr("be opened")));
+    return database;
+}
+
+Expected<std::unique_ptr<Database>> Database::inMemory()
+{
+    return connect({}, u":memory:"_s, {});
+}
+
+bool Database::wasWrittenMeanwhile() const
+{
+    return m_alone && QFileInfo::exists(m_file + u"-wal"_s);
 }
 
 Expected<void> Database::prepareForWriting()
@@ -162,7 +213,20 @@ Expected<void> Database::prepareForWriting()
             return error(query.lastError(), doing);
         QThread::msleep(5);
     }
+    m_identity = FileIdentity::of(m_file);
     return execute(u"PRAGMA synchronous=FULL"_s, doing);
+}
+
+Expected<void> Database::requireSameFile(const QString& doing) const
+{
+    if (!m_identity || FileIdentity::of(m_file) == m_identity)
+        return {};
+    return failure(
+        ErrorCode::StorageFailed,
+        {doing, Words::tr("its file %1 was removed or replaced while it was open. Put it back where it "
+                          "was; where that cannot be, close the program, put back a copy and start "
+                          "again")
+                    .arg(m_file)});
 }
 
 Expected<void> Database::execute(const QString& sql, const QString& doing)
@@ -199,6 +263,7 @@ tl::unexpected<Error> Database::error(const QSqlError& error, const QString& doi
 
 Expected<std::unique_ptr<Transaction>> Transaction::begin(Database& database, const QString& doing)
 {
+    RETURN_IF_ERROR(database.requireSameFile(doing));
     RETURN_IF_ERROR(database.execute(u"BEGIN IMMEDIATE"_s, doing));
     return std::unique_ptr<Transaction>(new Transaction(database, doing));
 }
@@ -213,7 +278,7 @@ Expected<void> Transaction::commit()
 {
     auto done = m_database.execute(u"COMMIT"_s, m_doing);
     m_open = !done;
-    return done;
+    return done ? m_database.requireSameFile(m_doing) : done;
 }
 
 } // namespace gripscope

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/library/sql/file_identity.h"
+#include "core/library/sql/table_rows.h"
 #include "core/people/acting.h"
 #include "core/people/audit_chain.h"
 
@@ -9,11 +11,19 @@
 #include <QString>
 #include <QStringList>
 
+#include <map>
 #include <memory>
 
 class QSqlError;
+class QTemporaryDir;
 
 namespace gripscope {
+
+/// A row that the open transaction has put in.
+struct InsertedRow {
+    QString table;
+    qint64 rowNumber = 0;
+};
 
 /// One connection to the file of a library, for the thread that opened it. What only SQLite does its own way
 /// is in this class (pragmas, the list of tables, error numbers, the name of the type for bytes); the table
@@ -22,6 +32,14 @@ class Database {
 public:
     /// Opens or creates the file and changes nothing in it. StorageOpen, StorageCorrupt.
     [[nodiscard]] static Expected<std::unique_ptr<Database>> open(const QString& file);
+    /// A file to look at: nothing is written, not beside it either. What another process is writing, or left
+    /// behind half written, is seen as it stood. Its schema may be anybody's (schemaDifferences()), and its
+    /// views are not to be read before that was looked at. StorageOpen, StorageCorrupt.
+    [[nodiscard]] static Expected<std::unique_ptr<Database>> openToRead(const QString& file);
+    /// Of openToRead(): nobody had it open then, and somebody has since. What was read may be of two states.
+    [[nodiscard]] bool wasWrittenMeanwhile() const;
+    /// An empty one that goes with its object.
+    [[nodiscard]] static Expected<std::unique_ptr<Database>> inMemory();
     ~Database();
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
@@ -30,6 +48,9 @@ public:
     /// FULL because a squeeze that was reported as stored must survive a power cut, and one flush a squeeze
     /// is cheap.
     [[nodiscard]] Expected<void> prepareForWriting();
+    /// StorageFailed where the name no longer leads to the file that was prepared for writing: what is
+    /// written would be lost.
+    [[nodiscard]] Expected<void> requireSameFile(const QString& doing) const;
 
     [[nodiscard]] Expected<void> execute(const QString& sql, const QString& doing);
     [[nodiscard]] Expected<QStringList> tables();
@@ -49,16 +70,30 @@ public:
     void setNewAuditHead(std::optional<AuditHead> head) { m_newAuditHead = std::move(head); }
     [[nodiscard]] const std::optional<AuditHead>& newAuditHead() const { return m_newAuditHead; }
 
+    /// What Statement::run() put in since it was taken last, in that order.
+    void noteInserted(InsertedRow row) { m_inserted.push_back(std::move(row)); }
+    [[nodiscard]] std::vector<InsertedRow> takeInserted() { return std::exchange(m_inserted, {}); }
+    /// What columnsOf() has read; to be emptied by whoever changes the tables.
+    [[nodiscard]] std::map<QString, std::vector<Column>>& knownColumns() { return m_knownColumns; }
+
 private:
     Database(QString file, const QString& name);
+    [[nodiscard]] static Expected<std::unique_ptr<Database>> connect(const QString& file, const QString& name,
+                                                                     const QString& options);
+    std::unique_ptr<QTemporaryDir> m_copy; ///< holds what is read, where that is a copy
+    bool m_alone = false;
+    std::optional<FileIdentity> m_identity; ///< from prepareForWriting() on
     QString m_file;
     QSqlDatabase m_connection;
     Acting m_acting;
     std::optional<AuditHead> m_newAuditHead;
+    std::vector<InsertedRow> m_inserted;
+    std::map<QString, std::vector<Column>> m_knownColumns;
 };
 
 /// A write transaction that takes its lock at once: one that starts as a reader and then wants to write fails
-/// without waiting when another process was quicker. Rolled back unless committed.
+/// without waiting when another process was quicker. Rolled back unless committed. Before and after it the
+/// file has to be the one that its name leads to.
 class Transaction {
 public:
     [[nodiscard]] static Expected<std::unique_ptr<Transaction>> begin(Database& database,

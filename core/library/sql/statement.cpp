@@ -15,8 +15,23 @@ namespace gripscope {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+/// The table that a statement puts rows into; empty where it does something else.
+QString insertedInto(const QString& sql)
+{
+    constexpr auto begins = "INSERT INTO "_L1;
+    if (!sql.startsWith(begins))
+        return {};
+    const QString rest = sql.mid(begins.size());
+    return rest.left(rest.indexOf(u' '));
+}
+
+} // namespace
+
 Statement::Statement(Database& database, QString doing, const QString& sql)
-    : m_database(database), m_doing(std::move(doing)), m_query(database.connection())
+    : m_database(database), m_doing(std::move(doing)), m_insertsInto(insertedInto(sql)),
+      m_query(database.connection())
 {
     m_query.setForwardOnly(true);
     m_prepared = m_query.prepare(sql);
@@ -62,6 +77,8 @@ Expected<void> Statement::run()
 {
     if (!m_prepared || !m_query.exec())
         return m_database.error(m_query.lastError(), m_doing);
+    if (!m_insertsInto.isEmpty() && m_query.numRowsAffected() == 1)
+        m_database.noteInserted({m_insertsInto, m_query.lastInsertId().toLongLong()});
     return {};
 }
 

@@ -42,6 +42,7 @@ public:
 private:
     Database& m_database;
     QString m_doing;
+    QString m_insertsInto; ///< a table; empty where it does something else
     QSqlQuery m_query;
     bool m_prepared = false;
     int m_column = 0;

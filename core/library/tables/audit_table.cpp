@@ -46,6 +46,58 @@ Expected<AuditHead> newest(Database& database)
     return head;
 }
 
+/// When this station made the newest entry, if it was this station.
+Expected<std::optional<QDateTime>> lastHere(Database& database, const QString& station)
+{
+    std::optional<QDateTime> last;
+    Statement query(database, readingTrail(),
+                    u"SELECT station, created_utc FROM audit_entries ORDER BY number DESC LIMIT 1"_s);
+    const auto done = query.forEach([&](Statement& row) {
+        if (row.takeText() == station)
+            last = row.takeUtc();
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return last;
+}
+
+/// Numbers the entry, puts it behind the last and stores it.
+Expected<void> store(Database& database, AuditEntry entry, const QJsonObject& details)
+{
+    ASSIGN_OR_RETURN(const auto last, newest(database));
+    entry.number = last.entries + 1;
+    if (!details.isEmpty())
+        entry.details = QString::fromUtf8(QJsonDocument(details).toJson(QJsonDocument::Compact));
+    entry.previousHash = last.hash;
+    entry.hash = auditHash(entry);
+    Statement row(database, Words::tr("continue the audit trail"),
+                  u"INSERT INTO audit_entries (number, created_utc, station, person, role, action, subject, "
+                  "reason, details, previous_hash, hash) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+    row.bind(entry.number);
+    for (const QString* text :
+         {&entry.utc, &entry.station, &entry.person, &entry.role, &entry.action, &entry.subject,
+          &entry.reason, &entry.details, &entry.previousHash, &entry.hash})
+        row.bind(*text);
+    RETURN_IF_ERROR(row.run());
+    database.setNewAuditHead(AuditHead{entry.number, entry.hash});
+    return {};
+}
+
+/// Said in the trail itself: its times cannot be taken at their word from there on.
+Expected<void> noteClock(Database& database, const RowStamp& stamp)
+{
+    constexpr qint64 stepFrom_s = 60; // what a time server corrects is less
+    ASSIGN_OR_RETURN(const auto last, lastHere(database, stamp.station));
+    const QDateTime now = QDateTime::fromString(stamp.utc, Qt::ISODateWithMs);
+    if (!last || now.secsTo(*last) < stepFrom_s)
+        return {};
+    AuditEntry entry;
+    entry.utc = stamp.utc;
+    entry.station = entry.subject = stamp.station;
+    entry.action = QString::fromUtf16(audit_action::clockBack);
+    return store(database, entry, {{u"from"_s, utcText(*last)}, {u"to"_s, stamp.utc}});
+}
+
 /// Who it was: by whose consent, who is signed in, or the name that was typed.
 void sign(AuditEntry& entry, QJsonObject& details, const NewAuditEntry& told, const Acting& acting)
 {
@@ -91,32 +143,17 @@ void bindFilter(Statement& query, const AuditFilter& filter)
 
 Expected<void> append(Database& database, const NewAuditEntry& told)
 {
-    ASSIGN_OR_RETURN(const auto last, newest(database));
     const RowStamp stamp = RowStamp::now();
+    RETURN_IF_ERROR(noteClock(database, stamp));
     QJsonObject details = told.details;
     AuditEntry entry;
-    entry.number = last.entries + 1;
     entry.utc = stamp.utc;
     entry.station = stamp.station;
     sign(entry, details, told, database.acting());
     entry.action = told.action;
     entry.subject = told.subject;
     entry.reason = told.reason;
-    if (!details.isEmpty())
-        entry.details = QString::fromUtf8(QJsonDocument(details).toJson(QJsonDocument::Compact));
-    entry.previousHash = last.hash;
-    entry.hash = auditHash(entry);
-    Statement row(database, Words::tr("continue the audit trail"),
-                  u"INSERT INTO audit_entries (number, created_utc, station, person, role, action, subject, "
-                  "reason, details, previous_hash, hash) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
-    row.bind(entry.number);
-    for (const QString* text :
-         {&entry.utc, &entry.station, &entry.person, &entry.role, &entry.action, &entry.subject,
-          &entry.reason, &entry.details, &entry.previousHash, &entry.hash})
-        row.bind(*text);
-    RETURN_IF_ERROR(row.run());
-    database.setNewAuditHead(AuditHead{entry.number, entry.hash});
-    return {};
+    return store(database, entry, details);
 }
 
 Expected<std::vector<AuditEntry>> page(Database& database, const AuditFilter& filter)

@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 #include "core/library/sql/rows.h"
+#include "core/library/tables/serial.h"
 
 #include <QStringList>
 
@@ -81,7 +82,8 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const SensorCal
 {
     Statement row(database, Words::tr("store the calibration"),
                   u"INSERT INTO calibrations (station, "_s + calibrationColumns +
-                      u") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+                      u", serial) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "_s +
+                      nextSerial(u"calibrations"_s) + u')');
     row.bind(stamp.station).bind(stamp.id).bind(stamp.utc);
     row.bind(calibration.gripperSerial).bind(calibration.gripperName);
     row.bind(toString(calibration.channel)).bind(calibration.unit);
@@ -98,7 +100,8 @@ Expected<std::vector<CalibrationRecord>> read(Database& database, const QString&
     Statement query(database, readingCalibrations(),
                     u"SELECT "_s + calibrationColumns +
                         u" FROM calibrations WHERE ? IN ('', gripper_serial) "
-                        "ORDER BY created_utc DESC, id DESC LIMIT ?"_s);
+                        "ORDER BY "_s +
+                        newestFirst + u" LIMIT ?"_s);
     query.bind(gripperSerial).bind(limit);
     return allRows(query, takeCalibration);
 }
@@ -110,7 +113,8 @@ Expected<CalibrationsInForce> inForce(Database& database, const QString& gripper
         Statement query(database, readingCalibrations(),
                         u"SELECT "_s + calibrationColumns +
                             u" FROM calibrations WHERE gripper_serial = ? AND channel = ? "
-                            "ORDER BY created_utc DESC, id DESC LIMIT 1"_s);
+                            "ORDER BY "_s +
+                            newestFirst + u" LIMIT 1"_s);
         query.bind(gripperSerial).bind(toString(channel));
         ASSIGN_OR_RETURN(std::optional<CalibrationRecord> newest, firstRow(query, takeCalibration));
         (channel == SensorChannel::Force ? found.force : found.position) = std::move(newest);
@@ -164,7 +168,8 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const NewMeasur
         "position_scale_uncertainty, frame_compliance, "
         "frame_compliance_uncertainty, baseline_m, baseline_b, baseline_k, baseline_error_m, "
         "baseline_error_b, "
-        "baseline_error_k) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+        "baseline_error_k, serial) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "_s +
+            nextSerial(u"measuring_chains"_s) + u')');
     const MeasuringChain& chain = measured.chain;
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc);
     row.bind(measured.gripperSerial).bind(measured.operatorName).bind(measured.basis);
@@ -190,7 +195,8 @@ Expected<std::optional<MeasuringChainRecord>> newest(Database& database, const Q
         u"force_noise_deviation, force_scale_uncertainty, "
         "position_scale_uncertainty, frame_compliance, frame_compliance_uncertainty, baseline_m, baseline_b, "
         "baseline_k, baseline_error_m, baseline_error_b, baseline_error_k FROM measuring_chains "
-        "WHERE gripper_serial = ? ORDER BY created_utc DESC, id DESC LIMIT 1"_s);
+        "WHERE gripper_serial = ? ORDER BY "_s +
+            newestFirst + u" LIMIT 1"_s);
     auto done =
         query.bind(gripperSerial).forEach([&](Statement& row) { found = takeChain(row, gripperSerial); });
     if (!done)

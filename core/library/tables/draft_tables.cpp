@@ -6,6 +6,7 @@
 #include "core/library/sql/rows.h"
 #include "core/library/tables/packed_recording.h"
 #include "core/library/tables/recipe_columns.h"
+#include "core/library/tables/serial.h"
 
 #include <array>
 
@@ -57,6 +58,13 @@ EnrollmentDraft takeDraft(Statement& row)
     return draft;
 }
 
+/// The key of the newest row of a draft.
+QString newestOf(const QString& typeName)
+{
+    return u"(SELECT o.id FROM enrollment_drafts o WHERE o.type_name = %1 ORDER BY "
+           "o.serial DESC, o.created_utc DESC, o.id DESC LIMIT 1)"_s.arg(typeName);
+}
+
 } // namespace
 
 Expected<void> insert(Database& database, const RowStamp& stamp, const EnrollmentDraft& draft)
@@ -64,7 +72,8 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const Enrollmen
     Statement row(
         database, Words::tr("store the enrolment under way"),
         u"INSERT INTO enrollment_drafts (id, station, created_utc, state, "_s + kept +
-            u", operator_name) VALUES (?, ?, ?, 'open', ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+            u", operator_name, serial) VALUES (?, ?, ?, 'open', ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "_s +
+            nextSerial(u"enrollment_drafts"_s) + u')');
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(draft.name).bind(toString(draft.step));
     bindRecipe(row, draft.recipe);
     row.bind(draft.part);
@@ -77,9 +86,9 @@ Expected<void> end(Database& database, const RowStamp& stamp, const QString& nam
 {
     Statement row(database, Words::tr("store the enrolment under way"),
                   u"INSERT INTO enrollment_drafts (id, station, created_utc, state, "_s + kept +
-                      u", operator_name) SELECT ?, ?, ?, ?, "_s + kept +
-                      u", ? FROM enrollment_drafts d WHERE d.state = 'open' AND d.id = "
-                      "(SELECT MAX(o.id) FROM enrollment_drafts o WHERE o.type_name = ?)"_s);
+                      u", operator_name, serial) SELECT ?, ?, ?, ?, "_s + kept + u", ?, "_s +
+                      nextSerial(u"enrollment_drafts"_s) +
+                      u" FROM enrollment_drafts d WHERE d.state = 'open' AND d.id = "_s + newestOf(u"?"_s));
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc);
     row.bind(end == DraftEnd::Approved ? u"approved"_s : u"discarded"_s);
     return row.bind(operatorName).bind(name).run();
@@ -90,9 +99,8 @@ Expected<std::vector<EnrollmentDraft>> open(Database& database, const QString& n
     Statement query(database, Words::tr("read the enrolments under way"),
                     u"SELECT "_s + kept +
                         u", operator_name, created_utc FROM enrollment_drafts d "
-                        "WHERE d.state = 'open' AND ? IN ('', d.type_name) AND d.id = "
-                        "(SELECT MAX(o.id) FROM enrollment_drafts o WHERE o.type_name = d.type_name) "
-                        "ORDER BY d.id DESC"_s);
+                        "WHERE d.state = 'open' AND ? IN ('', d.type_name) AND d.id = "_s +
+                        newestOf(u"d.type_name"_s) + u" ORDER BY "_s + newestFirst);
     return allRows(query.bind(name), takeDraft);
 }
 

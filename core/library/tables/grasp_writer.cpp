@@ -38,7 +38,9 @@ Expected<void> requireFinite(const Estimate& estimate)
 
 Expected<QString> storeGrasp(Database& database, const NewGrasp& grasp, qint64 version)
 {
-    const RowStamp stamp = RowStamp::now();
+    RowStamp stamp = RowStamp::now();
+    if (grasp.recorded.isValid())
+        stamp.utc = utcText(grasp.recorded);
     auto done = checkGrasp(database, grasp);
     if (done)
         done = grasp_table::insert(database, stamp, grasp, version);

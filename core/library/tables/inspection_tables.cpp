@@ -28,7 +28,8 @@ const auto selectInspections =
     "i.operator_name, i.posterior, i.distance, i.gate, e.m, e.b, e.k, g.force_unit, "
     "g.position_unit, i.seconds, COALESCE(o.name, ''), "
     // Words in the document have their quotation marks escaped: only its own field is this.
-    "CASE WHEN (SELECT d.document FROM documents d WHERE d.grasp_id = i.grasp_id) "
+    "CASE WHEN i.validity <> '' THEN i.validity = 'suspect' "
+    "WHEN (SELECT d.document FROM documents d WHERE d.grasp_id = i.grasp_id) "
     "LIKE '%\"verdict\":\"suspect\"%' THEN 1 ELSE 0 END "
     "FROM inspections i JOIN grasps g ON g.id = i.grasp_id "
     "LEFT JOIN batches o ON o.id = i.batch_id "
@@ -107,16 +108,16 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
         database, Words::tr("store the inspection"),
         u"INSERT INTO inspections (id, station, inspected_utc, number, grasp_id, expected_type, verdict, "
         "type_name, nearest, posterior, distance, gate, samples_used, false_reject, wrong_type, seconds, "
-        "operator_name, posteriors, reasons, batch_id) VALUES (?, ?, ?, "
+        "operator_name, posteriors, reasons, batch_id, validity) VALUES (?, ?, ?, "
         "(SELECT COALESCE(MAX(number), 0) + 1 FROM inspections), "
-        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(graspId).bind(inspection.expectedType);
     row.bind(toString(verdict.kind)).bind(verdict.type).bind(verdict.nearest);
     row.bind(leadingPosterior(verdict)).bind(verdict.distance).bind(verdict.gate);
     row.bind(qint64(verdict.samplesUsed)).bind(inspection.rates.falseReject).bind(inspection.rates.wrongType);
     row.bind(inspection.seconds).bind(inspection.grasp.operatorName).bind(compact(toJson(verdict.posterior)));
     row.bind(compact(toJson(verdict.allReasons())));
-    return row.bindOrNull(inspection.batchId).run();
+    return row.bindOrNull(inspection.batchId).bind(toString(verdict.validity.verdict)).run();
 }
 
 Expected<std::optional<InspectionRecord>> find(Database& database, const QString& id)

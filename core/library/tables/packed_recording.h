@@ -9,10 +9,10 @@
 
 namespace gripscope {
 
-/// A recording as a row holds it: packed with zlib, with the SHA-256 of the unpacked bytes
-/// (encodeRecording()).
+/// A recording as a row holds it: the size and SHA-256 of its encodeRecording(), and, deflated, its
+/// encodeInSeries(); programs before version 12 of the schema deflated the former.
 struct PackedRecording {
-    qint64 bytes = 0; ///< unpacked
+    qint64 bytes = 0;
     QString sha256;
     QByteArray packed;
 };
@@ -44,7 +44,9 @@ void bindPacked(Statement& row, const PackedRecording& packed);
 ///
 /// Usage when the channels differ in length.
 [[nodiscard]] Expected<QByteArray> encodeRecording(const Recording& recording);
-/// StorageCorrupt when the bytes are not exactly one such block.
+/// The same with "GSRP", and each column as packedSeries(), which deflates far better.
+[[nodiscard]] Expected<QByteArray> encodeInSeries(const Recording& recording);
+/// Either of the two. StorageCorrupt when the bytes are not exactly one such block.
 [[nodiscard]] Expected<Recording> decodeRecording(const QByteArray& bytes);
 
 } // namespace gripscope

@@ -2,6 +2,7 @@
 #include "core/library/tables/person_table.h"
 
 #include "core/base/words.h"
+#include "core/library/tables/serial.h"
 
 #include <algorithm>
 
@@ -83,7 +84,8 @@ Expected<void> insertTry(Database& database, const PersonRow& row, bool right)
     const RowStamp stamp = RowStamp::now();
     Statement statement(database, Words::tr("note the try to sign in"),
                         u"INSERT INTO sign_in_tries (id, station, created_utc, person_id, secret_version, "
-                        "outcome) VALUES (?, ?, ?, ?, ?, ?)"_s);
+                        "outcome, serial) VALUES (?, ?, ?, ?, ?, ?, "_s +
+                            nextSerial(u"sign_in_tries"_s) + u')');
     statement.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(row.person.id).bind(row.secretVersion);
     return statement.bind(right ? u"right"_s : u"tried"_s).run();
 }
@@ -94,7 +96,8 @@ Expected<SignInTries> tries(Database& database, const PersonRow& row)
     Statement query(
         database, readingPeople(),
         u"SELECT outcome, created_utc FROM sign_in_tries WHERE person_id = ? AND secret_version = ? "
-        "ORDER BY created_utc DESC, id DESC LIMIT 100"_s);
+        "ORDER BY "_s +
+            newestFirst + u" LIMIT 100"_s);
     bool ended = false;
     const auto done = query.bind(row.person.id).bind(row.secretVersion).forEach([&](Statement& each) {
         ended = ended || each.takeText() == "right"_L1;

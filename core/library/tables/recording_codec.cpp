@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/words.h"
+#include "core/library/packing/number_series.h"
 #include "core/library/tables/packed_recording.h"
 #include "core/signal/recording/recording_limits.h"
 
@@ -13,7 +14,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr char magic[4] = {'G', 'S', 'R', 'B'};
+constexpr QByteArrayView plainMagic = "GSRB";  ///< columns number by number, in little-endian bytes
+constexpr QByteArrayView seriesMagic = "GSRP"; ///< columns as packedSeries()
 constexpr std::uint16_t plainVersion = 1;
 constexpr std::uint16_t chainVersion = 2;
 constexpr std::uint16_t forceNoiseVersion = 3; ///< the chain states the noise of the force as well
@@ -43,7 +45,7 @@ public:
         m_bytes.resize(start + qsizetype(values.size() * sizeof(T)));
         qToLittleEndian<T>(values.data(), qsizetype(values.size()), m_bytes.data() + start);
     }
-    void raw(const char* data, qsizetype size) { m_bytes.append(data, size); }
+    void raw(QByteArrayView bytes) { m_bytes.append(bytes); }
     [[nodiscard]] QByteArray take() { return std::move(m_bytes); }
 
 private:
@@ -85,6 +87,18 @@ public:
             return;
         qFromLittleEndian<T>(m_bytes.constData() + m_at, qsizetype(count), values.data());
         m_at += qsizetype(count * sizeof(T));
+    }
+    /// One of takeDoubles(), takeIntegers().
+    template <typename T, typename Take>
+    void series(std::vector<T>& values, std::uint64_t count, const Take& take)
+    {
+        QByteArrayView rest = QByteArrayView(m_bytes).sliced(m_at);
+        auto taken = take(rest, count);
+        m_ok = m_ok && taken;
+        if (!m_ok)
+            return;
+        m_at = m_bytes.size() - rest.size();
+        values.assign(taken->begin(), taken->end());
     }
     [[nodiscard]] bool ok() const { return m_ok; }
     [[nodiscard]] bool atEnd() const { return m_at == m_bytes.size(); }
@@ -148,18 +162,11 @@ tl::unexpected<Error> damaged(const QString& reason)
     return failure(ErrorCode::StorageCorrupt, {Words::tr("A recording"), reason});
 }
 
-} // namespace
-
-Expected<QByteArray> encodeRecording(const Recording& recording)
+/// All that stands before the columns, and how many and which there are.
+void putHead(Writer& out, const Recording& recording)
 {
-    const std::size_t n = recording.size();
-    if (const std::optional<Finding> reason = outOfRange(recording))
-        return failure(ErrorCode::Usage,
-                       {Words::tr("The recording can't be kept: %1.").arg(reason->describe())});
-    Writer out;
-    out.raw(magic, sizeof(magic));
-    const bool hasChain = !(recording.chain == MeasuringChain());
     // The oldest layout that holds it all, so that earlier programs read on what they can.
+    const bool hasChain = !(recording.chain == MeasuringChain());
     const bool statesForceNoise = recording.chain.forceNoiseDeviation != 0;
     out.put(statesForceNoise ? forceNoiseVersion : hasChain ? chainVersion : plainVersion);
     out.put(recording.sampleTime_s);
@@ -172,24 +179,90 @@ Expected<QByteArray> encodeRecording(const Recording& recording)
         out.put(it.key());
         out.put(it.value());
     }
-    out.put(std::uint64_t(n));
+    out.put(std::uint64_t(recording.size()));
     out.put(std::uint8_t((recording.sequence.empty() ? 0 : HasSequence) |
                          (recording.status.empty() ? 0 : HasStatus)));
+}
+
+void putTail(Writer& out, const Recording& recording)
+{
+    if (!(recording.chain == MeasuringChain()))
+        putChain(out, recording.chain);
+}
+
+Expected<void> requireInRange(const Recording& recording)
+{
+    if (const std::optional<Finding> reason = outOfRange(recording))
+        return failure(ErrorCode::Usage,
+                       {Words::tr("The recording can't be kept: %1.").arg(reason->describe())});
+    return {};
+}
+
+template <typename T>
+std::vector<std::uint64_t> wholes(const std::vector<T>& values)
+{
+    return {values.begin(), values.end()};
+}
+
+void getColumns(Reader& in, Recording& recording, std::uint64_t samples, std::uint8_t columns)
+{
+    for (auto* column : {&recording.time_s, &recording.force, &recording.position})
+        in.get(*column, samples);
+    if (columns & HasSequence)
+        in.get(recording.sequence, samples);
+    if (columns & HasStatus)
+        in.get(recording.status, samples);
+}
+
+void getSeries(Reader& in, Recording& recording, std::uint64_t samples, std::uint8_t columns)
+{
+    for (auto* column : {&recording.time_s, &recording.force, &recording.position})
+        in.series(*column, samples, takeDoubles);
+    if (columns & HasSequence)
+        in.series(recording.sequence, samples, takeIntegers);
+    if (columns & HasStatus)
+        in.series(recording.status, samples, takeIntegers);
+}
+
+} // namespace
+
+Expected<QByteArray> encodeRecording(const Recording& recording)
+{
+    RETURN_IF_ERROR(requireInRange(recording));
+    Writer out;
+    out.raw(plainMagic);
+    putHead(out, recording);
     out.put(recording.time_s);
     out.put(recording.force);
     out.put(recording.position);
     out.put(recording.sequence);
     out.put(recording.status);
-    if (hasChain)
-        putChain(out, recording.chain);
+    putTail(out, recording);
+    return out.take();
+}
+
+Expected<QByteArray> encodeInSeries(const Recording& recording)
+{
+    RETURN_IF_ERROR(requireInRange(recording));
+    Writer out;
+    out.raw(seriesMagic);
+    putHead(out, recording);
+    for (const auto* column : {&recording.time_s, &recording.force, &recording.position})
+        out.raw(packedSeries(*column));
+    if (!recording.sequence.empty())
+        out.raw(packedSeries(recording.sequence));
+    if (!recording.status.empty())
+        out.raw(packedSeries(wholes(recording.status)));
+    putTail(out, recording);
     return out.take();
 }
 
 Expected<Recording> decodeRecording(const QByteArray& bytes)
 {
-    if (!bytes.startsWith(QByteArrayView(magic, sizeof(magic))))
+    const bool inSeries = bytes.startsWith(seriesMagic);
+    if (!inSeries && !bytes.startsWith(plainMagic))
         return damaged(Words::tr("it does not begin like one"));
-    const QByteArray body = bytes.mid(sizeof(magic));
+    const QByteArray body = bytes.mid(plainMagic.size());
     Reader in(body);
     const auto version = in.get<std::uint16_t>();
     if (version < plainVersion || version > forceNoiseVersion)
@@ -215,13 +288,9 @@ Expected<Recording> decodeRecording(const QByteArray& bytes)
     }
     const auto samples = in.get<std::uint64_t>();
     const auto columns = in.get<std::uint8_t>();
-    in.get(recording.time_s, samples);
-    in.get(recording.force, samples);
-    in.get(recording.position, samples);
-    if (columns & HasSequence)
-        in.get(recording.sequence, samples);
-    if (columns & HasStatus)
-        in.get(recording.status, samples);
+    if (samples > mostSamples)
+        return damaged(Words::tr("it is shorter or longer than it says"));
+    (inSeries ? getSeries : getColumns)(in, recording, samples, columns);
     if (version >= chainVersion)
         recording.chain = getChain(in, version);
     if (!in.ok() || !in.atEnd())

@@ -2,6 +2,7 @@
 #include "core/base/words.h"
 #include "core/library/sql/rows.h"
 #include "core/library/tables/calibration_tables.h"
+#include "core/library/tables/serial.h"
 
 #include <algorithm>
 
@@ -55,7 +56,8 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const Reference
 {
     Statement row(database, Words::tr("store the reference object"),
                   u"INSERT INTO reference_objects (station, "_s + referenceColumns +
-                      u") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+                      u", serial) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "_s +
+                      nextSerial(u"reference_objects"_s) + u')');
     row.bind(stamp.station).bind(stamp.id).bind(stamp.utc);
     row.bind(reference.gripperSerial).bind(reference.name).bind(reference.certificate);
     for (const std::optional<ReferenceQuantity>& stated : reference.stated)
@@ -70,7 +72,7 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const Reference
 Expected<std::optional<ReferenceObjectRecord>> newest(Database& database, const QString& gripperSerial)
 {
     Statement query(database, readingReferences(),
-                    selecting(u"gripper_serial = ? ORDER BY created_utc DESC, id DESC LIMIT 1"_s));
+                    selecting(u"gripper_serial = ? ORDER BY "_s + newestFirst + u" LIMIT 1"_s));
     query.bind(gripperSerial);
     return firstRow(query, takeReference);
 }
@@ -134,7 +136,8 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const Reference
 {
     Statement row(database, Words::tr("store the check on the reference object"),
                   u"INSERT INTO reference_checks (station, "_s + checkColumns +
-                      u") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+                      u", serial) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "_s +
+                      nextSerial(u"reference_checks"_s) + u')');
     row.bind(stamp.station).bind(stamp.id).bind(stamp.utc);
     row.bind(check.gripperSerial).bind(check.referenceId);
     row.bind(toString(check.verdict)).bind(check.obstacle).bind(check.squeezes);
@@ -151,7 +154,8 @@ Expected<std::vector<ReferenceCheckRecord>> read(Database& database, const QStri
     Statement query(database, readingChecks(),
                     u"SELECT "_s + checkColumns +
                         u" FROM reference_checks WHERE gripper_serial = ? "
-                        "ORDER BY created_utc DESC, id DESC LIMIT ?"_s);
+                        "ORDER BY "_s +
+                        newestFirst + u" LIMIT ?"_s);
     query.bind(gripperSerial).bind(limit);
     Expected<std::vector<ReferenceCheckRecord>> checks = allRows(query, takeCheck);
     if (!checks)
@@ -174,7 +178,8 @@ Expected<std::optional<ReferenceCheckRecord>> newest(Database& database,
     Statement query(database, readingChecks(),
                     u"SELECT "_s + checkColumns +
                         u" FROM reference_checks WHERE reference_id = ? AND verdict <> 'not_valid' "
-                        "ORDER BY created_utc DESC, id DESC LIMIT 1"_s);
+                        "ORDER BY "_s +
+                        newestFirst + u" LIMIT 1"_s);
     query.bind(reference.id);
     Expected<std::optional<ReferenceCheckRecord>> found = firstRow(query, takeCheck);
     if (found && *found)

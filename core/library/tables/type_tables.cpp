@@ -4,6 +4,7 @@
 #include "core/base/words.h"
 #include "core/library/sql/rows.h"
 #include "core/library/tables/recipe_columns.h"
+#include "core/library/tables/serial.h"
 
 namespace gripscope::type_table {
 
@@ -113,8 +114,9 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
                       const QString& pictureId, const QString& operatorName)
 {
     Statement row(database, Words::tr("store the type's picture"),
-                  u"INSERT INTO type_pictures (id, station, created_utc, type_id, picture_id, operator_name) "
-                  "VALUES (?, ?, ?, ?, ?, ?)"_s);
+                  u"INSERT INTO type_pictures (id, station, created_utc, type_id, picture_id, operator_name, "
+                  "serial) VALUES (?, ?, ?, ?, ?, ?, "_s +
+                      nextSerial(u"type_pictures"_s) + u')');
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(typeId);
     return row.bindOrNull(pictureId).bind(operatorName).run();
 }
@@ -123,7 +125,8 @@ Expected<QString> inForce(Database& database, const QString& typeId)
 {
     QString pictureId;
     Statement query(database, Words::tr("read the type's picture"),
-                    u"SELECT picture_id FROM type_pictures WHERE type_id = ? ORDER BY id DESC LIMIT 1"_s);
+                    u"SELECT picture_id FROM type_pictures WHERE type_id = ? ORDER BY "_s + newestFirst +
+                        u" LIMIT 1"_s);
     auto done = query.bind(typeId).forEach([&](Statement& row) { pictureId = row.takeText(); });
     if (!done)
         return tl::unexpected(done.error());

@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/library/ledger/ledger_writer.h"
 #include "core/library/sql/database.h"
-#include "core/library/tables/audit_witness.h"
 
 namespace gripscope {
 
+/// After a commit: how far the library goes now, to the second place.
+void tellWitness(Database& database, const std::optional<ChainEnd>& chain);
+
 /// Runs `work` in one write transaction: all of it is stored, or, when it or the commit fails, nothing. What
-/// it added to the audit trail is told to the second place afterwards.
+/// it put in is one link of the ledger; the second place is told afterwards.
 template <typename T, typename Work>
 Expected<T> writeTo(Database& database, const QString& doing, const Work& work)
 {
     ASSIGN_OR_RETURN(auto transaction, Transaction::begin(database, doing));
     database.setNewAuditHead({});
+    static_cast<void>(database.takeInserted());
     Expected<T> result = work();
     if (!result)
         return result;
+    ASSIGN_OR_RETURN(const auto chain, continueLedger(database));
     RETURN_IF_ERROR(transaction->commit());
-    if (database.newAuditHead())
-        tellWitness(database);
+    tellWitness(database, chain);
     return result;
 }
 

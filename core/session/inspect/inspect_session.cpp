@@ -59,6 +59,7 @@ void InspectSession::setStoring(bool store)
 
 void InspectSession::setClock(SqueezeJob::Clock clock)
 {
+    d->archive.setClock(clock);
     d->job.setClock(std::move(clock));
 }
 
@@ -211,12 +212,17 @@ const std::vector<TypeRecord>& InspectSession::types() const
 
 bool InspectSession::storing() const
 {
-    return d->archive.storing();
+    return d->archive.unstored() > 0 && !d->archive.obstacle();
+}
+
+std::size_t InspectSession::unstored() const
+{
+    return d->archive.unstored();
 }
 
 std::optional<Error> InspectSession::lastError() const
 {
-    return d->error;
+    return d->error ? d->error : d->archive.obstacle();
 }
 
 } // namespace gripscope

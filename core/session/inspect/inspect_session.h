@@ -24,11 +24,13 @@ namespace gripscope {
 /// comes late only makes the squeeze longer). Its record is identified and judged as any other, and where
 /// that says something else than the decision, the verdict is inconclusive (verdictOnEarlyEnd()).
 ///
-/// The verdict is shown as soon as it is known; storing goes on behind it, and a failure to store is
-/// lastError().
+/// The verdict is shown as soon as it is known; storing goes on behind it (Result::keeping). What the library
+/// cannot take is tried again while the program runs, in its order; until then that is lastError(), and after
+/// mostUnstored of them there is no further squeeze.
 class InspectSession {
 public:
     enum class State { Loading, Ready, Squeezing, Judging };
+    static constexpr std::size_t mostUnstored = 50; ///< some megabytes
 
     InspectSession(ConnectSession& connection, LibraryService& library);
     ~InspectSession();
@@ -44,7 +46,7 @@ public:
     void setRecipe(const Recipe& recipe);   ///< used when nothing is expected; else the type's own
     void setStoring(bool store);            ///< off: classify only (the command line)
     void setEarlyEnd(bool early);           ///< on unless told otherwise
-    void setClock(SqueezeJob::Clock clock); ///< for the time limits of a squeeze, see SqueezeJob
+    void setClock(SqueezeJob::Clock clock); ///< for the time limits of a squeeze, and when to store again
     /// Whether forecast() is worked out while nothing else is done; off unless told otherwise.
     void setForecasting(bool on);
     /// Called on another thread when a squeeze was judged, so that poll() need not wait for its next turn.
@@ -61,7 +63,14 @@ public:
     void cancel();
     bool poll(); ///< never waits; true when something changed
 
+    enum class Keeping {
+        NotWanted, ///< classified only
+        Waiting,   ///< not stored yet
+        Stored,
+        Refused, ///< the library will never take it; lastError() says why
+    };
     struct Result {
+        Keeping keeping = Keeping::NotWanted;
         qint64 number = 0; ///< in the library; 0 until it is stored
         Recording recording;
         Identification identification;
@@ -90,7 +99,9 @@ public:
     [[nodiscard]] bool changingBatch() const;       ///< a begin or an end is on its way into the library
     [[nodiscard]] const TypeModels& models() const; ///< in SI where any type's units are known
     [[nodiscard]] const std::vector<TypeRecord>& types() const;
-    [[nodiscard]] bool storing() const; ///< an inspection is on its way into the library
+    [[nodiscard]] bool
+    storing() const; ///< inspections are on their way into the library, and nothing is wrong
+    [[nodiscard]] std::size_t unstored() const; ///< so many are on their way, or wait
     [[nodiscard]] std::optional<Error> lastError() const;
 
 private:

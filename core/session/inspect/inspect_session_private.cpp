@@ -2,6 +2,7 @@
 #include "core/session/inspect/inspect_session_private.h"
 
 #include "core/base/words.h"
+#include "core/library/sql/time_ordered_id.h"
 #include "core/recognition/early/early_stop.h"
 #include "core/recognition/verdict/judgement.h"
 #include "core/session/enroll/enrollment_storage.h"
@@ -45,14 +46,19 @@ Expected<void> InspectSession::Private::ready() const
 {
     switch (state) {
     case State::Ready:
-        return {};
+        break;
     case State::Loading:
         return failure(ErrorCode::Usage, {Words::tr("The library is still being read.")});
     case State::Squeezing:
     case State::Judging:
-        break;
+        return failure(ErrorCode::Usage, {Words::tr("The last squeeze is still being worked on.")});
     }
-    return failure(ErrorCode::Usage, {Words::tr("The last squeeze is still being worked on.")});
+    if (storeResults && archive.unstored() >= mostUnstored && archive.obstacle())
+        return failure(ErrorCode::Usage,
+                       {Words::tr("%1 inspections are not stored yet, and no more can be kept. %2")
+                            .arg(archive.unstored())
+                            .arg(archive.obstacle()->describe())});
+    return {};
 }
 
 Recipe InspectSession::Private::wantedRecipe() const
@@ -154,6 +160,7 @@ void InspectSession::Private::show(InspectionJudge::Judged judged)
     found.squeeze = squeezes;
     found.identification = std::move(judged.identification);
     found.recording = std::move(judged.recording);
+    found.keeping = storeResults ? Keeping::Waiting : Keeping::NotWanted;
     result = std::move(found);
     state = State::Ready;
     if (storeResults)
@@ -169,11 +176,15 @@ void InspectSession::Private::keep(const VerdictOptions& rates)
     inspection.expectedType = result->expectedType;
     inspection.seconds = result->seconds;
     inspection.batchId = measuredBatch;
+    inspection.id = newTimeOrderedId();
+    inspection.grasp.recorded = QDateTime::currentDateTimeUtc();
     archive.keep(inspection, [this, which = squeezes](const Expected<qint64>& number) {
         if (!number)
             error = number.error();
-        else if (result && result->squeeze == which)
-            result->number = *number;
+        if (!result || result->squeeze != which)
+            return;
+        result->keeping = number ? Keeping::Stored : Keeping::Refused;
+        result->number = number.value_or(0);
     });
 }
 

@@ -10,6 +10,8 @@
 #include "core/session/squeeze/hold_history.h"
 #include "core/session/tasks/pool.h"
 
+#include <chrono>
+#include <deque>
 #include <functional>
 #include <list>
 
@@ -53,15 +55,23 @@ private:
 class InspectionArchive {
 public:
     explicit InspectionArchive(LibraryService& library) : m_library(library) {}
+    ~InspectionArchive(); ///< what only waits for its turn is left to the library's thread
+    InspectionArchive(const InspectionArchive&) = delete;
+    InspectionArchive& operator=(const InspectionArchive&) = delete;
 
     /// Reads all of it again.
     void load(std::function<void(const Expected<void>&)> done);
-    /// Stores an inspection, and ends its batch when that is whole by it; gives the inspection's number.
-    void keep(const NewInspection& inspection, std::function<void(const Expected<qint64>&)> done);
+    void setClock(SqueezeJob::Clock clock) { m_clock = std::move(clock); }
+    /// Stores an inspection, and ends its batch when that is whole by it. One after another in their order:
+    /// what the library cannot take now (a full disk, a lock, a file that was taken away) is tried again
+    /// some seconds, and those behind it wait. `told` hears, once, the number; or why no library will take
+    /// it.
+    void keep(const NewInspection& inspection, std::function<void(const Expected<qint64>&)> told);
     void beginBatch(const NewBatch& batch, std::function<void(const Expected<void>&)> done);
     void endBatch(const QString& operatorName, std::function<void(const Expected<void>&)> done);
-    bool poll();                                                        ///< true when an answer came
-    [[nodiscard]] bool storing() const { return m_keeping > 0; }        ///< an inspection is on its way
+    bool poll();                                                            ///< true when an answer came
+    [[nodiscard]] std::size_t unstored() const { return m_waiting.size(); } ///< inspections on their way
+    [[nodiscard]] const std::optional<Error>& obstacle() const { return m_obstacle; } ///< why they wait
     [[nodiscard]] bool changingBatch() const { return m_changing > 0; } ///< its begin or end is on its way
 
     [[nodiscard]] const std::vector<TypeRecord>& types() const { return m_types; }
@@ -89,6 +99,12 @@ private:
     [[nodiscard]] static Expected<Kept> store(Library& library, const NewInspection& inspection);
     [[nodiscard]] static Expected<Standing> standing(Library& library,
                                                      const Expected<std::optional<BatchRecord>>& batch);
+    struct Waiting {
+        NewInspection inspection;
+        std::function<void(const Expected<qint64>&)> told;
+    };
+    void storeFirst();
+    void takeStored(const Expected<Kept>& kept, std::uint64_t request);
     void changeBatch(std::function<Expected<BatchRecord>(Library&)> work,
                      std::function<void(const Expected<void>&)> done);
     void take(Standing standing, std::uint64_t request);
@@ -96,7 +112,12 @@ private:
     LibraryService& m_library;
     PendingCall m_loading;
     std::list<PendingCall> m_answers; ///< in the order in which they were asked for
-    int m_keeping = 0, m_changing = 0;
+    std::deque<Waiting> m_waiting;    ///< the first is being stored, or will be at m_nextTry
+    PendingCall m_storing;
+    std::optional<std::chrono::steady_clock::time_point> m_nextTry;
+    std::optional<Error> m_obstacle;
+    SqueezeJob::Clock m_clock = std::chrono::steady_clock::now;
+    int m_changing = 0;
     std::vector<TypeRecord> m_types;
     ComparableTypes m_comparable;
     Standing m_standing;

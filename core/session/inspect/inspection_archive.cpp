@@ -3,6 +3,36 @@
 
 namespace gripscope {
 
+namespace {
+
+constexpr std::chrono::seconds retryEvery{2};
+
+/// The fault is the library's, not the inspection's.
+bool mayBeStoredLater(const Error& error)
+{
+    switch (error.code) {
+    case ErrorCode::StorageOpen:
+    case ErrorCode::StorageFailed:
+    case ErrorCode::StorageNewer:
+    case ErrorCode::StorageCorrupt:
+        return true;
+    default:
+        return false;
+    }
+}
+
+} // namespace
+
+InspectionArchive::~InspectionArchive()
+{
+    if (m_obstacle || m_waiting.empty())
+        return;
+    m_waiting.pop_front(); // it is on its way
+    for (const Waiting& waiting : m_waiting)
+        static_cast<void>(m_library.run<Kept>(
+            [inspection = waiting.inspection](Library& library) { return store(library, inspection); }));
+}
+
 Expected<InspectionArchive::Standing>
 InspectionArchive::standing(Library& library, const Expected<std::optional<BatchRecord>>& batch)
 {
@@ -59,18 +89,37 @@ void InspectionArchive::load(std::function<void(const Expected<void>&)> done)
 }
 
 void InspectionArchive::keep(const NewInspection& inspection,
-                             std::function<void(const Expected<qint64>&)> done)
+                             std::function<void(const Expected<qint64>&)> told)
 {
-    ++m_keeping;
-    m_answers.emplace_back(
-        m_library.run<Kept>([inspection](Library& library) { return store(library, inspection); }),
-        [this, request = ++m_requests, done = std::move(done)](Expected<Kept> kept) {
-            --m_keeping;
-            if (!kept)
-                return done(tl::unexpected<Error>(kept.error()));
-            take(std::move(kept->standing), request);
-            done(kept->number);
-        });
+    m_waiting.push_back({inspection, std::move(told)});
+    if (m_waiting.size() == 1)
+        storeFirst();
+}
+
+void InspectionArchive::storeFirst()
+{
+    m_nextTry.reset();
+    m_storing = PendingCall(
+        m_library.run<Kept>([inspection = m_waiting.front().inspection](Library& library) {
+            return store(library, inspection);
+        }),
+        [this, request = ++m_requests](const Expected<Kept>& kept) { takeStored(kept, request); });
+}
+
+void InspectionArchive::takeStored(const Expected<Kept>& kept, std::uint64_t request)
+{
+    if (!kept && mayBeStoredLater(kept.error())) {
+        m_nextTry = m_clock() + retryEvery;
+        m_obstacle = kept.error();
+        return;
+    }
+    const auto told = std::move(m_waiting.front().told);
+    m_waiting.pop_front();
+    m_obstacle.reset();
+    if (kept)
+        take(kept->standing, request);
+    // Last: whoever hears it may ask for the next.
+    told(kept.map([](const Kept& stored) { return stored.number; }));
 }
 
 void InspectionArchive::changeBatch(std::function<Expected<BatchRecord>(Library&)> work,
@@ -110,6 +159,13 @@ bool InspectionArchive::poll()
     while (!m_answers.empty() && m_answers.front().poll()) {
         m_answers.pop_front();
         changed = true;
+    }
+    if (m_storing.poll()) {
+        changed = true;
+        if (!m_nextTry && !m_waiting.empty() && !m_storing.waiting())
+            storeFirst();
+    } else if (m_nextTry && m_clock() >= *m_nextTry) {
+        storeFirst();
     }
     return changed;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/audit/audit_trail.h"
-#include "core/library/tables/audit_witness.h"
+#include "core/library/ledger/library_witness.h"
 #include "tests/core/library/child_process.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
@@ -24,9 +24,6 @@ struct Trail {
             valueOf(library->addGrasp(aGrasp(typeId)));
         valueOf(library->approveType(typeId, u"Mai"_s));
     }
-    ~Trail() { QFile::remove(witnessFile(folder.file())); }
-    Trail(const Trail&) = delete;
-    Trail& operator=(const Trail&) = delete;
 
     [[nodiscard]] AuditVerification verify() const { return valueOf(library->auditTrail().verify()); }
     void tamper(const QString& sql) const { RawDatabase(folder.file()).run(sql); }
@@ -52,6 +49,23 @@ struct Trail {
 class AuditTrailTest : public QObject {
     Q_OBJECT
 private slots:
+    void aClockThatWasSetBackIsTold()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        const QString typeId = valueOf(library->addType(u"A"_s, {}, u"N"_s, u"m"_s, u"Mai"_s)).id;
+        RawDatabase raw(folder.file());
+        // Made while the clock was ahead; its hash no longer fits, which is another matter.
+        raw.run(u"UPDATE audit_entries SET created_utc = '2099-01-01T00:00:00.000Z'"_s);
+        valueOf(library->approveType(typeId, u"Mai"_s));
+        auto entries = valueOf(library->auditTrail().entries({}));
+        QCOMPARE(entries.size(), std::size_t(3));
+        QCOMPARE(entries[1].action, u"clock.back"_s);
+        QVERIFY(entries[1].details.contains(u"2099"_s));
+        QCOMPARE(actionInWords(entries[1].action), u"Clock was set back"_s);
+        valueOf(library->addGrasp(aGrasp(typeId))); // once for each step
+        QCOMPARE(valueOf(library->auditTrail().count({})), 4);
+    }
     void changesAreToldWithWhoWhenAndWhy()
     {
         const Trail trail;

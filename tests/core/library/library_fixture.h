@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/library/ledger/library_witness.h"
 #include "core/library/library.h"
 
 #include <QFile>
@@ -90,10 +91,22 @@ inline NewInspection anInspection(VerdictKind kind = VerdictKind::Type, const QS
 
 /// A library file in a folder that goes away with it.
 struct LibraryFolder {
+    LibraryFolder() = default;
+    ~LibraryFolder() { QFile::remove(witnessFile(file())); }
+    LibraryFolder(const LibraryFolder&) = delete;
+    LibraryFolder& operator=(const LibraryFolder&) = delete;
+
     QTemporaryDir folder;
     [[nodiscard]] QString file() const { return folder.filePath(u"library.db"_s); }
     std::unique_ptr<Library> open() const { return valueOf(Library::open(file())); }
 };
+
+inline void writeBytes(const QString& name, const QByteArray& bytes)
+{
+    QFile file(name);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+        qFatal("%s", qPrintable(file.errorString()));
+}
 
 inline QByteArray bytesOf(const QString& name)
 {

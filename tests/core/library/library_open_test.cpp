@@ -4,27 +4,20 @@
 #include "core/library/migrations/migration.h"
 #include "core/library/people/people_register.h"
 #include "core/library/records/enrollment_draft.h"
+#include "core/library/verification/library_verification.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
+#include "tests/support/ordinary_user.h"
 #include "tests/support/test_registry.h"
 
 #include <QDir>
 #include <QFileInfo>
 #include <QTest>
 
-#include <unistd.h>
-
 using namespace gripscope;
 using namespace gripscope::test;
 
 namespace {
-
-void write(const QString& name, const QByteArray& bytes)
-{
-    QFile file(name);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
-        qFatal("%s", qPrintable(file.errorString()));
-}
 
 /// A library as an earlier version of the schema left it, with one type, squeeze and inspection and, from
 /// version 2, one gripper's channels, from version 5 their calibration; from SQL alone.
@@ -39,34 +32,6 @@ void makeVersion(const QString& file, int version)
         for (const QString& statement : statementsOf(script))
             raw.run(statement);
     }
-}
-
-/// As an ordinary user, since root may write everywhere. Back to what it was at the end.
-class OrdinaryUser {
-public:
-    OrdinaryUser() : m_user(geteuid())
-    {
-        if (m_user == 0 && seteuid(65534) != 0)
-            qFatal("cannot become an ordinary user");
-    }
-    ~OrdinaryUser()
-    {
-        if (seteuid(m_user) != 0)
-            qFatal("cannot become the old user again");
-    }
-    OrdinaryUser(const OrdinaryUser&) = delete;
-    OrdinaryUser& operator=(const OrdinaryUser&) = delete;
-
-private:
-    uid_t m_user;
-};
-
-void setMode(const QString& name, bool writable)
-{
-    using P = QFileDevice;
-    const QFileDevice::Permissions read =
-        P::ReadOwner | P::ExeOwner | P::ReadGroup | P::ExeGroup | P::ReadOther | P::ExeOther;
-    QFile::setPermissions(name, writable ? read | P::WriteOwner : read);
 }
 
 } // namespace
@@ -87,7 +52,7 @@ private slots:
     void anEmptyFileBecomesALibrary()
     {
         const LibraryFolder folder;
-        write(folder.file(), {});
+        writeBytes(folder.file(), {});
         QVERIFY(Library::open(folder.file()));
     }
     void aFileOfAnEarlierVersionOpensWithAllThatIsInIt_data()
@@ -146,6 +111,10 @@ private slots:
         QVERIFY(trail.whole());
         QCOMPARE(trail.head.entries, 1);
         QCOMPARE(valueOf(library->auditTrail().entries({})).front().reason, u"it had not slipped"_s);
+        // What was there entered the ledger as it was found, and the ledger goes on from there.
+        const LibraryVerification verified = valueOf(verifyLibrary(folder.file()));
+        QVERIFY(verified.whole());
+        QVERIFY(verified.foundRows > version && verified.rows > verified.foundRows);
     }
     void migrationsAreNeverEdited()
     {
@@ -242,7 +211,7 @@ private slots:
     {
         QFETCH(QByteArray, bytes);
         const LibraryFolder folder;
-        write(folder.file(), bytes);
+        writeBytes(folder.file(), bytes);
         const auto library = Library::open(folder.file());
         QCOMPARE(library.error().code, ErrorCode::StorageOpen);
         QVERIFY(library.error().describe().contains(u"another kind"_s));
@@ -285,7 +254,7 @@ private slots:
         valueOf(folder.open()->loadExampleTypes());
         QByteArray bytes = bytesOf(folder.file());
         bytes.replace(100, 3000, QByteArray(3000, '\x5a')); // the root of the schema, behind the header
-        write(folder.file(), bytes);
+        writeBytes(folder.file(), bytes);
         QCOMPARE(Library::open(folder.file()).error().code, ErrorCode::StorageCorrupt);
     }
     void placesThatCannotHoldAFileAreErrors_data()
@@ -308,15 +277,15 @@ private slots:
     void aFolderWithoutWritePermissionIsAnError()
     {
         const LibraryFolder folder;
-        setMode(folder.folder.path(), false);
+        setWritable(folder.folder.path(), false);
         {
             const OrdinaryUser user;
             QCOMPARE(Library::open(folder.file()).error().code, ErrorCode::StorageOpen);
         }
-        setMode(folder.folder.path(), true);
+        setWritable(folder.folder.path(), true);
         folder.open();
-        setMode(folder.folder.path(), false);
-        setMode(folder.file(), false);
+        setWritable(folder.folder.path(), false);
+        setWritable(folder.file(), false);
         {
             const OrdinaryUser user;
             const auto library = Library::open(folder.file()); // there, but nothing can be written beside it
@@ -325,7 +294,7 @@ private slots:
                          library.error().describe().contains(u"write-protected"_s),
                      qPrintable(library.error().describe()));
         }
-        setMode(folder.folder.path(), true);
+        setWritable(folder.folder.path(), true);
     }
     void theUsersOwnLibraryGetsItsFolder()
     {
@@ -333,6 +302,22 @@ private slots:
         QDir(QFileInfo(Library::defaultFile()).path()).removeRecursively();
         QVERIFY(Library::open(Library::defaultFile()));
         QVERIFY(QFileInfo::exists(Library::defaultFile()));
+    }
+    void aFileThatWasTakenAwayStoresNothingUnseen()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        valueOf(library->addInspection(anInspection()));
+        const QString away = folder.folder.filePath(u"away.db"_s);
+        QVERIFY(QFile::rename(folder.file(), away));
+        const auto gone = library->addInspection(anInspection());
+        QCOMPARE(gone.error().code, ErrorCode::StorageFailed);
+        QVERIFY2(gone.error().describe().contains(u"removed or replaced"_s),
+                 qPrintable(gone.error().describe()));
+        writeBytes(folder.file(), bytesOf(away)); // a copy is another file
+        QCOMPARE(library->addInspection(anInspection()).error().code, ErrorCode::StorageFailed);
+        QVERIFY(QFile::remove(folder.file()) && QFile::rename(away, folder.file()));
+        QCOMPARE(valueOf(library->addInspection(anInspection())).number, 2);
     }
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/verification/library_verification.h"
 #include "tests/core/library/child_process.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
@@ -77,6 +78,10 @@ private:
         QCOMPARE(numbers.size(), inspections);
         for (qint64 number = 1; number <= inspections; ++number)
             QVERIFY(numbers.contains(number));
+        // One chain, and one second place, whoever wrote.
+        const LibraryVerification verified = valueOf(verifyLibrary(folder.file()));
+        QVERIFY2(verified.whole(), qPrintable(inWords(verified)));
+        QVERIFY(verified.witness == WitnessState::Matched);
     }
 };
 

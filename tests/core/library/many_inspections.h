@@ -29,7 +29,7 @@ inline void addManyInspections(const QString& file, int count)
             u", i, printf('g%09d', i), 'A', CASE WHEN i % 10 = 0 THEN 'unknown' ELSE 'type' END, "
             "CASE WHEN i % 10 = 0 THEN '' WHEN i % 7 = 0 THEN 'B' ELSE 'A' END, 'A', 1 - i / 1e6, 1, 14, "
             "500, 0.01, "
-            "0.001, 1, CASE WHEN i % 2 = 0 THEN 'Ada' ELSE 'Bob' END, '{}', '[]', NULL FROM n"_s);
+            "0.001, 1, CASE WHEN i % 2 = 0 THEN 'Ada' ELSE 'Bob' END, '{}', '[]', NULL, 'valid' FROM n"_s);
     raw.run(u"COMMIT"_s);
 }
 

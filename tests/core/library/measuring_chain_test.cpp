@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/library/library_fixture.h"
+#include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -57,6 +58,17 @@ private slots:
         QCOMPARE(valueOf(library->measuringChain(u"0002"_s))->forceLag_s, 3e-4);
         QVERIFY(!valueOf(library->measuringChain(u"0001"_s))->chain.baseline);
         QVERIFY(!valueOf(library->measuringChain(u"0003"_s)));
+    }
+    void theNewestIsWhatCameLastWhateverTheClockSays()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        valueOf(library->addMeasuringChain(measuredOf(u"0001"_s, 1e-4)));
+        // As though it had been stored while the clock was ahead.
+        RawDatabase(folder.file())
+            .run(u"UPDATE measuring_chains SET created_utc = '2099-01-01T00:00:00.000Z', id = 'ff'"_s);
+        valueOf(library->addMeasuringChain(measuredOf(u"0001"_s, 2e-4)));
+        QCOMPARE(valueOf(library->measuringChain(u"0001"_s))->forceLag_s, 2e-4);
     }
     void whatCannotBeKeptIsRefused()
     {

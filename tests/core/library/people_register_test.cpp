@@ -126,9 +126,24 @@ private slots:
         const People people(*library);
         RawDatabase raw(folder.file());
         for (int i = 0; i < SignInTries::free; ++i) // as processes leave it that end while they hash
-            raw.run(u"INSERT INTO sign_in_tries VALUES ('%1', '', '%2', '%3', 1, 'tried')"_s.arg(i).arg(
-                QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs), people.operatorId));
+            raw.run(
+                u"INSERT INTO sign_in_tries VALUES ('%1', '', '%2', '%3', 1, 'tried', 100 + %1)"_s.arg(i).arg(
+                    QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs), people.operatorId));
         QVERIFY(!library->people().signIn(people.operatorId, Secret(password)));
+    }
+    void aClockThatIsSetBackMakesNoTryFree()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        const People people(*library);
+        valueOf(library->people().signIn(people.operatorId, Secret(password)));
+        // As though that had been while the clock was ahead.
+        RawDatabase(folder.file())
+            .run(u"UPDATE sign_in_tries SET created_utc = '2099-01-01T00:00:00.000Z'"_s);
+        QString said;
+        for (int i = 0; i <= SignInTries::free; ++i)
+            said = library->people().signIn(people.operatorId, Secret(u"wrong one"_s)).error().describe();
+        QVERIFY2(said.contains(u"too many wrong tries"_s), qPrintable(said));
     }
     void aNewSecretEndsTheWait()
     {

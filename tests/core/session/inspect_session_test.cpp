@@ -304,6 +304,72 @@ private slots:
         QVERIFY(run.inspection.batch()->ended);
         QVERIFY(!run.inspection.batch()->whole());
     }
+    void whatTheLibraryCannotTakeNowIsMarkedAndStoredLater()
+    {
+        auto now = std::chrono::steady_clock::time_point() + std::chrono::hours(1);
+        Run run(m_file);
+        run.inspection.setClock([&now] { return now; });
+        QVERIFY(run.ready());
+        const QString away = m_file + QStringLiteral(".away");
+        QVERIFY(QFile::rename(m_file, away));
+        const auto judged = [&](int seed) {
+            QVERIFY(run.inspection.judgeRecording(squeezeOf(canA, seed), QStringLiteral("file.csv")));
+            QVERIFY(run.until([&] { return run.inspection.result() && !run.inspection.storing(); }));
+        };
+        for (const int seed : {1, 2, 3}) {
+            judged(seed);
+            QVERIFY(run.inspection.result()->keeping == InspectSession::Keeping::Waiting);
+            QCOMPARE(run.inspection.result()->number, qint64(0));
+            QCOMPARE(run.inspection.lastError()->code, ErrorCode::StorageFailed);
+        }
+        QCOMPARE(run.inspection.unstored(), std::size_t(3));
+        int polls = 0; // tried again some times, in vain
+        QVERIFY(run.until([&] {
+            now += std::chrono::seconds(1);
+            return ++polls > 50;
+        }));
+        QCOMPARE(run.inspection.unstored(), std::size_t(3));
+        QVERIFY(QFile::rename(away, m_file));
+        QVERIFY(run.until([&] {
+            now += std::chrono::seconds(1);
+            return run.inspection.unstored() == 0;
+        }));
+        QVERIFY(run.inspection.result()->keeping == InspectSession::Keeping::Stored);
+        QCOMPARE(run.inspection.result()->number, qint64(3));
+        QVERIFY(!run.inspection.lastError());
+        QCOMPARE(run.inspection.counts().total, qint64(3));
+    }
+    void withoutRoomForMoreThereIsNoFurtherSqueeze()
+    {
+        Run run(m_file);
+        QVERIFY(run.ready());
+        QVERIFY(QFile::remove(m_file));
+        const Recording recording = squeezeOf(canA, 1);
+        for (std::size_t i = 0; i < InspectSession::mostUnstored; ++i) {
+            QVERIFY(run.inspection.judgeRecording(recording, QStringLiteral("file.csv")));
+            QVERIFY(run.until([&] { return run.inspection.result() && !run.inspection.storing(); }));
+        }
+        const auto refused = run.inspection.squeeze();
+        QVERIFY(!refused);
+        QVERIFY(refused.error().describe().contains(QStringLiteral("not stored yet")));
+        QVERIFY(!run.inspection.judgeRecording(recording, QStringLiteral("file.csv")));
+    }
+    void anInspectionThatIsAskedForTwiceIsStoredOnce()
+    {
+        const auto library = std::move(*Library::open(m_file));
+        NewInspection inspection;
+        inspection.grasp =
+            makeGrasp(squeezeOf(canA, 1), identify(squeezeOf(canA, 1)), QStringLiteral("f"), {});
+        inspection.grasp.recorded = QDateTime(QDate(2026, 1, 2), QTime(3, 4, 5), Qt::UTC);
+        inspection.id = QStringLiteral("0190a5b2-7c3e-7def-8123-456789abcdef");
+        const auto once = library->addInspection(inspection);
+        const auto twice = library->addInspection(inspection);
+        QVERIFY(once && twice);
+        QCOMPARE(twice->number, once->number);
+        QCOMPARE(once->id, inspection.id);
+        QCOMPARE(once->inspected, inspection.grasp.recorded); // when it was, not when it could be stored
+        QCOMPARE(library->inspectionCounts()->total, qint64(1));
+    }
     void goingAwayWhileWorkRunsDoesNoHarm()
     {
         {

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/ledger/ledger_table.h"
+
+#include "core/base/words.h"
+#include "core/library/sql/statement.h"
+
+namespace gripscope::ledger_table {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString readingLedger()
+{
+    return Words::tr("read its ledger");
+}
+
+LedgerLink takeLink(Statement& row)
+{
+    LedgerLink link;
+    link.chain = row.takeText();
+    link.number = row.takeInteger();
+    link.kind = ledgerKindFrom(row.takeText());
+    link.format = static_cast<int>(row.takeInteger());
+    link.utc = row.takeText();
+    for (QByteArray* bytes : {&link.leaves, &link.previousHash, &link.hash, &link.signer, &link.signature})
+        *bytes = row.takeBytes();
+    return link;
+}
+
+} // namespace
+
+Expected<void> insert(Database& database, const LedgerLink& link)
+{
+    Statement row(
+        database, Words::tr("continue its ledger"),
+        u"INSERT INTO ledger (chain, number, kind, format, created_utc, leaves, previous_hash, hash, "
+        "signer, signature) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+    row.bind(link.chain).bind(link.number).bind(toString(link.kind)).bind(link.format).bind(link.utc);
+    for (const QByteArray* bytes :
+         {&link.leaves, &link.previousHash, &link.hash, &link.signer, &link.signature})
+        row.bindBytes(*bytes);
+    return row.run();
+}
+
+Expected<LedgerHead> head(Database& database, const QString& chain)
+{
+    LedgerHead head = emptyLedgerHead();
+    Statement query(
+        database, readingLedger(),
+        u"SELECT number, hash, signature FROM ledger WHERE chain = ? ORDER BY number DESC LIMIT 1"_s);
+    const auto done = query.bind(chain).forEach([&](Statement& row) {
+        head.links = row.takeInteger();
+        head.hash = row.takeBytes();
+        head.signature = row.takeBytes();
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return head;
+}
+
+Expected<QByteArray> hashOf(Database& database, const QString& chain, qint64 number)
+{
+    QByteArray hash;
+    Statement query(database, readingLedger(), u"SELECT hash FROM ledger WHERE chain = ? AND number = ?"_s);
+    query.bind(chain).bind(number);
+    if (auto done = query.forEach([&](Statement& row) { hash = row.takeBytes(); }); !done)
+        return tl::unexpected(done.error());
+    return hash;
+}
+
+Expected<void> forEach(Database& database, const std::function<void(const LedgerLink&)>& take)
+{
+    Statement query(database, readingLedger(),
+                    u"SELECT chain, number, kind, format, created_utc, leaves, previous_hash, hash, signer, "
+                    "signature FROM ledger ORDER BY chain, number"_s);
+    return query.forEach([&](Statement& row) { take(takeLink(row)); });
+}
+
+} // namespace gripscope::ledger_table
