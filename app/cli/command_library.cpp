@@ -34,11 +34,8 @@ QJsonObject toJson(const LibraryVerification& found)
 
 void printText(const LibraryVerification& found)
 {
-    for (const LibraryDifference& difference : found.differences) {
-        QStringList parts{difference.table, difference.row, difference.what};
-        parts.removeAll(QString());
-        print(parts.join(u"  "_s));
-    }
+    for (const LibraryDifference& difference : found.differences)
+        print(inWords(difference));
     if (found.furtherDifferences > 0)
         print(u"and %1 more"_s.arg(found.furtherDifferences));
     for (const LedgerChain& chain : found.chains)

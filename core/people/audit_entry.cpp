@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/people/audit_entry.h"
 
+#include "core/base/byte_writer.h"
 #include "core/base/words.h"
 
 #include <QCryptographicHash>
@@ -14,16 +15,6 @@ namespace gripscope {
 using namespace Qt::StringLiterals;
 
 namespace {
-
-/// One field, so that no two different entries have the same bytes.
-void append(QByteArray& bytes, const QString& text)
-{
-    const QByteArray utf8 = text.toUtf8();
-    const auto length = static_cast<quint64>(utf8.size());
-    for (int shift = 56; shift >= 0; shift -= 8)
-        bytes.append(static_cast<char>((length >> shift) & 0xff));
-    bytes.append(utf8);
-}
 
 QString valueInWords(const QJsonValue& value)
 {
@@ -52,13 +43,13 @@ QString firstPreviousHash()
 
 QString auditHash(const AuditEntry& entry)
 {
-    QByteArray bytes;
-    append(bytes, u"gripscope-audit-1"_s);
+    ByteWriter out;
+    out.text(u"gripscope-audit-1"_s);
     for (const QString& text :
          {entry.previousHash, QString::number(entry.number), entry.utc, entry.station, entry.person,
           entry.role, entry.action, entry.subject, entry.reason, entry.details})
-        append(bytes, text);
-    return QString::fromLatin1(QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex());
+        out.text(text);
+    return QString::fromLatin1(QCryptographicHash::hash(out.bytes(), QCryptographicHash::Sha256).toHex());
 }
 
 QString actionInWords(const QString& action)

@@ -4918,6 +4918,10 @@ m  %3</translation>
         <source>its m, b and k are not those of its recording</source>
         <translation>m, b und k sind nicht die der Aufnahme</translation>
     </message>
+    <message>
+        <source>it has no table %1</source>
+        <translation>sie hat keine Tabelle %1</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>

@@ -17,7 +17,7 @@ enum class LedgerKind {
 /// Where a chain ends.
 struct LedgerHead {
     qint64 links = 0; ///< as many; also the number of the last
-    QByteArray hash;  ///< of the last; firstPreviousLinkHash() where there is none
+    QByteArray hash;  ///< of the last; that of emptyLedgerHead() where there is none
     QByteArray signature;
     friend bool operator==(const LedgerHead&, const LedgerHead&) = default;
 };

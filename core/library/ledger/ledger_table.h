@@ -4,8 +4,6 @@
 #include "core/base/error.h"
 #include "core/library/ledger/ledger_link.h"
 
-#include <QStringList>
-
 #include <functional>
 
 namespace gripscope {

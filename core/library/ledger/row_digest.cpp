@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/ledger/row_digest.h"
 
-#include "core/library/ledger/byte_writer.h"
+#include "core/base/byte_writer.h"
 
 #include <bit>
 #include <sodium.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/packing/number_series.h"
 
-#include <QtEndian>
+#include "core/base/byte_writer.h"
 
 #include <algorithm>
 #include <bit>
@@ -16,13 +16,6 @@ using Whole = std::vector<std::uint64_t>; ///< counted modulo 2^64
 
 constexpr int bytesOfWhole = 8;
 enum class Form : std::uint8_t { Bits, Multiples, Places };
-
-void putWhole(QByteArray& out, std::uint64_t value)
-{
-    char raw[bytesOfWhole];
-    qToBigEndian(value, raw);
-    out.append(raw, bytesOfWhole);
-}
 
 std::optional<std::uint64_t> takeWhole(QByteArrayView& in)
 {
@@ -201,9 +194,9 @@ std::optional<Multiples> findMultiples(const std::vector<double>& sorted, std::s
     return {};
 }
 
-QByteArray begun(Form form)
+ByteWriter begun(Form form)
 {
-    return QByteArray(1, static_cast<char>(form));
+    return ByteWriter().number(static_cast<quint8>(form));
 }
 
 QByteArray asPlaces(std::span<const double> values)
@@ -216,9 +209,9 @@ QByteArray asPlaces(std::span<const double> values)
     for (const double value : values)
         places.push_back(static_cast<std::uint64_t>(
             std::lower_bound(table.begin(), table.end(), orderedBits(value)) - table.begin()));
-    QByteArray out = begun(Form::Places);
-    putWhole(out, table.size());
-    return out + packWhole(std::move(table)) + packWhole(std::move(places));
+    ByteWriter out = begun(Form::Places);
+    out.number(quint64(table.size()));
+    return out.plain(packWhole(std::move(table))).plain(packWhole(std::move(places))).bytes();
 }
 
 qsizetype packedSize(const QByteArray& bytes)
@@ -267,7 +260,7 @@ QByteArray packedSeries(std::span<const std::uint64_t> values)
 
 QByteArray packedSeries(std::span<const double> values)
 {
-    QByteArray best = begun(Form::Bits) + packWhole(orderedBits(values));
+    QByteArray best = begun(Form::Bits).plain(packWhole(orderedBits(values))).bytes();
     const bool finite =
         std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
     if (values.empty() || !finite)
@@ -276,9 +269,10 @@ QByteArray packedSeries(std::span<const double> values)
     std::sort(sorted.begin(), sorted.end());
     QByteArray other;
     if (const auto multiples = findMultiples(sorted, values)) {
-        other = begun(Form::Multiples);
-        putWhole(other, std::bit_cast<std::uint64_t>(multiples->step));
-        other += packWhole(multiples->values);
+        other = begun(Form::Multiples)
+                    .number(std::bit_cast<quint64>(multiples->step))
+                    .plain(packWhole(multiples->values))
+                    .bytes();
     } else {
         other = asPlaces(values);
     }

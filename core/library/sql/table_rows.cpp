@@ -97,16 +97,35 @@ Expected<const std::vector<Column>*> columnsOf(Database& database, const QString
 }
 
 struct TableRows::Private {
-    Private(Database& of, const std::vector<Column>& its)
-        : database(of), columns(its), byKey(of.connection()), byNumber(of.connection()), keys(of.connection())
-    {
-    }
     Database& database;
     const std::vector<Column>& columns;
-    QSqlQuery byKey, byNumber, keys;
+    QString table, key;
+    /// Each prepared when it is first asked: who writes a row wants it by its number alone.
+    std::optional<QSqlQuery> byKey, byNumber;
 
-    Expected<std::optional<Row>> first(QSqlQuery& query, const QVariant& value)
+    [[nodiscard]] Expected<QSqlQuery*> prepared(std::optional<QSqlQuery>& query, const QString& where) const
     {
+        if (query)
+            return &*query;
+        QStringList names;
+        for (const Column& column : columns)
+            names += quoted(column.name);
+        query.emplace(database.connection());
+        query->setForwardOnly(true);
+        if (query->prepare(
+                u"SELECT %1 FROM %2 WHERE %3 = ?"_s.arg(names.join(u", "_s), quoted(table), where)))
+            return &*query;
+        const auto problem = database.error(query->lastError(), Words::tr("be read"));
+        query.reset();
+        return problem;
+    }
+
+    [[nodiscard]] Expected<std::optional<Row>> first(const Expected<QSqlQuery*>& asked,
+                                                     const QVariant& value) const
+    {
+        if (!asked)
+            return tl::unexpected(asked.error());
+        QSqlQuery& query = **asked;
         query.bindValue(0, value);
         if (!query.exec())
             return database.error(query.lastError(), Words::tr("be read"));
@@ -131,23 +150,10 @@ TableRows::TableRows(TableRows&&) noexcept = default;
 Expected<TableRows> TableRows::of(Database& database, const QString& table, const QString& key)
 {
     ASSIGN_OR_RETURN(const auto columns, columnsOf(database, table));
-    auto d = std::make_unique<Private>(database, *columns);
-    QStringList names;
-    for (const Column& column : *columns)
-        names += quoted(column.name);
-    const QString from = u" FROM "_s + quoted(table);
-    const QString select = u"SELECT "_s + names.join(u", "_s) + from + u" WHERE "_s;
-    const std::pair<QSqlQuery*, QString> prepared[] = {
-        {&d->byKey, select + quoted(key) + u" = ?"_s},
-        {&d->byNumber, select + u"rowid = ?"_s},
-        {&d->keys, u"SELECT "_s + quoted(key) + from + u" ORDER BY "_s + quoted(key)},
-    };
-    for (const auto& [query, sql] : prepared) {
-        query->setForwardOnly(true);
-        if (names.isEmpty() || !query->prepare(sql))
-            return database.error(query->lastError(), Words::tr("be read"));
-    }
-    return TableRows(std::move(d));
+    if (columns->empty())
+        return failure(ErrorCode::StorageCorrupt,
+                       {database.file(), Words::tr("it has no table %1").arg(table)});
+    return TableRows(std::make_unique<Private>(Private{database, *columns, table, key, {}, {}}));
 }
 
 const std::vector<Column>& TableRows::columns() const
@@ -157,24 +163,25 @@ const std::vector<Column>& TableRows::columns() const
 
 Expected<std::optional<TableRows::Row>> TableRows::withKey(const Cell& key)
 {
-    return d->first(d->byKey, variantOf(key));
+    return d->first(d->prepared(d->byKey, quoted(d->key)), variantOf(key));
 }
 
 Expected<std::optional<TableRows::Row>> TableRows::withRowNumber(qint64 rowNumber)
 {
-    return d->first(d->byNumber, QVariant(rowNumber));
+    return d->first(d->prepared(d->byNumber, u"rowid"_s), QVariant(rowNumber));
 }
 
 Expected<void> TableRows::forEachKey(const std::function<bool(const Cell&)>& take)
 {
-    if (!d->keys.exec())
-        return d->database.error(d->keys.lastError(), Words::tr("be read"));
-    while (d->keys.next())
-        if (!take(cellOf(d->keys.value(0))))
+    QSqlQuery keys(d->database.connection());
+    keys.setForwardOnly(true);
+    if (!keys.exec(u"SELECT %1 FROM %2 ORDER BY %1"_s.arg(quoted(d->key), quoted(d->table))))
+        return d->database.error(keys.lastError(), Words::tr("be read"));
+    while (keys.next())
+        if (!take(cellOf(keys.value(0))))
             break;
-    if (d->keys.lastError().isValid())
-        return d->database.error(d->keys.lastError(), Words::tr("be read"));
-    d->keys.finish();
+    if (keys.lastError().isValid())
+        return d->database.error(keys.lastError(), Words::tr("be read"));
     return {};
 }
 

@@ -28,7 +28,7 @@ struct Column {
 [[nodiscard]] Expected<const std::vector<Column>*> columnsOf(Database& database, const QString& table);
 
 /// Rows of one table whatever their columns are, for what has to see every one of them: in the order of
-/// columnsOf(). Prepared once.
+/// columnsOf().
 class TableRows {
 public:
     using Row = std::vector<Cell>;

@@ -32,39 +32,33 @@ AuditEntry takeAuditEntry(Statement& row)
     return entry;
 }
 
-Expected<AuditHead> newest(Database& database)
-{
+struct NewestEntry {
     AuditHead head{0, firstPreviousHash()};
-    Statement query(database, readingTrail(),
-                    u"SELECT number, hash FROM audit_entries ORDER BY number DESC LIMIT 1"_s);
-    const auto done = query.forEach([&](Statement& row) {
-        head.entries = row.takeInteger();
-        head.hash = row.takeText();
-    });
-    if (!done)
-        return tl::unexpected(done.error());
-    return head;
-}
+    QString station;
+    QDateTime made;
+};
 
-/// When this station made the newest entry, if it was this station.
-Expected<std::optional<QDateTime>> lastHere(Database& database, const QString& station)
+Expected<NewestEntry> newest(Database& database)
 {
-    std::optional<QDateTime> last;
-    Statement query(database, readingTrail(),
-                    u"SELECT station, created_utc FROM audit_entries ORDER BY number DESC LIMIT 1"_s);
+    NewestEntry entry;
+    Statement query(
+        database, readingTrail(),
+        u"SELECT number, hash, station, created_utc FROM audit_entries ORDER BY number DESC LIMIT 1"_s);
     const auto done = query.forEach([&](Statement& row) {
-        if (row.takeText() == station)
-            last = row.takeUtc();
+        entry.head.entries = row.takeInteger();
+        entry.head.hash = row.takeText();
+        entry.station = row.takeText();
+        entry.made = row.takeUtc();
     });
     if (!done)
         return tl::unexpected(done.error());
-    return last;
+    return entry;
 }
 
 /// Numbers the entry, puts it behind the last and stores it.
-Expected<void> store(Database& database, AuditEntry entry, const QJsonObject& details)
+Expected<AuditHead> store(Database& database, const AuditHead& last, AuditEntry entry,
+                          const QJsonObject& details)
 {
-    ASSIGN_OR_RETURN(const auto last, newest(database));
     entry.number = last.entries + 1;
     if (!details.isEmpty())
         entry.details = QString::fromUtf8(QJsonDocument(details).toJson(QJsonDocument::Compact));
@@ -79,23 +73,24 @@ Expected<void> store(Database& database, AuditEntry entry, const QJsonObject& de
           &entry.reason, &entry.details, &entry.previousHash, &entry.hash})
         row.bind(*text);
     RETURN_IF_ERROR(row.run());
-    database.setNewAuditHead(AuditHead{entry.number, entry.hash});
-    return {};
+    const AuditHead head{entry.number, entry.hash};
+    database.setNewAuditHead(head);
+    return head;
 }
 
-/// Said in the trail itself: its times cannot be taken at their word from there on.
-Expected<void> noteClock(Database& database, const RowStamp& stamp)
+/// A clock of this station that was set back is said in the trail itself: its times cannot be taken at their
+/// word from there on. Where the trail then ends.
+Expected<AuditHead> noteClock(Database& database, const NewestEntry& last, const RowStamp& stamp)
 {
     constexpr qint64 stepFrom_s = 60; // what a time server corrects is less
-    ASSIGN_OR_RETURN(const auto last, lastHere(database, stamp.station));
     const QDateTime now = QDateTime::fromString(stamp.utc, Qt::ISODateWithMs);
-    if (!last || now.secsTo(*last) < stepFrom_s)
-        return {};
+    if (last.station != stamp.station || now.secsTo(last.made) < stepFrom_s)
+        return last.head;
     AuditEntry entry;
     entry.utc = stamp.utc;
     entry.station = entry.subject = stamp.station;
     entry.action = QString::fromUtf16(audit_action::clockBack);
-    return store(database, entry, {{u"from"_s, utcText(*last)}, {u"to"_s, stamp.utc}});
+    return store(database, last.head, entry, {{u"from"_s, utcText(last.made)}, {u"to"_s, stamp.utc}});
 }
 
 /// Who it was: by whose consent, who is signed in, or the name that was typed.
@@ -144,7 +139,8 @@ void bindFilter(Statement& query, const AuditFilter& filter)
 Expected<void> append(Database& database, const NewAuditEntry& told)
 {
     const RowStamp stamp = RowStamp::now();
-    RETURN_IF_ERROR(noteClock(database, stamp));
+    ASSIGN_OR_RETURN(const NewestEntry newestEntry, newest(database));
+    ASSIGN_OR_RETURN(const AuditHead last, noteClock(database, newestEntry, stamp));
     QJsonObject details = told.details;
     AuditEntry entry;
     entry.utc = stamp.utc;
@@ -153,7 +149,8 @@ Expected<void> append(Database& database, const NewAuditEntry& told)
     entry.action = told.action;
     entry.subject = told.subject;
     entry.reason = told.reason;
-    return store(database, entry, details);
+    RETURN_IF_ERROR(store(database, last, entry, details));
+    return {};
 }
 
 Expected<std::vector<AuditEntry>> page(Database& database, const AuditFilter& filter)

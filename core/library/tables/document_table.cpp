@@ -2,9 +2,9 @@
 #include "core/library/tables/document_table.h"
 
 #include "core/base/words.h"
+#include "core/library/packing/inflate.h"
 
 #include <QJsonDocument>
-#include <QtEndian>
 
 namespace gripscope::document_table {
 
@@ -12,14 +12,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr quint32 mostBytes = 64'000'000; ///< a thousand times the largest there are
-
-/// qUncompress() trusts the size in its first four bytes.
-QByteArray unpack(const QByteArray& packed)
-{
-    const bool bounded = packed.size() >= 4 && qFromBigEndian<quint32>(packed.constData()) <= mostBytes;
-    return bounded ? qUncompress(packed) : QByteArray();
-}
+constexpr qint64 mostBytesOfDocument = 64'000'000; ///< a thousand times the largest there are
 
 } // namespace
 
@@ -42,7 +35,8 @@ Expected<QJsonObject> read(Database& database, const QString& graspId)
     auto done = query.bind(graspId).forEach([&](Statement& row) {
         const QByteArray text = row.takeText().toUtf8();
         const QByteArray packed = row.takeBytes();
-        const QJsonDocument read = QJsonDocument::fromJson(packed.isNull() ? text : unpack(packed));
+        const QJsonDocument read =
+            QJsonDocument::fromJson(packed.isNull() ? text : inflated(packed, mostBytesOfDocument));
         document = read.object();
         damaged = !read.isObject();
     });

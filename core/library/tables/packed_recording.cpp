@@ -2,10 +2,9 @@
 #include "core/library/tables/packed_recording.h"
 
 #include "core/base/words.h"
+#include "core/library/packing/inflate.h"
 #include "core/library/sql/digest.h"
 #include "core/signal/recording/recording_limits.h"
-
-#include <QtEndian>
 
 namespace gripscope {
 
@@ -16,15 +15,11 @@ namespace {
 /// As many samples as there may be with all their columns (8 bytes each, 2 of status), and facts beside them.
 constexpr qint64 mostBytes = 42 * static_cast<qint64>(mostSamples) + 10'000'000;
 
-/// qUncompress() trusts the size in its first four bytes and would reserve that much memory: looked at first.
-/// What is in series is hardly ever larger than what it stands for, and never by much.
-QByteArray unpack(const QByteArray& packed, qint64 bytes)
+/// Of what is in series, which is hardly ever larger than what it stands for, and never by much.
+qint64 mostInflated(qint64 bytes)
 {
     constexpr qint64 overhead = 1000;
-    if (packed.size() < 4 ||
-        qint64(qFromBigEndian<quint32>(packed.constData())) > bytes + bytes / 4 + overhead)
-        return {};
-    return qUncompress(packed);
+    return bytes + bytes / 4 + overhead;
 }
 
 } // namespace
@@ -49,7 +44,7 @@ Expected<Recording> unpackRecording(const PackedRecording& packed, const QString
              Words::tr("it says that it has %1 bytes, at most %2 can be").arg(packed.bytes).arg(mostBytes)});
     const auto others =
         failure(ErrorCode::StorageCorrupt, {what, Words::tr("its bytes are not those that were stored")});
-    const QByteArray found = unpack(packed.packed, packed.bytes);
+    const QByteArray found = inflated(packed.packed, mostInflated(packed.bytes));
     Expected<Recording> recording = decodeRecording(found);
     if (!recording)
         return others;

@@ -32,6 +32,9 @@ struct LedgerChain {
     bool witnessed = false;
 };
 
+/// "people 0190… was changed"
+[[nodiscard]] QString inWords(const LibraryDifference& difference);
+
 struct LibraryVerification {
     /// Of those after them only the number is kept.
     static constexpr std::size_t mostDifferences = 10'000;

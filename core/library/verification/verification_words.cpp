@@ -27,6 +27,13 @@ void LibraryVerification::differs(const QString& table, const QString& row, cons
         ++furtherDifferences;
 }
 
+QString inWords(const LibraryDifference& difference)
+{
+    QStringList parts{difference.table, difference.row, difference.what};
+    parts.removeAll(QString());
+    return parts.join(u' ');
+}
+
 QString inWords(const LibraryVerification& verification)
 {
     QStringList words;
@@ -34,10 +41,7 @@ QString inWords(const LibraryVerification& verification)
         const auto count =
             static_cast<qint64>(verification.differences.size()) + verification.furtherDifferences;
         words += Words::tr("Differences from what was written: %1.").arg(count);
-        const LibraryDifference& first = verification.differences.front();
-        QStringList place{first.table, first.row, first.what};
-        place.removeAll(QString());
-        words += Words::tr("The first: %1.").arg(place.join(u' '));
+        words += Words::tr("The first: %1.").arg(inWords(verification.differences.front()));
         words +=
             Words::tr("Keep a copy of the file, find out who could write it, and go on with a backup that "
                       "is whole.");

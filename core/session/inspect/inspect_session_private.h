@@ -64,8 +64,8 @@ public:
     void setClock(SqueezeJob::Clock clock) { m_clock = std::move(clock); }
     /// Stores an inspection, and ends its batch when that is whole by it. One after another in their order:
     /// what the library cannot take now (a full disk, a lock, a file that was taken away) is tried again
-    /// some seconds, and those behind it wait. `told` hears, once, the number; or why no library will take
-    /// it.
+    /// every few seconds, and those behind it wait. `told` hears, once, the number; or why no library will
+    /// take it.
     void keep(const NewInspection& inspection, std::function<void(const Expected<qint64>&)> told);
     void beginBatch(const NewBatch& batch, std::function<void(const Expected<void>&)> done);
     void endBatch(const QString& operatorName, std::function<void(const Expected<void>&)> done);
