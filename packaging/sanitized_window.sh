@@ -10,7 +10,7 @@ packaging/build.sh asan-window test_ui
 export ASAN_OPTIONS=detect_leaks=0:halt_on_error=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
 export QT_QPA_PLATFORM=offscreen
 unset DISPLAY
-[[ $# -gt 0 ]] || set -- LayoutTest PlainTextTest
+[[ $# -gt 0 ]] || set -- LayoutTest DialogLayoutTest PlainTextTest
 failed=0
 for class in "$@"; do
   # The virtual gripper lives in this process: a heartbeat that is late because of the sanitizers is no finding.

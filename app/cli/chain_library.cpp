@@ -9,28 +9,33 @@ namespace gripscope::cli {
 
 using namespace Qt::StringLiterals;
 
-Expected<std::optional<MeasuringChainRecord>> ChainLibrary::read(const QString& gripperSerial)
+Expected<KnownGripper> ChainLibrary::read(const QString& gripperSerial)
 {
     if (!m_library) {
         if (!QFileInfo::exists(m_file))
-            return std::optional<MeasuringChainRecord>();
+            return KnownGripper{};
         ASSIGN_OR_RETURN(std::unique_ptr<Library> opened, Library::open(m_file));
         m_library = std::move(opened);
     }
-    return m_library->measuringChain(gripperSerial);
+    return knownGripper(*m_library, gripperSerial);
 }
 
 std::optional<MeasuringChainRecord> ChainLibrary::find(const QString& gripperSerial)
 {
+    return known(gripperSerial).chain;
+}
+
+KnownGripper ChainLibrary::known(const QString& gripperSerial)
+{
     if (gripperSerial.isEmpty() || m_failed)
-        return std::nullopt;
-    Expected<std::optional<MeasuringChainRecord>> found = read(gripperSerial);
+        return {};
+    Expected<KnownGripper> found = read(gripperSerial);
     if (found)
         return std::move(*found);
     m_failed = true;
     message(u"gripscope-cli: %1 What it knows of the grippers' channels is not used."_qs.arg(
         found.error().describe()));
-    return std::nullopt;
+    return {};
 }
 
 void ChainLibrary::complete(Recording& recording, const QString& recordingFile)

@@ -15,11 +15,13 @@ public:
     explicit ChainLibrary(QString file) : m_file(std::move(file)) {}
 
     [[nodiscard]] std::optional<MeasuringChainRecord> find(const QString& gripperSerial);
+    /// With the calibrations of its sensors: for a gripper that is connected.
+    [[nodiscard]] KnownGripper known(const QString& gripperSerial);
     /// Gives a recording that names its gripper and has no chain the library's, told on standard error.
     void complete(Recording& recording, const QString& recordingFile);
 
 private:
-    Expected<std::optional<MeasuringChainRecord>> read(const QString& gripperSerial);
+    Expected<KnownGripper> read(const QString& gripperSerial);
 
     QString m_file;
     std::unique_ptr<Library> m_library; ///< opened when it is first needed

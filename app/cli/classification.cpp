@@ -4,6 +4,7 @@
 #include "app/cli/chain_library.h"
 #include "app/cli/drive.h"
 #include "app/cli/library_squeezes.h"
+#include "app/cli/output.h"
 #include "app/cli/shared_options.h"
 #include "devices/factory/gripper_factory.h"
 
@@ -14,6 +15,18 @@ using namespace Qt::StringLiterals;
 namespace {
 /// Longer than any identification takes.
 constexpr double patience_s = 600;
+
+/// Types that are there and that no part is held against.
+void tellUnapproved(const std::vector<TypeRecord>& types)
+{
+    QStringList names;
+    for (const TypeRecord& type : types)
+        if (!type.approved)
+            names << type.name;
+    if (!names.isEmpty())
+        message(
+            u"Not approved, and so not recognised: %1. See \"types approve\"."_qs.arg(names.join(u", "_qs)));
+}
 } // namespace
 
 struct Classification::Private {
@@ -48,28 +61,52 @@ Classification::Classification(const QString& library, const IdentificationOptio
 
 Classification::~Classification() = default;
 
-std::optional<Error> Classification::begin()
+void Classification::setPolicy(const JudgingPolicy& policy)
 {
-    return d->waitFor(
+    d->session.setPolicy(policy);
+}
+
+std::optional<Error> Classification::begin(Telling telling)
+{
+    const std::optional<Error> error = d->waitFor(
         [this] { return d->session.state() == InspectSession::State::Ready || d->session.lastError(); });
+    if (!error && telling == Telling::Unapproved)
+        tellUnapproved(d->session.types());
+    return error;
 }
 
 Expected<InspectSession::Result> Classification::judge(Recording recording, const QString& source)
 {
-    RETURN_IF_ERROR(d->session.judgeRecording(std::move(recording), source));
+    return judgeAgain(std::move(recording), source, {d->session.rates(), {}, d->session.policy()});
+}
+
+Expected<InspectSession::Result> Classification::judgeAgain(Recording recording, const QString& source,
+                                                            const SqueezeJudged& before)
+{
+    const VerdictOptions own = d->session.rates();
+    const JudgingPolicy ownPolicy = d->session.policy();
+    d->session.setRates(before.rates);
+    d->session.setPolicy(before.policy);
+    const Expected<void> begun = d->session.judgeRecording(std::move(recording), source, before.earlyEnd);
+    d->session.setRates(own); // those of the squeeze are the ones it began with
+    d->session.setPolicy(ownPolicy);
+    RETURN_IF_ERROR(begun);
     if (const std::optional<Error> error =
             d->waitFor([this] { return d->session.state() == InspectSession::State::Ready; }))
         return tl::unexpected<Error>(*error);
     return *d->session.result();
 }
 
-Expected<Verdict> Classification::judge(const QString& file, const CsvReadOptions& reading)
+void Classification::complete(Recording& recording, const QString& source)
+{
+    d->chains.complete(recording, source);
+}
+
+Expected<InspectSession::Result> Classification::judge(const QString& file, const CsvReadOptions& reading)
 {
     ASSIGN_OR_RETURN(Recording recording, readRecordingCsv(file, reading));
     d->chains.complete(recording, file);
-    return judge(std::move(recording), file).map([](const InspectSession::Result& result) {
-        return result.verdict;
-    });
+    return judge(std::move(recording), file);
 }
 
 Expected<QString> existingLibrary(const CommandLine& line)

@@ -5,6 +5,7 @@
 #include "core/recognition/types/type_shift.h"
 #include "core/recognition/verdict/verdict.h"
 #include "core/session/inspect/inspect_session.h"
+#include "core/session/inspect/squeeze_judged.h"
 #include "core/signal/recording/recording_csv.h"
 
 #include <memory>
@@ -18,11 +19,20 @@ public:
                    const std::optional<CommonShift>& transfer);
     ~Classification();
 
-    /// Reads the types.
-    [[nodiscard]] std::optional<Error> begin();
+    /// What is refused though it could be judged; nothing unless told otherwise.
+    void setPolicy(const JudgingPolicy& policy);
+
+    enum class Telling { Unapproved, Nothing };
+    /// Reads the types; tells of those that are not approved.
+    [[nodiscard]] std::optional<Error> begin(Telling telling = Telling::Unapproved);
+    /// Gives a recording that has no measuring chain of its own the library's.
+    void complete(Recording& recording, const QString& source);
     /// `source` names the recording in messages.
     [[nodiscard]] Expected<InspectSession::Result> judge(Recording recording, const QString& source);
-    [[nodiscard]] Expected<Verdict> judge(const QString& file, const CsvReadOptions& reading);
+    /// As it was judged before: at those rates, and with what had ended the squeeze before its time.
+    [[nodiscard]] Expected<InspectSession::Result> judgeAgain(Recording recording, const QString& source,
+                                                              const SqueezeJudged& before);
+    [[nodiscard]] Expected<InspectSession::Result> judge(const QString& file, const CsvReadOptions& reading);
 
 private:
     struct Private;

@@ -4,6 +4,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
+#include "app/cli/outside_change.h"
+#include "core/people/audit_entry.h"
 #include "devices/factory/gripper_factory.h"
 #include "devices/replay/capture_folder.h"
 
@@ -77,17 +79,42 @@ int verifyParts(const CaptureFolder& folder, bool json)
     return exit.value();
 }
 
-int pruneParts(const CaptureFolder& folder, qint64 limit, bool json)
+/// Removing is asked about, and told to the library, only where something would go.
+Expected<bool> mayPrune(const CommandLine& line, const CaptureFolder& folder, qint64 limit)
 {
-    const Expected<std::vector<CaptureFolder::Part>> removed = folder.prune(limit);
-    if (!removed)
-        return fail(removed.error(), json);
+    qint64 total = 0;
+    for (const CaptureFolder::Part& part : folder.parts())
+        total += part.bytes;
+    if (total <= limit)
+        return true;
+    if (!line.isSet(u"yes"_qs) &&
+        !confirmed(u"Remove kept sessions from %1 until %2 of %3 MB are left?"_qs.arg(folder.path())
+                       .arg(1e-6 * static_cast<double>(limit), 0, 'f', 0)
+                       .arg(1e-6 * static_cast<double>(total), 0, 'f', 0)))
+        return false;
+    RETURN_IF_ERROR(tellOutsideChange(line, QString::fromUtf16(audit_action::capturesPruned), folder.path(),
+                                      {{u"bytes_before"_qs, total}, {u"bytes_left_at_most"_qs, limit}}));
+    return true;
+}
+
+int pruneParts(const CommandLine& line, const CaptureFolder& folder, qint64 limit, bool json)
+{
+    const Expected<bool> may = mayPrune(line, folder, limit);
+    if (!may)
+        return fail(may.error(), json);
+    if (!*may) {
+        message(u"Nothing was removed."_qs);
+        return 0;
+    }
+    const CaptureFolder::Pruned pruned = folder.prune(limit);
     QJsonArray documents;
-    for (const CaptureFolder::Part& part : *removed) {
+    for (const CaptureFolder::Part& part : pruned.removed) {
         documents.append(partJson(part));
         if (!json)
             print(u"removed %1"_qs.arg(partText(part)));
     }
+    if (pruned.problem)
+        return fail(*pruned.problem, json);
     if (json)
         printJson({{u"folder"_qs, folder.path()}, {u"removed"_qs, documents}});
     else
@@ -105,6 +132,8 @@ int runCaptures(const QStringList& arguments)
                      "removes the oldest until the rest is below --limit, those without a squeeze first."_qs,
                      u"list|verify|prune"_qs);
     line.option(u"folder"_qs, u"FOLDER"_qs, u"Where they are; the user's own without it."_qs);
+    line.flag(u"yes"_qs, u"Prune without asking on the terminal."_qs);
+    addOutsideChangeOptions(line);
     line.option(u"limit"_qs, u"MEGABYTES"_qs, u"What prune leaves at most."_qs,
                 QString::number(1e-6 * static_cast<double>(CaptureLimits{}.totalBytes)));
     if (const std::optional<int> exit = line.parse(arguments))
@@ -122,7 +151,7 @@ int runCaptures(const QStringList& arguments)
         return listParts(folder, json);
     if (action == u"verify")
         return verifyParts(folder, json);
-    return pruneParts(folder, static_cast<qint64>(limit * 1e6), json);
+    return pruneParts(line, folder, static_cast<qint64>(limit * 1e6), json);
 }
 
 } // namespace gripscope::cli

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/bounded_number.h"
 #include "app/cli/classification.h"
 #include "app/cli/commands.h"
 #include "app/cli/exit_code.h"
@@ -35,34 +36,26 @@ int runClassify(const QStringList& arguments)
                      u"Says for each recording which enrolled type it shows, or that it is none."_qs,
                      u"FILE..."_qs);
     addLibraryOption(line);
-    line.option(u"false-reject"_qs, u"RATE"_qs, u"Share of known parts that may be called unknown."_qs,
-                u"0.01"_qs);
-    line.option(u"wrong-type"_qs, u"RATE"_qs, u"Share of known parts that may be named another type."_qs,
-                u"0.001"_qs);
-    line.option(u"stranger-accept"_qs, u"RATE"_qs,
-                u"Share of strangers, spread evenly over the instrument's range in logarithms, that may be "
-                "named a type."_qs,
-                u"0.01"_qs);
-    line.option(
-        u"confidence"_qs, u"SHARE"_qs,
-        u"The false-reject rate holds for this library with this confidence, 0.95 say; without it, on "
-        "average over libraries."_qs);
+    addRateOptions(line);
+    line.flag(u"refuse-overdue"_qs,
+              u"Does not judge what was measured with a calibration that was overdue; without it such a "
+              "measurement is suspect."_qs);
+    line.option(u"most-lost"_qs, u"SHARE"_qs,
+                u"Does not judge where a larger share of a squeeze's samples was lost, 0.02 say; 0: no limit "
+                "but the one beyond which no measurement is valid."_qs,
+                u"0"_qs);
     line.option(u"transfer"_qs, u"OTHER"_qs,
                 u"Library with squeezes of the gripper that these recordings are from, where the types were "
                 "enrolled on another: see transfer."_qs);
-    line.flag(u"robust"_qs, u"For types that spread unlike and heavier tails than a Gaussian's."_qs);
     addReadingOptions(line);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
     const CsvReadOptions reading = csvReadOptions(line);
     const IdentificationOptions options = identificationOptions(line);
-    VerdictOptions rates;
-    rates.falseReject = line.number(u"false-reject"_qs);
-    rates.wrongType = line.number(u"wrong-type"_qs);
-    rates.strangerAccept = line.number(u"stranger-accept"_qs);
-    if (line.isSet(u"confidence"_qs))
-        rates.confidence = line.number(u"confidence"_qs);
-    rates.robust = line.isSet(u"robust"_qs);
+    const VerdictOptions rates = verdictRates(line);
+    JudgingPolicy policy;
+    policy.calibrationOverdue = line.isSet(u"refuse-overdue"_qs);
+    policy.mostLostShare = boundedNumber(line, u"most-lost"_qs, 0, 1);
     if (const std::optional<int> exit = line.finish())
         return *exit;
     const bool json = line.isSet(u"json"_qs);
@@ -76,23 +69,27 @@ int runClassify(const QStringList& arguments)
     if (!transfer)
         return fail(transfer.error(), json);
     Classification classification(*library, options, rates, *transfer);
+    classification.setPolicy(policy);
     if (const std::optional<Error> error = classification.begin())
         return fail(*error, json);
     ExitCode exit;
     QJsonArray results;
     for (const QString& file : line.files()) {
-        const Expected<Verdict> verdict = classification.judge(file, reading);
-        if (!verdict) {
-            message(u"gripscope-cli: %1"_qs.arg(verdict.error().describe()));
-            results.append(errorDocument(file, verdict.error()));
-            exit.add(exitFor(verdict.error()));
+        const Expected<InspectSession::Result> result = classification.judge(file, reading);
+        if (!result) {
+            message(u"gripscope-cli: %1"_qs.arg(result.error().describe()));
+            results.append(errorDocument(file, result.error()));
+            exit.add(exitFor(result.error()));
             continue;
         }
-        if (verdict->kind != VerdictKind::Type)
+        if (result->verdict.kind != VerdictKind::Type)
             exit.add(Exit::NotAType);
-        results.append(verdictJson(file, *verdict));
+        QJsonObject document = verdictJson(file, result->verdict);
+        if (result->refused)
+            document[u"refused"_qs] = true;
+        results.append(document);
         if (!json)
-            print(verdictText(file, *verdict));
+            print(verdictText(file, result->verdict));
     }
     if (json)
         printJson({{u"results"_qs, results}});

@@ -97,7 +97,7 @@ struct Findings {
 Expected<Findings> examine(const QString& file, const DriftOptions& options)
 {
     ASSIGN_OR_RETURN(const std::unique_ptr<Library> library, openExistingLibrary(file));
-    ASSIGN_OR_RETURN(const TypeModels models, enrolledModels(*library));
+    ASSIGN_OR_RETURN(const TypeModels models, approvedModels(*library));
     ASSIGN_OR_RETURN(InspectedSqueezes inspected, inspectedSqueezes(*library));
     ASSIGN_OR_RETURN(DriftReport report, findDrift(models, inspected.squeezes, options));
     return Findings{std::move(inspected), std::move(report)};

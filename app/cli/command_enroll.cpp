@@ -3,6 +3,7 @@
 #include "app/cli/chain_library.h"
 #include "app/cli/commands.h"
 #include "app/cli/drive.h"
+#include "app/cli/enrolled_approval.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
@@ -36,7 +37,8 @@ FileOutcome rejected(const Error& error)
 class Enrollment {
 public:
     Enrollment(const QString& library, const Acting& acting, const IdentificationOptions& options)
-        : m_chains(library), m_library(library), m_connection(m_devices), m_session(m_connection, m_library)
+        : m_operator(acting.operatorName), m_chains(library), m_library(library), m_connection(m_devices),
+          m_session(m_connection, m_library)
     {
         m_library.actAs(acting);
         m_session.setOperator(acting.operatorName);
@@ -77,6 +79,14 @@ public:
         return rejected(*error);
     }
 
+    [[nodiscard]] Expected<bool> approve()
+    {
+        return m_library
+            .run<bool>([type = typeName(), who = m_operator](Library& library) {
+                return approveEnrolled(library, type, who);
+            })
+            .get();
+    }
     [[nodiscard]] int squeezes() const { return m_session.acceptedCount(); }
     [[nodiscard]] QString typeName() const { return m_session.typeName(); }
 
@@ -90,6 +100,7 @@ private:
         return m_session.lastError();
     }
 
+    QString m_operator;
     ChainLibrary m_chains;
     DeviceFactory m_devices;
     LibraryService m_library;
@@ -134,7 +145,8 @@ int runEnroll(const QStringList& arguments)
     CommandLine line(
         u"enroll"_qs,
         u"Adds recordings as squeezes of a type; a type that is new comes into the library with its first "
-        "squeeze. Each file is in the library before it is told as added."_qs,
+        "squeeze. Each file is in the library before it is told as added. At the end the type is approved, "
+        "unless people are in the library: then it waits for \"types approve\"."_qs,
         u"[FILE...]"_qs);
     addLibraryOption(line);
     line.option(u"type"_qs, u"NAME"_qs, u"Name of the type."_qs);
@@ -182,11 +194,19 @@ int runEnroll(const QStringList& arguments)
             refused.append(QJsonObject{{u"file"_qs, file}, {u"reason"_qs, outcome.reason}});
         }
     }
+    Expected<bool> approved = false;
+    if (!added.isEmpty())
+        approved = enrollment.approve();
+    if (!approved) {
+        message(u"gripscope-cli: "_qs + approved.error().describe());
+        exit.add(exitFor(approved.error()));
+    }
     if (json)
         printJson({{u"type"_qs, enrollment.typeName()},
                    {u"squeezes"_qs, enrollment.squeezes()},
                    {u"added"_qs, added},
-                   {u"rejected"_qs, refused}});
+                   {u"rejected"_qs, refused},
+                   {u"approved"_qs, added.isEmpty() ? QJsonValue() : QJsonValue(approved.value_or(false))}});
     else
         print(u"%1 has %2 squeezes; %3 added, %4 rejected."_qs.arg(enrollment.typeName())
                   .arg(enrollment.squeezes())

@@ -7,6 +7,7 @@
 #include "core/session/library/history_document.h"
 
 #include <cstdio>
+#include <utility>
 
 namespace gripscope::cli {
 
@@ -14,12 +15,18 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr std::size_t rowsAtOnce = 500;
+constexpr qint64 rowsAtOnce = 500;
 
 const QStringList& outcomeNames()
 {
     static const QStringList names{u"any"_qs,     u"as_expected"_qs,  u"other_type"_qs,
                                    u"unknown"_qs, u"inconclusive"_qs, u"not_valid"_qs};
+    return names;
+}
+
+const QStringList& validityNames()
+{
+    static const QStringList names{u"any"_qs, u"valid"_qs, u"suspect"_qs, u"invalid"_qs};
     return names;
 }
 
@@ -29,6 +36,8 @@ void addFilters(CommandLine& line)
                 u"Contained in number, type, operator, gripper, batch, source or part."_qs);
     line.option(u"kind"_qs, u"KIND"_qs, u"any, inspection or enrollment."_qs, u"any"_qs);
     line.option(u"outcome"_qs, u"OUTCOME"_qs, outcomeNames().join(u", "_qs) + u'.', u"any"_qs);
+    line.option(u"validity"_qs, u"VALIDITY"_qs,
+                u"Of an inspection's measurement: "_qs + validityNames().join(u", "_qs) + u'.', u"any"_qs);
     line.option(u"type"_qs, u"NAME"_qs, u"Named, or enrolled in."_qs);
     line.option(u"expected"_qs, u"NAME"_qs, u"The type that was expected."_qs);
     line.option(u"operator"_qs, u"NAME"_qs, u"Who squeezed."_qs);
@@ -56,6 +65,8 @@ HistoryQuery queryOf(CommandLine& line)
         query.kind = static_cast<SqueezeKind>(kind - 1);
     if (const int outcome = line.choice(u"outcome"_qs, outcomeNames()); outcome > 0)
         query.outcome = static_cast<InspectionOutcome>(outcome - 1);
+    if (const int validity = line.choice(u"validity"_qs, validityNames()); validity > 0)
+        query.validity = static_cast<ValidityVerdict>(validity - 1);
     query.type = line.text(u"type"_qs);
     query.expected = line.text(u"expected"_qs);
     query.operatorName = line.text(u"operator"_qs);
@@ -67,30 +78,34 @@ HistoryQuery queryOf(CommandLine& line)
 
 QString lineOf(const HistoryEntry& entry)
 {
-    const auto outcome = entry.outcome();
     const auto& p = entry.parameters;
     const auto value = [&](int i) {
-        return p ? withError(p->vector()(i),
-                             entry.standardErrors ? std::optional((*entry.standardErrors)(i)) : std::nullopt)
+        return p ? withInterval(p->vector()(i), entry.standardErrors
+                                                    ? std::optional((*entry.standardErrors)(i))
+                                                    : std::nullopt)
                  : u"-"_qs;
     };
     return QStringList{entry.number > 0 ? QString::number(entry.number) : u"-"_qs,
                        entry.time.toUTC().toString(Qt::ISODate),
-                       outcome ? toString(*outcome) : toString(entry.kind),
+                       entry.verdict ? entry.outcomeName() : toString(entry.kind),
                        entry.type.isEmpty() ? u"-"_qs : entry.type,
                        value(0),
                        value(1),
                        value(2),
-                       entry.operatorName}
+                       entry.operatorName,
+                       entry.validity ? toString(*entry.validity) : u"-"_qs}
         .join(u'\t');
 }
 
 Expected<void> printTable(Library& library, const HistoryQuery& query)
 {
-    ASSIGN_OR_RETURN(const HistoryKeys keys, library.historyKeys(query));
-    print(u"number\ttime (UTC)\toutcome\ttype\tm\tb\tk\toperator"_qs);
-    for (std::size_t first = 0; first < keys.size(); first += rowsAtOnce) {
-        ASSIGN_OR_RETURN(const auto entries, library.historyEntries(keys.part(first, rowsAtOnce)));
+    ASSIGN_OR_RETURN(HistoryList list, library.historyList(query));
+    while (!list.through) {
+        ASSIGN_OR_RETURN(list, library.historyStretch(std::move(list)));
+    }
+    print(u"number\ttime (UTC)\toutcome\ttype\tm ± 95 %\tb ± 95 %\tk ± 95 %\toperator\tvalidity"_qs);
+    for (qint64 first = 0; first < list.rows; first += rowsAtOnce) {
+        ASSIGN_OR_RETURN(const auto entries, library.historyPage(list, first, rowsAtOnce));
         for (const HistoryEntry& entry : entries)
             print(lineOf(entry));
     }
@@ -100,12 +115,16 @@ Expected<void> printTable(Library& library, const HistoryQuery& query)
 Expected<void> printDocument(Library& library, const HistoryQuery& query, HistoryFormat format)
 {
     HistoryDocument document(query, format);
-    while (true) {
+    bool told = false;
+    while (!document.ended()) {
         ASSIGN_OR_RETURN(const QByteArray piece, document.next(library));
-        if (piece.isEmpty())
-            return {};
+        if (!piece.isEmpty() && !std::exchange(told, true)) // what cannot be told does not leave the library
+            RETURN_IF_ERROR(library.tellExport(u"standard output"_qs,
+                                               format == HistoryFormat::Csv ? u"csv"_qs : u"json"_qs,
+                                               static_cast<qint64>(document.total())));
         std::fwrite(piece.constData(), 1, static_cast<std::size_t>(piece.size()), stdout);
     }
+    return {};
 }
 
 } // namespace

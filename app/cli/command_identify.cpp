@@ -2,6 +2,7 @@
 #include "app/cli/chain_library.h"
 #include "app/cli/commands.h"
 #include "app/cli/exit_code.h"
+#include "app/cli/identification_csv.h"
 #include "app/cli/identification_text.h"
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
@@ -58,14 +59,18 @@ struct Files {
     std::optional<OtherSqueeze> other;
 };
 
+enum class Output { Text, Json, Csv };
+
 Exit identifyFile(const QString& file, const CsvReadOptions& reading, IdentificationOptions options,
-                  Files& files, bool json)
+                  Files& files, Output output)
 {
     Expected<Recording> recording = readRecordingCsv(file, reading);
     if (!recording) {
         message(u"gripscope-cli: "_qs + recording.error().describe());
-        if (json)
+        if (output == Output::Json)
             printJson(errorDocument(file, recording.error()));
+        else if (output == Output::Csv)
+            print(identificationCsv(file, recording.error()));
         return exitFor(recording.error());
     }
     files.chains.complete(*recording, file);
@@ -75,8 +80,10 @@ Exit identifyFile(const QString& file, const CsvReadOptions& reading, Identifica
     if (const Estimate* best = identification.best(); best != nullptr && files.other)
         identification.validation =
             validateOnRecording(*best, *recording, files.other->recording, files.other->file, options.hold);
-    if (json)
+    if (output == Output::Json)
         printJson(toJson(identification, *recording, file));
+    else if (output == Output::Csv)
+        print(identificationCsv(identification, *recording, file));
     else
         print(identificationText(identification, *recording, file));
     return identification.validity.verdict == ValidityVerdict::Invalid ? Exit::NotAType : Exit::Done;
@@ -88,9 +95,9 @@ int runIdentify(const QStringList& arguments)
 {
     CommandLine line(
         u"identify"_qs,
-        u"Finds m, b and k, with their errors, in recordings of force and position. Several files "
-        "of one gripper tell together how it holds its force."_qs,
-        u"FILE..."_qs);
+        u"Finds m, b and k, with their errors, in recordings of force and position. Several files of one "
+        u"gripper tell together how it holds its force."_qs,
+        u"FILE..."_qs, CommandLine::Json::OneAFile);
     line.option(u"estimator"_qs, u"LIST"_qs,
                 u"Estimators, separated by commas: %1; all means every one of these."_qs.arg(
                     estimatorNames().join(u", "_qs)),
@@ -98,12 +105,16 @@ int runIdentify(const QStringList& arguments)
     line.option(u"validate"_qs, u"OTHER.csv"_qs,
                 u"Another squeeze, to hold the estimate against: only its start and offset are fitted anew. "
                 u"Without it the first 60 % of each record are held against the rest."_qs);
+    line.flag(u"csv"_qs, u"As a table: a row a file and estimator, with half the 95 % intervals."_qs);
     addReadingOptions(line);
     addLibraryOption(line);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
     const CsvReadOptions reading = csvReadOptions(line);
     IdentificationOptions options = identificationOptions(line);
+    const bool json = line.isSet(u"json"_qs), csv = line.isSet(u"csv"_qs);
+    if (json && csv)
+        line.reject(u"--csv and --json exclude each other."_qs);
     if (const std::optional<int> exit = line.finish())
         return *exit;
     const Expected<std::vector<Estimator>> chosen = estimators(line.list(u"estimator"_qs));
@@ -112,19 +123,24 @@ int runIdentify(const QStringList& arguments)
     options.estimators = *chosen;
     const Expected<QString> library = namedLibraryFile(line);
     if (!library)
-        return fail(library.error(), line.isSet(u"json"_qs));
+        return fail(library.error(), json);
     Files files{ChainLibrary(*library), {}, {}};
     if (const QString file = line.text(u"validate"_qs); !file.isEmpty()) {
         Expected<Recording> recording = readRecordingCsv(file, reading);
         if (!recording)
-            return fail(recording.error(), line.isSet(u"json"_qs));
+            return fail(recording.error(), json);
         files.chains.complete(*recording, file);
         files.other = OtherSqueeze{file, std::move(*recording)};
     }
 
     ExitCode exit;
+    if (csv)
+        print(identificationCsvHeader());
     for (const QString& file : line.files())
-        exit.add(identifyFile(file, reading, options, files, line.isSet(u"json"_qs)));
+        exit.add(identifyFile(file, reading, options, files,
+                              json  ? Output::Json
+                              : csv ? Output::Csv
+                                    : Output::Text));
     return exit.value();
 }
 

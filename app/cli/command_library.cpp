@@ -2,6 +2,8 @@
 #include "app/cli/actions.h"
 #include "app/cli/commands.h"
 #include "app/cli/exit_code.h"
+#include "app/cli/library_copies.h"
+#include "app/cli/library_take_back.h"
 #include "app/cli/output.h"
 #include "app/cli/shared_options.h"
 #include "app/cli/type_library.h"
@@ -26,10 +28,19 @@ QJsonObject toJson(const LibraryVerification& found)
         add(difference);
     if (found.furtherDifferences > 0)
         add({{}, {}, u"and %1 more"_s.arg(found.furtherDifferences)});
-    return {{u"whole"_s, found.whole()},
-            {u"rows"_s, found.rows},
-            {u"witness"_s, toString(found.witness)},
-            {u"differences"_s, differences}};
+    QJsonObject document{{u"whole"_s, found.whole()},
+                         {u"rows"_s, found.rows},
+                         {u"witness"_s, toString(found.witness)},
+                         {u"differences"_s, differences}};
+    QJsonArray restores;
+    for (const RestoredBackup& one : found.restores)
+        restores.append(QJsonObject{{u"utc"_s, one.utc},
+                                    {u"person"_s, one.person},
+                                    {u"backup"_s, one.backup},
+                                    {u"reason"_s, one.reason}});
+    if (!restores.isEmpty()) // a library that never was put back reads as ever
+        document.insert(u"restores"_s, restores);
+    return document;
 }
 
 void printText(const LibraryVerification& found)
@@ -82,7 +93,11 @@ int verifyAll(const QStringList& arguments)
 int runLibrary(const QStringList& arguments)
 {
     return runAction(u"library"_s, u"Looks after a library as a whole."_s,
-                     {{u"verify"_s, u"says whether every row is as it was written"_s, verifyAll}}, arguments);
+                     {{u"verify"_s, u"says whether every row is as it was written"_s, verifyAll},
+                      {u"backup"_s, u"copies a library that may be in use, and verifies the copy"_s, backUp},
+                      {u"restore"_s, u"puts a backup in the place of a library, which is kept"_s, restore},
+                      {u"take-back"_s, u"stores inspections that were kept aside"_s, takeBack}},
+                     arguments);
 }
 
 } // namespace gripscope::cli

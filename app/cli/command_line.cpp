@@ -52,13 +52,18 @@ std::optional<QString> nearest(const QString& typed, const QStringList& candidat
     return near ? std::optional(*best) : std::nullopt;
 }
 
-CommandLine::CommandLine(const QString& command, const QString& description, const QString& arguments)
+CommandLine::CommandLine(const QString& command, const QString& description, const QString& arguments,
+                         Json json)
     : m_command(command), m_arguments(arguments)
 {
     m_parser.setApplicationDescription(description);
     m_parser.addOption({{u"h"_qs, u"help"_qs}, u"Shows this text."_qs});
     m_names << u"help"_qs;
-    flag(u"json"_qs, u"Writes a JSON document to standard output, messages to standard error."_qs);
+    flag(u"json"_qs,
+         json == Json::OneDocument
+             ? u"Writes a JSON document to standard output, messages to standard error."_qs
+             : u"Writes a JSON document for each file, a line each, to standard output, messages to standard "
+               "error."_qs);
 }
 
 void CommandLine::flag(const QString& name, const QString& description)

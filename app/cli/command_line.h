@@ -18,7 +18,9 @@ class CommandLine {
 public:
     /// `arguments`: how the usage line goes on after the options, "FILE..."; in brackets when there may be
     /// none.
-    CommandLine(const QString& command, const QString& description, const QString& arguments = {});
+    enum class Json { OneDocument, OneAFile };
+    CommandLine(const QString& command, const QString& description, const QString& arguments = {},
+                Json json = Json::OneDocument);
 
     void flag(const QString& name, const QString& description);
     void option(const QString& name, const QString& valueName, const QString& description,

@@ -4,7 +4,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
+#include "app/cli/outside_change.h"
 #include "app/cli/profile_commands.h"
+#include "core/people/audit_entry.h"
 #include "devices/profile/profile_library.h"
 
 #include <QJsonArray>
@@ -231,6 +233,7 @@ int installProfiles(const QStringList& arguments)
                      u"Checks a profile and puts it into your own folder of profiles, by which grippers are "
                      "found. One for the same gripper is replaced."_s,
                      u"FILE"_s);
+    addOutsideChangeOptions(line);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
     const bool json = line.isSet(u"json"_s);
@@ -238,8 +241,15 @@ int installProfiles(const QStringList& arguments)
     const Expected<QByteArray> bytes = readProfileBytes(file);
     if (!bytes)
         return fail(bytes.error(), json);
-    if (const Expected<GripperProfile> profile = readProfileFile(file); !profile)
+    const Expected<GripperProfile> profile = readProfileFile(file);
+    if (!profile)
         return fail(profile.error(), json);
+    // It says what a gripper's numbers mean, so that it decides about verdicts.
+    const Expected<void> told =
+        tellOutsideChange(line, QString::fromUtf16(audit_action::profileInstalled), profile->name,
+                          {{u"device"_s, profile->usbNumbers()}, {u"file"_s, file}});
+    if (!told)
+        return fail(told.error(), json);
     const Expected<QString> installed = installProfile(*bytes);
     if (!installed)
         return fail(installed.error(), json);

@@ -7,6 +7,7 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/lost_samples.h"
 #include "app/cli/output.h"
+#include "app/cli/recording_output.h"
 #include "app/cli/shared_options.h"
 #include "core/library/audit/audit_trail.h"
 #include "core/people/audit_entry.h"
@@ -168,7 +169,7 @@ public:
     {
         RETURN_IF_ERROR(m_connection.connectTo(request.device));
         RETURN_IF_ERROR(open());
-        takeKnownChain();
+        takeWhatIsKnown();
         RETURN_IF_ERROR(request.arm ? squeeze(request) : m_job.listen(request.seconds));
         message(u"%1 for %2 s; Ctrl-C stops."_qs.arg(request.arm ? u"Squeezing"_qs : u"Listening"_qs,
                                                      QString::number(request.seconds, 'g', 6)));
@@ -210,16 +211,23 @@ private:
             Error{ErrorCode::DeviceLost, {m_connection.address(), u"it did not open"_qs}});
     }
 
-    /// The recording gets what was measured of this gripper's channels.
-    void takeKnownChain()
+    /// The recording gets what is known of this gripper's channels, and their correction.
+    void takeWhatIsKnown()
     {
         const QString serial = m_connection.identity().serial;
-        const std::optional<MeasuringChainRecord> known = m_chains.find(serial);
-        if (!known)
-            return;
-        putInForce(m_connection, *known);
-        message(
-            u"The recording has the measuring chain of gripper %1; lag %2."_qs.arg(serial, lagText(*known)));
+        const KnownGripper known = m_chains.known(serial);
+        putInForce(m_connection, known);
+        if (known.chain)
+            message(u"The recording has the measuring chain of gripper %1; lag %2."_qs.arg(
+                serial, lagText(*known.chain)));
+        const ChannelCalibration& calibration = m_connection.calibration();
+        for (const SensorChannel channel : {SensorChannel::Force, SensorChannel::Position})
+            if (const CalibrationRecord* record = calibration.record(channel))
+                message(u"Its %1 is corrected by the calibration of gripper %2 of %3, due %4."_qs.arg(
+                    channel == SensorChannel::Force ? u"force"_qs : u"position"_qs, serial,
+                    record->takenUtc.date().toString(Qt::ISODate), record->due.toString(Qt::ISODate)));
+        if (!calibration.unusable().isEmpty())
+            message(calibration.unusable());
     }
 
     /// The gripper's own, or what became of the connection.
@@ -322,6 +330,7 @@ void addRecordOptions(CommandLine& line)
         "more; never above the device's own limit."_qs);
     addLibraryOption(line);
     line.shortOption(u'o', u"output"_qs, u"FILE"_qs, u"The recording to write."_qs);
+    addForceOption(line);
 }
 
 } // namespace
@@ -338,6 +347,8 @@ int runRecord(const QStringList& arguments)
     if (const std::optional<int> exit = line.finish())
         return *exit;
     const bool json = line.isSet(u"json"_qs);
+    if (const Expected<void> may = mayReplace(request.file, line.isSet(u"force"_qs)); !may)
+        return fail(may.error(), json); // before anything moves
 
     const Expected<QString> library = namedLibraryFile(line);
     if (!library)

@@ -5,8 +5,11 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/lost_samples.h"
 #include "app/cli/output.h"
+#include "app/cli/recording_output.h"
 #include "app/cli/shared_options.h"
 #include "app/cli/verdict_output.h"
+#include "core/base/json_value.h"
+#include "core/recognition/verdict/rates_json.h"
 #include "devices/replay/captured_session.h"
 
 #include <QDir>
@@ -21,10 +24,22 @@ namespace {
 
 struct ReplayRequest {
     bool squeezes = false;
-    QString folder; ///< for recordings; empty: none are written
-    std::unique_ptr<Classification> classification;
+    QString folder;     ///< for recordings; empty: none are written
+    bool force = false; ///< other files that are there are replaced
+    bool ratesGiven = false;
+    VerdictOptions rates; ///< those that were given
+    /// The inspections of a session tell together how its gripper holds the force; they are judged apart from
+    /// the other squeezes, as they were.
+    std::unique_ptr<Classification> inspections, others;
     bool json = false;
 };
+
+QJsonObject ratesJson(const VerdictOptions& rates, const QString& from)
+{
+    QJsonObject document = toJson(rates);
+    document.insert(u"from"_qs, from);
+    return document;
+}
 
 /// Squeeze `number` of the capture, in a document and in a line of text; its recording written where asked.
 class SqueezeTeller {
@@ -53,7 +68,7 @@ public:
         } else {
             document[u"failure"_qs] = QJsonValue::Null;
             write(number, recording, document, text);
-            judge(number, recording, document, text);
+            judge(number, squeeze, document, text);
         }
         if (squeeze.missingSamples > 0)
             message(u"Squeeze %1: the capture lost %2 samples that the program had."_qs.arg(number).arg(
@@ -71,19 +86,33 @@ private:
         const QString file =
             QDir(m_request.folder)
                 .filePath(u"%1-squeeze%2.csv"_qs.arg(m_stem).arg(number, 3, 10, QLatin1Char('0')));
-        if (const Expected<void> written = writeRecordingCsv(recording, file); !written)
+        Expected<void> written = mayReplace(file, m_request.force);
+        if (written)
+            written = writeRecordingCsv(recording, file);
+        if (!written)
             return refuse(written.error(), document);
         document[u"file"_qs] = file;
         text += u"  "_qs + file;
     }
-    void judge(int number, const Recording& recording, QJsonObject& document, QString& text)
+    void judge(int number, const CapturedSqueeze& squeeze, QJsonObject& document, QString& text)
     {
-        if (!m_request.classification)
+        if (!m_request.inspections)
             return;
         const QString source = u"%1, squeeze %2"_qs.arg(m_stem).arg(number);
-        const Expected<InspectSession::Result> result = m_request.classification->judge(recording, source);
+        const std::optional<SqueezeJudged> before = squeezeJudged(squeeze.judged);
+        SqueezeJudged how = before.value_or(SqueezeJudged{m_request.rates, {}});
+        if (m_request.ratesGiven)
+            how.rates = m_request.rates;
+        Classification& session = before ? *m_request.inspections : *m_request.others;
+        Recording recording = squeeze.recording;
+        if (!squeeze.noted) // else it has what was known of its gripper then, and that is what was judged
+            session.complete(recording, source);
+        const Expected<InspectSession::Result> result = session.judgeAgain(std::move(recording), source, how);
         if (!result)
             return refuse(result.error(), document);
+        document[u"rates"_qs] = ratesJson(how.rates, m_request.ratesGiven ? u"given"_qs
+                                                     : before             ? u"capture"_qs
+                                                                          : u"default"_qs);
         document[u"verdict"_qs] = verdictJson(source, result->verdict);
         text += u'\n' + verdictText(source, result->verdict);
         if (result->verdict.kind != VerdictKind::Type)
@@ -165,19 +194,27 @@ int runReplay(const QStringList& arguments)
     CommandLine line(
         u"replay"_qs,
         u"Reads captured sessions (.gscap) and cuts out the squeezes that were made, bit for bit; "
-        "of a session in parts name the first."_qs,
-        u"FILE..."_qs);
+        "of a session in parts name the first. With a library they are judged, inspections at the rates that "
+        "they were judged at, unless others are given, and refused where they were."_qs,
+        u"FILE..."_qs, CommandLine::Json::OneAFile);
     line.flag(u"squeezes"_qs, u"Lists the squeezes."_qs);
     line.shortOption(u'o', u"output"_qs, u"FOLDER"_qs, u"Writes a recording (CSV) of each squeeze there."_qs);
+    addForceOption(line);
     addLibraryOption(line);
+    addRateOptions(line);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
     ReplayRequest request;
     request.json = line.isSet(u"json"_qs);
     request.squeezes = line.isSet(u"squeezes"_qs) || line.isSet(u"library"_qs);
     request.folder = line.text(u"output"_qs);
+    request.force = line.isSet(u"force"_qs);
+    request.ratesGiven = ratesAreGiven(line);
+    request.rates = verdictRates(line);
     if (const std::optional<int> exit = line.finish())
         return *exit;
+    if (const std::optional<Error> error = request.rates.validate())
+        return fail(*error, request.json);
     if (!request.folder.isEmpty() && !QDir().mkpath(request.folder))
         return fail({ErrorCode::FileUnwritable, {request.folder, u"the folder cannot be made"_qs}},
                     request.json);
@@ -186,9 +223,12 @@ int runReplay(const QStringList& arguments)
         const Expected<QString> library = existingLibrary(line);
         if (!library)
             return fail(library.error(), request.json);
-        request.classification = std::make_unique<Classification>(*library, IdentificationOptions{},
-                                                                  VerdictOptions{}, std::nullopt);
-        if (const std::optional<Error> error = request.classification->begin())
+        for (auto* session : {&request.inspections, &request.others})
+            *session = std::make_unique<Classification>(*library, IdentificationOptions{}, request.rates,
+                                                        std::nullopt);
+        if (const std::optional<Error> error = request.inspections->begin())
+            return fail(*error, request.json);
+        if (const std::optional<Error> error = request.others->begin(Classification::Telling::Nothing))
             return fail(*error, request.json);
     }
     ExitCode exit;

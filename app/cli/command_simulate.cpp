@@ -2,7 +2,9 @@
 #include "app/cli/bounded_number.h"
 #include "app/cli/commands.h"
 #include "app/cli/output.h"
+#include "app/cli/recording_output.h"
 #include "app/cli/shared_options.h"
+#include "core/base/csv.h"
 #include "core/identification/model/discretization.h"
 #include "core/math/gaussian.h"
 #include "core/signal/excitation/excitation.h"
@@ -86,19 +88,17 @@ Recording simulated(const SimulateRequest& request, std::vector<double> force)
         recording.position[i] += request.noise * noise();
     }
     recording.force = std::move(force);
-    const auto number = [](double value) {
-        return QString::number(value, 'g', QLocale::FloatingPointShortest);
-    };
     recording.provenance = {
         {u"source"_qs, u"simulated"_qs},
-        {u"object_m"_qs, number(request.object.m)},
-        {u"object_b"_qs, number(request.object.b)},
-        {u"object_k"_qs, number(request.object.k)},
+        {forceLagSourceKey(), u"stated"_qs}, // there is none
+        {u"object_m"_qs, exactText(request.object.m)},
+        {u"object_b"_qs, exactText(request.object.b)},
+        {u"object_k"_qs, exactText(request.object.k)},
         {u"excitation"_qs, toString(request.excitation.kind)},
-        {u"excitation_peak"_qs, number(request.excitation.peak)},
-        {u"excitation_bias"_qs, number(request.excitation.bias)},
-        {u"excitation_bit_s"_qs, number(request.excitation.bit_s)},
-        {u"noise_sd"_qs, number(request.noise)},
+        {u"excitation_peak"_qs, exactText(request.excitation.peak)},
+        {u"excitation_bias"_qs, exactText(request.excitation.bias)},
+        {u"excitation_bit_s"_qs, exactText(request.excitation.bit_s)},
+        {u"noise_sd"_qs, exactText(request.noise)},
         {u"seed"_qs, QString::number(request.excitation.seed)},
     };
     if (const std::optional<std::size_t> period = excitationPeriod(request.excitation))
@@ -122,6 +122,7 @@ void addSimulateOptions(CommandLine& line)
     line.option(u"hold"_qs, u"HOLD"_qs, u"The force between samples: zoh (held) or foh (a straight line)."_qs,
                 u"zoh"_qs);
     line.shortOption(u'o', u"output"_qs, u"FILE"_qs, u"The recording to write."_qs);
+    addForceOption(line);
 }
 
 } // namespace
@@ -139,6 +140,8 @@ int runSimulate(const QStringList& arguments)
     if (const std::optional<int> exit = line.finish())
         return *exit;
     const bool json = line.isSet(u"json"_qs);
+    if (const Expected<void> may = mayReplace(request.file, line.isSet(u"force"_qs)); !may)
+        return fail(may.error(), json);
     Expected<std::vector<double>> force = makeExcitation(request.excitation);
     if (!force)
         return fail(force.error(), json);

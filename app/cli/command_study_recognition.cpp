@@ -26,6 +26,14 @@ QString bounds(const StudyLimit& limit)
     return limit.least ? u"at least %1"_qs.arg(*limit.least) : u"at most %1"_qs.arg(limit.most.value_or(0));
 }
 
+/// Nothing for a figure that is shown only.
+QString held(const StudyLimit& limit)
+{
+    if (!limit.least && !limit.most)
+        return {};
+    return u", wanted %1: %2"_qs.arg(bounds(limit), limit.met() ? u"met"_qs : u"not met"_qs);
+}
+
 QString rowText(const RecognitionRow& row)
 {
     QStringList shares;
@@ -33,9 +41,8 @@ QString rowText(const RecognitionRow& row)
         shares << u"%1 %2 (+- %3)"_qs.arg(it.key(), ratePercent(it->share), ratePercent(it->standardError));
     QString text = u"%1: %2"_qs.arg(row.scenario.name(), shares.join(u", "_qs));
     for (const StudyLimit& limit : row.limits)
-        text += u"\n    %1 %2 +- %3, wanted %4: %5"_qs.arg(
-            limit.figure, QString::number(limit.value, 'g', 3), QString::number(limit.standardError, 'g', 2),
-            bounds(limit), limit.met() ? u"met"_qs : u"not met"_qs);
+        text += u"\n    %1 %2 +- %3%4"_qs.arg(limit.figure, QString::number(limit.value, 'g', 3),
+                                              QString::number(limit.standardError, 'g', 2), held(limit));
     return text;
 }
 

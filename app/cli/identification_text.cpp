@@ -41,7 +41,7 @@ QStringList parameterLines(const Estimate& estimate, const ParameterUnits& units
     const Eigen::Vector3d value = estimate.parameters->vector();
     const std::optional<Eigen::Vector3d> error = estimate.standardErrors();
     for (int i = 0; i < 3; ++i)
-        values << withError(value[i], error ? std::optional((*error)[i]) : std::nullopt);
+        values << withInterval(value[i], error ? std::optional((*error)[i]) : std::nullopt);
     const auto widest = std::max_element(
         values.begin(), values.end(), [](const QString& a, const QString& b) { return a.size() < b.size(); });
     const std::array<QString, 3> names{u"m"_qs, u"b"_qs, u"k"_qs};
@@ -53,6 +53,8 @@ QStringList parameterLines(const Estimate& estimate, const ParameterUnits& units
         lines << u"    %1  %2  %3"_qs.arg(names[at], values[i].leftJustified(widest->size()), shown)
                      .trimmed()
                      .prepend(u"    "_qs);
+        if (error)
+            lines.back() += u"  (95 %)"_qs;
     }
     return lines;
 }

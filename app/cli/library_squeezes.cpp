@@ -40,10 +40,10 @@ Expected<std::unique_ptr<Library>> openExistingLibrary(const QString& file)
     return existingLibraryFile(file).and_then([](const QString& path) { return Library::open(path); });
 }
 
-Expected<TypeModels> enrolledModels(Library& library)
+Expected<TypeModels> approvedModels(Library& library)
 {
     ASSIGN_OR_RETURN(const std::vector<TypeRecord> types, library.types());
-    ASSIGN_OR_RETURN(const std::vector<TypeSqueeze> squeezes, library.enrolledSqueezes());
+    ASSIGN_OR_RETURN(const std::vector<TypeSqueeze> squeezes, library.approvedSqueezes());
     return ComparableTypes(types, squeezes).main();
 }
 

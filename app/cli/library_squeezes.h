@@ -17,8 +17,8 @@ namespace gripscope::cli {
 /// Opens a library that is there; StorageOpen for one that is not.
 [[nodiscard]] Expected<std::unique_ptr<Library>> openExistingLibrary(const QString& file);
 
-/// Types and the squeezes they were enrolled with.
-[[nodiscard]] Expected<TypeModels> enrolledModels(Library& library);
+/// The approved types, and the squeezes they were enrolled with: what verdicts are made of.
+[[nodiscard]] Expected<TypeModels> approvedModels(Library& library);
 
 /// The inspected squeezes, oldest first, with the type they are of: the expected one where it was stated,
 /// else the one that was named. `leftOut` counts those of neither and those without m, b and k.

@@ -32,7 +32,7 @@ Expected<TransferReport> measuredTransfer(const QString& homeFile, const QString
     ASSIGN_OR_RETURN(const std::unique_ptr<Library> home, openExistingLibrary(homeFile));
     ASSIGN_OR_RETURN(const std::unique_ptr<Library> other, openExistingLibrary(otherFile));
     RETURN_IF_ERROR(unitsProblem(*home, *other));
-    ASSIGN_OR_RETURN(const TypeModels models, enrolledModels(*home));
+    ASSIGN_OR_RETURN(const TypeModels models, approvedModels(*home));
     ASSIGN_OR_RETURN(const std::vector<TypeSqueeze> squeezes, other->enrolledSqueezes());
     return measureTransfer(models, squeezes);
 }

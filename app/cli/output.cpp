@@ -3,6 +3,7 @@
 
 #include "app/cli/exit_code.h"
 #include "core/base/printable.h"
+#include "core/math/normal_interval.h"
 
 #include <QJsonDocument>
 
@@ -79,23 +80,23 @@ int fail(const Error& error, bool json)
     return static_cast<int>(exitFor(error));
 }
 
-QString withError(double value, std::optional<double> standardError)
+QString withInterval(double value, std::optional<double> standardError)
 {
     if (!standardError || !(*standardError > 0))
         return QString::number(value, 'g', 6);
-    // Two digits of the error, and the value to the same place; exponents where that would be long.
-    const int place = static_cast<int>(std::floor(std::log10(*standardError))) - 1;
-    const double largest = std::max(std::abs(value), *standardError);
+    // Two digits of the half width, and the value to the same place; exponents where that would be long.
+    const double half = normal95 * *standardError;
+    const int place = static_cast<int>(std::floor(std::log10(half))) - 1;
+    const double largest = std::max(std::abs(value), half);
     const int exponent = static_cast<int>(std::floor(std::log10(largest)));
     if (exponent < -4 || place > 0) {
         const double scale = std::pow(10.0, exponent);
         const int decimals = std::max(0, exponent - place);
         return u"(%1 ± %2)e%3"_qs.arg(QString::number(value / scale, 'f', decimals),
-                                      QString::number(*standardError / scale, 'f', decimals),
+                                      QString::number(half / scale, 'f', decimals),
                                       QString::number(exponent));
     }
-    return u"%1 ± %2"_qs.arg(QString::number(value, 'f', -place),
-                             QString::number(*standardError, 'f', -place));
+    return u"%1 ± %2"_qs.arg(QString::number(value, 'f', -place), QString::number(half, 'f', -place));
 }
 
 QString fixed(std::optional<double> value, int decimals)

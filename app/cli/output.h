@@ -27,8 +27,9 @@ void message(const QString& text);
 /// exit code.
 int fail(const Error& error, bool json = false);
 
-/// "0.03961 ± 0.00012", two digits of the error; without an error six significant digits.
-[[nodiscard]] QString withError(double value, std::optional<double> standardError);
+/// "0.03961 ± 0.00024": half of the 95 % interval, as on screen, with two digits; without a standard error
+/// six significant digits.
+[[nodiscard]] QString withInterval(double value, std::optional<double> standardError);
 /// Fixed digits, or "-" for a number that does not exist.
 [[nodiscard]] QString fixed(std::optional<double> value, int decimals);
 

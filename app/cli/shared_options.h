@@ -3,6 +3,7 @@
 
 #include "app/cli/command_line.h"
 #include "core/identification/identification.h"
+#include "core/recognition/verdict/verdict.h"
 #include "core/signal/excitation/excitation.h"
 #include "core/signal/recording/recording_csv.h"
 
@@ -13,6 +14,12 @@ void addReadingOptions(CommandLine& line);
 [[nodiscard]] CsvReadOptions csvReadOptions(CommandLine& line);
 /// Hold, initial state and offset; the estimators stay as they are by default.
 [[nodiscard]] IdentificationOptions identificationOptions(CommandLine& line);
+
+/// `--false-reject` and the others that verdicts and advice are held to.
+void addRateOptions(CommandLine& line);
+[[nodiscard]] bool ratesAreGiven(const CommandLine& line);
+/// Not validated.
+[[nodiscard]] VerdictOptions verdictRates(CommandLine& line);
 
 /// `--excitation KIND` and `--periods N`, shared by record and simulate.
 void addExcitationKind(CommandLine& line);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/table_enrollment.h"
 
+#include "app/cli/enrolled_approval.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
 #include "core/session/enroll/enrollment_storage.h"
@@ -62,6 +63,14 @@ public:
         return {};
     }
 
+    /// Those types that got squeezes, at the end.
+    void approve()
+    {
+        for (const QString& type : m_added.keys())
+            if (const Expected<bool> done = approveEnrolled(m_library, type, m_task.acting.operatorName);
+                !done)
+                message(u"gripscope-cli: "_qs + refused(done.error()));
+    }
     [[nodiscard]] ExitCode exit() const { return m_exit; }
     [[nodiscard]] const QMap<QString, int>& added() const { return m_added; }
 
@@ -124,6 +133,7 @@ int enrollTable(const TableEnrollment& task, const QString& libraryFile, bool js
         message(u"rejected %1: %2"_qs.arg(place, reason));
         refused.append(QJsonObject{{u"file"_qs, place}, {u"reason"_qs, reason}});
     }
+    writer.approve();
     if (json)
         printJson({{u"table"_qs, task.table},
                    {u"types"_qs, typesJson(writer.added())},

@@ -141,7 +141,7 @@ int approveType(const QStringList& arguments)
 {
     CommandLine line(u"types approve"_qs, u"Signs a type off as it is now."_qs);
     addTypeOption(line);
-    line.option(u"operator"_qs, u"NAME"_qs, u"Who; kept with the change."_qs);
+    addNoteOptions(line);
     if (const auto exit = parseWith(line, arguments, {u"type"_qs}))
         return *exit;
     if (const auto exit = line.finish())
@@ -149,7 +149,7 @@ int approveType(const QStringList& arguments)
     return changeType(
         line,
         [&](Library& library, const TypeRecord& type) {
-            return library.approveType(type.id, line.text(u"operator"_qs));
+            return library.approveType(type.id, line.text(u"operator"_qs), line.text(u"reason"_qs));
         },
         Permission::ApproveTypes);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The actions of `types` that judge an enrolment.
 #include "app/cli/output.h"
+#include "app/cli/shared_options.h"
 #include "app/cli/type_commands.h"
 #include "app/cli/type_library.h"
 #include "core/library/records/type_squeeze.h"
@@ -24,11 +25,13 @@ struct Squeezes {
     VerdictOptions options;
 };
 
-Expected<Squeezes> readSqueezes(const Library& library)
+Expected<Squeezes> readSqueezes(const Library& library, const VerdictOptions& rates)
 {
+    if (std::optional<Error> error = rates.validate())
+        return tl::unexpected<Error>(std::move(*error));
     ASSIGN_OR_RETURN(auto all, library.enrolledSqueezes());
     ASSIGN_OR_RETURN(const auto types, library.types());
-    Squeezes squeezes{std::move(all), {}};
+    Squeezes squeezes{std::move(all), rates};
     for (const TypeRecord& type : types) // they are all alike
         squeezes.options.siUnits = siFactor(type.forceUnit, type.positionUnit).has_value();
     return squeezes;
@@ -73,7 +76,7 @@ Expected<std::vector<StoredOutlier>> outliersOf(const Library& library, const Ty
     return found;
 }
 
-QString confusionText(const HeldOutConfusion& confusion)
+QString confusionText(const HeldOutConfusion& confusion, const VerdictOptions& rates)
 {
     QStringList lines;
     for (qsizetype row = 0; row < confusion.types.size(); ++row) {
@@ -89,8 +92,8 @@ QString confusionText(const HeldOutConfusion& confusion)
         lines << u"%1: %2"_qs.arg(confusion.types[row],
                                   found.isEmpty() ? u"not tested"_qs : found.join(u", "_qs));
     }
-    lines << u"Another type: "_qs + inWords(confusion.wrongType, VerdictOptions{}.wrongType).describe();
-    lines << u"Unknown: "_qs + inWords(confusion.unknown, VerdictOptions{}.falseReject).describe();
+    lines << u"Another type: "_qs + inWords(confusion.wrongType, rates.wrongType).describe();
+    lines << u"Unknown: "_qs + inWords(confusion.unknown, rates.falseReject).describe();
     return lines.join(u'\n');
 }
 
@@ -122,13 +125,15 @@ int guideEnrollment(const QStringList& arguments)
                      u"Says whether a type has enough squeezes, which of them lies away from the others and "
                      "why, and which other type it overlaps."_qs);
     addTypeOption(line);
+    addRateOptions(line);
     if (const auto exit = parseWith(line, arguments, {u"type"_qs}))
         return *exit;
+    const VerdictOptions rates = verdictRates(line);
     if (const auto exit = line.finish())
         return *exit;
     return withLibrary(line, [&](const Library& library) -> Expected<void> {
         ASSIGN_OR_RETURN(const auto type, requireNamed(library, line.text(u"type"_qs)));
-        ASSIGN_OR_RETURN(const auto squeezes, readSqueezes(library));
+        ASSIGN_OR_RETURN(const auto squeezes, readSqueezes(library, rates));
         ASSIGN_OR_RETURN(const auto away, outliersOf(library, type, squeezes.all));
         const TypeModels models = fitTypeModels(squeezes.all);
         tell(enrollmentProgress(models, type.name, squeezes.options), away,
@@ -142,17 +147,19 @@ int showConfusion(const QStringList& arguments)
     CommandLine line(
         u"types confusion"_qs,
         u"Leaves enrolled squeezes out and asks what the others call them, with exact bounds."_qs);
+    addRateOptions(line);
     if (const auto exit = parseWith(line, arguments))
         return *exit;
+    const VerdictOptions rates = verdictRates(line);
     if (const auto exit = line.finish())
         return *exit;
     return withLibrary(line, [&](const Library& library) {
-        return readSqueezes(library).map([&](const Squeezes& squeezes) {
+        return readSqueezes(library, rates).map([&](const Squeezes& squeezes) {
             const HeldOutConfusion confusion = heldOutConfusion(squeezes.all, squeezes.options);
             if (line.isSet(u"json"_qs))
                 printJson(toJson(confusion));
             else
-                print(confusionText(confusion));
+                print(confusionText(confusion, squeezes.options));
         });
     });
 }

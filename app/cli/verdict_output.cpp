@@ -6,6 +6,8 @@
 
 #include <QJsonArray>
 
+#include <cmath>
+
 namespace gripscope::cli {
 
 using namespace Qt::StringLiterals;
@@ -41,8 +43,8 @@ QString verdictText(const QString& file, const Verdict& verdict)
     else if (!verdict.nearest.isEmpty())
         text += u", nearest %1"_qs.arg(verdict.nearest);
     if (verdict.distance && verdict.gate)
-        text += u"; squared distance %1, gate %2"_qs.arg(QString::number(*verdict.distance, 'f', 1),
-                                                         QString::number(*verdict.gate, 'f', 1));
+        text += u"; %1 sd away, gate %2 sd"_qs.arg(QString::number(std::sqrt(*verdict.distance), 'f', 1),
+                                                   QString::number(std::sqrt(*verdict.gate), 'f', 1));
     if (verdict.validity.verdict == ValidityVerdict::Suspect)
         text += u"; the measurement is suspect (%1)"_qs.arg(verdict.validity.checksFailed.join(u", "_qs));
     for (const QString& reason : described(verdict.allReasons()))

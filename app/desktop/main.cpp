@@ -7,10 +7,9 @@
 #include "ui/pages/shared/example_types_button.h"
 #include "ui/settings/settings_link.h"
 #include "ui/settings/values/settings.h"
-#include "ui/shell/attendance.h"
+#include "ui/shell/desktop_session.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/tour.h"
-#include "ui/shell/window_host.h"
 
 #include <QApplication>
 #include <QTextStream>
@@ -36,19 +35,19 @@ void prepareEnvironment(int argc, char** argv)
 
 int runWindow(const DesktopOptions& options)
 {
-    Workbench bench(options.library.isEmpty() ? Library::defaultFile() : options.library,
-                    Settings::userFile());
+    const DesktopSession session(
+        {options.library.isEmpty() ? Library::defaultFile() : options.library, Settings::userFile(),
+         [&options](Settings& settings) {
+             if (!options.theme.isEmpty())
+                 settings.setForThisRun(QString::fromLatin1(setting::theme.key), options.theme);
+             if (!options.language.isEmpty())
+                 settings.setForThisRun(QString::fromLatin1(setting::language.key), options.language);
+         }});
+    Workbench& bench = session.workbench(); // until another library is opened
     Settings& settings = bench.settings();
-    if (!options.theme.isEmpty())
-        settings.setForThisRun(QString::fromLatin1(setting::theme.key), options.theme);
-    if (!options.language.isEmpty())
-        settings.setForThisRun(QString::fromLatin1(setting::language.key), options.language);
-    const SettingsLink link(bench);
-    const WindowHost host(bench);
-    const Attendance attendance(bench, makeStationWatch());
     if (options.size.isValid())
-        host.window().resize(options.size);
-    host.window().show();
+        session.window().resize(options.size);
+    session.window().show();
     for (const QString& problem : settings.takeProblems())
         bench.messages().report(problem);
     if (options.examples || settings.get(setting::examplesAtStart))

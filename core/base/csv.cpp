@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <string>
 
 namespace gripscope {
 
@@ -88,35 +89,36 @@ tl::unexpected<Error> CsvLineReader::bad(std::size_t column, const Finding& foun
 }
 
 bool splitCsvLine(std::string_view line, std::vector<std::string_view>& fields,
-                  std::vector<QByteArray>& unquoted)
+                  std::vector<QByteArray>& unquoted, char delimiter)
 {
+    const std::string_view blanks = delimiter == '\t' ? std::string_view(" ") : std::string_view(" \t");
     fields.clear();
     if (line.find('"') == std::string_view::npos) {
         for (std::size_t begin = 0;;) {
-            const std::size_t comma = line.find(',', begin);
-            fields.push_back(trimmed(line.substr(begin, comma - begin)));
-            if (comma == std::string_view::npos)
+            const std::size_t end = line.find(delimiter, begin);
+            fields.push_back(trimmed(line.substr(begin, end - begin)));
+            if (end == std::string_view::npos)
                 return true;
-            begin = comma + 1;
+            begin = end + 1;
         }
     }
     unquoted.clear();
     for (std::size_t position = 0;;) {
-        const std::size_t comma = std::min(line.find(',', position), line.size());
-        const std::size_t first = std::min(line.find_first_not_of(" \t", position), line.size());
-        if (first < comma && line[first] == '"') {
+        const std::size_t end = std::min(line.find(delimiter, position), line.size());
+        const std::size_t first = std::min(line.find_first_not_of(blanks, position), line.size());
+        if (first < end && line[first] == '"') {
             position = first;
             std::optional<QByteArray> text = readQuoted(line, position);
             if (!text)
                 return false;
             unquoted.push_back(*text);
-            position = std::min(line.find_first_not_of(" \t", position), line.size());
-            if (position < line.size() && line[position] != ',')
+            position = std::min(line.find_first_not_of(blanks, position), line.size());
+            if (position < line.size() && line[position] != delimiter)
                 return false;
         } else {
-            const std::string_view field = trimmed(line.substr(position, comma - position));
+            const std::string_view field = trimmed(line.substr(position, end - position));
             unquoted.emplace_back(field.data(), static_cast<qsizetype>(field.size()));
-            position = comma;
+            position = end;
         }
         if (position >= line.size())
             break;
@@ -140,6 +142,22 @@ std::optional<double> parseNumber(std::string_view field)
     return value;
 }
 
+std::optional<double> parseNumber(std::string_view field, char decimalMark)
+{
+    if (decimalMark != ',')
+        return parseNumber(field);
+    field = trimmed(field);
+    const std::size_t comma = field.find(',');
+    if (comma == std::string_view::npos)
+        return field.find('.') == std::string_view::npos ? parseNumber(field) : std::nullopt;
+    constexpr std::size_t longest = 400; // the longest double written out has fewer digits
+    if (field.size() > longest || field.find('.') != std::string_view::npos)
+        return std::nullopt;
+    std::string text(field);
+    text[comma] = '.';
+    return parseNumber(text);
+}
+
 std::optional<std::uint64_t> parseCount(std::string_view field, std::uint64_t largest)
 {
     field = trimmed(field);
@@ -149,6 +167,12 @@ std::optional<std::uint64_t> parseCount(std::string_view field, std::uint64_t la
     if (result.ec != std::errc() || result.ptr != end || value > largest)
         return std::nullopt;
     return value;
+}
+
+QString exactText(std::optional<double> number)
+{
+    return number && std::isfinite(*number) ? QString::number(*number, 'g', QLocale::FloatingPointShortest)
+                                            : QString();
 }
 
 std::string_view trimmed(std::string_view text)

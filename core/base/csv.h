@@ -40,16 +40,21 @@ private:
     std::size_t m_lineNumber = 0;
 };
 
-/// Splits at commas. A field may stand in double quotes, a quote within it doubled. False: a quote is not
-/// closed, or something follows it. `fields` is overwritten; `unquoted` owns the texts that had to be
-/// changed.
+/// Splits at `delimiter`: commas, semicolons or tabs. A field may stand in double quotes, a quote within it
+/// doubled. False: a quote is not closed, or something follows it. `fields` is overwritten; `unquoted` owns
+/// the texts that had to be changed.
 [[nodiscard]] bool splitCsvLine(std::string_view line, std::vector<std::string_view>& fields,
-                                std::vector<QByteArray>& unquoted);
+                                std::vector<QByteArray>& unquoted, char delimiter = ',');
 
 /// The number a field holds: finite, C locale, spaces around it allowed, nothing else.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view field);
+/// The same with a decimal mark of its own, a point or a comma; a field with the other one holds none.
+[[nodiscard]] std::optional<double> parseNumber(std::string_view field, char decimalMark);
 /// The same for a whole number from 0 up to `largest`.
 [[nodiscard]] std::optional<std::uint64_t> parseCount(std::string_view field, std::uint64_t largest);
+
+/// The shortest text that parseNumber() reads back to the same bits; empty where there is no finite number.
+[[nodiscard]] QString exactText(std::optional<double> number);
 
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 [[nodiscard]] bool isUtf8(std::string_view text);

@@ -3,6 +3,8 @@
 
 #include <QString>
 
+#include <array>
+
 namespace gripscope {
 
 /// What a number with a unit measures; the first three are the parameters, in their order.
@@ -22,6 +24,19 @@ struct DisplayUnits {
     static void choose(DisplayUnits units);
     friend bool operator==(const DisplayUnits&, const DisplayUnits&) = default;
 };
+
+/// What a person may choose, the usual one first. It is kept under its name, which is what is read, too.
+template <typename Unit>
+struct UnitChoice {
+    const char* name;
+    Unit unit;
+};
+inline constexpr std::array<UnitChoice<DisplayUnits::Force>, 3> forceUnitChoices{
+    {{"N", DisplayUnits::Force::Newton},
+     {"lbf", DisplayUnits::Force::PoundForce},
+     {"kgf", DisplayUnits::Force::KilogramForce}}};
+inline constexpr std::array<UnitChoice<DisplayUnits::Length>, 2> lengthUnitChoices{
+    {{"mm", DisplayUnits::Length::Metre}, {"in", DisplayUnits::Length::Inch}}};
 
 /// A unit to show numbers in: shown number = number * factor.
 struct ShownUnit {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
 
+#include "core/base/places.h"
 #include "core/base/printable.h"
 
 #include <QCoreApplication>
@@ -101,17 +102,8 @@ QString Error::argument(std::size_t index) const
 QString Error::describe() const
 {
     const QString text = QCoreApplication::translate("Error", wording(code).text);
-    // One pass, so that a %1 inside an argument (a file name, say) stays as it is.
-    QString out;
-    for (qsizetype i = 0; i < text.size(); ++i) {
-        const bool isArgument = text[i] == QLatin1Char('%') && i + 1 < text.size() && text[i + 1].isDigit();
-        if (!isArgument) {
-            out += text[i];
-            continue;
-        }
-        out += printableLines(argument(std::size_t(text[++i].digitValue() - 1)), longestArgument);
-    }
-    return out;
+    return withPlacesFilled(
+        text, [this](std::size_t place) { return printableLines(argument(place - 1), longestArgument); });
 }
 
 } // namespace gripscope

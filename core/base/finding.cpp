@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/finding.h"
 
+#include "core/base/places.h"
+
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonObject>
@@ -145,19 +147,9 @@ QString Finding::sentence(Reader reader) const
 {
     const QString text =
         reader == Reader::Person ? QCoreApplication::translate("Words", m_text.toUtf8().constData()) : m_text;
-    // One pass, so that a %1 inside an argument (a file name, say) stays as it is.
-    QString out;
-    for (qsizetype i = 0; i < text.size(); ++i) {
-        const int place = text[i] == u'%' && i + 1 < text.size() ? text[i + 1].digitValue() : -1;
-        if (place < 1) {
-            out += text[i];
-            continue;
-        }
-        ++i;
-        if (place <= qsizetype(m_parts.size()))
-            out += m_parts[std::size_t(place - 1)].worded(reader);
-    }
-    return out;
+    return withPlacesFilled(text, [&](std::size_t place) {
+        return place <= m_parts.size() ? m_parts[place - 1].worded(reader) : QString();
+    });
 }
 
 QString Finding::describe() const

@@ -18,6 +18,11 @@ QString daysKey(SensorChannel channel)
     return toString(channel) + u"_calibration_days_left"_s;
 }
 
+QString idKey(SensorChannel channel)
+{
+    return toString(channel) + u"_calibration_id"_s;
+}
+
 QString correctionKey(SensorChannel channel)
 {
     return toString(channel) + u"_correction"_s;
@@ -76,6 +81,8 @@ void noteCalibration(QMap<QString, QString>& provenance, const CalibrationRecord
             .english();
     provenance[correctionKey(calibration.channel)] = correction.text();
     provenance[daysKey(calibration.channel)] = QString::number(today.daysTo(calibration.due));
+    if (!calibration.id.isEmpty())
+        provenance[idKey(calibration.channel)] = calibration.id;
 }
 
 void correctAsNoted(Recording& recording)
@@ -91,10 +98,23 @@ std::vector<CalibrationFact> calibrationFacts(const QMap<QString, QString>& prov
         bool isNumber = false;
         const qint64 days = provenance.value(daysKey(channel)).toLongLong(&isNumber);
         if (isNumber)
-            facts.push_back(
-                {channel, days, Words::heard({calibrationWords()}, provenance.value(wordsKey(channel)))});
+            facts.push_back({channel, days, heardCalibration(provenance.value(wordsKey(channel)))});
     }
     return facts;
+}
+
+std::optional<CalibrationNote> calibrationNote(const QMap<QString, QString>& provenance,
+                                               SensorChannel channel)
+{
+    const bool noted = provenance.contains(wordsKey(channel));
+    if (!noted && !provenance.contains(u"device"_s))
+        return std::nullopt;
+    return CalibrationNote{provenance.value(wordsKey(channel)), provenance.value(idKey(channel))};
+}
+
+Finding heardCalibration(const QString& words)
+{
+    return Words::heard({calibrationWords()}, words);
 }
 
 void noteReferenceCheck(QMap<QString, QString>& provenance, const ReferenceStanding& standing,

@@ -67,10 +67,13 @@ std::optional<Error> problemOf(const CalibrationPlan& plan)
     constexpr int mostRuns = 20;
     if (plan.runs < 1 || plan.runs > mostRuns)
         return usage(Words::say("There are %1 runs; there may be 1 to %2.").arg(plan.runs).arg(mostRuns));
-    if (static_cast<int>(plannedPoints(plan).size()) < plan.degree + 2)
+    const std::vector<PlannedPoint> planned = plannedPoints(plan);
+    if (std::ranges::count(planned, false, &PlannedPoint::check) < plan.degree + 2)
         return usage(Words::say("A curve of degree %1 needs at least %2 points: go down again, or add a run.")
                          .arg(plan.degree)
                          .arg(plan.degree + 2));
+    if (std::optional<Error> problem = problemOf(plan.conditions))
+        return problem;
     constexpr double longest_s = 60;
     if (!(plan.averaging_s > 0) || plan.averaging_s > longest_s)
         return usage(Words::say("A reading is averaged over %1 s; more than 0 and at most %2 s make sense.")
@@ -82,12 +85,14 @@ std::optional<Error> problemOf(const CalibrationPlan& plan)
 std::vector<PlannedPoint> plannedPoints(const CalibrationPlan& plan)
 {
     std::vector<PlannedPoint> points;
-    for (int run = 1; run <= plan.runs; ++run) {
+    const int runs = plan.runs + (plan.checkAfter ? 1 : 0);
+    for (int run = 1; run <= runs; ++run) {
+        const bool check = run > plan.runs;
         for (std::size_t i = 0; i < plan.loads.size(); ++i)
             if (points.empty() || i > 0 || points.back().load != plan.loads[i])
-                points.push_back({plan.loads[i], run, true});
+                points.push_back({plan.loads[i], run, true, check});
         for (std::size_t i = plan.loads.size(); plan.descending && i-- > 1;)
-            points.push_back({plan.loads[i - 1], run, false});
+            points.push_back({plan.loads[i - 1], run, false, check});
     }
     return points;
 }

@@ -19,19 +19,23 @@ struct CalibrationPlan {
     CalibrationReference reference;
     double averaging_s = 1;
     bool loadsAreRead = false; ///< from a load cell at each point; those of the plan are what to aim at
+    bool checkAfter = false;   ///< a run more at the end, not fitted: how the channel is left
+    CalibrationConditions conditions;
 };
 
 struct PlannedPoint {
     double load = 0;
     int run = 1;           ///< counted from 1
     bool ascending = true; ///< reached from below
+    bool check = false;    ///< of the run that is not fitted
 };
 
 /// Why a plan cannot be carried out, and what would do; nothing when it can.
 [[nodiscard]] std::optional<Error> problemOf(const CalibrationPlan& plan);
 
 /// Up through all loads and down again, as often as there are runs. A run begins where the one before ended:
-/// that load is not taken twice. Without descending each run starts at the least load again.
+/// that load is not taken twice. Without descending each run starts at the least load again. The check, where
+/// one is wanted, is the last run.
 [[nodiscard]] std::vector<PlannedPoint> plannedPoints(const CalibrationPlan& plan);
 
 enum class SteadyStatus { Steady, Moving, TooFewSamples };

@@ -10,6 +10,8 @@ namespace gripscope {
 struct CalibrationRecord : SensorCalibration {
     QString id;
     QDateTime stored;
+    QString station;              ///< where it was stored
+    qint64 certificateNumber = 0; ///< 1, 2, 3... at this station; 0: stored before there were numbers
 };
 
 /// How the channels of a gripper stand.

@@ -31,15 +31,42 @@ double slopeAt(const CalibrationCurve& curve, double load)
     return (curve.readingAt(to) - curve.readingAt(from)) / (to - from);
 }
 
-double largestExpanded(const CalibrationEvaluation& evaluation, const CalibrationReference& reference)
+/// An expanded uncertainty, and by what factor it is more than the standard one.
+struct Coverage {
+    double expanded = 0, factor = 0;
+};
+
+Coverage coverageAt(const CalibrationEvaluation& evaluation, const CalibrationReference& reference,
+                    double load)
+{
+    const CalibrationCurve& curve = evaluation.curve;
+    const double slope = std::abs(slopeAt(curve, load));
+    const double scatter = std::hypot(curve.residualDeviation(), curve.curveUncertaintyAt(load)) / slope;
+    const double fullScale =
+        std::abs(curve.readingAt(curve.largestLoad()) - curve.readingAt(curve.leastLoad()));
+    const double zero =
+        std::abs(evaluation.figures.zeroReturnPercent.value_or(0)) / 100 * fullScale / slope / std::sqrt(3.0);
+    const double known =
+        std::hypot(reference.standardUncertainty, reference.relativeUncertainty * load, zero);
+    const double standard = std::hypot(scatter, known);
+    if (!(standard > 0))
+        return {};
+    const double degrees = scatter > 0 ? curve.degreesOfFreedom() * std::pow(standard / scatter, 4) : 1e9;
+    const double factor = coverageFactor(degrees);
+    return {factor * standard, factor};
+}
+
+/// The largest in the range.
+Coverage largestCoverage(const CalibrationEvaluation& evaluation, const CalibrationReference& reference)
 {
     const CalibrationCurve& curve = evaluation.curve;
     constexpr int places = 100;
-    double largest = 0;
+    Coverage largest;
     for (int i = 0; i <= places; ++i) {
         const double load =
             curve.leastLoad() + (curve.largestLoad() - curve.leastLoad()) * i / static_cast<double>(places);
-        largest = std::max(largest, expandedUncertaintyAt(evaluation, reference, load));
+        if (const Coverage there = coverageAt(evaluation, reference, load); there.expanded > largest.expanded)
+            largest = there;
     }
     return largest;
 }
@@ -86,20 +113,7 @@ std::optional<SensorChannel> sensorChannelFromString(const QString& text)
 double expandedUncertaintyAt(const CalibrationEvaluation& evaluation, const CalibrationReference& reference,
                              double load)
 {
-    const CalibrationCurve& curve = evaluation.curve;
-    const double slope = std::abs(slopeAt(curve, load));
-    const double scatter = std::hypot(curve.residualDeviation(), curve.curveUncertaintyAt(load)) / slope;
-    const double fullScale =
-        std::abs(curve.readingAt(curve.largestLoad()) - curve.readingAt(curve.leastLoad()));
-    const double zero =
-        std::abs(evaluation.figures.zeroReturnPercent.value_or(0)) / 100 * fullScale / slope / std::sqrt(3.0);
-    const double known =
-        std::hypot(reference.standardUncertainty, reference.relativeUncertainty * load, zero);
-    const double standard = std::hypot(scatter, known);
-    if (!(standard > 0))
-        return 0;
-    const double degrees = scatter > 0 ? curve.degreesOfFreedom() * std::pow(standard / scatter, 4) : 1e9;
-    return coverageFactor(degrees) * standard;
+    return coverageAt(evaluation, reference, load).expanded;
 }
 
 Expected<CalibrationEvaluation> evaluateCalibration(const SensorCalibration& calibration)
@@ -124,7 +138,9 @@ Expected<CalibrationEvaluation> evaluateCalibration(const SensorCalibration& cal
     evaluation.residuals.reserve(calibration.points.size());
     for (const CalibrationPoint& point : calibration.points)
         evaluation.residuals.push_back(point.reading - evaluation.curve.readingAt(point.load));
-    evaluation.expandedUncertainty = largestExpanded(evaluation, reference);
+    const Coverage largest = largestCoverage(evaluation, reference);
+    evaluation.expandedUncertainty = largest.expanded;
+    evaluation.coverageFactor = largest.factor;
     evaluation.scaleUncertainty =
         std::hypot(relativeSlopeUncertainty(evaluation.curve), reference.relativeUncertainty);
     return evaluation;

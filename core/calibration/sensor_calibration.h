@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/calibration/calibration_figures.h"
+#include "core/calibration/conditions.h"
 
 #include <QDate>
 #include <QDateTime>
@@ -22,6 +23,7 @@ struct CalibrationReference {
     QString certificate;            ///< its number; may be empty
     double standardUncertainty = 0; ///< of each load, in the channel's unit
     double relativeUncertainty = 0; ///< standard, of each load; added in quadrature to the other
+    QDate due = {};                 ///< until when its certificate holds; invalid where nobody said
 };
 
 /// One sensor of one gripper against a reference: all that was seen, and what was decided. The curve follows
@@ -36,6 +38,12 @@ struct SensorCalibration {
     QString operatorName, note;
     QDateTime takenUtc;
     QDate due; ///< the last day it holds
+    CalibrationConditions conditions;
+    /// What corrected the channel before, as SensorCorrection::text(): empty where it was its own scale.
+    /// Nothing where that was not recorded.
+    std::optional<QString> foundCorrection;
+    /// Taken once more after the points and not fitted: a check of the curve by what it has not seen.
+    std::vector<CalibrationPoint> checkPoints;
 };
 
 /// What the points of a calibration say.
@@ -48,6 +56,8 @@ struct CalibrationEvaluation {
     /// so), the curve's own uncertainty, the reference, and the zero's return as a rectangle. Student's t
     /// with the degrees of freedom of Welch and Satterthwaite (JCGM 100:2008, G.4).
     double expandedUncertainty = 0;
+    double coverageFactor =
+        0; ///< its k: it over the standard uncertainty there; 0 where nothing is uncertain
     /// Standard, relative, of differences of the load: what the channel's scale is uncertain by. From the
     /// curve's mean slope, and the reference's relative part.
     double scaleUncertainty = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/clustering/kmeans_assignment.h"
 
+#include "core/clustering/nearest_in_block.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,30 +16,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Up to so many all distances are measured.
 constexpr int fewCentroids = 8;
-/// Items whose distances are measured at once; their numbers stay in the innermost cache.
-constexpr Eigen::Index blockItems = 256;
-using Block = Eigen::Array<double, blockItems, 1>;
-
-/// Of the items of a block, feature by feature, those that are closer to `centroid` than `least` take that
-/// distance and its number. Written so that several are measured at once, which -O2 alone leaves.
-template <int Features>
-[[gnu::optimize("O3")]] void takeCloser(const double* __restrict columns, Eigen::Index count,
-                                        const double* __restrict centroid, double number,
-                                        double* __restrict least, double* __restrict nearest)
-{
-    const Eigen::Index features = Features > 0 ? Features : count;
-    for (Eigen::Index i = 0; i < blockItems; ++i) {
-        double squared = 0;
-        for (Eigen::Index j = 0; j < features; ++j) {
-            const double off = columns[j * blockItems + i] - centroid[j];
-            squared += off * off;
-        }
-        const bool closer = squared < least[i];
-        nearest[i] = closer ? number : nearest[i];
-        least[i] = closer ? squared : least[i];
-    }
-}
-
 /// |a - b|^2, added in the order of the features; `Features` 0: as many as `count`.
 template <int Features>
 double squaredDistance(const double* a, const double* b, Eigen::Index count)
@@ -234,15 +212,11 @@ void KMeansAssignment::assignChunkInBlocks(const Chunk& chunk)
     sums[0] = sums[1] = ItemRows::Zero(m_centroids.rows(), features + 1);
     Eigen::Array<double, blockItems, Eigen::Dynamic> columns(blockItems, features);
     columns.setZero();
-    Block least, nearest; // the numbers as doubles, so that a comparison selects both alike
+    Eigen::Array<double, blockItems, 1> nearest;
     for (std::size_t begin = chunk.begin; begin < chunk.end; begin += std::size_t(blockItems)) {
         const auto count = Eigen::Index(std::min(chunk.end - begin, std::size_t(blockItems)));
         columns.topRows(count) = m_items.middleRows(Eigen::Index(begin), count).array();
-        least.setConstant(infinity);
-        nearest.setZero();
-        for (Eigen::Index c = 0; c < m_centroids.rows(); ++c)
-            takeCloser<Features>(columns.data(), features, m_centroids.row(c).data(), double(c), least.data(),
-                                 nearest.data());
+        findNearest(columns.data(), features, m_centroids, nearest.data());
         for (Eigen::Index i = 0; i < count; ++i) {
             int& label = m_labels[begin + std::size_t(i)];
             const int now = int(nearest[i]);

@@ -3,6 +3,7 @@
 
 #include "core/base/parallel_runs.h"
 #include "core/base/words.h"
+#include "core/base/work_watch.h"
 #include "core/identification/comparison/hold_evidence.h"
 #include "core/identification/comparison/model_comparison.h"
 #include "core/identification/estimators/run_estimator.h"
@@ -41,9 +42,9 @@ ModelDiscrepancy windowDiscrepancy(const PreparedRecord& record, const Estimator
     });
 }
 
-/// The budget of `estimate`: its noise, the chain's effects, the other hold as far as `holds` leaves it
-/// probable, and what the windows disagree by. Without parameters and covariance: a budget that says why
-/// there is none.
+/// The budget of `estimate`: its noise, the counts, the chain's effects, the other hold as far as `holds`
+/// leaves it probable, and what the windows disagree by. Without parameters and covariance: a budget that
+/// says why there is none.
 UncertaintyBudget budgetOf(const Estimate& estimate, const PreparedRecord& record, const EstimatorTask& task,
                            const HoldEvidence& holds)
 {
@@ -56,6 +57,8 @@ UncertaintyBudget budgetOf(const Estimate& estimate, const PreparedRecord& recor
         options.hold = HoldAmbiguity{{other(0), other(1), other(2)}, holds.otherProbability()};
     }
     options.discrepancy = windowDiscrepancy(record, task, estimate);
+    options.lagBound_s = record.lagBound_s;
+    options.positionStep = record.positionStep;
     return uncertaintyBudget(estimate, record.force, record.position, outputErrorOptions(record, task),
                              record.chain, options);
 }
@@ -83,12 +86,13 @@ std::optional<Estimate> cubicOf(const Identification& identification, const Prep
 
 /// Output error of the record against other models. Empty without a converged output-error estimate.
 ModelComparison comparisonOf(const Identification& identification, const PreparedRecord& record,
-                             const EstimatorTask& task, const std::optional<Estimate>& cubic)
+                             const EstimatorTask& task, const Estimate& otherHold,
+                             const std::optional<Estimate>& cubic)
 {
     if (!hasLinear(identification))
         return {};
     return compareModels(record.force, record.position, outputErrorOptions(record, task),
-                         *identification.find(Estimator::OutputError), cubic);
+                         *identification.find(Estimator::OutputError), otherHold, cubic);
 }
 
 /// What keeps every estimator from starting, or nothing.
@@ -197,6 +201,11 @@ HoldEvidence holdDeclaration(const Recording& recording, const IdentificationOpt
     return declaration;
 }
 
+namespace {
+/// Of the work of an identification by every estimator: the rest is what assesses the result.
+constexpr double shareOfEstimators = 0.7;
+} // namespace
+
 Identification identify(const Recording& recording, const IdentificationOptions& options)
 {
     PreparationOptions preparation;
@@ -212,22 +221,34 @@ Identification identify(const Recording& recording, const IdentificationOptions&
                              excitationPeriod(recording)};
 
     const std::optional<Finding> obstacle = unusable(record);
-    for (const Estimator estimator : options.estimators)
+    for (const Estimator estimator : options.estimators) {
+        if (isStopped(options.watch))
+            return result;
         result.estimates.push_back(
             obstacle ? statusOnly(estimator, EstimateStatus::NotApplicable, *obstacle)
                      : runEstimator(estimator, record, task,
                                     estimator == Estimator::Periodic ? &result.repetition : nullptr));
+        if (options.watch)
+            options.watch->setShare(shareOfEstimators * static_cast<double>(result.estimates.size()) /
+                                    static_cast<double>(options.estimators.size()));
+    }
+    if (isStopped(options.watch))
+        return result;
     result.recommended = recommend(result.estimates);
     const Estimate* const outputError = result.find(Estimator::OutputError);
     const bool assessed = options.assess && !obstacle;
     std::optional<Estimate> cubic;
+    Estimate otherHold;
     // Side by side: somebody waits for the verdict.
     shareAmongThreads(2, 0, [&](std::int64_t part) {
-        if (part == 0 && outputError != nullptr && !obstacle)
-            result.holdEvidence = weighHolds(record.force, record.position, outputErrorOptions(record, task),
-                                             *outputError, recording.chain.forceLagUncertainty_s);
-        else if (part == 1 && assessed)
+        if (part == 0 && outputError != nullptr && !obstacle) {
+            const OutputErrorOptions declared = outputErrorOptions(record, task);
+            otherHold = estimateOtherHold(record.force, record.position, declared, *outputError);
+            result.holdEvidence = weighHolds(record.force, declared, *outputError, otherHold,
+                                             recording.chain.forceLagUncertainty_s);
+        } else if (part == 1 && assessed) {
             cubic = cubicOf(result, record, task);
+        }
     });
     result.summedHold = combine(std::array{options.earlierHold, result.holdEvidence});
     result.preparation = record.steps;
@@ -236,7 +257,7 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     result.position = record.position;
     result.lost = record.lost;
     if (assessed)
-        result.comparison = comparisonOf(result, record, task, cubic);
+        result.comparison = comparisonOf(result, record, task, otherHold, cubic);
     result.validity.checks = checkValidity(result, recording, options);
     if (const Estimator better = reconsidered(result); better != result.recommended) {
         result.recommended = better;
@@ -244,10 +265,13 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     }
     judgeBaseline(result);
     result.validity.verdict = overallVerdict(result.validity.checks);
-    if (const Estimate* const best = result.best(); best != nullptr && options.assess) {
-        result.budget = budgetOf(*best, record, task, result.tellingHold());
-        result.validation = validateOnSecondWindow(best->estimator, record, task);
-    }
+    if (const Estimate* const best = result.best(); best != nullptr && options.assess)
+        shareAmongThreads(2, 0, [&](std::int64_t part) {
+            if (part == 0)
+                result.budget = budgetOf(*best, record, task, result.tellingHold());
+            else
+                result.validation = validateOnSecondWindow(best->estimator, record, task);
+        });
     return result;
 }
 

@@ -4,24 +4,28 @@
 #include "core/base/printable.h"
 #include "core/base/words.h"
 #include "core/library/audit/audit_trail.h"
+#include "core/library/audit_details.h"
+#include "core/library/backup/library_swap.h"
+#include "core/library/ledger/ledger_table.h"
 #include "core/library/library_private.h"
 #include "core/library/migrations/migration.h"
 #include "core/library/migrations/schema_check.h"
 #include "core/library/people/people_register.h"
 #include "core/library/tables/audit_table.h"
 #include "core/library/tables/calibration_tables.h"
-#include "core/library/tables/change_table.h"
 #include "core/library/tables/document_table.h"
 #include "core/library/tables/grasp_table.h"
 #include "core/library/tables/grasp_writer.h"
 #include "core/library/tables/inspection_tables.h"
 #include "core/library/tables/placement_table.h"
 #include "core/library/tables/recording_table.h"
+#include "core/library/tables/tally_table.h"
 #include "core/library/tables/type_tables.h"
 #include "core/library/tables/type_writer.h"
 
 #include <QDir>
 #include <QFileInfo>
+#include <QJsonArray>
 #include <QScopedValueRollback>
 #include <QStandardPaths>
 
@@ -38,8 +42,10 @@ namespace {
 Expected<qint64> recordSqueeze(Database& database, const NewGrasp& grasp)
 {
     ASSIGN_OR_RETURN(const auto type, requireType(database, grasp.typeId));
-    return change_table::insert(database,
-                                {0, {}, {}, ChangeKind::Squeeze, type.name, {}, 1, grasp.operatorName, {}});
+    LibraryChange change;
+    change.kind = ChangeKind::Squeeze;
+    change.operatorName = grasp.operatorName;
+    return recordSqueezeChange(database, type, change);
 }
 
 /// A library whose tables hold rows to something else, or that does something by itself, is no longer one.
@@ -71,6 +77,11 @@ Expected<std::unique_ptr<Library>> Library::open(const QString& file)
 {
     if (file == defaultFile()) // any other folder is the user's to make: a typing error must not create one
         QDir().mkpath(QFileInfo(file).absolutePath());
+    if (!finishSwap(file) && QFileInfo::exists(nextInPlace(file))) // none is made in its stead
+        return failure(
+            ErrorCode::StorageOpen,
+            {file,
+             Words::tr("the backup that was put back, %1, cannot take its place").arg(nextInPlace(file))});
     ASSIGN_OR_RETURN(auto database, Database::open(file));
     RETURN_IF_ERROR(migrate(*database));
     RETURN_IF_ERROR(refuseForeignSchema(*database));
@@ -97,9 +108,49 @@ AuditTrail Library::auditTrail()
     return AuditTrail(*d->database);
 }
 
+Expected<void> Library::tellExport(const QString& file, const QString& format, qint64 rows)
+{
+    return d->write<void>(Words::tr("continue the audit trail"), [&] {
+        return audit_table::append(*d->database, {QString::fromUtf16(audit_action::exported),
+                                                  file,
+                                                  {},
+                                                  {{u"format"_s, format}, {u"rows"_s, rows}}});
+    });
+}
+
+Expected<void> Library::tellBackup(const QString& copy, qint64 rows)
+{
+    return d->write<void>(Words::tr("continue the audit trail"), [&] {
+        return audit_table::append(
+            *d->database, {QString::fromUtf16(audit_action::libraryBackedUp), copy, {}, {{u"rows"_s, rows}}});
+    });
+}
+
+Expected<void> Library::tellPruning(const QString& folder, const QStringList& parts, qint64 bytes,
+                                    qint64 squeezes)
+{
+    constexpr qsizetype mostNamed = 20; // of some hundred that a folder may hold
+    return d->write<void>(Words::tr("continue the audit trail"), [&] {
+        return audit_table::append(*d->database,
+                                   {QString::fromUtf16(audit_action::capturesPruned),
+                                    folder,
+                                    {},
+                                    {{u"by_itself"_s, true},
+                                     {u"files"_s, parts.size()},
+                                     {u"names"_s, QJsonArray::fromStringList(parts.mid(0, mostNamed))},
+                                     {u"bytes"_s, bytes},
+                                     {u"squeezes"_s, squeezes}}});
+    });
+}
+
 int Library::schemaVersion() const
 {
     return migrations().back().version; // open() brought it there
+}
+
+Expected<std::optional<ChainEnd>> Library::birth() const
+{
+    return ledger_table::birth(*d->database);
 }
 
 Expected<GraspRecord> Library::addGrasp(const NewGrasp& grasp)
@@ -134,9 +185,14 @@ Expected<void> Library::Private::place(const QString& graspId, ChangeKind kind, 
                                {Words::tr("The squeeze of an inspection belongs to no type.")});
             if (grasp.accepted == accepted)
                 return {};
-            ASSIGN_OR_RETURN(const auto version,
-                             change_table::insert(
-                                 *database, {0, {}, {}, kind, grasp.typeName, {}, 1, operatorName, reason}));
+            ASSIGN_OR_RETURN(const auto type, type_table::findById(*database, grasp.typeId)); // or gone
+            if (!type)
+                return failure(ErrorCode::NotFound, {Words::tr("type with the key %1").arg(grasp.typeId)});
+            LibraryChange change;
+            change.kind = kind;
+            change.operatorName = operatorName;
+            change.reason = reason;
+            ASSIGN_OR_RETURN(const auto version, recordSqueezeChange(*database, *type, change));
             return placement_table::insert(*database, version, graspId, {grasp.typeId, accepted});
         });
 }
@@ -173,7 +229,12 @@ Expected<QJsonObject> Library::identificationDocument(const QString& graspId) co
 
 Expected<std::vector<TypeSqueeze>> Library::enrolledSqueezes() const
 {
-    return grasp_table::enrolled(*d->database);
+    return grasp_table::enrolled(*d->database, grasp_table::Of::TypesInUse);
+}
+
+Expected<std::vector<TypeSqueeze>> Library::approvedSqueezes() const
+{
+    return grasp_table::enrolled(*d->database, grasp_table::Of::ApprovedTypes);
 }
 
 Expected<InspectionRecord> Library::addInspection(const NewInspection& inspection)
@@ -184,6 +245,7 @@ Expected<InspectionRecord> Library::addInspection(const NewInspection& inspectio
             if (before)
                 return *before;
         }
+        RETURN_IF_ERROR(audit_table::noteClock(*d->database));
         ASSIGN_OR_RETURN(const auto graspId, storeGrasp(*d->database, inspection.grasp));
         RowStamp stamp = RowStamp::now();
         if (!inspection.id.isEmpty())
@@ -191,6 +253,7 @@ Expected<InspectionRecord> Library::addInspection(const NewInspection& inspectio
         if (inspection.grasp.recorded.isValid())
             stamp.utc = utcText(inspection.grasp.recorded);
         RETURN_IF_ERROR(inspection_table::insert(*d->database, stamp, graspId, inspection));
+        RETURN_IF_ERROR(tally_table::keepUp(*d->database));
         ASSIGN_OR_RETURN(const auto stored, inspection_table::find(*d->database, stamp.id));
         return stored.value();
     });
@@ -201,9 +264,29 @@ Expected<std::vector<InspectionRecord>> Library::inspections(const HistoryFilter
     return inspection_table::page(*d->database, filter);
 }
 
-Expected<InspectionCounts> Library::inspectionCounts() const
+Expected<void> Library::voidInspection(qint64 number, const QString& reason, const QString& operatorName)
 {
-    return inspection_table::counts(*d->database);
+    const QString why = reason.trimmed();
+    if (why.isEmpty())
+        return failure(ErrorCode::Usage, {Words::tr("Say why: the reason is kept with the change.")});
+    return d->write<void>(Words::tr("void the inspection"), [&]() -> Expected<void> {
+        ASSIGN_OR_RETURN(const auto inspection, inspection_table::withNumber(*d->database, number));
+        if (!inspection)
+            return failure(ErrorCode::NotFound, {Words::tr("inspection %1").arg(number)});
+        if (!inspection->voided.isEmpty())
+            return {};
+        RETURN_IF_ERROR(void_table::insert(*d->database, inspection->id, why, operatorName));
+        return audit_table::append(*d->database, {QString::fromUtf16(audit_action::inspectionVoided),
+                                                  QString::number(number),
+                                                  why,
+                                                  {},
+                                                  operatorName});
+    });
+}
+
+Expected<InspectionCounts> Library::inspectionCounts(qint64 after) const
+{
+    return inspection_table::counts(*d->database, {}, after);
 }
 
 Expected<void> Library::addMeasuringChain(const NewMeasuringChain& measured)
@@ -230,12 +313,12 @@ Expected<void> Library::addMeasuringChain(const NewMeasuringChain& measured)
     return d->writeIf<void>(
         Permission::AcceptCalibrations, Words::tr("store what was measured of the gripper"),
         [&]() -> Expected<void> {
+            ASSIGN_OR_RETURN(const auto before,
+                             measuring_chain_table::newest(*d->database, measured.gripperSerial));
             RETURN_IF_ERROR(measuring_chain_table::insert(*d->database, RowStamp::now(), measured));
             return audit_table::append(*d->database, {QString::fromUtf16(audit_action::chainMeasured),
-                                                      measured.gripperSerial,
-                                                      measured.basis,
-                                                      {{u"force_lag_s"_s, measured.forceLag_s}},
-                                                      measured.operatorName});
+                                                      measured.gripperSerial, measured.reason,
+                                                      auditDetails(before, measured), measured.operatorName});
         });
 }
 

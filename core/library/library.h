@@ -24,12 +24,15 @@
 namespace gripscope {
 
 struct Acting;
+struct ChainEnd;
 struct SensorCalibration;
 class HistoryKeys;
+struct HistoryList;
 struct HistoryQuery;
 struct HistoryEntry;
 struct HistoryCounts;
 struct HistoryPoints;
+struct HistoryInForce;
 struct HistoryChoices;
 struct SqueezeDetails;
 struct Reidentification;
@@ -72,6 +75,8 @@ public:
 
     [[nodiscard]] QString file() const;
     [[nodiscard]] int schemaVersion() const;
+    /// The first link of its ledger, by which a library is told from any other; nothing before its first row.
+    [[nodiscard]] Expected<std::optional<ChainEnd>> birth() const;
     /// All that `work` asks of this library is one transaction: when it fails, nothing of it is stored.
     [[nodiscard]] Expected<void> atOnce(const std::function<Expected<void>()>& work);
 
@@ -79,6 +84,14 @@ public:
     void actAs(const Acting& acting);
     [[nodiscard]] PeopleRegister people(); ///< lives no longer than the library
     [[nodiscard]] AuditTrail auditTrail(); ///< lives no longer than the library
+    /// Tells the audit trail that so many rows of it left the library, as "csv" into `file`.
+    [[nodiscard]] Expected<void> tellExport(const QString& file, const QString& format, qint64 rows);
+    /// Tells the audit trail of a copy of it (backup/library_backup.h) that was verified.
+    [[nodiscard]] Expected<void> tellBackup(const QString& copy, qint64 rows);
+
+    /// Tells the audit trail that kept sessions in `folder` made room for newer ones by themselves.
+    [[nodiscard]] Expected<void> tellPruning(const QString& folder, const QStringList& parts, qint64 bytes,
+                                             qint64 squeezes);
 
     // Types. NotFound: there is no such type. Usage: what is asked for makes no sense; says why.
     /// Usage: no name, or one that is taken. UnitsDiffer: not comparable with the types that are there.
@@ -86,8 +99,12 @@ public:
                                                const QString& forceUnit, const QString& positionUnit,
                                                const QString& operatorName = {});
     /// Another recipe for the type; the old one stays on record.
-    [[nodiscard]] Expected<TypeRecord> reviseType(const QString& typeId, const Recipe& recipe);
-    [[nodiscard]] Expected<void> approveType(const QString& typeId, const QString& operatorName);
+    [[nodiscard]] Expected<TypeRecord> reviseType(const QString& typeId, const Recipe& recipe,
+                                                  const ChangeNote& note = {});
+    /// Its parts are recognised from now on, until its squeezes change. Usage: the library's policy asks for
+    /// another person than those who enrolled it.
+    [[nodiscard]] Expected<void> approveType(const QString& typeId, const QString& operatorName,
+                                             const QString& reason = {});
     [[nodiscard]] Expected<std::vector<TypeRecord>> types() const;        ///< those in use, by name
     [[nodiscard]] Expected<std::vector<TypeRecord>> retiredTypes() const; ///< by name
     /// In use or retired, see TypeRecord::status.
@@ -107,7 +124,7 @@ public:
                                                  const QString& name, const ChangeNote& note);
     /// No longer recognised; kept.
     [[nodiscard]] Expected<void> retireType(const QString& typeId, const ChangeNote& note);
-    /// A retired type is recognised again, and needs approval.
+    /// A retired type is in use again; it is recognised once it is approved.
     [[nodiscard]] Expected<void> reinstateType(const QString& typeId, const ChangeNote& note);
     /// What a scanner reads on its parts; empty: no longer any. Usage: another type has that code.
     [[nodiscard]] Expected<TypeRecord> setTypeCode(const QString& typeId, const QString& code,
@@ -125,7 +142,8 @@ public:
 
     // Squeezes
     /// NotFound: no such type. UnitsDiffer: not comparable with the type's. Usage: no estimate for an
-    /// enrolment, a retired type, a number that is not finite, channels of different length.
+    /// enrolment, a retired type, a number that is not finite, channels of different length. A type that was
+    /// approved needs approval again, as with each squeeze that is dropped or put back.
     [[nodiscard]] Expected<GraspRecord> addGrasp(const NewGrasp& grasp);
     /// Takes a squeeze out of its type; it stays on record. Dropping it again changes nothing. NotFound;
     /// Usage for the squeeze of an inspection.
@@ -144,23 +162,48 @@ public:
     /// estimate, in SI where the channels' units are known, else in the units they have. Squeezes without
     /// parameters are left out.
     [[nodiscard]] Expected<std::vector<TypeSqueeze>> enrolledSqueezes() const;
+    /// Those of approved types alone: what verdicts are made of.
+    [[nodiscard]] Expected<std::vector<TypeSqueeze>> approvedSqueezes() const;
 
     // Inspections
     /// Squeeze, estimates (there may be none) and verdict in one transaction. One whose key is there already
     /// is not stored again.
     [[nodiscard]] Expected<InspectionRecord> addInspection(const NewInspection& inspection);
+    /// One that waited to be stored, as it can be: of no batch where the library does not know its own any
+    /// more, since a backup was put back.
+    [[nodiscard]] Expected<NewInspection> withKnownBatch(NewInspection inspection) const;
     [[nodiscard]] Expected<std::vector<InspectionRecord>>
     inspections(const HistoryFilter& filter) const; ///< newest first
-    [[nodiscard]] Expected<InspectionCounts> inspectionCounts() const;
+    /// Those with a number behind `after`.
+    [[nodiscard]] Expected<InspectionCounts> inspectionCounts(qint64 after = 0) const;
+    /// It counts no longer, neither in the yield nor in its batch, and stays on record. Everybody who may
+    /// inspect may do it; the audit trail tells of it. Voiding it again changes nothing. NotFound: no such
+    /// number. Usage: no reason.
+    [[nodiscard]] Expected<void> voidInspection(qint64 number, const QString& reason,
+                                                const QString& operatorName);
 
     // History: every squeeze, inspected or enrolled (core/library/records/history.h)
-    /// The keys of all that a query finds, in its order: pages of it are read with historyEntries().
+    /// What a query finds, of which any page is read by itself; see HistoryList.
+    [[nodiscard]] Expected<HistoryList> historyList(const HistoryQuery& query) const;
+    /// Goes on with what a list does not know yet, one stretch; until it is `through`.
+    [[nodiscard]] Expected<HistoryList> historyStretch(HistoryList list) const;
+    [[nodiscard]] Expected<std::vector<HistoryEntry>> historyPage(const HistoryList& list, qint64 first,
+                                                                  qint64 count) const;
+    [[nodiscard]] Expected<std::vector<QString>> historyKeys(const HistoryList& list, qint64 first,
+                                                             qint64 count) const;
+    /// Which row of a list a squeeze is; nothing where it is none of them.
+    [[nodiscard]] Expected<std::optional<qint64>> historyRow(const HistoryList& list,
+                                                             const QString& graspId) const;
+    /// The keys of all that a query finds, in its order, however long that takes.
     [[nodiscard]] Expected<HistoryKeys> historyKeys(const HistoryQuery& query) const;
     /// At most 1000 at once, in that order; those that are not there are left out.
     [[nodiscard]] Expected<std::vector<HistoryEntry>>
     historyEntries(const std::vector<QString>& graspIds) const;
     [[nodiscard]] Expected<HistoryCounts> historyCounts(const HistoryQuery& query) const;
+    /// Of a list that is counted.
+    [[nodiscard]] Expected<HistoryPoints> historyPoints(const HistoryList& list) const;
     [[nodiscard]] Expected<HistoryPoints> historyPoints(const HistoryQuery& query) const;
+    [[nodiscard]] Expected<HistoryInForce> historyInForce(const HistoryQuery& query) const;
     [[nodiscard]] Expected<HistoryChoices> historyChoices() const;
     /// NotFound.
     [[nodiscard]] Expected<SqueezeDetails> squeezeDetails(const QString& graspId) const;
@@ -176,6 +219,7 @@ public:
     /// The one under way at this station.
     [[nodiscard]] Expected<std::optional<BatchRecord>> batchUnderWay() const;
     [[nodiscard]] Expected<std::vector<BatchRecord>> batches(int limit) const; ///< newest first
+    [[nodiscard]] Expected<std::optional<BatchRecord>> batch(const QString& batchId) const;
 
     // Grippers
     /// What is known of a gripper from now on. Usage: no serial number, or a number that is not finite.
@@ -213,7 +257,8 @@ public:
                                                 const QString& operatorName);
     [[nodiscard]] Expected<std::optional<PartPicture>> typePicture(const QString& typeId) const;
     /// What a gripper is checked on from now on. Usage: no serial number, or problemOf() has one.
-    [[nodiscard]] Expected<void> addReferenceObject(const ReferenceObject& reference);
+    [[nodiscard]] Expected<void> addReferenceObject(const ReferenceObject& reference,
+                                                    const QString& reason = {});
     /// A check as it was judged. NotFound: no such reference object. Usage: a number that is not finite.
     [[nodiscard]] Expected<void> addReferenceCheck(const ReferenceCheck& check);
     [[nodiscard]] Expected<std::vector<ReferenceCheckRecord>>

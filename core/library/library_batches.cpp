@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/words.h"
 #include "core/library/library_private.h"
+#include "core/library/tables/audit_table.h"
 #include "core/library/tables/inspection_tables.h"
+#include "core/people/audit_entry.h"
 
 namespace gripscope {
+
+using namespace Qt::StringLiterals;
 
 namespace {
 
@@ -12,6 +16,14 @@ Expected<BatchRecord> withCounts(Database& database, BatchRecord batch)
     ASSIGN_OR_RETURN(const auto counts, inspection_table::counts(database, batch.id));
     batch.counts = counts;
     return batch;
+}
+
+Expected<std::optional<BatchRecord>> withCounts(Database& database,
+                                                Expected<std::optional<BatchRecord>> batch)
+{
+    if (!batch || !*batch)
+        return batch;
+    return withCounts(database, std::move(**batch));
 }
 
 Expected<BatchRecord> requireBatch(Database& database, const QString& id)
@@ -33,6 +45,12 @@ Expected<void> check(const NewBatch& batch)
     return {};
 }
 
+Expected<void> tellBatch(Database& database, const char16_t* action, const QString& name,
+                         const QJsonObject& details, const QString& operatorName)
+{
+    return audit_table::append(database, {QString::fromUtf16(action), name, {}, details, operatorName});
+}
+
 } // namespace
 
 Expected<BatchRecord> Library::beginBatch(const NewBatch& batch)
@@ -47,6 +65,11 @@ Expected<BatchRecord> Library::beginBatch(const NewBatch& batch)
             return failure(ErrorCode::Usage,
                            {Words::tr("Batch %1 is under way here. End it first.").arg(other->name)});
         RETURN_IF_ERROR(batch_table::insert(*d->database, stamp, asked));
+        QJsonObject details{{u"parts"_s, asked.target}};
+        if (!asked.expectedType.isEmpty())
+            details.insert(u"type"_s, asked.expectedType);
+        RETURN_IF_ERROR(
+            tellBatch(*d->database, audit_action::batchBegun, asked.name, details, asked.operatorName));
         return requireBatch(*d->database, stamp.id);
     });
 }
@@ -58,18 +81,21 @@ Expected<BatchRecord> Library::endBatch(const QString& batchId, const QString& o
         if (!batch || batch->ended)
             return batch;
         RETURN_IF_ERROR(batch_table::insertEnd(*d->database, batchId, operatorName));
+        const InspectionCounts& counts = batch->counts;
+        QJsonObject details{{u"parts"_s, batch->target}, {u"squeezes"_s, counts.total}};
+        if (!batch->expectedType.isEmpty() || counts.asExpected > counts.knownType)
+            details.insert(u"as_expected"_s, counts.asExpected - counts.knownType);
+        if (counts.knownType > 0)
+            details.insert(u"known_type"_s, counts.knownType);
+        RETURN_IF_ERROR(
+            tellBatch(*d->database, audit_action::batchEnded, batch->name, details, operatorName));
         return requireBatch(*d->database, batchId);
     });
 }
 
 Expected<std::optional<BatchRecord>> Library::batchUnderWay() const
 {
-    const auto batch = batch_table::underWay(*d->database, stationId());
-    if (!batch || !*batch)
-        return batch;
-    return withCounts(*d->database, **batch).map([](const BatchRecord& counted) {
-        return std::optional<BatchRecord>(counted);
-    });
+    return withCounts(*d->database, batch_table::underWay(*d->database, stationId()));
 }
 
 Expected<std::vector<BatchRecord>> Library::batches(int limit) const
@@ -82,6 +108,21 @@ Expected<std::vector<BatchRecord>> Library::batches(int limit) const
         batch = std::move(counted);
     }
     return batches;
+}
+
+Expected<NewInspection> Library::withKnownBatch(NewInspection inspection) const
+{
+    if (inspection.batchId.isEmpty())
+        return inspection;
+    ASSIGN_OR_RETURN(const auto known, batch(inspection.batchId));
+    if (!known)
+        inspection.batchId.clear();
+    return inspection;
+}
+
+Expected<std::optional<BatchRecord>> Library::batch(const QString& batchId) const
+{
+    return withCounts(*d->database, batch_table::find(*d->database, batchId));
 }
 
 } // namespace gripscope

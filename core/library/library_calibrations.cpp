@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/words.h"
+#include "core/library/audit_details.h"
 #include "core/library/library_private.h"
 #include "core/library/tables/audit_table.h"
 #include "core/library/tables/calibration_tables.h"
@@ -38,7 +39,11 @@ Expected<void> Library::addCalibration(const SensorCalibration& calibration)
         return missing(Words::tr("A calibration needs the unit of its channel and the time it was taken."));
     if (!calibration.due.isValid())
         return missing(Words::tr("A calibration needs a date until which it holds."));
+    RETURN_IF_ERROR(problemOf(calibration.conditions));
     RETURN_IF_ERROR(evaluateCalibration(calibration));
+    for (const CalibrationPoint& point : calibration.checkPoints)
+        if (!std::isfinite(point.load) || !std::isfinite(point.reading))
+            return missing(Words::tr("A point that was checked holds a number that is not finite."));
     return d->writeIf<void>(
         Permission::AcceptCalibrations, Words::tr("store the calibration"), [&]() -> Expected<void> {
             RETURN_IF_ERROR(calibration_table::insert(*d->database, RowStamp::now(), calibration));
@@ -64,7 +69,7 @@ Expected<CalibrationsInForce> Library::calibrationsInForce(const QString& grippe
     return found;
 }
 
-Expected<void> Library::addReferenceObject(const ReferenceObject& reference)
+Expected<void> Library::addReferenceObject(const ReferenceObject& reference, const QString& reason)
 {
     if (reference.gripperSerial.isEmpty())
         return failure(ErrorCode::Usage,
@@ -73,12 +78,12 @@ Expected<void> Library::addReferenceObject(const ReferenceObject& reference)
         return failure(ErrorCode::Usage, {problem});
     return d->writeIf<void>(
         Permission::AcceptCalibrations, Words::tr("store the reference object"), [&]() -> Expected<void> {
+            ASSIGN_OR_RETURN(const auto before,
+                             reference_table::newest(*d->database, reference.gripperSerial));
             RETURN_IF_ERROR(reference_table::insert(*d->database, RowStamp::now(), reference));
-            return audit_table::append(*d->database, {QString::fromUtf16(audit_action::referenceStated),
-                                                      reference.gripperSerial,
-                                                      {},
-                                                      {{u"reference"_s, reference.name}},
-                                                      reference.operatorName});
+            return audit_table::append(
+                *d->database, {QString::fromUtf16(audit_action::referenceStated), reference.gripperSerial,
+                               reason, auditDetails(before, reference), reference.operatorName});
         });
 }
 
@@ -92,7 +97,14 @@ Expected<void> Library::addReferenceCheck(const ReferenceCheck& check)
         ASSIGN_OR_RETURN(const auto reference, reference_table::find(*d->database, check.referenceId));
         if (!reference)
             return failure(ErrorCode::NotFound, {Words::tr("the reference object of this check")});
-        return reference_check_table::insert(*d->database, RowStamp::now(), check);
+        RETURN_IF_ERROR(reference_check_table::insert(*d->database, RowStamp::now(), check));
+        return audit_table::append(*d->database, {QString::fromUtf16(audit_action::referenceChecked),
+                                                  reference->gripperSerial,
+                                                  check.obstacle,
+                                                  {{u"reference"_s, reference->name},
+                                                   {u"verdict"_s, toString(check.verdict)},
+                                                   {u"squeezes"_s, check.squeezes}},
+                                                  check.operatorName});
     });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/words.h"
+#include "core/library/history/history_list.h"
 #include "core/library/history/history_view.h"
 #include "core/library/library_private.h"
 #include "core/library/tables/document_table.h"
@@ -10,6 +11,34 @@
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
+
+Expected<HistoryList> Library::historyList(const HistoryQuery& query) const
+{
+    return history_list::find(*d->database, query);
+}
+
+Expected<HistoryList> Library::historyStretch(HistoryList list) const
+{
+    RETURN_IF_ERROR(history_list::goOn(*d->database, list));
+    return list;
+}
+
+Expected<std::vector<HistoryEntry>> Library::historyPage(const HistoryList& list, qint64 first,
+                                                         qint64 count) const
+{
+    ASSIGN_OR_RETURN(const std::vector<QString> keys, history_list::keys(*d->database, list, first, count));
+    return history_view::entries(*d->database, keys);
+}
+
+Expected<std::vector<QString>> Library::historyKeys(const HistoryList& list, qint64 first, qint64 count) const
+{
+    return history_list::keys(*d->database, list, first, count);
+}
+
+Expected<std::optional<qint64>> Library::historyRow(const HistoryList& list, const QString& graspId) const
+{
+    return history_list::rowOf(*d->database, list, graspId);
+}
 
 Expected<HistoryKeys> Library::historyKeys(const HistoryQuery& query) const
 {
@@ -28,7 +57,19 @@ Expected<HistoryCounts> Library::historyCounts(const HistoryQuery& query) const
 
 Expected<HistoryPoints> Library::historyPoints(const HistoryQuery& query) const
 {
-    return history_view::points(*d->database, query);
+    ASSIGN_OR_RETURN(HistoryList list, history_list::find(*d->database, query));
+    RETURN_IF_ERROR(history_list::goThrough(*d->database, list));
+    return history_view::points(*d->database, list);
+}
+
+Expected<HistoryPoints> Library::historyPoints(const HistoryList& list) const
+{
+    return history_view::points(*d->database, list);
+}
+
+Expected<HistoryInForce> Library::historyInForce(const HistoryQuery& query) const
+{
+    return history_view::inForce(*d->database, query);
 }
 
 Expected<HistoryChoices> Library::historyChoices() const
@@ -65,7 +106,8 @@ Expected<void> Library::addReidentification(const QString& graspId, const Estima
         RETURN_IF_ERROR(requireGrasp(*d->database, graspId));
         ASSIGN_OR_RETURN(const auto rank, estimate_table::nextRank(*d->database, graspId));
         const RowStamp stamp = RowStamp::now();
-        RETURN_IF_ERROR(estimate_table::insert(*d->database, stamp, graspId, rank, estimate));
+        RETURN_IF_ERROR(estimate_table::insert(*d->database, stamp, graspId, rank, estimate,
+                                               estimate_table::programOf({})));
         return reidentification_table::insert(*d->database, RowStamp::now(), graspId, stamp.id, how);
     });
 }

@@ -13,6 +13,7 @@ namespace {
 struct Job {
     Acting acting; ///< who asked for it
     std::function<void(Expected<Library*>)> work;
+    std::function<void(const Acting&)> closed = {}; ///< instead, without the library
 };
 
 } // namespace
@@ -43,6 +44,11 @@ struct LibraryService::Private {
     {
         std::unique_ptr<Library> library;
         while (auto job = next()) {
+            if (job->closed) {
+                library.reset();
+                job->closed(job->acting);
+                continue;
+            }
             if (!library) {
                 auto opened = Library::open(file);
                 if (!opened) {
@@ -89,6 +95,15 @@ void LibraryService::post(std::function<void(Expected<Library*>)> job)
     {
         const std::lock_guard lock(d->mutex);
         d->jobs.push_back({d->acting, std::move(job)});
+    }
+    d->wake.notify_one();
+}
+
+void LibraryService::postClosed(std::function<void(const Acting&)> job)
+{
+    {
+        const std::lock_guard lock(d->mutex);
+        d->jobs.push_back({d->acting, {}, std::move(job)});
     }
     d->wake.notify_one();
 }

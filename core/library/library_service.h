@@ -31,6 +31,16 @@ public:
         return answer.pending();
     }
 
+    /// Runs `work` on that thread while this service does not have the library open: for what needs its file
+    /// alone. What is asked for next opens it again.
+    template <typename T>
+    [[nodiscard]] Pending<Expected<T>> runClosed(std::function<Expected<T>(const Acting&)> work)
+    {
+        const Promise<Expected<T>> answer;
+        postClosed([answer, work = std::move(work)](const Acting& acting) { answer.give(work(acting)); });
+        return answer.pending();
+    }
+
     [[nodiscard]] QString file() const;
 
     /// Who asks for what is asked for from now on.
@@ -38,6 +48,7 @@ public:
 
 private:
     void post(std::function<void(Expected<Library*>)> job);
+    void postClosed(std::function<void(const Acting&)> job);
     struct Private;
     std::unique_ptr<Private> d;
 };

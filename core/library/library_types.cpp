@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/words.h"
 #include "core/library/library_private.h"
+#include "core/library/tables/approval_check.h"
 #include "core/library/tables/change_table.h"
 #include "core/library/tables/grasp_table.h"
 #include "core/library/tables/placement_table.h"
@@ -15,20 +16,6 @@ namespace gripscope {
 using namespace Qt::StringLiterals;
 
 namespace {
-
-TypeState stateOf(const TypeRecord& type)
-{
-    return {type.id, type.name, type.status, type.recipeVersion, type.squeezes, type.code};
-}
-
-/// Other squeezes in it than those that were approved: it needs approval again.
-TypeState unapproved(const TypeRecord& type)
-{
-    TypeState state = stateOf(type);
-    if (state.status == TypeStatus::Approved)
-        state.status = TypeStatus::Enrolled;
-    return state;
-}
 
 Expected<void> requireReason(const ChangeNote& note)
 {
@@ -233,7 +220,7 @@ Expected<TypeRecord> Library::addType(const QString& name, const Recipe& recipe,
     });
 }
 
-Expected<TypeRecord> Library::reviseType(const QString& typeId, const Recipe& recipe)
+Expected<TypeRecord> Library::reviseType(const QString& typeId, const Recipe& recipe, const ChangeNote& note)
 {
     return d->writeIf<TypeRecord>(
         Permission::ChangeLimits, Words::tr("store the recipe"), [&]() -> Expected<TypeRecord> {
@@ -243,17 +230,18 @@ Expected<TypeRecord> Library::reviseType(const QString& typeId, const Recipe& re
             ASSIGN_OR_RETURN(const auto number, appendRecipe(*d->database, *type, recipe));
             TypeState state = stateOf(*type);
             state.recipeVersion = number;
-            RETURN_IF_ERROR(changeState(*d->database, changeOf(ChangeKind::Recipe, *type, {}), state));
+            RETURN_IF_ERROR(changeState(*d->database, changeOf(ChangeKind::Recipe, *type, note), state));
             return requireType(*d->database, typeId);
         });
 }
 
-Expected<void> Library::approveType(const QString& typeId, const QString& operatorName)
+Expected<void> Library::approveType(const QString& typeId, const QString& operatorName, const QString& reason)
 {
     return d->writeIf<void>(Permission::ApproveTypes, Words::tr("approve the type"), [&]() -> Expected<void> {
         ASSIGN_OR_RETURN(const auto type, requireTypeInUse(*d->database, typeId));
+        RETURN_IF_ERROR(requireApprover(*d->database, type));
         return changeStatus(*d->database, type, ChangeKind::Approve, TypeStatus::Approved,
-                            {operatorName, {}});
+                            {operatorName, reason});
     });
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/words.h"
 #include "core/library/library_private.h"
+#include "core/library/tables/approval_check.h"
 #include "core/library/tables/change_table.h"
 #include "core/library/tables/placement_table.h"
 #include "core/library/tables/type_state_table.h"
+#include "core/library/tables/type_tables.h"
 
 #include <algorithm>
 
@@ -69,6 +71,20 @@ Expected<Difference> differenceFrom(Database& database, qint64 earlier, qint64 n
     return difference;
 }
 
+/// A version that is put back approves what was approved in it, so that it asks for another person where
+/// approving does. The squeezes are those of that version already.
+Expected<void> requireApproverOf(Database& database, const std::vector<TypeState>& restored)
+{
+    for (const TypeState& state : restored) {
+        if (state.status != TypeStatus::Approved)
+            continue;
+        ASSIGN_OR_RETURN(const auto type, type_table::findById(database, state.typeId));
+        if (type)
+            RETURN_IF_ERROR(requireApprover(database, *type, Permission::ChangeTypes));
+    }
+    return {};
+}
+
 Expected<qint64> restore(Database& database, qint64 version, const ChangeNote& note)
 {
     const auto newest = requireVersion(database, version);
@@ -93,6 +109,7 @@ Expected<qint64> restore(Database& database, qint64 version, const ChangeNote& n
         RETURN_IF_ERROR(type_state_table::insert(database, *made, state));
     for (const auto& [graspId, placement] : difference.placements)
         RETURN_IF_ERROR(placement_table::insert(database, *made, graspId, placement));
+    RETURN_IF_ERROR(requireApproverOf(database, difference.types));
     return made;
 }
 

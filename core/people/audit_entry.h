@@ -25,10 +25,22 @@ inline constexpr char16_t ratesChanged[] = u"rates.changed";
 inline constexpr char16_t settingChanged[] = u"setting.changed";
 inline constexpr char16_t calibrationAccepted[] = u"calibration.accepted";
 inline constexpr char16_t referenceStated[] = u"calibration.reference"; ///< what checks are made on
+inline constexpr char16_t referenceChecked[] = u"calibration.checked";
 inline constexpr char16_t chainMeasured[] = u"chain.measured";
-inline constexpr char16_t armingPolicy[] = u"policy.arming"; ///< who may arm
-inline constexpr char16_t gripperArmed[] = u"gripper.armed"; ///< the subject is its serial number
-inline constexpr char16_t clockBack[] = u"clock.back";       ///< of the station, since its last entry
+inline constexpr char16_t armingPolicy[] = u"policy.arming";         ///< who may arm
+inline constexpr char16_t approvalPolicy[] = u"policy.approval";     ///< who may approve a type
+inline constexpr char16_t gripperArmed[] = u"gripper.armed";         ///< the subject is its serial number
+inline constexpr char16_t inspectionVoided[] = u"inspection.voided"; ///< the subject is its number
+inline constexpr char16_t batchBegun[] = u"batch.begun";
+inline constexpr char16_t batchEnded[] = u"batch.ended";
+inline constexpr char16_t exported[] = u"export.made";              ///< the subject is the file
+inline constexpr char16_t libraryBackedUp[] = u"library.backed_up"; ///< the subject is the copy
+/// The subject is the backup. In the library that it takes the place of, before it does; then in the other.
+inline constexpr char16_t libraryRestoreBegun[] = u"library.restore_begun";
+inline constexpr char16_t libraryRestored[] = u"library.restored";
+inline constexpr char16_t capturesPruned[] = u"captures.pruned";
+inline constexpr char16_t profileInstalled[] = u"profile.installed";
+inline constexpr char16_t clockBack[] = u"clock.back"; ///< of the station, since its last entry
 inline constexpr char16_t typePrefix[] = u"type.";
 } // namespace audit_action
 
@@ -62,7 +74,8 @@ struct AuditEntry {
 
 /// "Type approved"; the action itself where this program does not know it.
 [[nodiscard]] QString actionInWords(const QString& action);
-/// The details as text for a person: "falseReject 0.01, 0.02"; empty when there are none.
+/// The details as text for a person, never JSON: "false reject: 1 % before, 2 % now"; empty when there are
+/// none.
 [[nodiscard]] QString detailsInWords(const AuditEntry& entry);
 
 } // namespace gripscope

@@ -20,6 +20,19 @@ std::optional<ArmingPolicy> armingPolicyFromString(const QString& text)
     return {};
 }
 
+QString toString(ApprovalPolicy policy)
+{
+    return policy == ApprovalPolicy::SecondPerson ? u"second_person"_s : u"one_person"_s;
+}
+
+std::optional<ApprovalPolicy> approvalPolicyFromString(const QString& text)
+{
+    for (const ApprovalPolicy policy : {ApprovalPolicy::OnePerson, ApprovalPolicy::SecondPerson})
+        if (toString(policy) == text)
+            return policy;
+    return {};
+}
+
 bool mayDo(Role role, Permission permission, ArmingPolicy arming)
 {
     return role == Role::Supervisor || (permission == Permission::Arm && arming == ArmingPolicy::SignedIn);
@@ -46,6 +59,8 @@ QString inWords(Permission permission)
         return Words::tr("Managing people");
     case Permission::ChangeSettings:
         return Words::tr("Changing settings");
+    case Permission::RestoreLibrary:
+        return Words::tr("Putting back a backup of the library");
     case Permission::Arm:
         return Words::tr("Arming the gripper");
     }
@@ -73,6 +88,8 @@ QString toString(Permission permission)
         return u"manage_people"_s;
     case Permission::ChangeSettings:
         return u"change_settings"_s;
+    case Permission::RestoreLibrary:
+        return u"restore_library"_s;
     case Permission::Arm:
         return u"arm"_s;
     }

@@ -18,7 +18,8 @@ enum class Permission {
     AcceptCalibrations, ///< and what else is measured of a gripper's channels
     ManagePeople,
     ChangeSettings,
-    Arm ///< the gripper, so that it may move; see ArmingPolicy
+    RestoreLibrary, ///< put a backup in the library's place
+    Arm             ///< the gripper, so that it may move; see ArmingPolicy
 };
 
 /// Who may arm a gripper once people are in a library; before that anybody may. From the window and from the
@@ -29,6 +30,14 @@ enum class ArmingPolicy {
 };
 [[nodiscard]] QString toString(ArmingPolicy policy); ///< "signed_in", "supervisors": in the library
 [[nodiscard]] std::optional<ArmingPolicy> armingPolicyFromString(const QString& text);
+
+/// Who may approve a type once people are in a library.
+enum class ApprovalPolicy {
+    OnePerson,   ///< any supervisor
+    SecondPerson ///< a supervisor who enrolled none of its squeezes
+};
+[[nodiscard]] QString toString(ApprovalPolicy policy); ///< "one_person", "second_person": in the library
+[[nodiscard]] std::optional<ApprovalPolicy> approvalPolicyFromString(const QString& text);
 
 /// Supervisors may everything, operators nothing of this, except to arm where the policy lets them.
 [[nodiscard]] bool mayDo(Role role, Permission permission, ArmingPolicy arming = ArmingPolicy::SignedIn);

@@ -16,7 +16,7 @@ struct RecognitionStudyOptions {
     std::function<void(int done, int rows)> progress;
 };
 
-/// A figure a row must have; absent sides are open.
+/// A figure of a row and what it is held to; absent sides are open, and without any it is only shown.
 struct StudyLimit {
     QString figure; ///< in words: "unknown / stated"
     double value = 0, standardError = 0;
@@ -43,6 +43,9 @@ struct RecognitionStudy {
     PaperRecognition paper;
 };
 
+/// One row, `options.runs` enrolments of it.
+[[nodiscard]] RecognitionRow studyRow(const RecognitionScenario& scenario,
+                                      const RecognitionStudyOptions& options);
 /// What rates are stated and what rates are found, over fresh enrolments. A run's numbers depend on the seed,
 /// the row's name and the run alone.
 [[nodiscard]] RecognitionStudy studyRecognition(const RecognitionStudyOptions& options);

@@ -30,6 +30,8 @@ public:
     void setLinkLimits(const LinkLimits& limits) { m_limits = limits; }
     /// Of the session that is being kept.
     [[nodiscard]] CaptureStatus captureStatus() const { return m_monitor->status(); }
+    /// What made room since this was asked last.
+    [[nodiscard]] std::vector<CapturePruning> takePrunings() { return m_monitor->takePrunings(); }
 
 private:
     std::optional<KeepSessions> m_keep;

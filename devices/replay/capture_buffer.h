@@ -4,12 +4,16 @@
 #include "core/base/error.h"
 #include "devices/replay/capture.h"
 
+#include <QStringList>
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace gripscope {
 
@@ -18,6 +22,13 @@ struct CaptureStatus {
     std::uint64_t records = 0;        ///< in files
     std::uint64_t droppedRecords = 0; ///< found no room, because the disk is slow, or could not be written
     std::optional<Error> problem;     ///< the last one; none while all is well
+};
+
+/// Older parts that made room for newer ones, at once.
+struct CapturePruning {
+    QString folder;
+    QStringList parts; ///< names of the files that went
+    qint64 bytes = 0, squeezes = 0;
 };
 
 /// How the capture under way fares, from the threads that know to the one that shows it.
@@ -37,6 +48,18 @@ public:
         m_status.records = records;
         m_status.problem = problem;
     }
+    /// By the writing thread.
+    void pruned(const CapturePruning& pruning)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_prunings.push_back(pruning);
+    }
+    /// Those that nobody took yet.
+    [[nodiscard]] std::vector<CapturePruning> takePrunings()
+    {
+        const std::lock_guard lock(m_mutex);
+        return std::exchange(m_prunings, {});
+    }
     /// From any thread; never waits.
     void dropped(std::uint64_t records) { m_dropped += records; }
 
@@ -51,6 +74,7 @@ public:
 private:
     mutable std::mutex m_mutex;
     CaptureStatus m_status;
+    std::vector<CapturePruning> m_prunings;
     std::atomic<std::uint64_t> m_dropped{0};
 };
 

@@ -151,32 +151,37 @@ Expected<void> CaptureFolder::list(const Part& closed) const
     return {};
 }
 
-Expected<std::vector<CaptureFolder::Part>> CaptureFolder::prune(qint64 most, const QString& keep) const
+CaptureFolder::Pruned CaptureFolder::prune(qint64 most, const QString& keep) const
 {
     QLockFile lock(filePath(u"captures.lock"_s));
     if (!lock.tryLock(lockPatience_ms))
-        return cannotList(Words::tr("another program holds %1").arg(filePath(u"captures.lock"_s)));
+        return {{},
+                cannotList(Words::tr("another program holds %1").arg(filePath(u"captures.lock"_s))).value()};
     std::vector<Part> known = parts();
     qint64 total = 0;
     for (const Part& part : known)
         total += part.bytes;
     std::stable_partition(known.begin(), known.end(), [](const Part& part) { return part.squeezes == 0; });
-    std::vector<Part> removed;
+    Pruned pruned;
     for (const Part& part : known) {
         if (total <= most)
             break;
         if (part.name == keep)
             continue;
-        if (!QFile::remove(filePath(part.name)))
-            return failure(
+        if (!QFile::remove(filePath(part.name))) {
+            pruned.problem = Error{
                 ErrorCode::FileUnwritable,
-                {filePath(part.name), Words::tr("it cannot be removed to make room for newer captures")});
+                {filePath(part.name), Words::tr("it cannot be removed to make room for newer captures")}};
+            break;
+        }
         total -= part.bytes;
-        removed.push_back(part);
+        pruned.removed.push_back(part);
     }
-    if (!removed.empty())
-        RETURN_IF_ERROR(rewriteList(removed));
-    return removed;
+    // What went is listed no longer, whatever else happened.
+    if (!pruned.removed.empty())
+        if (const auto rewritten = rewriteList(pruned.removed); !rewritten && !pruned.problem)
+            pruned.problem = rewritten.error();
+    return pruned;
 }
 
 Expected<void> CaptureFolder::rewriteList(const std::vector<Part>& removed) const

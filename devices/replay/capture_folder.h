@@ -43,9 +43,13 @@ public:
 
     /// Lists a part as closed. StorageFailed.
     [[nodiscard]] Expected<void> list(const Part& closed) const;
+    struct Pruned {
+        std::vector<Part> removed;
+        std::optional<Error> problem; ///< it ended there: not all went that was to go
+    };
     /// Removes parts until all together have at most `most` bytes: the oldest first, those without a squeeze
-    /// before those with one or not known to have none. `keep` stays. What was removed.
-    [[nodiscard]] Expected<std::vector<Part>> prune(qint64 most, const QString& keep = {}) const;
+    /// before those with one or not known to have none. `keep` stays.
+    [[nodiscard]] Pruned prune(qint64 most, const QString& keep = {}) const;
 
 private:
     [[nodiscard]] Expected<void> rewriteList(const std::vector<Part>& removed) const;

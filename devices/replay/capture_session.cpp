@@ -160,7 +160,9 @@ Expected<void> CaptureSession::beginPart(const QByteArray& features, std::uint64
     if (!QDir().mkpath(folder.path()))
         return failure(ErrorCode::FileUnwritable, {folder.path(), Words::tr("the folder cannot be made")});
     const qint64 room = m_destination.limits.totalBytes - m_destination.limits.partBytes;
-    RETURN_IF_ERROR(folder.prune(room));
+    const CaptureFolder::Pruned pruned = folder.prune(room);
+    tellPruning(pruned.removed); // also of those that went before it ended
+    RETURN_IF_ERROR(pruned.problem);
     const QString name = u"%1.part%2.gscap"_s.arg(m_session).arg(m_parts + 1, 4, 10, QLatin1Char('0'));
     ASSIGN_OR_RETURN(std::unique_ptr<CapturePart> part,
                      CapturePart::create(folder.filePath(name), CapturePart::Existing::Refuse));
@@ -170,6 +172,19 @@ Expected<void> CaptureSession::beginPart(const QByteArray& features, std::uint64
     m_partSqueezes = 0;
     const QByteArray head = captureHeader() + sessionNote(time_us) + features;
     return m_part->add(head.constData(), head.size());
+}
+
+void CaptureSession::tellPruning(const std::vector<CaptureFolder::Part>& removed)
+{
+    if (removed.empty())
+        return;
+    CapturePruning pruning{m_destination.folder, {}, 0, 0};
+    for (const CaptureFolder::Part& part : removed) {
+        pruning.parts << part.name;
+        pruning.bytes += part.bytes;
+        pruning.squeezes += part.squeezes.value_or(0);
+    }
+    m_monitor->pruned(pruning);
 }
 
 QByteArray CaptureSession::sessionNote(std::uint64_t time_us) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "devices/replay/capture_folder.h"
 #include "devices/replay/capture_writer.h"
 
 #include <QByteArray>
@@ -9,6 +10,7 @@
 #include <QFile>
 
 #include <memory>
+#include <vector>
 
 namespace gripscope {
 
@@ -54,6 +56,7 @@ private:
     void keep(const Chunk& chunk, const CaptureBuffer& buffer);
     [[nodiscard]] Expected<void> write(const Chunk& chunk, const CaptureBuffer& buffer);
     [[nodiscard]] Expected<void> beginPart(const QByteArray& features, std::uint64_t time_us);
+    void tellPruning(const std::vector<CaptureFolder::Part>& removed);
     [[nodiscard]] Expected<void> closePart();
     [[nodiscard]] bool partIsDue() const;
     [[nodiscard]] QByteArray sessionNote(std::uint64_t time_us) const;

@@ -11,6 +11,7 @@
 #include "devices/replay/capture_transport.h"
 
 #include <deque>
+#include <utility>
 
 namespace gripscope {
 
@@ -80,6 +81,8 @@ private:
     bool m_open = false;  ///< a squeeze is being cut out
     bool m_noted = false; ///< the capture has notes of squeezes, so that commands need not be looked at
     std::optional<std::uint16_t> m_excitation; ///< the last one that was uploaded
+    bool m_endedJustNow =
+        false; ///< the last squeeze, by its note: one that says how it was judged is its own
     double m_now_s = 0, m_begins_s = 0;
 };
 
@@ -119,6 +122,13 @@ void SessionCutter::takeNote(const QString& note)
     }
     if (const std::optional<SqueezeEnded> ended = squeezeEnded(note))
         return end(*ended);
+    const bool judged = note.startsWith(
+        QLatin1String(squeezeJudgedNote.data(), static_cast<qsizetype>(squeezeJudgedNote.size())));
+    if (judged) {
+        if (std::exchange(m_endedJustNow, false))
+            m_session.squeezes.back().judged = note;
+        return;
+    }
     const auto fact = [&](const QString& key) {
         return note.section(u'\n' + key + u": "_s, 1, 1).section(u'\n', 0, 0);
     };
@@ -137,6 +147,7 @@ void SessionCutter::open(const SqueezeBegins& begins)
     else if (m_open)
         fail(Words::tr("another squeeze began within it"));
     m_open = true;
+    m_endedJustNow = false;
     m_begins_s = m_now_s;
     m_recorder.begin(begins.mode, begins.samples, m_session.identity.sampleTime_s);
     std::vector<Sample> waiting;
@@ -148,10 +159,10 @@ void SessionCutter::open(const SqueezeBegins& begins)
 
 void SessionCutter::end(const SqueezeEnded& ended)
 {
-    if (!m_open)
+    m_endedJustNow = std::exchange(m_open, false);
+    if (!m_endedJustNow)
         return; // its beginning is in a part that is not there
-    m_open = false;
-    CapturedSqueeze squeeze{ended.head, ended.failure, true, 0, m_begins_s};
+    CapturedSqueeze squeeze{ended.head, ended.failure, true, 0, m_begins_s, {}};
     if (!ended.failure) {
         m_recorder.moveTo(squeeze.recording);
         squeeze.recording = slice(squeeze.recording, {0, std::min(squeeze.recording.size(), ended.samples)});

@@ -18,6 +18,7 @@ struct CapturedSqueeze {
     bool noted = false;
     std::size_t missingSamples = 0; ///< the program had so many more: the capture lost records
     double begins_s = 0;            ///< since the session began
+    QString judged = {};            ///< the note behind it (squeezeJudgedNote); empty: it was no inspection
 };
 
 /// What a capture holds, without the samples between the squeezes.

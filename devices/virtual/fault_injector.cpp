@@ -16,14 +16,6 @@ bool isStream(const protocol::Report& report)
     return report[0] == static_cast<std::uint8_t>(protocol::ReportId::Stream);
 }
 
-/// In a stream report; 0 in any other.
-std::uint64_t samplesIn(const protocol::Report& report)
-{
-    const protocol::Decoded<protocol::InputMessage> message = protocol::decodeInput(report);
-    const auto* stream = message ? std::get_if<protocol::StreamReport>(&*message) : nullptr;
-    return stream ? stream->count : 0;
-}
-
 } // namespace
 
 FaultInjector::FaultInjector(std::uint64_t seed)
@@ -37,11 +29,21 @@ void FaultInjector::beginSqueeze(std::uint64_t number)
     m_stream = RandomStream(m_seed, number, streamPurpose);
 }
 
+std::uint64_t FaultInjector::countSent(const protocol::Report& report)
+{
+    const protocol::Decoded<protocol::InputMessage> message = protocol::decodeInput(report);
+    const auto* stream = message ? std::get_if<protocol::StreamReport>(&*message) : nullptr;
+    if (!stream || stream->count == 0)
+        return 0;
+    m_counts.samples += stream->count;
+    m_counts.first = m_counts.first.value_or(stream->firstSample);
+    m_counts.last = std::uint64_t(stream->firstSample) + stream->count - 1;
+    return stream->count;
+}
+
 void FaultInjector::lose(const protocol::Report& report)
 {
-    const std::uint64_t samples = samplesIn(report);
-    m_counts.samples += samples;
-    m_counts.lostSamples += samples;
+    m_counts.lostSamples += countSent(report);
 }
 
 void FaultInjector::pass(const protocol::Report& report, const FaultState& faults,
@@ -55,8 +57,7 @@ void FaultInjector::pass(const protocol::Report& report, const FaultState& fault
     const std::uint64_t bit = random.bits() % (8 * protocol::reportSize);
     if (lost)
         return lose(report);
-    const std::uint64_t samples = samplesIn(report);
-    m_counts.samples += samples;
+    const std::uint64_t samples = countSent(report);
     protocol::Report arriving = report;
     if (damaged) {
         arriving[bit / 8] = static_cast<std::uint8_t>(arriving[bit / 8] ^ (1U << bit % 8));

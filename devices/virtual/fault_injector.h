@@ -6,12 +6,15 @@
 #include "devices/protocol/report.h"
 
 #include <deque>
+#include <optional>
 
 namespace gripscope {
 
 /// What became of the reports that a device wanted to send.
 struct FaultCounts {
-    std::uint64_t samples = 0;          ///< in stream reports
+    std::uint64_t samples = 0;          ///< in stream reports, counted one by one
+    std::optional<std::uint64_t> first; ///< the number of the first of them, as the device gives it
+    std::uint64_t last = 0;             ///< and of the last
     std::uint64_t lostSamples = 0;      ///< of them, in reports that did not arrive or arrived damaged
     std::uint64_t damagedReports = 0;   ///< arrived with a bit flipped; twice when doubled
     std::uint64_t duplicateReports = 0; ///< stream reports that arrived whole a second time
@@ -32,6 +35,8 @@ public:
     [[nodiscard]] const FaultCounts& counts() const { return m_counts; }
 
 private:
+    std::uint64_t countSent(const protocol::Report& report); ///< the samples in it
+
     std::uint64_t m_seed;
     RandomStream m_stream;
     RandomStream m_acknowledgements;

@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 #include "devices/virtual/virtual_button.h"
+#include "devices/virtual/virtual_load.h"
 #include "devices/virtual/virtual_plug.h"
 
 #include <algorithm>
@@ -70,8 +71,9 @@ void VirtualTransport::followFaults()
 {
     m_timeline.advanceTo(faults_s());
     const FaultState& now = m_timeline.state();
-    m_firmware.setFaults({now.saturate_N, now.stuck, now.broken, now.clock_s, now.load_N,
-                          now.buttonDown || virtual_button::down(), now.noWatchdog, now.clockRate});
+    m_firmware.setFaults({now.saturate_N, now.stuck, now.broken, now.clock_s,
+                          now.load_N + virtual_load::load_N(), now.buttonDown || virtual_button::down(),
+                          now.noWatchdog, now.clockRate});
     if (const double rate = m_address.speed * (1 + now.clockRate) / (1e6 * VirtualFirmware::sampleTime_s);
         rate != m_pace.rate)
         m_pace = {m_pace.at_us(m_firmware.samplesTaken()), m_firmware.samplesTaken(), rate};

@@ -6,7 +6,7 @@
 set(_gripscope_label_makers ui/widgets/controls.cpp)
 set(_gripscope_markup_writers
   ui/widgets/plain_text.cpp                      # makeMarkedLabel()
-  ui/reports/pdf_document.cpp            # lays out reports, loads nothing
+  ui/reports/pdf_layout.cpp              # lays out reports, loads nothing
   ui/help/help_windows.h ui/help/manual_window.cpp) # the manual's own pages
 set(_gripscope_bare_label "new QLabel\\(|[^a-zA-Z:]QLabel [a-zA-Z_]+([({]|$)")
 set(_gripscope_markup "Qt::(RichText|AutoText|MarkdownText)|setHtml\\(|insertHtml\\(|appendHtml\\(|setMarkdown\\(|QStaticText|QGraphicsTextItem|(new|public) Q(TextBrowser|TextEdit)[^a-zA-Z]|QErrorMessage|setTitleText\\(|QMessageBox::(question|warning|information|critical|about)\\(")

@@ -166,7 +166,7 @@
     </message>
     <message>
         <source>The gripper is not armed, so it did not %1. Arm it first.</source>
-        <translation>Der Greifer ist nicht scharf und tut daher nichts (%1). Erst scharf schalten.</translation>
+        <translation>Der Greifer ist nicht scharfgeschaltet und tut daher nichts (%1). Erst scharf schalten.</translation>
     </message>
     <message>
         <source>The library %1 cannot be opened (%2).</source>
@@ -206,7 +206,7 @@
     </message>
     <message>
         <source>The gripper did not obey Stop. Switch off its power.</source>
-        <translation>Der Greifer hat STOPP nicht befolgt. Schalten Sie ihn stromlos.</translation>
+        <translation>Der Greifer hat STOPP nicht befolgt. Seine Stromversorgung abschalten.</translation>
     </message>
 </context>
 <context>
@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>Judging…</source>
-        <translation>Urteilt…</translation>
+        <translation>Wird beurteilt…</translation>
     </message>
     <message>
         <source>Reading the library…</source>
@@ -241,7 +241,7 @@
     </message>
     <message>
         <source>Place the part, hands clear, then arm the gripper</source>
-        <translation>Teil einlegen, Hände weg, dann den Greifer scharf schalten</translation>
+        <translation>Teil einlegen, Hände weg, dann scharf schalten</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -289,7 +289,7 @@
     </message>
     <message>
         <source>The gripper is not armed. Place the part, hands clear, then arm it</source>
-        <translation>Der Greifer ist nicht scharf. Teil einlegen, Hände weg, dann scharf schalten</translation>
+        <translation>Der Greifer ist nicht scharfgeschaltet. Teil einlegen, Hände weg, dann scharf schalten</translation>
     </message>
     <message>
         <source>Not stopped</source>
@@ -299,12 +299,28 @@
         <source>The last part: %1, %2</source>
         <translation>Das letzte Teil: %1, %2</translation>
     </message>
+    <message>
+        <source>No approved type</source>
+        <translation>Kein freigegebener Typ</translation>
+    </message>
+    <message>
+        <source>A type is recognised once it is approved: finish its enrolment (Ctrl+3), or ask a supervisor to approve it</source>
+        <translation>Ein Typ wird erkannt, sobald er freigegeben ist: sein Einlernen beenden (Strg+3) oder eine Aufsicht um die Freigabe bitten</translation>
+    </message>
+    <message>
+        <source>Disarmed</source>
+        <translation>Entschärft</translation>
+    </message>
 </context>
 <context>
     <name>InspectionLine</name>
     <message>
         <source>Inspection %1: %2 %3</source>
         <translation>Prüfung %1: %2 %3</translation>
+    </message>
+    <message>
+        <source>voided: %1</source>
+        <translation>storniert: %1</translation>
     </message>
 </context>
 <context>
@@ -381,7 +397,7 @@ m  %3</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation>durchgefallen</translation>
+        <translation>nicht bestanden</translation>
     </message>
     <message>
         <source>measurement not valid</source>
@@ -734,11 +750,7 @@ m  %3</translation>
     </message>
     <message>
         <source>the search did not settle</source>
-        <translation>die Suche kam nicht zur Ruhe</translation>
-    </message>
-    <message>
-        <source>the cubic spring needs an unbroken record; choose a window without lost samples</source>
-        <translation>die kubische Feder braucht eine lückenlose Aufnahme; ein Fenster ohne verlorene Abtastwerte wählen</translation>
+        <translation>die Suche ist nicht konvergiert</translation>
     </message>
     <message>
         <source>force and position have different lengths</source>
@@ -750,7 +762,7 @@ m  %3</translation>
     </message>
     <message>
         <source>this force does not determine m, b, k and k3; squeeze with a richer one</source>
-        <translation>diese Kraft bestimmt m, b, k und k3 nicht; mit einer reicheren drücken</translation>
+        <translation>diese Kraft bestimmt m, b, k und k3 nicht; mit einer frequenzreicheren drücken</translation>
     </message>
     <message>
         <source>the mass cannot be told from zero; excite faster, or sample faster</source>
@@ -774,7 +786,7 @@ m  %3</translation>
     </message>
     <message>
         <source>the position does not answer the force; check the grip and which column is which</source>
-        <translation>der Weg antwortet nicht auf die Kraft; den Griff prüfen und welche Spalte welche ist</translation>
+        <translation>der Weg folgt der Kraft nicht; den Griff prüfen und welche Spalte welche ist</translation>
     </message>
     <message>
         <source>the sample time or the lag is not a usable number</source>
@@ -794,11 +806,7 @@ m  %3</translation>
     </message>
     <message>
         <source>the iteration did not settle</source>
-        <translation>die Iteration kam nicht zur Ruhe</translation>
-    </message>
-    <message>
-        <source>instrumental variables need an unbroken record; choose a window without lost samples</source>
-        <translation>Hilfsvariablen brauchen eine lückenlose Aufnahme; ein Fenster ohne verlorene Abtastwerte wählen</translation>
+        <translation>die Iteration ist nicht konvergiert</translation>
     </message>
     <message>
         <source>there are fewer samples than there are unknowns; record for longer</source>
@@ -834,7 +842,7 @@ m  %3</translation>
     </message>
     <message>
         <source>none of the squeezes tells the lag</source>
-        <translation>keiner der Druckversuche verrät den Zeitversatz</translation>
+        <translation>aus keinem der Druckversuche lässt sich der Zeitversatz bestimmen</translation>
     </message>
     <message>
         <source>a further delay between force and position</source>
@@ -970,7 +978,7 @@ m  %3</translation>
     </message>
     <message>
         <source>the search did not settle; record more periods or a stronger excitation</source>
-        <translation>die Suche kam nicht zur Ruhe; mehr Perioden oder eine stärkere Anregung aufnehmen</translation>
+        <translation>die Suche ist nicht konvergiert; mehr Perioden oder eine stärkere Anregung aufnehmen</translation>
     </message>
     <message>
         <source>the lag between the channels leaves too few periods</source>
@@ -978,7 +986,7 @@ m  %3</translation>
     </message>
     <message>
         <source>the repeating force has too few frequencies to determine m, b and k; squeeze with a richer one</source>
-        <translation>die wiederholte Kraft hat zu wenige Frequenzen, um m, b und k zu bestimmen; mit einer reicheren drücken</translation>
+        <translation>die wiederholte Kraft hat zu wenige Frequenzen, um m, b und k zu bestimmen; mit einer frequenzreicheren drücken</translation>
     </message>
     <message>
         <source>there is no estimate with a covariance to start from</source>
@@ -1006,11 +1014,11 @@ m  %3</translation>
     </message>
     <message>
         <source>m, b and k hold here too, but the residuals still follow the force: the object does something that the model does not</source>
-        <translation>m, b und k gelten auch hier, aber die Residuen folgen noch der Kraft: Das Objekt tut etwas, was das Modell nicht tut</translation>
+        <translation>m, b und k gelten auch hier, aber die Residuen folgen noch der Kraft: Das Objekt zeigt etwas, was das Modell nicht enthält</translation>
     </message>
     <message>
         <source>this record does not tell m, b and k, so that the misfit could not be judged</source>
-        <translation>diese Aufnahme verrät m, b und k nicht, sodass der Modellfehler nicht zu beurteilen war</translation>
+        <translation>aus dieser Aufnahme sind m, b und k nicht zu bestimmen, sodass der Modellfehler nicht zu beurteilen war</translation>
     </message>
     <message>
         <source>the noise of this record could not be told from the misfit</source>
@@ -1034,7 +1042,7 @@ m  %3</translation>
     </message>
     <message>
         <source>not judged: the estimate is for a force that answers to the position, which a simulation from the measured force cannot judge</source>
-        <translation>nicht beurteilt: Die Schätzung gilt für eine Kraft, die auf den Weg antwortet; eine Simulation aus der gemessenen Kraft kann das nicht beurteilen</translation>
+        <translation>nicht beurteilt: Die Schätzung gilt für eine Kraft, die auf den Weg reagiert; eine Simulation aus der gemessenen Kraft kann das nicht beurteilen</translation>
     </message>
     <message>
         <source>not judged: the estimate has no errors to compare the misfit with</source>
@@ -1090,7 +1098,7 @@ m  %3</translation>
     </message>
     <message>
         <source>nothing in the recording was beyond mending</source>
-        <translation>nichts in der Aufnahme war unheilbar</translation>
+        <translation>in der Aufnahme war nichts, was sich nicht beheben ließ</translation>
     </message>
     <message>
         <source>not judged without an estimate</source>
@@ -1170,11 +1178,11 @@ m  %3</translation>
     </message>
     <message>
         <source>the force does not answer to the position</source>
-        <translation>die Kraft antwortet nicht auf den Weg</translation>
+        <translation>die Kraft hängt nicht vom Weg ab</translation>
     </message>
     <message>
         <source>the force answers to disturbances of the position, as under feedback: m, b and k are biased. Squeeze with a repeated excitation and use periodic, or control the force less stiffly</source>
-        <translation>die Kraft antwortet auf Störungen des Wegs, wie bei einer Rückkopplung: m, b und k sind verfälscht. Mit wiederholter Anregung drücken und periodic verwenden oder die Kraft weniger steif regeln</translation>
+        <translation>die Kraft reagiert auf Störungen des Wegs, wie bei einer Rückkopplung: m, b und k sind verfälscht. Mit wiederholter Anregung drücken und periodic verwenden oder die Kraft weniger steif regeln</translation>
     </message>
     <message>
         <source> with gripper %1</source>
@@ -1266,7 +1274,7 @@ m  %3</translation>
     </message>
     <message>
         <source>%1 wrong of %2: at most %3 with %4 confidence</source>
-        <translation>%1 von %2 falsch: höchstens %3 bei einem Vertrauen von %4</translation>
+        <translation>%1 von %2 falsch: höchstens %3 bei einem Vertrauensniveau von %4</translation>
     </message>
     <message>
         <source>; %1 without one are needed to show %2</source>
@@ -1489,26 +1497,6 @@ m  %3</translation>
         <translation>Noch ist kein Urteil möglich: %1, dann gibt es eine Grenze.</translation>
     </message>
     <message>
-        <source>A squeeze further than %1 sd from %2 is called unknown; with all known it would be %3 sd.</source>
-        <translation>Ein Druckversuch, der weiter als %L1 sd von %2 liegt, heißt unbekannt; wäre alles bekannt, ab %L3 sd.</translation>
-    </message>
-    <message>
-        <source>A foreign part 6 sd away passes for it %1 times (at best %2).</source>
-        <translation>Ein Fremdteil in 6 sd Abstand geht %1-mal dafür durch (bestenfalls %2).</translation>
-    </message>
-    <message>
-        <source>It takes more than 100 more squeezes to come near that.</source>
-        <translation>Es braucht mehr als 100 weitere Druckversuche, um dem nahezukommen.</translation>
-    </message>
-    <message>
-        <source>%1 bring it near that.</source>
-        <translation>%1 kommen dem nahe.</translation>
-    </message>
-    <message>
-        <source>More squeezes would gain little.</source>
-        <translation>Weitere Druckversuche brächten wenig.</translation>
-    </message>
-    <message>
         <source>Row %1, feature %2</source>
         <translation>Zeile %1, Merkmal %2</translation>
     </message>
@@ -1710,11 +1698,11 @@ m  %3</translation>
     </message>
     <message>
         <source>The rate %1 must be between %2 and %3, not %4.</source>
-        <translation>Die Rate %1 muss zwischen %L2 und %L3 liegen, nicht bei %L4.</translation>
+        <translation>Die Fehlerrate %1 muss zwischen %L2 und %L3 liegen, nicht bei %L4.</translation>
     </message>
     <message>
         <source>The confidence must be between %1 and %2, not %3.</source>
-        <translation>Das Vertrauen muss zwischen %L1 und %L2 liegen, nicht bei %L3.</translation>
+        <translation>Das Vertrauensniveau muss zwischen %L1 und %L2 liegen, nicht bei %L3.</translation>
     </message>
     <message>
         <source>The instrument&apos;s range must have lowest values above zero and below the highest.</source>
@@ -1742,7 +1730,7 @@ m  %3</translation>
     </message>
     <message>
         <source>%1 is where %2 sits; the next type, %3, is %4 sd away.</source>
-        <translation>%1 liegt, wo %2 liegt; der nächste Typ, %3, ist %4 sd entfernt.</translation>
+        <translation>%1 liegt, wo %2 liegt; der nächste Typ, %3, ist %4 σ entfernt.</translation>
     </message>
     <message>
         <source>%1 is %2, the nearest type.</source>
@@ -1750,7 +1738,7 @@ m  %3</translation>
     </message>
     <message>
         <source>That is %1 sd away; squeezes of %2 stay within %3 sd.</source>
-        <translation>Das sind %1 sd Abstand; Druckversuche von %2 bleiben innerhalb von %3 sd.</translation>
+        <translation>Das sind %1 σ Abstand; Druckversuche von %2 bleiben innerhalb von %3 σ.</translation>
     </message>
     <message>
         <source>Each of mass, damping and stiffness alone could be %1, but not the three together.</source>
@@ -1781,10 +1769,6 @@ m  %3</translation>
         <translation>Erneut drücken; weitere eingelernte Druckversuche grenzen %1 enger ein.</translation>
     </message>
     <message>
-        <source>No type is enrolled yet.</source>
-        <translation>Noch ist kein Typ eingelernt.</translation>
-    </message>
-    <message>
         <source>The rate of false alarms asked for is too small for so few squeezes; enrol more.</source>
         <translation>Die verlangte Fehlalarmrate ist zu klein für so wenige Druckversuche; weitere einlernen.</translation>
     </message>
@@ -1806,7 +1790,7 @@ m  %3</translation>
     </message>
     <message>
         <source>it is armed, and hands are near: disarm it first</source>
-        <translation>er ist scharf, und Hände sind nahe: erst entschärfen</translation>
+        <translation>er ist scharf, und am Greifer wird gearbeitet: erst entschärfen</translation>
     </message>
     <message>
         <source>The reading hardly changed. Was the load put on?</source>
@@ -2009,6 +1993,14 @@ m  %3</translation>
         <translation>Ein Druckversuch läuft. Das Ende abwarten oder anhalten.</translation>
     </message>
     <message>
+        <source>What the library knows of this gripper could not be read, so nothing is squeezed; it is asked again every 2 seconds. %1</source>
+        <translation>Was die Bibliothek von diesem Greifer weiß, konnte nicht gelesen werden; darum wird nicht gedrückt. Sie wird alle 2 Sekunden erneut gefragt. %1</translation>
+    </message>
+    <message>
+        <source>The library is still being asked what is known of this gripper. Wait a moment, then squeeze again.</source>
+        <translation>Die Bibliothek wird noch gefragt, was von diesem Greifer bekannt ist. Einen Moment warten, dann erneut drücken.</translation>
+    </message>
+    <message>
         <source>cannot be seen: the gripper sends neither a number nor a clock</source>
         <translation>nicht zu erkennen: Der Greifer sendet weder Nummer noch Uhrzeit</translation>
     </message>
@@ -2135,10 +2127,6 @@ m  %3</translation>
     <message>
         <source>the gripper left the object for %1 samples (%2 %), since it can push but not pull; they were left out. Squeeze with more bias.</source>
         <translation>der Greifer verließ das Objekt für %1 Abtastwerte (%2 %), da er drücken, aber nicht ziehen kann; sie wurden ausgelassen. Mit mehr Grundkraft drücken.</translation>
-    </message>
-    <message>
-        <source>the force channel&apos;s noise, %1 force units, was taken from the %2 samples before the squeeze</source>
-        <translation>das Rauschen des Kraftkanals, %1 Krafteinheiten, stammt aus den %2 Abtastwerten vor dem Druckversuch</translation>
     </message>
     <message>
         <source>the frame&apos;s share of the position, %1 position units per force unit, was taken away</source>
@@ -2271,10 +2259,6 @@ m  %3</translation>
     <message>
         <source>expected a second one, to tell the sample time</source>
         <translation>erwartet: eine zweite, um die Abtastzeit zu bestimmen</translation>
-    </message>
-    <message>
-        <source>found steps of %1 s in time_s</source>
-        <translation>gefunden: Schritte von %1 s in time_s</translation>
     </message>
     <message>
         <source>expected steps of the sample time, %1 s</source>
@@ -2454,7 +2438,7 @@ m  %3</translation>
     </message>
     <message>
         <source>%1 was merged into %2, with %3.</source>
-        <translation>%1 wurde mit %2 vereinigt: %3.</translation>
+        <translation>%1 wurde mit %2 zusammengeführt: %3.</translation>
     </message>
     <message>
         <source>%3 of %1 became the new type %2.</source>
@@ -2482,7 +2466,7 @@ m  %3</translation>
     </message>
     <message>
         <source>A type cannot be merged into itself.</source>
-        <translation>Ein Typ kann nicht mit sich selbst vereinigt werden.</translation>
+        <translation>Ein Typ kann nicht mit sich selbst zusammengeführt werden.</translation>
     </message>
     <message>
         <source>Only accepted squeezes of %1 can be taken out of it.</source>
@@ -2510,7 +2494,7 @@ m  %3</translation>
     </message>
     <message>
         <source>merge the types</source>
-        <translation>Typen vereinigen</translation>
+        <translation>Typen zusammenführen</translation>
     </message>
     <message>
         <source>split the type</source>
@@ -2764,7 +2748,7 @@ m  %3</translation>
     </message>
     <message>
         <source>What it says of itself</source>
-        <translation>Was er über sich sagt</translation>
+        <translation>Seine eigenen Angaben</translation>
     </message>
     <message>
         <source>Plug the gripper in again. If it stays, its firmware does not answer as devices/PROTOCOL.md asks.</source>
@@ -2780,7 +2764,7 @@ m  %3</translation>
     </message>
     <message>
         <source>said by a profile or a file, not by the gripper</source>
-        <translation>von Profil oder Datei gesagt, nicht vom Greifer</translation>
+        <translation>von Profil oder Datei angegeben, nicht vom Greifer</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -3575,14 +3559,6 @@ m  %3</translation>
         <translation>%1 Dieser Rechner hat diese Bibliothek noch nicht gesehen: Ob am Ende Einträge fehlen, ist hier nicht zu erkennen.</translation>
     </message>
     <message>
-        <source>on</source>
-        <translation>ein</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>aus</translation>
-    </message>
-    <message>
         <source>Signed in</source>
         <translation>Angemeldet</translation>
     </message>
@@ -3620,7 +3596,7 @@ m  %3</translation>
     </message>
     <message>
         <source>Rates changed</source>
-        <translation>Raten geändert</translation>
+        <translation>Fehlerraten geändert</translation>
     </message>
     <message>
         <source>Setting changed</source>
@@ -3632,7 +3608,27 @@ m  %3</translation>
     </message>
     <message>
         <source>Reference object stated</source>
-        <translation>Referenzteil angegeben</translation>
+        <translation>Referenzobjekt angegeben</translation>
+    </message>
+    <message>
+        <source>Checked on the reference object</source>
+        <translation>Am Referenzteil geprüft</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>durchgefallen</translation>
+    </message>
+    <message>
+        <source>not valid</source>
+        <translation>ungültig</translation>
     </message>
     <message>
         <source>Gripper&apos;s channels measured</source>
@@ -3668,7 +3664,7 @@ m  %3</translation>
     </message>
     <message>
         <source>Types merged</source>
-        <translation>Typen zusammengelegt</translation>
+        <translation>Typen zusammengeführt</translation>
     </message>
     <message>
         <source>Type split</source>
@@ -3692,7 +3688,7 @@ m  %3</translation>
     </message>
     <message>
         <source>Changing the rates of verdicts</source>
-        <translation>Raten der Urteile ändern</translation>
+        <translation>Fehlerraten ändern</translation>
     </message>
     <message>
         <source>Changing a recipe and its limits</source>
@@ -4452,7 +4448,7 @@ m  %3</translation>
     </message>
     <message>
         <source>what a recording can hold</source>
-        <translation>was eine Aufzeichnung fasst</translation>
+        <translation>was eine Aufnahme fasst</translation>
     </message>
     <message>
         <source>the sample time must be %1</source>
@@ -4488,11 +4484,11 @@ m  %3</translation>
     </message>
     <message>
         <source>expected fewer: cut the recording into parts</source>
-        <translation>erwartet: weniger; die Aufzeichnung in Teile schneiden</translation>
+        <translation>erwartet: weniger; die Aufnahme in Teile schneiden</translation>
     </message>
     <message>
         <source>The recording can&apos;t be kept: %1.</source>
-        <translation>Die Aufzeichnung kann nicht behalten werden: %1.</translation>
+        <translation>Die Aufnahme lässt sich nicht aufbewahren: %1.</translation>
     </message>
     <message>
         <source>seconds from %1 to %2</source>
@@ -4504,7 +4500,7 @@ m  %3</translation>
     </message>
     <message>
         <source>it has %1 samples, at most %2 can be kept</source>
-        <translation>sie hat %1 Abtastwerte, höchstens %2 können behalten werden</translation>
+        <translation>sie hat %1 Abtastwerte, höchstens %2 lassen sich aufbewahren</translation>
     </message>
     <message>
         <source>more than %1 facts stand beside its samples</source>
@@ -4536,7 +4532,7 @@ m  %3</translation>
     </message>
     <message>
         <source>%1 needs somebody who has signed in. Sign in, then try again.</source>
-        <translation>%1 braucht jemanden, der angemeldet ist. Melden Sie sich an und versuchen Sie es noch einmal.</translation>
+        <translation>%1: Dafür muss jemand angemeldet sein. Anmelden, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>read its policies</source>
@@ -4572,7 +4568,7 @@ m  %3</translation>
     </message>
     <message>
         <source>another program sends it commands. Close that program first</source>
-        <translation>ein anderes Programm sendet ihm Befehle. Schließen Sie erst jenes Programm</translation>
+        <translation>ein anderes Programm sendet ihm Befehle. Erst das andere Programm schließen</translation>
     </message>
     <message>
         <source>it is armed, though this program did not arm it</source>
@@ -4580,7 +4576,7 @@ m  %3</translation>
     </message>
     <message>
         <source>another program sends it commands. Close that program, then arm again</source>
-        <translation>ein anderes Programm sendet ihm Befehle. Schließen Sie jenes Programm und schalten Sie dann wieder scharf</translation>
+        <translation>ein anderes Programm sendet ihm Befehle. Das andere Programm schließen, dann wieder scharf schalten</translation>
     </message>
     <message>
         <source>its reports arrive damaged (length, version or checksum wrong), so that nobody would see what it does</source>
@@ -4608,7 +4604,7 @@ m  %3</translation>
     </message>
     <message>
         <source>another program uses it. Close that program or disconnect the gripper there, then connect again</source>
-        <translation>ein anderes Programm benutzt ihn. Schließen Sie jenes Programm oder trennen Sie den Greifer dort und verbinden Sie dann neu</translation>
+        <translation>ein anderes Programm benutzt ihn. Das andere Programm schließen oder den Greifer dort trennen, dann neu verbinden</translation>
     </message>
     <message>
         <source>a sample time of %1</source>
@@ -4744,11 +4740,11 @@ m  %3</translation>
     </message>
     <message>
         <source>read its ledger</source>
-        <translation>ihr Hauptbuch lesen</translation>
+        <translation>ihr Journal lesen</translation>
     </message>
     <message>
         <source>continue its ledger</source>
-        <translation>ihr Hauptbuch fortschreiben</translation>
+        <translation>ihr Journal fortschreiben</translation>
     </message>
     <message>
         <source>a row of %1 is not there although it was just stored</source>
@@ -4760,7 +4756,7 @@ m  %3</translation>
     </message>
     <message>
         <source>the ledger of all rows, and their order</source>
-        <translation>das Hauptbuch über alle Zeilen und ihre Reihenfolge</translation>
+        <translation>das Journal über alle Zeilen und ihre Reihenfolge</translation>
     </message>
     <message>
         <source>be compared with what this program makes</source>
@@ -4816,7 +4812,7 @@ m  %3</translation>
     </message>
     <message>
         <source>the second place knows another link of this number: the ledger was made anew, or an older copy was put back and gone on with</source>
-        <translation>die zweite Stelle kennt ein anderes Glied mit dieser Nummer: Das Hauptbuch wurde neu gemacht, oder eine ältere Kopie wurde zurückgespielt und fortgeführt</translation>
+        <translation>die zweite Stelle kennt ein anderes Glied mit dieser Nummer: Das Journal wurde neu gemacht, oder eine ältere Kopie wurde zurückgespielt und fortgeführt</translation>
     </message>
     <message>
         <source>is missing, and what came after it: the second place knows %1 links. An older copy was put back, or the end was cut off</source>
@@ -4864,7 +4860,7 @@ m  %3</translation>
     </message>
     <message>
         <source>Of these, %1 are from before the ledger: they are as they were found when it began.</source>
-        <translation>Davon stammen %1 aus der Zeit vor dem Hauptbuch: Sie sind so, wie sie bei seinem Beginn vorgefunden wurden.</translation>
+        <translation>Davon stammen %1 aus der Zeit vor dem Journal: Sie sind so, wie sie bei seinem Beginn vorgefunden wurden.</translation>
     </message>
     <message>
         <source>The second place on this computer knows the same end.</source>
@@ -4888,11 +4884,11 @@ m  %3</translation>
     </message>
     <message>
         <source>is in the ledger twice</source>
-        <translation>steht zweimal im Hauptbuch</translation>
+        <translation>steht zweimal im Journal</translation>
     </message>
     <message>
         <source>was put in past this program: the ledger does not know it</source>
-        <translation>wurde an diesem Programm vorbei eingefügt: Das Hauptbuch kennt sie nicht</translation>
+        <translation>wurde an diesem Programm vorbei eingefügt: Das Journal kennt sie nicht</translation>
     </message>
     <message>
         <source>Clock was set back</source>
@@ -4922,6 +4918,610 @@ m  %3</translation>
         <source>it has no table %1</source>
         <translation>sie hat keine Tabelle %1</translation>
     </message>
+    <message>
+        <source>Validity</source>
+        <translation>Gültigkeit</translation>
+    </message>
+    <message>
+        <source>Library version</source>
+        <translation>Bibliotheksversion</translation>
+    </message>
+    <message>
+        <source>Voided</source>
+        <translation>Storniert</translation>
+    </message>
+    <message>
+        <source>void the inspection</source>
+        <translation>Prüfung stornieren</translation>
+    </message>
+    <message>
+        <source>inspection %1</source>
+        <translation>Prüfung %1</translation>
+    </message>
+    <message>
+        <source>what was in force when a part was judged</source>
+        <translation>was galt, als ein Teil beurteilt wurde</translation>
+    </message>
+    <message>
+        <source>what is not approved is not judged</source>
+        <translation>was nicht freigegeben ist, wird nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>inspections that do not count, and part numbers</source>
+        <translation>Prüfungen, die nicht zählen, und Teilenummern</translation>
+    </message>
+    <message>
+        <source>tallies of inspections, and recordings stored once</source>
+        <translation>Zählstände der Prüfungen und nur einmal gespeicherte Aufnahmen</translation>
+    </message>
+    <message>
+        <source>%1 Its approval is void.</source>
+        <translation>%1 Die Freigabe ist damit erloschen.</translation>
+    </message>
+    <message>
+        <source>Inspections that waited to be stored cannot be read (%1). Their file is kept as %2.</source>
+        <translation>Prüfungen, die noch zu speichern waren, lassen sich nicht lesen (%1). Ihre Datei ist als %2 aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>the library is another than the one they were made for</source>
+        <translation>die Bibliothek ist eine andere als die, für die sie gemacht wurden</translation>
+    </message>
+    <message>
+        <source>bytes of their file are damaged</source>
+        <translation>Bytes ihrer Datei sind beschädigt</translation>
+    </message>
+    <message>
+        <source>The file for what is not stored yet</source>
+        <translation>Die Datei für noch nicht Gespeichertes</translation>
+    </message>
+    <message>
+        <source>it is not there</source>
+        <translation>sie ist nicht da</translation>
+    </message>
+    <message>
+        <source>other programs have it</source>
+        <translation>andere Programme benutzen sie</translation>
+    </message>
+    <message>
+        <source>it is full</source>
+        <translation>sie ist voll</translation>
+    </message>
+    <message>
+        <source>An inspection that waited to be stored</source>
+        <translation>Eine Prüfung, die noch zu speichern war</translation>
+    </message>
+    <message>
+        <source>%1 was enrolled by the one who approves it, and this library asks for a second person. Nothing was changed; ask another supervisor to approve it.</source>
+        <translation>%1 wurde von der Person eingelernt, die den Typ freigeben will, und diese Bibliothek verlangt eine zweite. Nichts wurde geändert; eine andere Aufsicht um die Freigabe bitten.</translation>
+    </message>
+    <message>
+        <source>count the inspections</source>
+        <translation>Prüfungen zählen</translation>
+    </message>
+    <message>
+        <source>is not what counting the inspections up to this number finds</source>
+        <translation>stimmt nicht mit der Zählung der Prüfungen bis zu dieser Nummer überein</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>batch</source>
+        <translation>Los</translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>confidence</source>
+        <translation>Vertrauensniveau</translation>
+    </message>
+    <message>
+        <source>degree</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>holds until</source>
+        <translation>gilt bis</translation>
+    </message>
+    <message>
+        <source>ends when decided</source>
+        <translation>endet, wenn entschieden</translation>
+    </message>
+    <message>
+        <source>false reject</source>
+        <translation>Fehlrückweisung</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>lag of the force in s</source>
+        <translation>Zeitversatz der Kraft in s</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>after nothing was done</source>
+        <translation>nach Untätigkeit</translation>
+    </message>
+    <message>
+        <source>other type</source>
+        <translation>anderer Typ</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>robust</source>
+        <translation>robust</translation>
+    </message>
+    <message>
+        <source>role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>squeezes</source>
+        <translation>Druckversuche</translation>
+    </message>
+    <message>
+        <source>stranger accept</source>
+        <translation>Fremdannahme</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>auf</translation>
+    </message>
+    <message>
+        <source>version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>wrong type</source>
+        <translation>Verwechslung</translation>
+    </message>
+    <message>
+        <source>command line</source>
+        <translation>Befehlszeile</translation>
+    </message>
+    <message>
+        <source>everybody who has signed in</source>
+        <translation>alle, die angemeldet sind</translation>
+    </message>
+    <message>
+        <source>supervisors</source>
+        <translation>Aufsicht</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>%1 before, %2 now</source>
+        <translation>vorher %1, jetzt %2</translation>
+    </message>
+    <message>
+        <source>Who may approve changed</source>
+        <translation>Wer freigeben darf, geändert</translation>
+    </message>
+    <message>
+        <source>Inspection voided</source>
+        <translation>Prüfung storniert</translation>
+    </message>
+    <message>
+        <source>Batch begun</source>
+        <translation>Los begonnen</translation>
+    </message>
+    <message>
+        <source>Batch ended</source>
+        <translation>Los beendet</translation>
+    </message>
+    <message>
+        <source>Exported</source>
+        <translation>Exportiert</translation>
+    </message>
+    <message>
+        <source>Kept sessions removed</source>
+        <translation>Aufzeichnungen gelöscht</translation>
+    </message>
+    <message>
+        <source>Profile of a gripper installed</source>
+        <translation>Profil eines Greifers installiert</translation>
+    </message>
+    <message>
+        <source>A squeeze further than %1 sd from %2 is called unknown, as %3 % of its own are; with all known that would be %4 sd.</source>
+        <translation>Ein Druckversuch, der mehr als %L1 σ von %2 entfernt ist, heißt unbekannt, wie %3 % der eigenen; wäre alles bekannt, wären es %L4 σ.</translation>
+    </message>
+    <message>
+        <source>A part as near as 6 sd passes this gate %1 times (at best %2).</source>
+        <translation>Ein nur 6 σ entferntes Teil passiert diese Grenze in %1 Fällen (bestenfalls in %2).</translation>
+    </message>
+    <message>
+        <source>Of strangers of any kind, at most %1 % are named a type all the same.</source>
+        <translation>Von Fremdteilen aller Art werden höchstens %1 % dennoch als ein Typ benannt.</translation>
+    </message>
+    <message>
+        <source>Enough for verdicts; it takes more than 100 more squeezes to come near the best.</source>
+        <translation>Genug für Urteile; bis nahe an das Bestmögliche fehlen mehr als 100 weitere Druckversuche.</translation>
+    </message>
+    <message>
+        <source>Enough for verdicts; %1 would bring them near the best.</source>
+        <translation>Genug für Urteile; %1, dann sind sie nahe am Bestmöglichen.</translation>
+    </message>
+    <message>
+        <source>Enough for verdicts: more squeezes would gain little.</source>
+        <translation>Genug für Urteile: Weitere Druckversuche brächten wenig.</translation>
+    </message>
+    <message>
+        <source>No type is enrolled and approved yet.</source>
+        <translation>Noch ist kein Typ eingelernt und freigegeben.</translation>
+    </message>
+    <message>
+        <source>There is no safe place for an inspection that cannot be stored at once, so nothing is squeezed. %1</source>
+        <translation>Für eine Prüfung, die sich nicht sofort speichern lässt, gibt es keinen sicheren Platz; daher wird nichts gedrückt. %1</translation>
+    </message>
+    <message>
+        <source>An inspection that waited to be stored was refused, and is kept in %2. %1</source>
+        <translation>Eine Prüfung, die noch zu speichern war, wurde abgelehnt und ist in %2 aufbewahrt. %1</translation>
+    </message>
+    <message>
+        <source>Not judged: the calibration of the force was overdue by %1 days, and the settings refuse that. Calibrate the force, then squeeze again.</source>
+        <translation>Nicht beurteilt: Die Kalibrierung der Kraft war %1 Tage überfällig, und die Einstellungen lassen das nicht zu. Die Kraft kalibrieren, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>Not judged: the calibration of the position was overdue by %1 days, and the settings refuse that. Calibrate the position, then squeeze again.</source>
+        <translation>Nicht beurteilt: Die Kalibrierung des Wegs war %1 Tage überfällig, und die Einstellungen lassen das nicht zu. Den Weg kalibrieren, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>Not judged: nobody is signed in, and the settings ask for somebody. Sign in, then squeeze again.</source>
+        <translation>Nicht beurteilt: Niemand ist angemeldet, und die Einstellungen verlangen es. Anmelden, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>Not judged: %1 % of the samples were lost, and the settings allow %2 %. Look after cable and hub, then squeeze again.</source>
+        <translation>Nicht beurteilt: %L1 % der Abtastwerte gingen verloren, und die Einstellungen erlauben %L2 %. Kabel und Hub prüfen, dann erneut drücken.</translation>
+    </message>
+    <message>
+        <source>the force channel&apos;s noise, %1, was taken from the %2 samples before the squeeze</source>
+        <translation>das Rauschen des Kraftkanals, %1, wurde aus den %2 Abtastwerten vor dem Druckversuch bestimmt</translation>
+    </message>
+    <message>
+        <source>found no two columns of numbers</source>
+        <translation>gefunden: keine zwei Spalten mit Zahlen</translation>
+    </message>
+    <message>
+        <source>expected a table with commas, semicolons or tabs</source>
+        <translation>erwartet: eine Tabelle mit Kommas, Semikolons oder Tabulatoren</translation>
+    </message>
+    <message>
+        <source>the unit of time must have from %1 to %2 seconds</source>
+        <translation>die Zeiteinheit muss %L1 bis %L2 Sekunden haben</translation>
+    </message>
+    <message>
+        <source>force, position and time must be columns of their own</source>
+        <translation>Kraft, Weg und Zeit müssen je eine eigene Spalte haben</translation>
+    </message>
+    <message>
+        <source>found %1 columns</source>
+        <translation>gefunden: %1 Spalten</translation>
+    </message>
+    <message>
+        <source>expected at least %1</source>
+        <translation>erwartet: mindestens %1</translation>
+    </message>
+    <message>
+        <source>expected a finite number with a decimal comma</source>
+        <translation>erwartet: eine endliche Zahl mit Dezimalkomma</translation>
+    </message>
+    <message>
+        <source>found steps of %1 s in %2</source>
+        <translation>gefunden: Schritte von %L1 s in %2</translation>
+    </message>
+    <message>
+        <source>the lag between the channels was never measured: it is taken to be within %1 us of what is assumed, a tenth of the sample time</source>
+        <translation>der Zeitversatz der Kanäle wurde nie gemessen: Er gilt als auf %1 µs um den angenommenen bekannt, ein Zehntel der Abtastzeit</translation>
+    </message>
+    <message>
+        <source>the position is counted in steps and its noise is %1 of one only: rounding errors follow the motion</source>
+        <translation>der Weg kommt in Stufen, und sein Rauschen beträgt nur %1 einer Stufe: Rundungsfehler folgen der Bewegung</translation>
+    </message>
+    <message>
+        <source>Copying the library</source>
+        <translation>Bibliothek kopieren</translation>
+    </message>
+    <message>
+        <source>there is a file of this name already, which is not overwritten</source>
+        <translation>eine Datei dieses Namens gibt es schon; sie wird nicht überschrieben</translation>
+    </message>
+    <message>
+        <source>there is nothing in it</source>
+        <translation>es steht nichts darin</translation>
+    </message>
+    <message>
+        <source>Putting back the backup</source>
+        <translation>Sicherung zurückspielen</translation>
+    </message>
+    <message>
+        <source>be put aside</source>
+        <translation>beiseitelegen</translation>
+    </message>
+    <message>
+        <source>tell of the restore</source>
+        <translation>das Zurückspielen vermerken</translation>
+    </message>
+    <message>
+        <source>it cannot be replaced</source>
+        <translation>sie lässt sich nicht ersetzen</translation>
+    </message>
+    <message>
+        <source>This file is the library itself, not a copy of it.</source>
+        <translation>Diese Datei ist die Bibliothek selbst, keine Kopie von ihr.</translation>
+    </message>
+    <message>
+        <source>another program keeps it locked</source>
+        <translation>ein anderes Programm hält sie gesperrt</translation>
+    </message>
+    <message>
+        <source>it cannot be written</source>
+        <translation>sie lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>what the history is found by</source>
+        <translation>wonach der Verlauf durchsucht wird</translation>
+    </message>
+    <message>
+        <source>be copied</source>
+        <translation>kopieren</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s SQLite driver does not give its connection</source>
+        <translation>der SQLite-Treiber von Qt gibt seine Verbindung nicht heraus</translation>
+    </message>
+    <message>
+        <source>other programs opened it again and again meanwhile</source>
+        <translation>andere Programme haben sie währenddessen immer wieder geöffnet</translation>
+    </message>
+    <message>
+        <source>there is a file of this name already</source>
+        <translation>eine Datei dieses Namens gibt es schon</translation>
+    </message>
+    <message>
+        <source>be taken out of use</source>
+        <translation>außer Gebrauch nehmen</translation>
+    </message>
+    <message>
+        <source>another program has it open, or this one still has. Close the other one, then try again</source>
+        <translation>ein anderes Programm hat sie geöffnet, oder dieses noch. Das andere schließen und noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>count what is in it</source>
+        <translation>zählen, was in ihr steht</translation>
+    </message>
+    <message>
+        <source>Put back from a backup, times: %1. The last on %2 (UTC), by %3, from %4, because: %5. What had been stored after that backup is in the library that was kept aside.</source>
+        <translation>Aus einer Sicherung zurückgespielt, Anzahl: %1. Zuletzt am %2 (UTC) von %3 aus %4, Grund: %5. Was nach dieser Sicherung gespeichert worden war, steht in der Bibliothek, die beiseitegelegt wurde.</translation>
+    </message>
+    <message>
+        <source>somebody not named</source>
+        <translation>einer nicht genannten Person</translation>
+    </message>
+    <message>
+        <source>inspections</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>the library before is kept as</source>
+        <translation>die bisherige Bibliothek bleibt als</translation>
+    </message>
+    <message>
+        <source>Library backed up</source>
+        <translation>Bibliothek gesichert</translation>
+    </message>
+    <message>
+        <source>Library put aside for a backup</source>
+        <translation>Bibliothek für eine Sicherung beiseitegelegt</translation>
+    </message>
+    <message>
+        <source>Backup put back</source>
+        <translation>Sicherung zurückgespielt</translation>
+    </message>
+    <message>
+        <source>Putting back a backup of the library</source>
+        <translation>Eine Sicherung der Bibliothek zurückspielen</translation>
+    </message>
+    <message>
+        <source>the clock that a squeeze was recorded by</source>
+        <translation>die Uhr, nach der ein Druckversuch aufgenommen wurde</translation>
+    </message>
+    <message>
+        <source>m, b, k of the empty gripper</source>
+        <translation>m, b, k des leeren Greifers</translation>
+    </message>
+    <message>
+        <source>measured by</source>
+        <translation>gemessen durch</translation>
+    </message>
+    <message>
+        <source>by itself, to make room</source>
+        <translation>von selbst, um Platz zu schaffen</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>certificate</source>
+        <translation>Zertifikat</translation>
+    </message>
+    <message>
+        <source>files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>its standard uncertainty in s</source>
+        <translation>ihre Standardunsicherheit in s</translation>
+    </message>
+    <message>
+        <source>noise of the force</source>
+        <translation>Rauschen der Kraft</translation>
+    </message>
+    <message>
+        <source>uncertainty of the force&apos;s scale</source>
+        <translation>Unsicherheit des Kraftmaßstabs</translation>
+    </message>
+    <message>
+        <source>compliance of the frame</source>
+        <translation>Nachgiebigkeit des Gestells</translation>
+    </message>
+    <message>
+        <source>uncertainty of the frame&apos;s compliance</source>
+        <translation>Unsicherheit der Gestellnachgiebigkeit</translation>
+    </message>
+    <message>
+        <source>hours that a check holds for</source>
+        <translation>Stunden, für die eine Kontrolle gilt</translation>
+    </message>
+    <message>
+        <source>newest inspection of before</source>
+        <translation>neueste Prüfung davor</translation>
+    </message>
+    <message>
+        <source>newest enrolled squeeze of before, by its version</source>
+        <translation>neuester eingelernter Druckversuch davor, nach seiner Version</translation>
+    </message>
+    <message>
+        <source>names</source>
+        <translation>Namen</translation>
+    </message>
+    <message>
+        <source>uncertainty of the position&apos;s scale</source>
+        <translation>Unsicherheit des Wegmaßstabs</translation>
+    </message>
+    <message>
+        <source>preload</source>
+        <translation>Vorlast</translation>
+    </message>
+    <message>
+        <source>push and release</source>
+        <translation>Drücken und Nachlassen</translation>
+    </message>
+    <message>
+        <source>may differ by</source>
+        <translation>zulässige Abweichung</translation>
+    </message>
+    <message>
+        <source>standard uncertainty</source>
+        <translation>Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>Angabe</translation>
+    </message>
+    <message>
+        <source>Local gravity is %1 to %2 m/s² on the ground, not %3.</source>
+        <translation>Die örtliche Fallbeschleunigung liegt am Boden zwischen %1 und %2 m/s², nicht bei %3.</translation>
+    </message>
+    <message>
+        <source>An ambient temperature is %1 to %2 °C, not %3.</source>
+        <translation>Eine Umgebungstemperatur liegt zwischen %1 und %2 °C, nicht bei %3.</translation>
+    </message>
+    <message>
+        <source>A tolerance is larger than zero, not %1.</source>
+        <translation>Eine Toleranz ist größer als null, nicht %1.</translation>
+    </message>
+    <message>
+        <source>certificates of calibrations</source>
+        <translation>Zertifikate von Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>a unit of loads or a decision rule is none that is known</source>
+        <translation>eine Lasteinheit oder Entscheidungsregel ist unbekannt</translation>
+    </message>
+    <message>
+        <source>this force does not determine m, b and k; squeeze with a richer one</source>
+        <translation>diese Kraft bestimmt m, b und k nicht; mit einer frequenzreicheren drücken</translation>
+    </message>
+    <message>
+        <source>the backup that was put back, %1, cannot take its place</source>
+        <translation>die zurückgespielte Sicherung %1 kann nicht an ihre Stelle treten</translation>
+    </message>
+    <message>
+        <source>its conditions are none that there can be</source>
+        <translation>ihre Bedingungen kann es nicht geben</translation>
+    </message>
+    <message>
+        <source>A point that was checked holds a number that is not finite.</source>
+        <translation>Ein nachgeprüfter Punkt enthält eine Zahl, die nicht endlich ist.</translation>
+    </message>
+    <message>
+        <source>Some of the inspections that another program left in %1 wait there until this program is started again: there is no room for more.</source>
+        <translation>Ein Teil der Prüfungen, die ein anderes Programm in %1 hinterlassen hat, wartet dort bis zum nächsten Start dieses Programms: Für mehr ist kein Platz.</translation>
+    </message>
+    <message>
+        <source>another program has it</source>
+        <translation>ein anderes Programm hat sie</translation>
+    </message>
+    <message>
+        <source>file %1</source>
+        <translation>Datei %1</translation>
+    </message>
+    <message>
+        <source>Another program has %1.</source>
+        <translation>Ein anderes Programm hat %1.</translation>
+    </message>
+    <message>
+        <source>The inspections in %1 were made for another library. Name that one.</source>
+        <translation>Die Prüfungen in %1 gehören zu einer anderen Bibliothek. Diese mit --library angeben.</translation>
+    </message>
+    <message>
+        <source>no inspection in it can be read</source>
+        <translation>darin lässt sich keine Prüfung lesen</translation>
+    </message>
+    <message>
+        <source>its approval is void</source>
+        <translation>die Freigabe ist hinfällig</translation>
+    </message>
+    <message>
+        <source>as expected</source>
+        <translation>wie erwartet</translation>
+    </message>
+    <message>
+        <source>format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>of a known type</source>
+        <translation>von bekanntem Typ</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>one person</source>
+        <translation>eine Person</translation>
+    </message>
+    <message>
+        <source>a second person</source>
+        <translation>eine zweite Person</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>
@@ -4932,6 +5532,26 @@ m  %3</translation>
     <message>
         <source>%1 of %2 parts that were judged were as expected. In brackets: where the rate itself lies with 95 % confidence (exact bounds). Squeezes that were not valid or inconclusive judged nothing, and are left out.</source>
         <translation>%1 von %2 beurteilten Teilen waren wie erwartet. In Klammern: wo die Rate selbst mit 95 % Vertrauen liegt (exakte Grenzen). Ungültige oder unentschiedene Druckversuche haben nichts beurteilt und zählen nicht mit.</translation>
+    </message>
+    <message>
+        <source>%1 of a known type (%2 to %3)</source>
+        <translation>%1 eines bekannten Typs (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>%1 as expected or of a known type (%2 to %3)</source>
+        <translation>%1 wie erwartet oder eines bekannten Typs (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 were as expected</source>
+        <translation>%1 von %2 waren wie erwartet</translation>
+    </message>
+    <message>
+        <source>%1 of %2 were of the expected type, or of a known one where none was expected</source>
+        <translation>%1 von %2 waren vom erwarteten Typ oder, wo keiner erwartet war, von einem bekannten</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts that were judged were of the expected type, or of a known one where none was expected. In brackets: where the rate itself lies with 95 % confidence (exact bounds). Squeezes that were not valid or inconclusive judged nothing, and are left out.</source>
+        <translation>%1 von %2 beurteilten Teilen waren vom erwarteten Typ oder, wo keiner erwartet war, von einem bekannten. In Klammern: wo die Rate selbst mit 95 % Vertrauen liegt (exakte Grenzen). Ungültige oder unentschiedene Druckversuche haben nichts beurteilt und bleiben außen vor.</translation>
     </message>
 </context>
 <context>
@@ -5004,6 +5624,14 @@ m  %3</translation>
         <source>The manual, at the page about this screen</source>
         <translation>Das Handbuch, auf der Seite zu diesem Bild</translation>
     </message>
+    <message>
+        <source>Ctrl+Shift+A</source>
+        <translation>Strg+Umschalt+A</translation>
+    </message>
+    <message>
+        <source>Arm the gripper: hold the keys for a second</source>
+        <translation>Greifer scharf schalten: die Tasten eine Sekunde lang halten</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::AccessDialog</name>
@@ -5048,7 +5676,7 @@ m  %3</translation>
     </message>
     <message>
         <source>Advice on the number of clusters</source>
-        <translation>Rat zur Anzahl der Cluster</translation>
+        <translation>Empfehlung zur Anzahl der Cluster</translation>
     </message>
     <message>
         <source>Criteria for the number of clusters</source>
@@ -5122,7 +5750,7 @@ m  %3</translation>
     </message>
     <message>
         <source>Disarmed: the station went to sleep.</source>
-        <translation>Entschärft: Der Rechner ging schlafen.</translation>
+        <translation>Entschärft: Der Rechner ging in den Ruhezustand.</translation>
     </message>
     <message>
         <source>Disarmed: another user took the station over.</source>
@@ -5189,7 +5817,7 @@ m  %3</translation>
     </message>
     <message>
         <source>Rates</source>
-        <translation>Raten</translation>
+        <translation>Fehlerraten</translation>
     </message>
     <message>
         <source>Calibrations</source>
@@ -5205,7 +5833,7 @@ m  %3</translation>
     </message>
     <message>
         <source>Nothing yet: changes of types, rates and calibrations, and who signs in, will be here.</source>
-        <translation>Noch nichts: Hier stehen Änderungen an Typen, Raten und Kalibrierungen, und wer sich anmeldet.</translation>
+        <translation>Noch nichts: Hier stehen Änderungen an Typen, Fehlerraten und Kalibrierungen, und wer sich anmeldet.</translation>
     </message>
     <message>
         <source>Nothing matches the filters.</source>
@@ -5234,6 +5862,22 @@ m  %3</translation>
     <message>
         <source>Reading all of the library…</source>
         <translation>Die ganze Bibliothek wird gelesen…</translation>
+    </message>
+    <message>
+        <source>Inspections</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Batches</source>
+        <translation>Lose</translation>
+    </message>
+    <message>
+        <source>Exports</source>
+        <translation>Exporte</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
     </message>
 </context>
 <context>
@@ -5273,6 +5917,25 @@ m  %3</translation>
     <message>
         <source>Station</source>
         <translation>Station</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::AuthorizeWords</name>
+    <message>
+        <source>Why? The reason is kept with the change.</source>
+        <translation>Warum? Der Grund wird mit der Änderung aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Change these settings</source>
+        <translation>Diese Einstellungen ändern</translation>
+    </message>
+    <message>
+        <source>Change the rates</source>
+        <translation>Fehlerraten ändern</translation>
     </message>
 </context>
 <context>
@@ -5319,6 +5982,72 @@ m  %3</translation>
     <message>
         <source>Parts wanted, as expected</source>
         <translation>Gewünschte Teile, wie erwartet</translation>
+    </message>
+    <message>
+        <source>Parts wanted, of a known type</source>
+        <translation>Gewünschte Teile, eines bekannten Typs</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::BodePlots</name>
+    <message>
+        <source>Bode plot</source>
+        <translation>Bode-Diagramm</translation>
+    </message>
+    <message>
+        <source>Phase (°)</source>
+        <translation>Phase (°)</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>Kohärenz</translation>
+    </message>
+    <message>
+        <source>f (Hz)</source>
+        <translation>f (Hz)</translation>
+    </message>
+    <message>
+        <source>Magnitude (as recorded)</source>
+        <translation>Amplitude (wie aufgezeichnet)</translation>
+    </message>
+    <message>
+        <source>Magnitude (%1)</source>
+        <translation>Amplitude (%1)</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>too few samples in a row for a measured one: %1 are needed</source>
+        <translation>zu wenige Abtastwerte am Stück für einen gemessenen Verlauf: %1 sind nötig</translation>
+    </message>
+    <message>
+        <source>the force does not change</source>
+        <translation>die Kraft ändert sich nicht</translation>
+    </message>
+    <message>
+        <source>below %1 pale, not reliable</source>
+        <translation>unter %1 blass, nicht verlässlich</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n measured frequencies, %1 of them pale for a low coherence</source>
+        <translation>
+            <numerusform>%n gemessene Frequenz, davon %1 blass wegen kleiner Kohärenz</numerusform>
+            <numerusform>%n gemessene Frequenzen, davon %1 blass wegen kleiner Kohärenz</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>measured, 95 %</source>
+        <translation>gemessen, 95 %</translation>
+    </message>
+    <message>
+        <source>coherence too low</source>
+        <translation>Kohärenz zu klein</translation>
+    </message>
+    <message>
+        <source>model, %1, 95 %</source>
+        <translation>Modell, %1, 95 %</translation>
     </message>
 </context>
 <context>
@@ -5394,6 +6123,10 @@ m  %3</translation>
         <source>Model</source>
         <translation>Modell</translation>
     </message>
+    <message>
+        <source>Steps of the position</source>
+        <translation>Stufen des Wegs</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::ByteTableModel</name>
@@ -5415,7 +6148,7 @@ m  %3</translation>
     </message>
     <message>
         <source>Last</source>
-        <translation>Letzter</translation>
+        <translation>Wert</translation>
     </message>
     <message>
         <source>Least</source>
@@ -5520,7 +6253,7 @@ m  %3</translation>
     </message>
     <message>
         <source>Checks</source>
-        <translation>Checks</translation>
+        <translation>Kontrollen</translation>
     </message>
     <message>
         <source>None yet. Grip the spring, arm, and check: the errors found are kept here, so that a drift shows before it matters.</source>
@@ -5533,6 +6266,10 @@ m  %3</translation>
     <message>
         <source>State the spring…</source>
         <translation>Feder angeben…</translation>
+    </message>
+    <message>
+        <source>Use this object</source>
+        <translation>Dieses Objekt nehmen</translation>
     </message>
 </context>
 <context>
@@ -5592,6 +6329,10 @@ m  %3</translation>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
     </message>
+    <message>
+        <source>Certificate written to %1</source>
+        <translation>Zertifikat nach %1 geschrieben</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::CalibrateSetup</name>
@@ -5613,7 +6354,7 @@ m  %3</translation>
     </message>
     <message>
         <source>number, if it has one</source>
-        <translation>Nummer, falls vorhanden</translation>
+        <translation>falls vorhanden</translation>
     </message>
     <message>
         <source>Channel</source>
@@ -5653,7 +6394,7 @@ m  %3</translation>
     </message>
     <message>
         <source>The gripper is armed, and hands will be near: disarm it first.</source>
-        <translation>Der Greifer ist scharf, und Hände werden nahe sein: erst entschärfen.</translation>
+        <translation>Der Greifer ist scharf, und gleich wird an ihm gearbeitet: erst entschärfen.</translation>
     </message>
     <message>
         <source>Loads are numbers with commas between, such as 0, 10, 20.</source>
@@ -5679,6 +6420,22 @@ m  %3</translation>
         <source>In %1, the least first</source>
         <translation>In %1, die kleinste zuerst</translation>
     </message>
+    <message>
+        <source>Loads (%1)</source>
+        <translation>Lasten (%1)</translation>
+    </message>
+    <message>
+        <source>Force, with masses in kilograms</source>
+        <translation>Kraft, mit Massen in Kilogramm</translation>
+    </message>
+    <message>
+        <source>Force, with masses in pounds</source>
+        <translation>Kraft, mit Massen in Pfund</translation>
+    </message>
+    <message>
+        <source>For the certificate…</source>
+        <translation>Für das Zertifikat…</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::CalibrateTaking</name>
@@ -5696,7 +6453,7 @@ m  %3</translation>
     </message>
     <message>
         <source>The channel says</source>
-        <translation>Der Kanal sagt</translation>
+        <translation>Der Kanal zeigt</translation>
     </message>
     <message>
         <source>Note</source>
@@ -5778,6 +6535,14 @@ m  %3</translation>
         <source>◌ not enough samples yet</source>
         <translation>◌ noch zu wenige Abtastwerte</translation>
     </message>
+    <message>
+        <source>Accept the calibration</source>
+        <translation>Kalibrierung übernehmen</translation>
+    </message>
+    <message>
+        <source>Check afterwards: point %1 of %2</source>
+        <translation>Kontrolle danach: Punkt %1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::CalibrationCertificate</name>
@@ -5838,10 +6603,6 @@ m  %3</translation>
         <translation>Anzeige (%1)</translation>
     </message>
     <message>
-        <source>Reading less the curve (%1)</source>
-        <translation>Anzeige minus Kurve (%1)</translation>
-    </message>
-    <message>
         <source>Calibration certificate</source>
         <translation>Kalibrierzertifikat</translation>
     </message>
@@ -5850,16 +6611,168 @@ m  %3</translation>
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>The expanded uncertainty holds a load found from one reading in 95 of 100 cases. It counts the scatter about the curve, the curve itself, the reference and the return of the zero (JCGM 100:2008). Percentages are of the span of the readings.</source>
-        <translation>Die erweiterte Messunsicherheit schließt eine aus einer Anzeige bestimmte Last in 95 von 100 Fällen ein. Sie zählt die Streuung um die Kurve, die Kurve selbst, die Referenz und die Nullpunktrückkehr (JCGM 100:2008). Prozente beziehen sich auf die Spanne der Anzeigen.</translation>
-    </message>
-    <message>
         <source>Points</source>
         <translation>Punkte</translation>
     </message>
     <message>
         <source>Gripscope %1, record %2</source>
         <translation>Gripscope %1, Eintrag %2</translation>
+    </message>
+    <message>
+        <source>none: it was stored before certificates had numbers</source>
+        <translation>keine: gespeichert, bevor Zertifikate Nummern hatten</translation>
+    </message>
+    <message>
+        <source>%1, valid until %2</source>
+        <translation>%1, gültig bis %2</translation>
+    </message>
+    <message>
+        <source>Ambient temperature</source>
+        <translation>Umgebungstemperatur</translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <translation>Lasten</translation>
+    </message>
+    <message>
+        <source>masses in %1, taken for forces by the local gravity of %2 m/s²</source>
+        <translation>Massen in %1, mit der örtlichen Fallbeschleunigung von %2 m/s² als Kräfte genommen</translation>
+    </message>
+    <message>
+        <source>Certificate number</source>
+        <translation>Zertifikatsnummer</translation>
+    </message>
+    <message>
+        <source>conforms</source>
+        <translation>konform</translation>
+    </message>
+    <message>
+        <source>does not conform</source>
+        <translation>nicht konform</translation>
+    </message>
+    <message>
+        <source>not decided: the error is nearer to the tolerance than the uncertainty allows to tell</source>
+        <translation>unentschieden: die Abweichung liegt näher an der Toleranz, als die Unsicherheit zu unterscheiden erlaubt</translation>
+    </message>
+    <message>
+        <source>largest error %1</source>
+        <translation>größte Abweichung %1</translation>
+    </message>
+    <message>
+        <source>Decision rule: it conforms where the largest error and the expanded uncertainty together are within the tolerance, and does not where the error less the uncertainty is beyond it (guard band of one expanded uncertainty, ILAC-G8:09/2019).</source>
+        <translation>Entscheidungsregel: konform, wenn größte Abweichung und erweiterte Messunsicherheit zusammen innerhalb der Toleranz liegen; nicht konform, wenn die Abweichung abzüglich der Unsicherheit außerhalb liegt (Schutzabstand von einer erweiterten Messunsicherheit, ILAC-G8:09/2019).</translation>
+    </message>
+    <message>
+        <source>Decision rule: it conforms where the largest error is within the tolerance, without regard to the uncertainty (simple acceptance, JCGM 106:2012).</source>
+        <translation>Entscheidungsregel: konform, wenn die größte Abweichung innerhalb der Toleranz liegt, ohne Rücksicht auf die Unsicherheit (einfache Akzeptanz, JCGM 106:2012).</translation>
+    </message>
+    <message>
+        <source>As found and as left</source>
+        <translation>Vorgefunden und hinterlassen</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>As found</source>
+        <translation>Vorgefunden</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>nicht festgehalten</translation>
+    </message>
+    <message>
+        <source>As left</source>
+        <translation>Hinterlassen</translation>
+    </message>
+    <message>
+        <source>No tolerance was stated, so there is no statement of conformity.</source>
+        <translation>Es wurde keine Toleranz angegeben, daher gibt es keine Konformitätsaussage.</translation>
+    </message>
+    <message>
+        <source>As found: by the gripper&apos;s own scale, uncorrected until then.</source>
+        <translation>Vorgefunden: nach der eigenen Skala des Greifers, bis dahin unkorrigiert.</translation>
+    </message>
+    <message>
+        <source>As found: by the calibration that was in force until then.</source>
+        <translation>Vorgefunden: nach der bis dahin gültigen Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>As left: the same readings by the new curve, which corrects them from now on. Nothing was adjusted in the gripper itself.</source>
+        <translation>Hinterlassen: dieselben Anzeigen nach der neuen Kurve, die sie von nun an korrigiert. Am Greifer selbst wurde nichts justiert.</translation>
+    </message>
+    <message>
+        <source>As left: by the new curve, at the points of a check that was taken afterwards and is no part of the curve. Nothing was adjusted in the gripper itself.</source>
+        <translation>Hinterlassen: nach der neuen Kurve, an den Punkten einer Kontrolle, die danach aufgenommen wurde und nicht in die Kurve eingeht. Am Greifer selbst wurde nichts justiert.</translation>
+    </message>
+    <message>
+        <source>Coverage factor</source>
+        <translation>Erweiterungsfaktor</translation>
+    </message>
+    <message>
+        <source>k = %1, coverage about 95 %</source>
+        <translation>k = %1, Überdeckung etwa 95 %</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty is the standard uncertainty times the coverage factor k, by Student&apos;s t. It holds a load found from one reading in 95 of 100 cases. It counts the scatter about the curve, the curve itself, the reference and the return of the zero (JCGM 100:2008). Percentages are of the span of the readings.</source>
+        <translation>Die erweiterte Messunsicherheit ist die Standardunsicherheit mal dem Erweiterungsfaktor k, nach Student. Sie enthält eine Last, die aus einer Anzeige bestimmt wird, in 95 von 100 Fällen. Sie zählt die Streuung um die Kurve, die Kurve selbst, die Referenz und die Nullpunktrückkehr (JCGM 100:2008). Prozente beziehen sich auf die Spanne der Anzeigen.</translation>
+    </message>
+    <message>
+        <source>Reading going up (%1)</source>
+        <translation>Anzeige aufwärts (%1)</translation>
+    </message>
+    <message>
+        <source>Reading going down (%1)</source>
+        <translation>Anzeige abwärts (%1)</translation>
+    </message>
+    <message>
+        <source>Difference (%1)</source>
+        <translation>Differenz (%1)</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Mass (%1)</source>
+        <translation>Masse (%1)</translation>
+    </message>
+    <message>
+        <source>Error as found (%1)</source>
+        <translation>Abweichung vorgefunden (%1)</translation>
+    </message>
+    <message>
+        <source>Error as left (%1)</source>
+        <translation>Abweichung hinterlassen (%1)</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>aufwärts</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>abwärts</translation>
+    </message>
+    <message>
+        <source>Calibrated by %1, signature</source>
+        <translation>Kalibriert von %1, Unterschrift</translation>
+    </message>
+    <message>
+        <source>Released by, date, signature</source>
+        <translation>Freigegeben von, Datum, Unterschrift</translation>
+    </message>
+    <message>
+        <source>Up and down</source>
+        <translation>Aufwärts und abwärts</translation>
+    </message>
+    <message>
+        <source>Points of the check afterwards</source>
+        <translation>Punkte der Kontrolle danach</translation>
+    </message>
+    <message>
+        <source>Calibration certificate %1</source>
+        <translation>Kalibrierzertifikat %1</translation>
     </message>
 </context>
 <context>
@@ -5956,7 +6869,7 @@ m  %3</translation>
     </message>
     <message>
         <source>Way</source>
-        <translation>Gang</translation>
+        <translation>Richtung</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -5969,6 +6882,49 @@ m  %3</translation>
     <message>
         <source>Remark</source>
         <translation>Bemerkung</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CertificateDialog</name>
+    <message>
+        <source>The reference&apos;s certificate holds until</source>
+        <translation>Das Zertifikat der Referenz gilt bis</translation>
+    </message>
+    <message>
+        <source>Ambient temperature</source>
+        <translation>Umgebungstemperatur</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Go through the loads once more at the end, as a check</source>
+        <translation>Die Lasten am Ende noch einmal durchgehen, als Kontrolle</translation>
+    </message>
+    <message>
+        <source>For the certificate</source>
+        <translation>Für das Zertifikat</translation>
+    </message>
+    <message>
+        <source>conforms with the uncertainty counted</source>
+        <translation>konform unter Berücksichtigung der Unsicherheit</translation>
+    </message>
+    <message>
+        <source>conforms by the error alone</source>
+        <translation>konform nach der Abweichung allein</translation>
+    </message>
+    <message>
+        <source>Decision rule</source>
+        <translation>Entscheidungsregel</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Übernehmen</translation>
     </message>
 </context>
 <context>
@@ -5997,7 +6953,11 @@ m  %3</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation>durchgefallen</translation>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>noted</source>
+        <translation>vermerkt</translation>
     </message>
 </context>
 <context>
@@ -6259,7 +7219,7 @@ m  %3</translation>
         <source>change
 sd</source>
         <translation>Änd.
-sd</translation>
+σ</translation>
     </message>
     <message>
         <source>sim.
@@ -6298,6 +7258,18 @@ sd</translation>
 </context>
 <context>
     <name>gripscope::ConnectMenu</name>
+    <message>
+        <source>Grippers</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>This gripper</source>
+        <translation>Dieser Greifer</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
     <message>
         <source>Connect to a gripper</source>
         <translation>Mit einem Greifer verbinden</translation>
@@ -6381,6 +7353,10 @@ sd</translation>
     <message>
         <source>Press the virtual gripper&apos;s button</source>
         <translation>Knopf des virtuellen Greifers drücken</translation>
+    </message>
+    <message>
+        <source>A part leans on the virtual gripper</source>
+        <translation>Ein Teil lehnt am virtuellen Greifer</translation>
     </message>
 </context>
 <context>
@@ -6469,6 +7445,10 @@ sd</translation>
         <source>silent</source>
         <translation>stumm</translation>
     </message>
+    <message>
+        <source>%1 · %2 lost earlier</source>
+        <translation>%1 · %2 früher verloren</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::CorrelationPlot</name>
@@ -6505,6 +7485,10 @@ sd</translation>
     <message>
         <source>Gripper: %1</source>
         <translation>Greifer: %1</translation>
+    </message>
+    <message>
+        <source>%1 · reports are being lost</source>
+        <translation>%1 · Reports gehen verloren</translation>
     </message>
 </context>
 <context>
@@ -6567,7 +7551,7 @@ sd</translation>
     </message>
     <message>
         <source>Since I looked</source>
-        <translation>Seit ich zusehe</translation>
+        <translation>Seit Zählbeginn</translation>
     </message>
     <message>
         <source>Count from here on</source>
@@ -6623,7 +7607,7 @@ sd</translation>
     </message>
     <message>
         <source>%1 µs, as it says</source>
-        <translation>%1 µs, wie er sagt</translation>
+        <translation>%1 µs, nach eigener Angabe</translation>
     </message>
     <message>
         <source>Takes commands</source>
@@ -6735,13 +7719,12 @@ sd</translation>
     <message>
         <source>Squeezes
 of</source>
-        <translation>Versuche
-von</translation>
+        <translation>Typ</translation>
     </message>
     <message>
         <source>as
 itself</source>
-        <translation>als sie
+        <translation>als er
 selbst</translation>
     </message>
     <message>
@@ -6790,7 +7773,7 @@ max. (95 %)</translation>
     </message>
     <message>
         <source>Stiffness differs by %1 from part to part and by %2 from grip to grip (1 sd, all types).</source>
-        <translation>Die Steifigkeit unterscheidet sich um %1 von Teil zu Teil und um %2 von Griff zu Griff (1 sd, alle Typen).</translation>
+        <translation>Die Steifigkeit unterscheidet sich um %1 von Teil zu Teil und um %2 von Griff zu Griff (1 σ, alle Typen).</translation>
     </message>
 </context>
 <context>
@@ -6851,12 +7834,12 @@ max. (95 %)</translation>
         <translation>Es wird nicht mehr angeboten</translation>
     </message>
     <message>
-        <source>%1 of %2 squeezes.</source>
-        <translation>%1 von %2 Druckversuchen.</translation>
+        <source>Squeezes so far: %1.</source>
+        <translation>Bisherige Druckversuche: %1.</translation>
     </message>
     <message>
-        <source>%1 of %2 squeezes, and one to decide on.</source>
-        <translation>%1 von %2 Druckversuchen, über einen ist zu entscheiden.</translation>
+        <source>Squeezes so far: %1, and one to decide on.</source>
+        <translation>Bisherige Druckversuche: %1; über einen weiteren ist zu entscheiden.</translation>
     </message>
 </context>
 <context>
@@ -6883,7 +7866,7 @@ max. (95 %)</translation>
     </message>
     <message>
         <source>Rename, merge, split or retire types; undo changes</source>
-        <translation>Typen umbenennen, vereinigen, aufteilen oder außer Gebrauch nehmen; Änderungen rückgängig machen</translation>
+        <translation>Typen umbenennen, zusammenführen, aufteilen oder außer Gebrauch nehmen; Änderungen rückgängig machen</translation>
     </message>
     <message>
         <source>Type %1</source>
@@ -7020,6 +8003,10 @@ max. (95 %)</translation>
         <source>dropping squeeze %1</source>
         <translation>Streichen von Druckversuch %1</translation>
     </message>
+    <message>
+        <source>%1 is approved. With the first squeeze that is added its approval is void: its parts are not recognised until it is approved again. Its recipe stays as it is.</source>
+        <translation>%1 ist freigegeben. Mit dem ersten Druckversuch, der hinzukommt, erlischt die Freigabe: Teile dieses Typs werden nicht erkannt, bis er erneut freigegeben ist. Sein Rezept bleibt, wie es ist.</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::EnrollPictureField</name>
@@ -7111,7 +8098,7 @@ max. (95 %)</translation>
     </message>
     <message>
         <source>Spread (1 sd)</source>
-        <translation>Streuung (1 sd)</translation>
+        <translation>Streuung (1 σ)</translation>
     </message>
     <message>
         <source>moving mass m</source>
@@ -7155,15 +8142,11 @@ max. (95 %)</translation>
     </message>
     <message>
         <source>The nearest other type, %1, is only %2 sd away: within the gate. Squeezes of the two will be mixed up. Choose a recipe that tells them apart, or treat them as one type.</source>
-        <translation>Der nächste andere Typ, %1, ist nur %L2 sd entfernt: innerhalb der Grenze. Druckversuche der beiden werden verwechselt. Ein Rezept wählen, das sie trennt, oder beide als einen Typ behandeln.</translation>
+        <translation>Der nächste andere Typ, %1, ist nur %L2 σ entfernt: innerhalb der Grenze. Druckversuche der beiden werden verwechselt. Ein Rezept wählen, das sie trennt, oder beide als einen Typ behandeln.</translation>
     </message>
     <message>
         <source>The nearest other type is %1, %2 sd away.</source>
-        <translation>Der nächste andere Typ ist %1, %L2 sd entfernt.</translation>
-    </message>
-    <message>
-        <source>A squeeze further than %1 sd from the type is called unknown (1 % of its own squeezes are).</source>
-        <translation>Ein Druckversuch, der weiter als %L1 sd vom Typ liegt, heißt unbekannt (das trifft 1 % seiner eigenen).</translation>
+        <translation>Der nächste andere Typ ist %1, %L2 σ entfernt.</translation>
     </message>
     <message>
         <source>Too few squeezes for a gate yet: every verdict on this type stays inconclusive. Add some.</source>
@@ -7191,6 +8174,14 @@ max. (95 %)</translation>
     <message>
         <source>Crush limit: %1, %2</source>
         <translation>Bruchgrenze: %1, %2</translation>
+    </message>
+    <message>
+        <source>A squeeze further than %1 sd from the type is called unknown (%2 of its own squeezes are).</source>
+        <translation>Ein Druckversuch, der mehr als %L1 σ vom Typ entfernt ist, heißt unbekannt (so %2 der eigenen).</translation>
+    </message>
+    <message>
+        <source>Try a squeeze…</source>
+        <translation>Druckversuch ausprobieren…</translation>
     </message>
 </context>
 <context>
@@ -7365,14 +8356,6 @@ Fit</translation>
         <translation>Noch kein Druckversuch</translation>
     </message>
     <message>
-        <source>At least %1 are needed, %2 are better.</source>
-        <translation>Mindestens %1 sind nötig, %2 sind besser.</translation>
-    </message>
-    <message>
-        <source>Squeeze %1: fit %2, %3</source>
-        <translation>Druckversuch %1: Fit %2, %3</translation>
-    </message>
-    <message>
         <source>Rejected: %1</source>
         <translation>Verworfen: %1</translation>
     </message>
@@ -7420,6 +8403,14 @@ Fit</translation>
         <source>Being accepted…</source>
         <translation>Wird angenommen…</translation>
     </message>
+    <message>
+        <source>Squeeze %1: %2</source>
+        <translation>Druckversuch %1: %2</translation>
+    </message>
+    <message>
+        <source>At least %1 are needed, 4 for the first type of a library; the ring is full when more would gain little.</source>
+        <translation>Mindestens %1 sind nötig, 4 beim ersten Typ einer Bibliothek; der Ring ist voll, wenn weitere wenig brächten.</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::EnrolledTypesDialog</name>
@@ -7441,15 +8432,15 @@ Fit</translation>
     </message>
     <message>
         <source>Merge %1 into another type</source>
-        <translation>%1 mit einem anderen Typ vereinigen</translation>
+        <translation>%1 mit einem anderen Typ zusammenführen</translation>
     </message>
     <message>
         <source>The %1 squeezes of %2 will count for the other type, and %2 is no longer a type of its own. The other type needs approval again. Merge only types that are squeezed by the same recipe.</source>
-        <translation>Die %1 Druckversuche von %2 zählen dann für den anderen Typ, und %2 ist kein eigener Typ mehr. Der andere Typ braucht erneut eine Freigabe. Nur Typen vereinigen, die mit demselben Rezept gedrückt werden.</translation>
+        <translation>Die %1 Druckversuche von %2 zählen dann für den anderen Typ, und %2 ist kein eigener Typ mehr. Der andere Typ braucht erneut eine Freigabe. Nur Typen zusammenführen, die mit demselben Rezept gedrückt werden.</translation>
     </message>
     <message>
         <source>Merge</source>
-        <translation>Vereinigen</translation>
+        <translation>Zusammenführen</translation>
     </message>
     <message>
         <source>The type that stays</source>
@@ -7553,7 +8544,7 @@ Fit</translation>
     </message>
     <message>
         <source>Merge…</source>
-        <translation>Vereinigen…</translation>
+        <translation>Zusammenführen…</translation>
     </message>
     <message>
         <source>Split…</source>
@@ -7854,6 +8845,10 @@ Vorh. %</translation>
         <source>Sample time</source>
         <translation>Abtastzeit</translation>
     </message>
+    <message>
+        <source>Noise of the force</source>
+        <translation>Rauschen der Kraft</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::EstimatorPanel</name>
@@ -7962,6 +8957,34 @@ Vorh. %</translation>
         <source>Not saved: %1. Choose a folder that you may write to and that has room, then save again.</source>
         <translation>Nicht gespeichert: %1. Einen beschreibbaren Ordner mit genug Platz wählen, dann erneut speichern.</translation>
     </message>
+    <message>
+        <source>Width of pictures</source>
+        <translation>Breite der Bilder</translation>
+    </message>
+    <message>
+        <source>As on the screen</source>
+        <translation>Wie auf dem Bildschirm</translation>
+    </message>
+    <message>
+        <source>One journal column (85 mm)</source>
+        <translation>Eine Zeitschriftenspalte (85 mm)</translation>
+    </message>
+    <message>
+        <source>Two journal columns (175 mm)</source>
+        <translation>Zwei Zeitschriftenspalten (175 mm)</translation>
+    </message>
+    <message>
+        <source>Picture copied</source>
+        <translation>Bild kopiert</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>Saved in %1</source>
+        <translation>Gespeichert in %1</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::FitPage</name>
@@ -7994,10 +9017,6 @@ Vorh. %</translation>
         <translation>Zahlen kopieren</translation>
     </message>
     <message>
-        <source>Copy every number, tab-separated, with full precision</source>
-        <translation>Alle Zahlen kopieren, durch Tabulatoren getrennt, mit voller Genauigkeit</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Export</translation>
     </message>
@@ -8014,16 +9033,8 @@ Vorh. %</translation>
         <translation>Auf der Seite Prüfen ein Teil drücken, im Verlauf eine Zeile doppelklicken oder eine Aufnahme (CSV) öffnen: die Datei hier ablegen oder „Aufnahme öffnen“ drücken.</translation>
     </message>
     <message>
-        <source>identifying…</source>
-        <translation>identifiziert…</translation>
-    </message>
-    <message>
         <source>Open recording</source>
         <translation>Aufnahme öffnen</translation>
-    </message>
-    <message>
-        <source>Recordings (*.csv);;All files (*)</source>
-        <translation>Aufnahmen (*.csv);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>reading %1…</source>
@@ -8045,6 +9056,62 @@ Vorh. %</translation>
         <source>Copy table</source>
         <translation>Tabelle kopieren</translation>
     </message>
+    <message>
+        <source>Copy the results rounded for a text, for LaTeX or as a table, or every number</source>
+        <translation>Die Ergebnisse kopieren, gerundet für einen Text, für LaTeX oder als Tabelle, oder alle Zahlen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>identifying… %1 %</source>
+        <translation>identifiziert… %1 %</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.tsv *.txt);;All files (*)</source>
+        <translation>Aufnahmen (*.csv *.tsv *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Results, rounded (± 95 %)</source>
+        <translation>Ergebnisse, gerundet (± 95 %)</translation>
+    </message>
+    <message>
+        <source>Results for LaTeX (± 95 %)</source>
+        <translation>Ergebnisse für LaTeX (± 95 %)</translation>
+    </message>
+    <message>
+        <source>Results as CSV, all digits</source>
+        <translation>Ergebnisse als CSV, alle Stellen</translation>
+    </message>
+    <message>
+        <source>Every number, all digits</source>
+        <translation>Alle Zahlen, alle Stellen</translation>
+    </message>
+    <message>
+        <source>Bode</source>
+        <translation>Bode</translation>
+    </message>
+    <message>
+        <source>Bode plot</source>
+        <translation>Bode-Diagramm</translation>
+    </message>
+    <message>
+        <source>Magnitude and phase of measurement and model over frequency</source>
+        <translation>Amplitude und Phase von Messung und Modell über der Frequenz</translation>
+    </message>
+    <message>
+        <source>Back to Types (Alt+Left)</source>
+        <translation>Zurück zu den Typen (Alt+Pfeil links)</translation>
+    </message>
+    <message>
+        <source>Back to Inspect (Alt+Left)</source>
+        <translation>Zurück zu Prüfen (Alt+Pfeil links)</translation>
+    </message>
+    <message>
+        <source>Back to History (Alt+Left)</source>
+        <translation>Zurück zum Verlauf (Alt+Pfeil links)</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::FitPlots</name>
@@ -8054,7 +9121,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Lag (ms)</source>
-        <translation>Lag (ms)</translation>
+        <translation>Versatz (ms)</translation>
     </message>
     <message>
         <source>Residual autocorrelation</source>
@@ -8110,7 +9177,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>± 2 sd</source>
-        <translation>± 2 sd</translation>
+        <translation>± 2 σ</translation>
     </message>
 </context>
 <context>
@@ -8129,7 +9196,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Checks</source>
-        <translation>Checks</translation>
+        <translation>Prüfpunkte</translation>
     </message>
     <message>
         <source>Uncertainty</source>
@@ -8148,12 +9215,8 @@ Vorh. %</translation>
         <translation>Kraft linear</translation>
     </message>
     <message>
-        <source>%1 samples · %2 · %3 between samples</source>
-        <translation>%1 Abtastwerte · %2 · %3 dazwischen</translation>
-    </message>
-    <message>
         <source>Checks (%1)</source>
-        <translation>Checks (%1)</translation>
+        <translation>Prüfpunkte (%1)</translation>
     </message>
     <message>
         <source>No estimate</source>
@@ -8170,6 +9233,164 @@ Vorh. %</translation>
     <message>
         <source>Stiffness k</source>
         <translation>Steifigkeit k</translation>
+    </message>
+    <message>
+        <source>length %1 · %2 samples · %3 between samples</source>
+        <translation>Dauer %1 · %2 Abtastwerte · %3 dazwischen</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ForeignTableDialog</name>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Import a table</source>
+        <translation>Tabelle importieren</translation>
+    </message>
+    <message>
+        <source>%1 was written by another program. Say what in it is what; for tables of this layout it is remembered.</source>
+        <translation>%1 stammt von einem anderen Programm. Angeben, was darin was ist; für Tabellen mit diesem Aufbau bleibt es gespeichert.</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>Komma</translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation>Semikolon</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>Tabulator</translation>
+    </message>
+    <message>
+        <source>point: 1.5</source>
+        <translation>Punkt: 1.5</translation>
+    </message>
+    <message>
+        <source>comma: 1,5</source>
+        <translation>Komma: 1,5</translation>
+    </message>
+    <message>
+        <source>a line of names</source>
+        <translation>eine Kopfzeile</translation>
+    </message>
+    <message>
+        <source>Between fields</source>
+        <translation>Zwischen den Feldern</translation>
+    </message>
+    <message>
+        <source>Decimal mark</source>
+        <translation>Dezimalzeichen</translation>
+    </message>
+    <message>
+        <source>Lines to skip before</source>
+        <translation>Zeilen davor überspringen</translation>
+    </message>
+    <message>
+        <source>The table has</source>
+        <translation>Die Tabelle hat</translation>
+    </message>
+    <message>
+        <source>Lines below the names</source>
+        <translation>Zeilen unter der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>held (zoh)</source>
+        <translation>gehalten (zoh)</translation>
+    </message>
+    <message>
+        <source>straight line (foh)</source>
+        <translation>gerade (foh)</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Force between samples</source>
+        <translation>Kraft zwischen den Abtastwerten</translation>
+    </message>
+    <message>
+        <source>Unit of time</source>
+        <translation>Einheit der Zeit</translation>
+    </message>
+    <message>
+        <source>Unit of force</source>
+        <translation>Einheit der Kraft</translation>
+    </message>
+    <message>
+        <source>Unit of position</source>
+        <translation>Einheit des Wegs</translation>
+    </message>
+    <message>
+        <source>Sample time (ms)</source>
+        <translation>Abtastzeit (ms)</translation>
+    </message>
+    <message>
+        <source>First rows</source>
+        <translation>Erste Zeilen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>no column</source>
+        <translation>keine Spalte</translation>
+    </message>
+    <message>
+        <source>There are no two columns of numbers in it so.</source>
+        <translation>So sind darin keine zwei Spalten mit Zahlen.</translation>
+    </message>
+    <message>
+        <source>The first row is read as force %1, position %2. Sample time %3 ms.</source>
+        <translation>Die erste Zeile wird gelesen als Kraft %1, Weg %2. Abtastzeit %3 ms.</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Wird gelesen…</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::FrequencyPlot</name>
+    <message>
+        <source>Frequency (Hz)</source>
+        <translation>Frequenz (Hz)</translation>
+    </message>
+    <message>
+        <source>from, 95 %</source>
+        <translation>von, 95 %</translation>
+    </message>
+    <message>
+        <source>to, 95 %</source>
+        <translation>bis, 95 %</translation>
+    </message>
+    <message>
+        <source>%1, measured</source>
+        <translation>%1, gemessen</translation>
+    </message>
+    <message>
+        <source>%1, measured, coherence too low</source>
+        <translation>%1, gemessen, Kohärenz zu klein</translation>
+    </message>
+    <message>
+        <source>%1, model</source>
+        <translation>%1, Modell</translation>
     </message>
 </context>
 <context>
@@ -8222,10 +9443,6 @@ Vorh. %</translation>
         <translation>Der Greifer darf sich bewegen. Drücken zum Entschärfen.</translation>
     </message>
     <message>
-        <source>Let the gripper move when a squeeze is asked for</source>
-        <translation>Den Greifer sich bewegen lassen, wenn ein Druckversuch verlangt wird</translation>
-    </message>
-    <message>
         <source>No gripper that can be commanded is connected</source>
         <translation>Kein steuerbarer Greifer ist verbunden</translation>
     </message>
@@ -8233,12 +9450,44 @@ Vorh. %</translation>
         <source>Stopped</source>
         <translation>Angehalten</translation>
     </message>
+    <message>
+        <source>Hold…</source>
+        <translation>Halten…</translation>
+    </message>
+    <message>
+        <source>Let the gripper move when a squeeze is asked for. By keys: hold Ctrl+Shift+A for a second</source>
+        <translation>Den Greifer sich bewegen lassen, wenn ein Druckversuch verlangt wird. Mit Tasten: Strg+Umschalt+A eine Sekunde lang halten</translation>
+    </message>
+    <message>
+        <source>loses %1</source>
+        <translation>verliert %1</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::HeatMap</name>
     <message>
         <source>%1 From %2 to %3.</source>
         <translation>%1 Von %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Row</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>Squeezes</source>
+        <translation>Druckversuche</translation>
+    </message>
+    <message>
+        <source>Cluster</source>
+        <translation>Gruppe</translation>
     </message>
 </context>
 <context>
@@ -8254,6 +9503,10 @@ Vorh. %</translation>
     <message>
         <source>Bands: where 95 % of the squeezes of an enrolled type lie. Bars: 95 % intervals of the squeeze. Drag to zoom, double click to see everything.</source>
         <translation>Bänder: wo 95 % der Druckversuche eines eingelernten Typs liegen. Balken: 95-%-Intervalle des Druckversuchs. Ziehen zum Vergrößern, Doppelklick zeigt alles.</translation>
+    </message>
+    <message>
+        <source>One inspection in %1 is drawn, by its number: a single outlier may be missing. Narrow the dates to see every one.</source>
+        <translation>Nach der Nummer ist eine von %1 Prüfungen gezeichnet: Ein einzelner Ausreißer kann fehlen. Um jede zu sehen, die Tage eingrenzen.</translation>
     </message>
 </context>
 <context>
@@ -8273,10 +9526,6 @@ Vorh. %</translation>
     <message>
         <source>Identified again: %1</source>
         <translation>Neu identifiziert: %1</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Fit</translation>
     </message>
     <message>
         <source>How</source>
@@ -8305,6 +9554,10 @@ Vorh. %</translation>
     <message>
         <source>Uncertainty of m, b, k comes from</source>
         <translation>Unsicherheit von m, b, k kommt von</translation>
+    </message>
+    <message>
+        <source>Simulation fit</source>
+        <translation>Simulationsfit</translation>
     </message>
 </context>
 <context>
@@ -8429,6 +9682,14 @@ Vorh. %</translation>
         <source>Batch</source>
         <translation>Los</translation>
     </message>
+    <message>
+        <source>Any validity</source>
+        <translation>Jede Gültigkeit</translation>
+    </message>
+    <message>
+        <source>Validity of the measurement</source>
+        <translation>Gültigkeit der Messung</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::HistoryModel</name>
@@ -8551,6 +9812,34 @@ Vorh. %</translation>
         <source>Recordings written to %1</source>
         <translation>Aufnahmen nach %1 geschrieben</translation>
     </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Überlagern</translation>
+    </message>
+    <message>
+        <source>Force and position of the selected squeezes over each other</source>
+        <translation>Kraft und Weg der gewählten Druckversuche übereinander</translation>
+    </message>
+    <message>
+        <source>Squeeze %1</source>
+        <translation>Druckversuch %1</translation>
+    </message>
+    <message>
+        <source>More than %1 squeezes are selected. Select fewer, and the others after them.</source>
+        <translation>Mehr als %1 Druckversuche sind ausgewählt. Weniger auswählen, die übrigen danach.</translation>
+    </message>
+    <message>
+        <source>Counting: %1 so far</source>
+        <translation>Wird gezählt: bisher %1</translation>
+    </message>
+    <message>
+        <source>Sorted: only the oldest %1</source>
+        <translation>Sortiert: nur die ältesten %1</translation>
+    </message>
+    <message>
+        <source>Sorted: only the newest %1</source>
+        <translation>Sortiert: nur die neuesten %1</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::HistoryReport</name>
@@ -8575,14 +9864,6 @@ Vorh. %</translation>
         <translation>Unbekannt</translation>
     </message>
     <message>
-        <source>Inconclusive</source>
-        <translation>Unentschieden</translation>
-    </message>
-    <message>
-        <source>Measurement not valid</source>
-        <translation>Messung ungültig</translation>
-    </message>
-    <message>
         <source>Enrolled</source>
         <translation>Eingelernt</translation>
     </message>
@@ -8603,14 +9884,6 @@ Vorh. %</translation>
         <translation>nicht genannt</translation>
     </message>
     <message>
-        <source>not calibrated here: its own scale is taken</source>
-        <translation>hier nicht kalibriert: Es gilt die eigene Skala</translation>
-    </message>
-    <message>
-        <source>taken %1 by %2 against %3, holds until %4</source>
-        <translation>aufgenommen am %1 von %2 gegen %3, gilt bis %4</translation>
-    </message>
-    <message>
         <source>Operators</source>
         <translation>Bediener</translation>
     </message>
@@ -8621,14 +9894,6 @@ Vorh. %</translation>
     <message>
         <source>Gripper</source>
         <translation>Greifer</translation>
-    </message>
-    <message>
-        <source>Force, in force now</source>
-        <translation>Kraft, jetzt gültig</translation>
-    </message>
-    <message>
-        <source>Position, in force now</source>
-        <translation>Weg, jetzt gültig</translation>
     </message>
     <message>
         <source>Types as they are enrolled</source>
@@ -8702,6 +9967,78 @@ Vorh. %</translation>
         <source>The first %1 of %2; an export as CSV or JSON holds all.</source>
         <translation>Die ersten %1 von %2; ein Export als CSV oder JSON enthält alle.</translation>
     </message>
+    <message>
+        <source>Yield</source>
+        <translation>Ausbeute</translation>
+    </message>
+    <message>
+        <source>Inconclusive, not judged</source>
+        <translation>Unentschieden, nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Measurement not valid, not judged</source>
+        <translation>Messung ungültig, nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Measurement suspect</source>
+        <translation>Messung fraglich</translation>
+    </message>
+    <message>
+        <source>Rates then</source>
+        <translation>Fehlerraten damals</translation>
+    </message>
+    <message>
+        <source>version %1 of the library</source>
+        <translation>Version %1 der Bibliothek</translation>
+    </message>
+    <message>
+        <source>versions %1 to %2 of the library</source>
+        <translation>Versionen %1 bis %2 der Bibliothek</translation>
+    </message>
+    <message>
+        <source>Types then</source>
+        <translation>Typen damals</translation>
+    </message>
+    <message>
+        <source>Judged by Gripscope</source>
+        <translation>Beurteilt mit Gripscope</translation>
+    </message>
+    <message>
+        <source>Force, calibration then</source>
+        <translation>Kraft, Kalibrierung damals</translation>
+    </message>
+    <message>
+        <source>Position, calibration then</source>
+        <translation>Weg, Kalibrierung damals</translation>
+    </message>
+    <message>
+        <source>Known type, none expected</source>
+        <translation>Bekannter Typ, keiner erwartet</translation>
+    </message>
+    <message>
+        <source>One inspection in %1 is drawn, by its number.</source>
+        <translation>Nach der Nummer ist eine von %1 Prüfungen gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Voided, counted in none of these</source>
+        <translation>Storniert, in keiner dieser Zahlen</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Los</translation>
+    </message>
+    <message>
+        <source>Part number</source>
+        <translation>Teilenummer</translation>
+    </message>
+    <message>
+        <source>Report of squeezes no. %1</source>
+        <translation>Bericht über Druckversuche Nr. %1</translation>
+    </message>
+    <message>
+        <source>Its number is that of its entry in the audit trail.</source>
+        <translation>Seine Nummer ist die seines Eintrags im Änderungsprotokoll.</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::HistoryTable</name>
@@ -8763,10 +10100,6 @@ Vorh. %</translation>
     <message>
         <source>%1 inspected</source>
         <translation>%1 geprüft</translation>
-    </message>
-    <message>
-        <source>%1 as expected</source>
-        <translation>%1 wie erwartet</translation>
     </message>
     <message>
         <source>%1 other type</source>
@@ -8846,7 +10179,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Rates</source>
-        <translation>Raten</translation>
+        <translation>Fehlerraten</translation>
     </message>
     <message>
         <source>false reject %1, wrong type %2</source>
@@ -8891,6 +10224,102 @@ Vorh. %</translation>
     <message>
         <source>Batch</source>
         <translation>Los</translation>
+    </message>
+    <message>
+        <source>voided: %1</source>
+        <translation>storniert: %1</translation>
+    </message>
+    <message>
+        <source>valid</source>
+        <translation>gültig</translation>
+    </message>
+    <message>
+        <source>suspect</source>
+        <translation>fraglich</translation>
+    </message>
+    <message>
+        <source>invalid</source>
+        <translation>ungültig</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>stranger-accept, confidence and robust gates not recorded</source>
+        <translation>Fremdannahme, Vertrauen und robuste Grenzen nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>stranger accept %1</source>
+        <translation>Fremdannahme %1</translation>
+    </message>
+    <message>
+        <source>for this library with %1 confidence</source>
+        <translation>für diese Bibliothek mit %1 Vertrauen</translation>
+    </message>
+    <message>
+        <source>on average over libraries</source>
+        <translation>im Mittel über Bibliotheken</translation>
+    </message>
+    <message>
+        <source>robust gates</source>
+        <translation>robuste Grenzen</translation>
+    </message>
+    <message>
+        <source>not calibrated: the gripper&apos;s own scale was taken</source>
+        <translation>nicht kalibriert: Es galt die eigene Skala des Greifers</translation>
+    </message>
+    <message>
+        <source>%1 suspect</source>
+        <translation>%1 fraglich</translation>
+    </message>
+    <message>
+        <source>%1 voided</source>
+        <translation>%1 storniert</translation>
+    </message>
+    <message>
+        <source>Validity</source>
+        <translation>Gültigkeit</translation>
+    </message>
+    <message>
+        <source>Part number</source>
+        <translation>Teilenummer</translation>
+    </message>
+    <message>
+        <source>Voided, does not count</source>
+        <translation>Storniert, zählt nicht</translation>
+    </message>
+    <message>
+        <source>%1 sd, %2 sd</source>
+        <translation>%1 σ, %2 σ</translation>
+    </message>
+    <message>
+        <source>Types</source>
+        <translation>Typen</translation>
+    </message>
+    <message>
+        <source>version %1 of the library</source>
+        <translation>Version %1 der Bibliothek</translation>
+    </message>
+    <message>
+        <source>version of the library not recorded</source>
+        <translation>Version der Bibliothek nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>The station&apos;s clock was set back from %1 to %2: this time may be wrong.</source>
+        <translation>Die Uhr der Station wurde von %1 auf %2 zurückgestellt: Diese Zeit ist womöglich falsch.</translation>
     </message>
 </context>
 <context>
@@ -9033,6 +10462,49 @@ Vorh. %</translation>
         <source>What is left is more than noise: a longer squeeze will not help before the model fits. Compare the models.</source>
         <translation>Der Rest ist mehr als Rauschen: Länger drücken hilft erst, wenn das Modell passt. Die Modelle vergleichen.</translation>
     </message>
+    <message>
+        <source>The steps of the position dominate the error of %1: squeeze with more force, or measure the position in finer steps.</source>
+        <translation>Die Stufen des Wegs bestimmen den Fehler von %1: mit mehr Kraft drücken oder den Weg feiner auflösen.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::InspectAutomatic</name>
+    <message>
+        <source>Squeezes in %1 s</source>
+        <translation>Drückt in %1 s</translation>
+    </message>
+    <message>
+        <source>Take the hand away or press Stop.</source>
+        <translation>Hand wegnehmen oder STOPP drücken.</translation>
+    </message>
+    <message>
+        <source>Squeezes by itself when a part arrives, once the gripper is armed</source>
+        <translation>Drückt von selbst, wenn ein Teil kommt, sobald der Greifer scharf ist</translation>
+    </message>
+    <message>
+        <source>Stopped: squeezes by itself again once you have armed the gripper or squeezed</source>
+        <translation>Angehalten: drückt erst wieder von selbst nach Scharfschalten oder Drücken von Hand</translation>
+    </message>
+    <message>
+        <source>Learns the force at rest: keep the jaws empty for a second</source>
+        <translation>Lernt die Kraft in Ruhe: Backen eine Sekunde leer lassen</translation>
+    </message>
+    <message>
+        <source>Squeezes by itself %1 s after a part has arrived</source>
+        <translation>Drückt von selbst, %1 s nachdem ein Teil gekommen ist</translation>
+    </message>
+    <message>
+        <source>A part has arrived: the force is to keep still</source>
+        <translation>Ein Teil ist da: Die Kraft muss ruhig sein</translation>
+    </message>
+    <message>
+        <source>A key, a click or any change of the force ends it</source>
+        <translation>Eine Taste, ein Klick oder jede Änderung der Kraft bricht ab</translation>
+    </message>
+    <message>
+        <source>Take the part out: the next one that arrives is squeezed by itself</source>
+        <translation>Teil herausnehmen: Das nächste, das kommt, wird von selbst gedrückt</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::InspectBatch</name>
@@ -9116,7 +10588,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Rates…</source>
-        <translation>Raten…</translation>
+        <translation>Fehlerraten…</translation>
     </message>
     <message>
         <source>Squeeze (Space)</source>
@@ -9124,7 +10596,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Arm the gripper</source>
-        <translation>Greifer scharf schalten</translation>
+        <translation>Scharf schalten</translation>
     </message>
     <message>
         <source>Squeezing…</source>
@@ -9132,7 +10604,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Judging…</source>
-        <translation>Urteilt…</translation>
+        <translation>Wird beurteilt…</translation>
     </message>
     <message>
         <source>Record (Space)</source>
@@ -9148,7 +10620,11 @@ Vorh. %</translation>
     </message>
     <message>
         <source>at most %1 s</source>
-        <translation>höchstens %1 s</translation>
+        <translation>max. %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 s</source>
+        <translation>etwa %1 s</translation>
     </message>
     <message>
         <source>about %1 s, at most %2 s</source>
@@ -9158,24 +10634,68 @@ Vorh. %</translation>
         <source>Squeeze again (Space)</source>
         <translation>Erneut drücken (Leertaste)</translation>
     </message>
+    <message>
+        <source>part number</source>
+        <translation>Teilenummer</translation>
+    </message>
+    <message>
+        <source>Number of the next part</source>
+        <translation>Nummer des nächsten Teils</translation>
+    </message>
+    <message>
+        <source>Scan it anywhere on this page, or type it: kept with the next squeeze</source>
+        <translation>Irgendwo auf dieser Seite scannen oder hier eintippen: wird mit dem nächsten Druckversuch gespeichert</translation>
+    </message>
+    <message>
+        <source>Void…</source>
+        <translation>Stornieren…</translation>
+    </message>
+    <message>
+        <source>Void the last squeeze</source>
+        <translation>Den letzten Druckversuch stornieren</translation>
+    </message>
+    <message>
+        <source>Squeezed twice, or nothing in the jaws: the last squeeze then counts nowhere</source>
+        <translation>Zweimal gedrückt oder nichts in den Backen: Der letzte Druckversuch zählt dann nirgends</translation>
+    </message>
+    <message>
+        <source>Batch %1 has ended. Go on without a batch?</source>
+        <translation>Los %1 ist beendet. Ohne Los weitermachen?</translation>
+    </message>
+    <message>
+        <source>Further parts then belong to no batch. To count them, begin the next batch at the right.</source>
+        <translation>Weitere Teile gehören dann zu keinem Los. Um sie zu zählen, rechts das nächste Los beginnen.</translation>
+    </message>
+    <message>
+        <source>Go on without a batch</source>
+        <translation>Ohne Los weiter</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Jetzt nicht</translation>
+    </message>
+    <message>
+        <source>Batch %1 is complete</source>
+        <translation>Los %1 ist vollständig</translation>
+    </message>
+    <message>
+        <source>Batch %1 has ended</source>
+        <translation>Los %1 ist beendet</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::InspectReason</name>
     <message>
         <source>posterior of %1: %2</source>
-        <translation>Posterior von %1: %2</translation>
+        <translation>Wahrscheinlichkeit für %1: %2</translation>
     </message>
     <message>
         <source>%1 sd from %2 (gate %3 sd)</source>
-        <translation>%1 sd von %2 (Grenze %3 sd)</translation>
-    </message>
-    <message>
-        <source>decided after %1 s</source>
-        <translation>entschieden nach %1 s</translation>
+        <translation>%1 σ von %2 (Grenze %3 σ)</translation>
     </message>
     <message>
         <source>Held to: false-reject %1 (%2), wrong-type %3, stranger-accept %4</source>
-        <translation>Gehalten: Fehlrückweisung %1 (%2), Verwechslung %3, Fremdannahme %4</translation>
+        <translation>Soll: Fehlrückweisung %1 (%2), Verwechslung %3, Fremdannahme %4</translation>
     </message>
     <message>
         <source>with %1 confidence</source>
@@ -9184,6 +10704,14 @@ Vorh. %</translation>
     <message>
         <source>on average</source>
         <translation>im Mittel</translation>
+    </message>
+    <message>
+        <source>length %1, ended when it was decided</source>
+        <translation>Dauer %1, beendet, als entschieden war</translation>
+    </message>
+    <message>
+        <source>length %1</source>
+        <translation>Dauer %1</translation>
     </message>
 </context>
 <context>
@@ -9228,13 +10756,53 @@ Vorh. %</translation>
         <source>The last 20, the newest framed</source>
         <translation>Die letzten 20, das neueste umrahmt</translation>
     </message>
+    <message>
+        <source>New shift…</source>
+        <translation>Neue Schicht…</translation>
+    </message>
+    <message>
+        <source>Counts from now on. What was inspected before is kept in the history.</source>
+        <translation>Zählt von jetzt an. Was vorher geprüft wurde, bleibt im Verlauf erhalten.</translation>
+    </message>
+    <message>
+        <source>Begin a new shift?</source>
+        <translation>Neue Schicht beginnen?</translation>
+    </message>
+    <message>
+        <source>Its counts begin at 0. What was inspected is kept, and a batch goes on.</source>
+        <translation>Ihre Zähler beginnen bei 0. Das Geprüfte bleibt erhalten, und ein Los geht weiter.</translation>
+    </message>
+    <message>
+        <source>Begin it</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Leave it</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>This shift</source>
+        <translation>Diese Schicht</translation>
+    </message>
+    <message>
+        <source>All so far</source>
+        <translation>Alle bisher</translation>
+    </message>
+    <message>
+        <source>%1 voided</source>
+        <translation>%1 storniert</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1: %2 von %3</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::InspectionList</name>
-    <message>
-        <source>%1 s</source>
-        <translation>%L1 s</translation>
-    </message>
     <message>
         <source>Last inspections</source>
         <translation>Letzte Prüfungen</translation>
@@ -9288,6 +10856,219 @@ Vorh. %</translation>
     <message>
         <source>A gripper samples the position a little later than the force. A lag of 100 µs that nobody knows of changes the mass of a can by a tenth. Grip something firm, a spring or a can of any type, and leave it there: the gripper squeezes it %1 times, with %2 for %3 s.</source>
         <translation>Ein Greifer tastet den Weg etwas später ab als die Kraft. Ein unbekannter Zeitversatz von 100 µs ändert die Masse einer Dose um ein Zehntel. Etwas Festes greifen, eine Feder oder eine Dose beliebigen Typs, und dort lassen: Der Greifer drückt sie %1-mal, mit %2, je %3 s lang.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::Letterhead</name>
+    <message>
+        <source>%1. Choose another logo in the settings, or none.</source>
+        <translation>%1. In den Optionen ein anderes Logo wählen oder keines.</translation>
+    </message>
+    <message>
+        <source>it declares entities or a document type</source>
+        <translation>sie vereinbart Entitäten oder einen Dokumenttyp</translation>
+    </message>
+    <message>
+        <source>it names a style sheet or another program</source>
+        <translation>sie nennt eine Formatvorlage oder ein anderes Programm</translation>
+    </message>
+    <message>
+        <source>it has an element that reads files or repeats parts (%1)</source>
+        <translation>sie hat ein Element, das Dateien liest oder Teile wiederholt (%1)</translation>
+    </message>
+    <message>
+        <source>it is neither PNG nor SVG</source>
+        <translation>sie ist weder PNG noch SVG</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 x %1 pixels, or damaged</source>
+        <translation>sie ist größer als %1 x %1 Pixel oder beschädigt</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::LibraryDialog</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Opened before</source>
+        <translation>Früher geöffnet</translation>
+    </message>
+    <message>
+        <source>Libraries that were opened before</source>
+        <translation>Bibliotheken, die früher geöffnet waren</translation>
+    </message>
+    <message>
+        <source>Double-click, or Enter, opens it</source>
+        <translation>Doppelklick oder Eingabetaste öffnet sie</translation>
+    </message>
+    <message>
+        <source>Open another…</source>
+        <translation>Andere öffnen…</translation>
+    </message>
+    <message>
+        <source>Back up…</source>
+        <translation>Sichern…</translation>
+    </message>
+    <message>
+        <source>A copy of all of it, verified; work goes on meanwhile</source>
+        <translation>Eine nachgeprüfte Kopie von allem; die Arbeit geht weiter</translation>
+    </message>
+    <message>
+        <source>Put back a backup…</source>
+        <translation>Sicherung zurückspielen…</translation>
+    </message>
+    <message>
+        <source>Shows what is in it before anything is changed</source>
+        <translation>Zeigt, was darin steht, bevor etwas geändert wird</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Counting…</source>
+        <translation>Wird gezählt…</translation>
+    </message>
+    <message>
+        <source>Copied. Verifying every row of the copy…</source>
+        <translation>Kopiert. Jede Zeile der Kopie wird nachgeprüft…</translation>
+    </message>
+    <message>
+        <source>Open another library</source>
+        <translation>Andere Bibliothek öffnen</translation>
+    </message>
+    <message>
+        <source>Libraries (*.db *.gripscope);;All files (*)</source>
+        <translation>Bibliotheken (*.db *.gripscope);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>es gibt keine solche Datei</translation>
+    </message>
+    <message>
+        <source>The library %1 is open.</source>
+        <translation>Die Bibliothek %1 ist geöffnet.</translation>
+    </message>
+    <message>
+        <source>Back up the library</source>
+        <translation>Bibliothek sichern</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Copying the library…</source>
+        <translation>Bibliothek wird kopiert…</translation>
+    </message>
+    <message>
+        <source>Put back a backup</source>
+        <translation>Sicherung zurückspielen</translation>
+    </message>
+    <message>
+        <source>Copying the backup beside the library, to verify it…</source>
+        <translation>Die Sicherung wird neben die Bibliothek kopiert, um sie nachzuprüfen…</translation>
+    </message>
+    <message>
+        <source>Putting it back…</source>
+        <translation>Wird zurückgespielt…</translation>
+    </message>
+    <message>
+        <source>The backup was put back. The library of before is kept as %1.</source>
+        <translation>Die Sicherung wurde zurückgespielt. Die bisherige Bibliothek bleibt als %1.</translation>
+    </message>
+    <message>
+        <source>A squeeze is under way. Wait for its end, then try again.</source>
+        <translation>Ein Druckversuch läuft. Das Ende abwarten, dann noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>A calibration is under way. Accept or leave it, then try again.</source>
+        <translation>Eine Kalibrierung läuft. Erst übernehmen oder abbrechen, dann noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>Inspections that are not stored yet: %1. Wait until they are, then try again.</source>
+        <translation>Noch nicht gespeicherte Prüfungen: %1. Warten, bis sie gespeichert sind, dann noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>Opening…</source>
+        <translation>Wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>there is nothing in it</source>
+        <translation>es steht nichts darin</translation>
+    </message>
+    <message>
+        <source>The backup was written, but it holds what the library holds: %1</source>
+        <translation>Die Sicherung wurde geschrieben, enthält aber, was die Bibliothek enthält: %1</translation>
+    </message>
+    <message>
+        <source>The backup %1 was written and verified. %2</source>
+        <translation>Die Sicherung %1 wurde geschrieben und nachgeprüft. %2</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::LibraryWords</name>
+    <message>
+        <source>inspections: %1</source>
+        <translation>Prüfungen: %1</translation>
+    </message>
+    <message>
+        <source>squeezes: %1</source>
+        <translation>Druckversuche: %1</translation>
+    </message>
+    <message>
+        <source>types: %1</source>
+        <translation>Typen: %1</translation>
+    </message>
+    <message>
+        <source>calibrations: %1</source>
+        <translation>Kalibrierungen: %1</translation>
+    </message>
+    <message>
+        <source>changes of types: %1</source>
+        <translation>Änderungen an Typen: %1</translation>
+    </message>
+    <message>
+        <source>entries of the audit trail: %1</source>
+        <translation>Einträge im Änderungsprotokoll: %1</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>noch nichts</translation>
+    </message>
+    <message>
+        <source>Types: %1, squeezes: %2, inspections: %3, calibrations: %4. Stored last: %5.</source>
+        <translation>Typen: %1, Druckversuche: %2, Prüfungen: %3, Kalibrierungen: %4. Zuletzt gespeichert: %5.</translation>
+    </message>
+    <message>
+        <source>The library of now cannot be read. It is kept aside as it is.</source>
+        <translation>Die jetzige Bibliothek lässt sich nicht lesen. Sie wird beiseitegelegt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Nothing was stored since this backup was made.</source>
+        <translation>Seit dieser Sicherung wurde nichts gespeichert.</translation>
+    </message>
+    <message>
+        <source>What was stored since this backup was made goes out of use (%1). It stays in the library that is kept aside.</source>
+        <translation>Was seit dieser Sicherung gespeichert wurde, wird außer Gebrauch genommen (%1). Es bleibt in der Bibliothek, die beiseitegelegt wird.</translation>
+    </message>
+    <message>
+        <source>The backup and the library have gone different ways: each holds something that the other does not. All of the library of now goes out of use, and is kept aside.</source>
+        <translation>Sicherung und Bibliothek haben sich auseinanderentwickelt: In beiden steht etwas, das in der anderen fehlt. Die ganze jetzige Bibliothek wird außer Gebrauch genommen und beiseitegelegt.</translation>
+    </message>
+    <message>
+        <source>This is a copy of another library. All of the library of now goes out of use, and is kept aside.</source>
+        <translation>Das ist die Kopie einer anderen Bibliothek. Die ganze jetzige Bibliothek wird außer Gebrauch genommen und beiseitegelegt.</translation>
     </message>
 </context>
 <context>
@@ -9816,7 +11597,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Language, theme, rates and more (Ctrl+,)</source>
-        <translation>Sprache, Farben, Raten und mehr (Strg+,)</translation>
+        <translation>Sprache, Farben, Fehlerraten und mehr (Strg+,)</translation>
     </message>
     <message>
         <source>Help</source>
@@ -10008,10 +11789,6 @@ Vorh. %</translation>
         <translation>Niemand ist angemeldet</translation>
     </message>
     <message>
-        <source>People and the audit trail</source>
-        <translation>Personen und Änderungsprotokoll</translation>
-    </message>
-    <message>
         <source>Sign in as somebody else…</source>
         <translation>Als jemand anders anmelden…</translation>
     </message>
@@ -10030,6 +11807,14 @@ Vorh. %</translation>
     <message>
         <source>Audit trail…</source>
         <translation>Änderungsprotokoll…</translation>
+    </message>
+    <message>
+        <source>People, the audit trail and the library</source>
+        <translation>Personen, Änderungsprotokoll und Bibliothek</translation>
+    </message>
+    <message>
+        <source>Library…</source>
+        <translation>Bibliothek…</translation>
     </message>
 </context>
 <context>
@@ -10126,6 +11911,97 @@ Vorh. %</translation>
         <source>%1 · NOT STORED</source>
         <translation>%1 · NICHT GESPEICHERT</translation>
     </message>
+    <message>
+        <source>known type</source>
+        <translation>bekannter Typ</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>refused by the settings</source>
+        <translation>durch die Einstellungen verweigert</translation>
+    </message>
+    <message>
+        <source>Call your supervisor</source>
+        <translation>Aufsicht rufen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n squeezes in a row were not valid</source>
+        <translation>
+            <numerusform>%n Druckversuch in Folge war ungültig</numerusform>
+            <numerusform>%n Druckversuche in Folge waren ungültig</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>VOIDED, does not count: %1</source>
+        <translation>STORNIERT, zählt nicht: %1</translation>
+    </message>
+    <message>
+        <source>as expected or known type</source>
+        <translation>wie erwartet oder bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::OverlayDialog</name>
+    <message>
+        <source>Squeezes over each other</source>
+        <translation>Druckversuche übereinander</translation>
+    </message>
+    <message>
+        <source>squeezes</source>
+        <translation>Druckversuche</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>reading…</source>
+        <translation>wird gelesen…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n squeeze(s), each from its start</source>
+        <translation>
+            <numerusform>%n Druckversuch, ab seinem Beginn</numerusform>
+            <numerusform>%n Druckversuche, jeder ab seinem Beginn</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 chosen squeezes, each from its start: at most %3, in the units of the first</source>
+        <translation>%1 von %2 gewählten Druckversuchen, jeder ab seinem Beginn: höchstens %3, in den Einheiten des ersten</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::OverlayPlots</name>
+    <message>
+        <source>Squeezes over each other</source>
+        <translation>Druckversuche übereinander</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::PageView</name>
+    <message>
+        <source>Scrolls the page</source>
+        <translation>Rollt die Seite</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::PairPlots</name>
@@ -10183,6 +12059,14 @@ Vorh. %</translation>
         <translation>Zur Aufsicht</translation>
     </message>
     <message>
+        <source>Change who may arm</source>
+        <translation>Ändern, wer scharf schalten darf</translation>
+    </message>
+    <message>
+        <source>Change who may approve</source>
+        <translation>Ändern, wer freigeben darf</translation>
+    </message>
+    <message>
         <source>New PIN…</source>
         <translation>Neue PIN…</translation>
     </message>
@@ -10234,6 +12118,18 @@ Vorh. %</translation>
         <source>Who may arm the gripper</source>
         <translation>Wer scharf schalten darf</translation>
     </message>
+    <message>
+        <source>any supervisor</source>
+        <translation>jede Aufsicht</translation>
+    </message>
+    <message>
+        <source>a supervisor who did not enroll it</source>
+        <translation>eine Aufsicht, die ihn nicht eingelernt hat</translation>
+    </message>
+    <message>
+        <source>Who may approve a type</source>
+        <translation>Wer einen Typ freigeben darf</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::PersonForm</name>
@@ -10247,11 +12143,11 @@ Vorh. %</translation>
     </message>
     <message>
         <source>From now on roles are in force in this library: changing rates, limits, types, calibrations, settings and people needs a supervisor. This cannot be taken back, and nobody can read or reset a lost PIN or password but another supervisor: add a second one soon.</source>
-        <translation>Von jetzt an gelten in dieser Bibliothek Rollen: Raten, Grenzen, Typen, Kalibrierungen, Einstellungen und Personen ändert nur eine Aufsicht. Das lässt sich nicht zurücknehmen. Eine verlorene PIN kann niemand lesen und nur eine andere Aufsicht ersetzen: bald eine zweite hinzufügen.</translation>
+        <translation>Von jetzt an gelten in dieser Bibliothek Rollen: Fehlerraten, Grenzen, Typen, Kalibrierungen, Einstellungen und Personen ändert nur eine Aufsicht. Das lässt sich nicht zurücknehmen. Eine verlorene PIN kann niemand lesen und nur eine andere Aufsicht ersetzen: bald eine zweite hinzufügen.</translation>
     </message>
     <message>
         <source>Operators squeeze, inspect and enroll. Supervisors also change rates, limits, types, calibrations, settings and people.</source>
-        <translation>Die Bedienung drückt, prüft und lernt ein. Die Aufsicht ändert auch Raten, Grenzen, Typen, Kalibrierungen, Einstellungen und Personen.</translation>
+        <translation>Die Bedienung drückt, prüft und lernt ein. Die Aufsicht ändert auch Fehlerraten, Grenzen, Typen, Kalibrierungen, Einstellungen und Personen.</translation>
     </message>
     <message>
         <source>Add</source>
@@ -10552,7 +12448,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Says now</source>
-        <translation>Sagt jetzt</translation>
+        <translation>Wert jetzt</translation>
     </message>
 </context>
 <context>
@@ -10570,7 +12466,7 @@ Vorh. %</translation>
     <name>gripscope::RatesDialog</name>
     <message>
         <source>Rates</source>
-        <translation>Raten</translation>
+        <translation>Fehlerraten</translation>
     </message>
     <message>
         <source> %</source>
@@ -10610,11 +12506,11 @@ Vorh. %</translation>
     </message>
     <message>
         <source>for this library, with 95 % confidence (wider gates)</source>
-        <translation>für diese Bibliothek, mit 95 % Vertrauen (weitere Grenzen)</translation>
+        <translation>für diese Bibliothek, mit 95 % Vertrauen (breitere Grenzen)</translation>
     </message>
     <message>
         <source>Types spread unlike, or have wild squeezes among them (wider gates)</source>
-        <translation>Typen streuen ungleich oder wild (weitere Grenzen)</translation>
+        <translation>Typen streuen ungleich, haben Ausreißer (breitere Grenzen)</translation>
     </message>
     <message>
         <source>End a squeeze as soon as it is decided</source>
@@ -10664,7 +12560,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>number, if it has one</source>
-        <translation>Nummer, falls vorhanden</translation>
+        <translation>falls vorhanden</translation>
     </message>
     <message>
         <source>4 hours</source>
@@ -10870,7 +12766,7 @@ Vorh. %</translation>
     <name>gripscope::ReidentifyModel</name>
     <message>
         <source>Squeeze</source>
-        <translation>Drücken</translation>
+        <translation>Versuch</translation>
     </message>
     <message>
         <source>m: stored, now</source>
@@ -10885,8 +12781,8 @@ Vorh. %</translation>
         <translation>k: alt, neu</translation>
     </message>
     <message>
-        <source>Fit</source>
-        <translation>Fit</translation>
+        <source>Simulation fit</source>
+        <translation>Simulationsfit</translation>
     </message>
 </context>
 <context>
@@ -10913,7 +12809,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Way</source>
-        <translation>Weg</translation>
+        <translation>Richtung</translation>
     </message>
     <message>
         <source>Report</source>
@@ -11010,6 +12906,100 @@ Vorh. %</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::RestoreDialog</name>
+    <message>
+        <source>Put back a backup</source>
+        <translation>Sicherung zurückspielen</translation>
+    </message>
+    <message>
+        <source>Put back this backup?</source>
+        <translation>Diese Sicherung zurückspielen?</translation>
+    </message>
+    <message>
+        <source>It was verified: every row in it is as it was written.</source>
+        <translation>Sie wurde nachgeprüft: Jede Zeile ist so, wie sie geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>Why? The reason is kept in both libraries.</source>
+        <translation>Warum? Der Grund wird in beiden Bibliotheken festgehalten.</translation>
+    </message>
+    <message>
+        <source>Why it is put back</source>
+        <translation>Warum sie zurückgespielt wird</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Put it back</source>
+        <translation>Zurückspielen</translation>
+    </message>
+    <message>
+        <source>In the backup</source>
+        <translation>In der Sicherung</translation>
+    </message>
+    <message>
+        <source>In the library now</source>
+        <translation>Jetzt in der Bibliothek</translation>
+    </message>
+    <message>
+        <source>Inspections</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Squeezes</source>
+        <translation>Druckversuche</translation>
+    </message>
+    <message>
+        <source>Types</source>
+        <translation>Typen</translation>
+    </message>
+    <message>
+        <source>Calibrations</source>
+        <translation>Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>Entries of the audit trail</source>
+        <translation>Einträge im Änderungsprotokoll</translation>
+    </message>
+    <message>
+        <source>Stored last</source>
+        <translation>Zuletzt gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ResultText</name>
+    <message>
+        <source>%1 = %2 (no interval)</source>
+        <translation>%1 = %2 (kein Intervall)</translation>
+    </message>
+    <message>
+        <source>%1: at most %2</source>
+        <translation>%1: höchstens %2</translation>
+    </message>
+    <message>
+        <source>%1 = %2 (%3 to %4)</source>
+        <translation>%1 = %2 (%3 bis %4)</translation>
+    </message>
+    <message>
+        <source>The measurement is valid.</source>
+        <translation>Die Messung ist gültig.</translation>
+    </message>
+    <message>
+        <source>The measurement is suspect.</source>
+        <translation>Die Messung ist fraglich.</translation>
+    </message>
+    <message>
+        <source>The measurement is not valid.</source>
+        <translation>Die Messung ist ungültig.</translation>
+    </message>
+    <message>
+        <source>%1, %2, 95 % intervals</source>
+        <translation>%1, %2, 95-%-Intervalle</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::SceneToolBar</name>
     <message>
         <source>This library</source>
@@ -11063,6 +13053,14 @@ Vorh. %</translation>
         <source>the picture could not be written</source>
         <translation>das Bild ließ sich nicht schreiben</translation>
     </message>
+    <message>
+        <source>View along</source>
+        <translation>Blick entlang</translation>
+    </message>
+    <message>
+        <source>Picture as it is rendered, as PNG…</source>
+        <translation>Bild wie dargestellt, als PNG…</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::SceneView</name>
@@ -11076,6 +13074,10 @@ Vorh. %</translation>
             <numerusform>%n Punkt</numerusform>
             <numerusform>%n Punkte</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Space of m, b and k</source>
+        <translation>Raum von m, b und k</translation>
     </message>
 </context>
 <context>
@@ -11126,7 +13128,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation>durchgefallen</translation>
+        <translation>nicht bestanden</translation>
     </message>
     <message>
         <source>not tested</source>
@@ -11185,11 +13187,11 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Rates</source>
-        <translation>Raten</translation>
+        <translation>Fehlerraten</translation>
     </message>
     <message>
         <source>Kept sessions</source>
-        <translation>Aufbewahrte Sitzungen</translation>
+        <translation>Aufzeichnungen</translation>
     </message>
     <message>
         <source>At the start</source>
@@ -11249,7 +13251,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Parts that are clear take less time; the rates still hold.</source>
-        <translation>Eindeutige Teile brauchen weniger Zeit; die Raten gelten weiterhin.</translation>
+        <translation>Eindeutige Teile brauchen weniger Zeit; die Fehlerraten gelten weiterhin.</translation>
     </message>
     <message>
         <source>The false-reject rate holds</source>
@@ -11257,7 +13259,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>With confidence for this library, gates are wider.</source>
-        <translation>Mit Vertrauen für diese Bibliothek sind die Grenzen weiter.</translation>
+        <translation>Mit Vertrauen für diese Bibliothek sind die Grenzen breiter.</translation>
     </message>
     <message>
         <source>on average over libraries</source>
@@ -11273,7 +13275,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Or have wild squeezes among them: allows for both by wider gates.</source>
-        <translation>Oder enthalten wilde Druckversuche: berücksichtigt beides durch weitere Grenzen.</translation>
+        <translation>Oder enthalten Ausreißer: berücksichtigt beides durch breitere Grenzen.</translation>
     </message>
     <message>
         <source>False-reject rate</source>
@@ -11309,7 +13311,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Folder of kept sessions</source>
-        <translation>Ordner der aufbewahrten Sitzungen</translation>
+        <translation>Ordner der Aufzeichnungen</translation>
     </message>
     <message>
         <source>Empty: the usual folder for data.</source>
@@ -11317,7 +13319,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Room for kept sessions</source>
-        <translation>Platz für aufbewahrte Sitzungen</translation>
+        <translation>Platz für Aufzeichnungen</translation>
     </message>
     <message>
         <source>When it is full, the oldest make room.</source>
@@ -11383,6 +13385,122 @@ Vorh. %</translation>
         <source>What STOP is was read</source>
         <translation>Gelesen, was STOPP ist</translation>
     </message>
+    <message>
+        <source>Refuse to judge when a calibration is overdue</source>
+        <translation>Nicht beurteilen, wenn eine Kalibrierung überfällig ist</translation>
+    </message>
+    <message>
+        <source>Otherwise such a measurement is suspect.</source>
+        <translation>Sonst ist eine solche Messung fraglich.</translation>
+    </message>
+    <message>
+        <source>Refuse to judge when more samples are lost</source>
+        <translation>Nicht beurteilen, wenn mehr Abtastwerte verloren gehen</translation>
+    </message>
+    <message>
+        <source>Share of a squeeze&apos;s samples. Otherwise such a measurement is suspect.</source>
+        <translation>Anteil an den Abtastwerten eines Druckversuchs. Sonst ist eine solche Messung fraglich.</translation>
+    </message>
+    <message>
+        <source>Refuse to judge when nobody is signed in</source>
+        <translation>Nicht beurteilen, wenn niemand angemeldet ist</translation>
+    </message>
+    <message>
+        <source>Where the library has people.</source>
+        <translation>In Bibliotheken mit Personen.</translation>
+    </message>
+    <message>
+        <source>Call the supervisor</source>
+        <translation>Aufsicht rufen</translation>
+    </message>
+    <message>
+        <source>After so many squeezes in a row that were not valid.</source>
+        <translation>Nach so vielen ungültigen Druckversuchen in Folge.</translation>
+    </message>
+    <message>
+        <source>Part numbers</source>
+        <translation>Teilenummern</translation>
+    </message>
+    <message>
+        <source>A scanned code that is no type&apos;s is the number of the next part.</source>
+        <translation>Ein gescannter Code, den kein Typ hat, ist die Nummer des nächsten Teils.</translation>
+    </message>
+    <message>
+        <source>Expected type</source>
+        <translation>Erwarteter Typ</translation>
+    </message>
+    <message>
+        <source>Begin of the shift</source>
+        <translation>Beginn der Schicht</translation>
+    </message>
+    <message>
+        <source>Squeeze by itself when a part arrives</source>
+        <translation>Von selbst drücken, wenn ein Teil kommt</translation>
+    </message>
+    <message>
+        <source>Only armed, on the Inspect page, 2 s after the force has changed last, with a countdown that is seen and heard.</source>
+        <translation>Nur scharf, auf der Seite Prüfen, 2 s nach der letzten Änderung der Kraft, mit einem sichtbaren und hörbaren Countdown.</translation>
+    </message>
+    <message>
+        <source>A part has arrived</source>
+        <translation>Ein Teil ist da</translation>
+    </message>
+    <message>
+        <source>When the force rises by so many times its own noise at rest.</source>
+        <translation>Wenn die Kraft um so viele Male ihr eigenes Rauschen in Ruhe steigt.</translation>
+    </message>
+    <message>
+        <source>Unit of force</source>
+        <translation>Einheit der Kraft</translation>
+    </message>
+    <message>
+        <source>On the screen and in reports; damping and stiffness follow, and masses are in lb with lbf.</source>
+        <translation>Auf dem Bildschirm und in Berichten; Dämpfung und Steifigkeit folgen, und bei lbf stehen Massen in lb.</translation>
+    </message>
+    <message>
+        <source>Unit of length</source>
+        <translation>Einheit der Länge</translation>
+    </message>
+    <message>
+        <source>On the screen and in reports; CSV and JSON files stay in the units that they were recorded in.</source>
+        <translation>Auf dem Bildschirm und in Berichten; CSV- und JSON-Dateien bleiben in den Einheiten der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Reports and certificates</source>
+        <translation>Berichte und Zertifikate</translation>
+    </message>
+    <message>
+        <source>Company</source>
+        <translation>Firma</translation>
+    </message>
+    <message>
+        <source>At the head of reports and certificates.</source>
+        <translation>Am Kopf von Berichten und Zertifikaten.</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Anschrift</translation>
+    </message>
+    <message>
+        <source>Below the name; a semicolon begins a new line.</source>
+        <translation>Unter dem Namen; ein Semikolon beginnt eine neue Zeile.</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
+        <source>A PNG or SVG file of up to 2 MB. Empty: none.</source>
+        <translation>Eine PNG- oder SVG-Datei bis 2 MB. Leer: keines.</translation>
+    </message>
+    <message>
+        <source>Local gravity</source>
+        <translation>Örtliche Fallbeschleunigung</translation>
+    </message>
+    <message>
+        <source>By which reference masses in kg or lb are taken for forces.</source>
+        <translation>Mit ihr werden Referenzmassen in kg oder lb zu Kräften.</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::SettingRow</name>
@@ -11401,6 +13519,10 @@ Vorh. %</translation>
     <message>
         <source>Choose: %1</source>
         <translation>Wählen: %1</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg)</source>
+        <translation>Bilder (*.png *.svg)</translation>
     </message>
 </context>
 <context>
@@ -11605,7 +13727,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Not at rest after %1 iterations: take it with care.</source>
-        <translation>Nach %1 Iterationen nicht in Ruhe: mit Vorsicht nehmen.</translation>
+        <translation>Nach %1 Iterationen nicht konvergiert: mit Vorsicht verwenden.</translation>
     </message>
     <message>
         <source>inertia %1</source>
@@ -11751,11 +13873,11 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Stopped. The gripper is not armed.</source>
-        <translation>Angehalten. Der Greifer ist nicht scharf.</translation>
+        <translation>Angehalten. Der Greifer ist nicht scharfgeschaltet.</translation>
     </message>
     <message>
         <source>The gripper is not armed.</source>
-        <translation>Der Greifer ist nicht scharf.</translation>
+        <translation>Der Greifer ist nicht scharfgeschaltet.</translation>
     </message>
 </context>
 <context>
@@ -11767,6 +13889,18 @@ Vorh. %</translation>
     <message>
         <source>%1 s</source>
         <translation>%L1 s</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
     </message>
 </context>
 <context>
@@ -11781,6 +13915,10 @@ Vorh. %</translation>
     <message>
         <source>Time (s)</source>
         <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>Time (ms)</source>
+        <translation>Zeit (ms)</translation>
     </message>
 </context>
 <context>
@@ -11801,12 +13939,87 @@ Vorh. %</translation>
         <source>of no type</source>
         <translation>ohne Typ</translation>
     </message>
+    <message>
+        <source>suspect</source>
+        <translation>fraglich</translation>
+    </message>
+    <message>
+        <source>not valid</source>
+        <translation>ungültig</translation>
+    </message>
+    <message>
+        <source>Time (UTC)</source>
+        <translation>Zeit (UTC)</translation>
+    </message>
+    <message>
+        <source>%1, standard error</source>
+        <translation>%1, Standardfehler</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Dotted lines: where the gate of the type ends at the rates set now; a squeeze beyond one of them is called unknown.</source>
+        <translation>Gepunktete Linien: wo die Grenze des Typs bei den jetzt eingestellten Fehlerraten endet; ein Druckversuch jenseits einer davon heißt unbekannt.</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::TrendView</name>
     <message>
         <source>Mass, damping and stiffness of the squeezes</source>
         <translation>Masse, Dämpfung und Steifigkeit der Druckversuche</translation>
+    </message>
+    <message>
+        <source>Mass, damping and stiffness</source>
+        <translation>Masse, Dämpfung und Steifigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::TrialDialog</name>
+    <message>
+        <source>Trial: it would be %1 (posterior %2).</source>
+        <translation>Probe: Es wäre %1 (Wahrsch. %2).</translation>
+    </message>
+    <message>
+        <source>Trial: it would be unknown.</source>
+        <translation>Probe: Es wäre unbekannt.</translation>
+    </message>
+    <message>
+        <source>Trial: it would be inconclusive.</source>
+        <translation>Probe: Es wäre unentschieden.</translation>
+    </message>
+    <message>
+        <source>Trial: it would not be judged.</source>
+        <translation>Probe: Es würde nicht beurteilt.</translation>
+    </message>
+    <message>
+        <source>Try %1</source>
+        <translation>%1 ausprobieren</translation>
+    </message>
+    <message>
+        <source>What would a part be called?</source>
+        <translation>Wie würde ein Teil benannt?</translation>
+    </message>
+    <message>
+        <source>The part is held against the approved types and %1, at the rates that are set. This is a trial: nothing is stored, counted or approved.</source>
+        <translation>Das Teil wird mit den freigegebenen Typen und %1 verglichen, bei den eingestellten Fehlerraten. Das ist eine Probe: Nichts wird gespeichert, gezählt oder freigegeben.</translation>
+    </message>
+    <message>
+        <source>Squeeze</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>Squeeze again</source>
+        <translation>Erneut drücken</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -11872,6 +14085,30 @@ Vorh. %</translation>
     <message>
         <source>damping (%1)</source>
         <translation>Dämpfung (%1)</translation>
+    </message>
+    <message>
+        <source>Map of the types</source>
+        <translation>Karte der Typen</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>edge of 95 %</source>
+        <translation>Rand der 95 %</translation>
+    </message>
+    <message>
+        <source>squeeze</source>
+        <translation>Druckversuch</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
     </message>
 </context>
 <context>
@@ -11964,7 +14201,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>%1 and %2 are %3 sd apart.</source>
-        <translation>%1 und %2 liegen %3 sd auseinander.</translation>
+        <translation>%1 und %2 liegen %3 σ auseinander.</translation>
     </message>
     <message>
         <source>Two types with some squeezes each are needed.</source>
@@ -11977,6 +14214,14 @@ Vorh. %</translation>
     <message>
         <source>Click a point, or press N for the next one.</source>
         <translation>Einen Punkt anklicken oder N für den nächsten drücken.</translation>
+    </message>
+    <message>
+        <source>Manage types…</source>
+        <translation>Typen verwalten…</translation>
+    </message>
+    <message>
+        <source>Rename, merge, split or retire types; undo changes</source>
+        <translation>Typen umbenennen, zusammenführen, aufteilen oder außer Gebrauch nehmen; Änderungen rückgängig machen</translation>
     </message>
 </context>
 <context>
@@ -12003,7 +14248,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>The measurement is not valid. The failed checks say what to do first.</source>
-        <translation>Die Messung ist ungültig. Die durchgefallenen Checks sagen, was zuerst zu tun ist.</translation>
+        <translation>Die Messung ist ungültig. Die nicht bestandenen Prüfpunkte sagen, was zuerst zu tun ist.</translation>
     </message>
     <message>
         <source>Without error bars there is nothing to improve on. Squeeze again.</source>
@@ -12033,8 +14278,8 @@ Vorh. %</translation>
         <translation>Mit einer Aufnahme validieren</translation>
     </message>
     <message>
-        <source>Recordings (*.csv);;All files (*)</source>
-        <translation>Aufnahmen (*.csv);;Alle Dateien (*)</translation>
+        <source>Recordings (*.csv *.tsv *.txt);;All files (*)</source>
+        <translation>Aufnahmen (*.csv *.tsv *.txt);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -12160,11 +14405,11 @@ Vorh. %</translation>
     </message>
     <message>
         <source>the force answers to disturbances of the position, which periodic allows for and output error does not</source>
-        <translation>die Kraft antwortet auf Störungen des Wegs, was periodic berücksichtigt und das Ausgangsfehlermodell nicht</translation>
+        <translation>die Kraft reagiert auf Störungen des Wegs, was periodic berücksichtigt und das Ausgangsfehlermodell nicht</translation>
     </message>
     <message>
         <source>the force does not answer to the position</source>
-        <translation>die Kraft antwortet nicht auf den Weg</translation>
+        <translation>die Kraft hängt nicht vom Weg ab</translation>
     </message>
     <message>
         <source>harmonics that the force does not have show a spring or damper that is not linear</source>
@@ -12239,17 +14484,49 @@ Vorh. %</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::VoidDialog</name>
+    <message>
+        <source>Void it</source>
+        <translation>Stornieren</translation>
+    </message>
+    <message>
+        <source>Void inspection %1</source>
+        <translation>Prüfung %1 stornieren</translation>
+    </message>
+    <message>
+        <source>It stays on record with the reason, and counts neither in the yield nor in the batch. This cannot be undone.</source>
+        <translation>Sie bleibt mit dem Grund gespeichert und zählt weder zur Ausbeute noch zum Los. Das lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Squeezed twice</source>
+        <translation>Zweimal gedrückt</translation>
+    </message>
+    <message>
+        <source>Nothing in the jaws</source>
+        <translation>Nichts in den Backen</translation>
+    </message>
+    <message>
+        <source>or why else</source>
+        <translation>oder ein anderer Grund</translation>
+    </message>
+    <message>
+        <source>Why it does not count</source>
+        <translation>Warum sie nicht zählt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::WindowHost</name>
     <message>
         <source>STOP is not an emergency stop: it asks the gripper&apos;s own electronics, over USB. For the safety of people fit a switch that takes the power from the gripper&apos;s drive.</source>
         <translation>STOPP ist kein Not-Halt: Er bittet die Elektronik des Greifers, über USB. Für die Sicherheit von Menschen gehört ein Schalter dazu, der dem Antrieb des Greifers die Energie nimmt.</translation>
     </message>
-</context>
-<context>
-    <name>gripscope::Words::Words</name>
     <message>
-        <source>this force does not determine m, b and k; squeeze with a richer one</source>
-        <translation>diese Kraft bestimmt m, b und k nicht; mit einer reicheren drücken</translation>
+        <source>The screen changes as soon as what is under way on the Calibrate page is accepted or left: it would be lost.</source>
+        <translation>Die Anzeige wechselt, sobald übernommen oder verlassen ist, was auf der Seite Kalibrieren läuft: Es ginge sonst verloren.</translation>
     </message>
 </context>
 <context>
@@ -12281,8 +14558,16 @@ Vorh. %</translation>
 <context>
     <name>gripscope::YieldStrip</name>
     <message>
-        <source>Last %1 inspections: %2 as expected</source>
-        <translation>Die letzten %1 Prüfungen: %2 wie erwartet</translation>
+        <source>%1 as expected</source>
+        <translation>%1 wie erwartet</translation>
+    </message>
+    <message>
+        <source>%1 of a known type</source>
+        <translation>%1 eines bekannten Typs</translation>
+    </message>
+    <message>
+        <source>Last %1 inspections</source>
+        <translation>Die letzten %1 Prüfungen</translation>
     </message>
 </context>
 </TS>

@@ -48,6 +48,8 @@ void enrol(const QString& file, int types)
             if (!(*library)->addGrasp(grasp))
                 qFatal("a squeeze cannot be enrolled");
         }
+        if (!added || !(*library)->approveType(added->id, {}))
+            qFatal("a type cannot be approved");
     }
 }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Storing inspections one by one, and verifying a library of them: rows, chain, signatures, file. Recordings
-// are of 2,000 samples in whole counts, as a gripper sends them.
+// Storing inspections one by one, and verifying a library of them: rows, chain, signatures, file. They are
+// what a session stores of the default recipe: 2,000 samples in whole counts, and all that was identified.
 //   GRIPSCOPE_BENCH_FOLDER: where the libraries are made; in memory (/dev/shm) the disk is left out
 //   GRIPSCOPE_BENCH_INSPECTIONS: one more size, such as 100000
+#include "core/identification/identification.h"
+#include "core/identification/model/discretization.h"
 #include "core/library/ledger/library_witness.h"
 #include "core/library/library.h"
 #include "core/library/verification/library_verification.h"
+#include "core/session/enroll/enrollment_storage.h"
+#include "core/signal/excitation/excitation.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -31,41 +35,55 @@ void startQt()
     QStandardPaths::setTestModeEnabled(true);
 }
 
+/// A squeeze of the default recipe, in whole counts, with noise of its own.
 Recording squeezed(std::mt19937& random)
 {
+    static const auto truth = [] {
+        ExcitationOptions excitation;
+        excitation.samples = 2000;
+        Recording recording;
+        recording.sampleTime_s = excitation.sampleTime_s;
+        recording.hold = ForceHold::Zero;
+        recording.forceUnit = u"N"_s;
+        recording.positionUnit = u"m"_s;
+        recording.force = *makeExcitation(excitation);
+        SimulationOptions options;
+        options.sampleTime_s = recording.sampleTime_s;
+        options.x0 = recording.force.front() / 9990;
+        recording.position = simulate({0.0396, 43, 9990}, recording.force, options);
+        for (std::size_t i = 0; i < recording.force.size(); ++i) {
+            recording.time_s.push_back(double(i) * recording.sampleTime_s);
+            recording.sequence.push_back(i);
+            recording.status.push_back(3);
+        }
+        return recording;
+    }();
     std::normal_distribution<double> noise(0, 2);
-    Recording recording;
-    recording.sampleTime_s = 0.0005;
-    recording.forceUnit = u"N"_s;
-    recording.positionUnit = u"m"_s;
-    double force = 15, position = 0;
-    for (int i = 0; i < 2000; ++i) {
-        if (i % 40 == 0)
-            force = random() % 2 ? 18 : 12;
-        position += 0.05 * (force / 10000 - position);
-        recording.time_s.push_back(i * recording.sampleTime_s);
-        recording.force.push_back(0.001 * std::round(force / 0.001 + noise(random)));
-        recording.position.push_back(1e-7 * std::round(position / 1e-7 + noise(random)));
-        recording.sequence.push_back(std::uint64_t(i));
-        recording.status.push_back(3);
+    Recording recording = truth;
+    for (std::size_t i = 0; i < recording.force.size(); ++i) {
+        recording.force[i] = 0.001 * std::round(recording.force[i] / 0.001 + noise(random));
+        recording.position[i] = 1e-7 * std::round(recording.position[i] / 1e-7 + noise(random));
     }
     return recording;
 }
 
+/// As a session stores it, with all that was identified once.
 NewInspection inspected(std::mt19937& random)
 {
+    static const NewGrasp grasp = [&random] {
+        const Recording recording = squeezed(random);
+        return makeGrasp(recording, identify(recording), u"bench"_s, u"Ada"_s);
+    }();
     NewInspection inspection;
+    inspection.grasp = grasp;
     inspection.grasp.recording = squeezed(random);
-    inspection.grasp.forceUnit = u"N"_s;
-    inspection.grasp.positionUnit = u"m"_s;
-    Estimate estimate;
-    estimate.estimator = Estimator::OutputError;
-    estimate.status = EstimateStatus::Converged;
-    estimate.parameters = MassDampingStiffness{0.04, 43, 9990};
-    inspection.grasp.estimates = {estimate};
-    inspection.grasp.identification = {{u"recommended"_s, u"oe"_s}};
     inspection.verdict.kind = VerdictKind::Type;
     inspection.verdict.type = inspection.verdict.nearest = u"A"_s;
+    inspection.verdict.posterior = {{u"A"_s, 0.9993}, {u"B"_s, 0.0004}, {u"C"_s, 0.0003}};
+    inspection.verdict.distance = 2.1;
+    inspection.verdict.gate = 16.3;
+    inspection.expectedType = u"A"_s;
+    inspection.seconds = 1;
     return inspection;
 }
 

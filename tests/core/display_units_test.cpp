@@ -2,6 +2,7 @@
 // What a person reads in place of SI, held against the exact definitions of the units.
 #include "core/base/display_units.h"
 #include "core/base/finding.h"
+#include "core/signal/recording/channel_quantity.h"
 #include "tests/support/test_registry.h"
 
 #include <QJsonDocument>
@@ -78,6 +79,26 @@ private slots:
         QCOMPARE(displayUnit(u"kg"_s, kilograms).unit, u"kg"_s);
         QCOMPARE(fieldUnit(Q::Length, kilograms).unit, u"mm"_s);
     }
+    void everyChoiceIsReadByItsName()
+    {
+        QCOMPARE(forceUnitChoices.front().unit, DisplayUnits().force);
+        QCOMPARE(lengthUnitChoices.front().unit, DisplayUnits().length);
+        for (const auto& force : forceUnitChoices)
+            for (const auto& length : lengthUnitChoices) {
+                const DisplayUnits units{force.unit, length.unit};
+                QCOMPARE(fieldUnit(Q::Force, units).unit, QString::fromLatin1(force.name));
+                QCOMPARE(fieldUnit(Q::Length, units).unit, QString::fromLatin1(length.name));
+            }
+    }
+    void aLengthOfItsOwnLeavesForcesInNewtons()
+    {
+        constexpr DisplayUnits inches{DisplayUnits::Force::Newton, DisplayUnits::Length::Inch};
+        QCOMPARE(displayUnit(u"N"_s, inches).unit, u"N"_s);
+        QCOMPARE(displayUnit(u"kg"_s, inches).unit, u"kg"_s);
+        QCOMPARE(displayUnit(u"N/m"_s, inches).unit, u"N/in"_s);
+        QVERIFY(near(displayUnit(u"N/m"_s, inches).factor / inch_m, 1));
+        QCOMPARE(displayUnit(u"N s/m"_s, inches).unit, u"N s/in"_s);
+    }
     void fieldsHaveOneHandyMultiple()
     {
         const Q all[] = {Q::Mass, Q::Damping, Q::Stiffness, Q::Force, Q::Length};
@@ -105,6 +126,18 @@ private slots:
         QCOMPARE(force.toJson(), kept);
         QCOMPARE(force.english(), u"30 N"_s); // documents are in SI, whatever is chosen
         QCOMPARE(stiffness.english(), u"9.98 kN/m"_s);
+    }
+    void aChannelsNumberIsReadAsChosenWhereItsUnitIsKnown()
+    {
+        const Finding length = channelQuantity(Q::Length, 12.7, u"mm"_s);
+        const Finding force = channelQuantity(Q::Force, 0.03, u"kN"_s);
+        QCOMPARE(length.describe(), u"12.7 mm"_s);
+        QCOMPARE(force.describe(), u"30 N"_s);
+        DisplayUnits::choose(imperial);
+        QCOMPARE(length.describe(), u"0.5 in"_s);
+        QCOMPARE(force.describe(), u"6.744 lbf"_s);
+        QCOMPARE(channelQuantity(Q::Force, 7, u"counts"_s).describe(), u"7 counts"_s);
+        QCOMPARE(channelQuantity(Q::Length, 7, u"1"_s).describe(), u"7"_s);
     }
     void everyQuantityIsStoredAndReadBack()
     {

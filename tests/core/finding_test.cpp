@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/error.h"
 #include "core/base/words.h"
 #include "tests/support/test_registry.h"
 
@@ -20,6 +21,10 @@ public:
     {
         if (qstrcmp(source, "%1 is %2 heavy") == 0)
             return u"%2 wiegt %1"_s;
+        if (qstrcmp(source, "%1 of %2 s") == 0)
+            return u"%L1 von %L2 s, 5 %L, %"_s;
+        if (qstrcmp(source, "There is no %1.") == 0)
+            return u"Nicht vorhanden: %L1."_s;
         return qstrcmp(source, "the lid") == 0 ? u"der Deckel"_s : QString();
     }
     bool isEmpty() const override { return false; }
@@ -70,6 +75,15 @@ private slots:
         QCOMPARE(Words::say("%1, %2").arg(u"%2"_s, u"100%1"_s).describe(), u"%2, 100%1"_s);
         QCOMPARE(Words::say("%1 and %2").arg(3).describe(), u"3 and "_s);
         QCOMPARE(Words::say("%1 % of %2").arg(std::size_t(12)).arg(0.5).describe(), u"12 % of 0.5"_s);
+    }
+    /// A translator may write %L1, as in words that QString::arg() fills: it is the same place.
+    void aPlaceOfTheLocaleIsAPlace()
+    {
+        const Finding finding = Words::say("%1 of %2 s").arg(0.5).arg(u"%L1"_s);
+        QCOMPARE(finding.describe(), u"0.5 of %L1 s"_s);
+        const GermanReader reader;
+        QCOMPARE(finding.describe(), u"0,5 von %L1 s, 5 %L, %"_s);
+        QCOMPARE((Error{ErrorCode::NotFound, {u"%L1"_s}}).describe(), u"Nicht vorhanden: %L1."_s);
     }
     void sentencesAreJoinedAndBegun()
     {

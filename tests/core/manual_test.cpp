@@ -130,8 +130,8 @@ private slots:
     {
         const QString text = page(u"uncertainty.md"_s);
         for (const QString& id :
-             {u"position_noise"_s, u"noise"_s, u"force_noise"_s, u"lag"_s, u"hold"_s, u"calibration"_s,
-              u"frame_compliance"_s, u"baseline"_s, u"model_discrepancy"_s})
+             {u"position_noise"_s, u"noise"_s, u"force_noise"_s, u"quantization"_s, u"lag"_s, u"hold"_s,
+              u"calibration"_s, u"frame_compliance"_s, u"baseline"_s, u"model_discrepancy"_s})
             QVERIFY2(explains(text, id), qPrintable(id));
     }
 };

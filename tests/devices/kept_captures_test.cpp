@@ -181,11 +181,11 @@ private slots:
         addPart(folder, u"c.part0001.gscap"_qs, 100, -1);
         addPart(folder, u"d.part0001.gscap"_qs, 100, 0);
         addPart(folder, u"e.part0001.gscap"_qs, 100, 1);
-        QCOMPARE(names(*folder.prune(500)), QStringList());
-        QCOMPARE(names(*folder.prune(420)), QStringList{u"b.part0001.gscap"_qs});
+        QCOMPARE(names(folder.prune(500).removed), QStringList());
+        QCOMPARE(names(folder.prune(420).removed), QStringList{u"b.part0001.gscap"_qs});
         // Those with squeezes only when they alone are too much, oldest first; of those not closed one cannot
         // know.
-        QCOMPARE(names(*folder.prune(150, u"e.part0001.gscap"_qs)),
+        QCOMPARE(names(folder.prune(150, u"e.part0001.gscap"_qs).removed),
                  (QStringList{u"d.part0001.gscap"_qs, u"a.part0001.gscap"_qs, u"c.part0001.gscap"_qs}));
         const std::vector<CaptureFolder::Part> left = folder.parts();
         QCOMPARE(names(left), QStringList{u"e.part0001.gscap"_qs});
@@ -202,12 +202,19 @@ private slots:
         CaptureDestination to{{}, place.path(), u"virtual:"_qs};
         to.limits.totalBytes = 5000;
         to.limits.partBytes = 1000;
-        const auto writer = CaptureWriter::create(to).value();
+        const auto monitor = std::make_shared<CaptureMonitor>();
+        const auto writer = CaptureWriter::create(to, monitor).value();
         writer->add(CaptureKind::Input, report);
         QVERIFY(writer->finishBy(Clock::now() + patience));
         const QStringList left = names(folder.parts());
         QCOMPARE(left.size(), 2);
         QVERIFY(left.contains(u"1.part0002.gscap"_qs));
+        const std::vector<CapturePruning> told = monitor->takePrunings();
+        QCOMPARE(told.size(), std::size_t(1));
+        QCOMPARE(told[0].folder, place.path());
+        QCOMPARE(told[0].parts, QStringList{u"1.part0001.gscap"_qs});
+        QCOMPARE(told[0].bytes, 3000);
+        QVERIFY(monitor->takePrunings().empty()); // once
     }
 
     void aFullDiskCostsTheCaptureAndNothingElse()

@@ -30,12 +30,14 @@ private slots:
             u"object"_s,  u"excitation"_s,  u"peak"_s,     u"bias"_s, u"bit"_s,
             u"samples"_s, u"sample-time"_s, u"noise-sd"_s, u"seed"_s, u"hold"_s};
         QTest::newRow("identify") << QStringList{u"estimator"_s, u"hold"_s,         u"initial-state"_s,
-                                                 u"offset"_s,    u"force-column"_s, u"position-unit"_s};
+                                                 u"offset"_s,    u"force-column"_s, u"position-unit"_s,
+                                                 u"csv"_s,       u"time-column"_s,  u"decimal-comma"_s};
         QTest::newRow("cluster") << QStringList{u"features"_s, u"clusters"_s, u"method"_s, u"scaling"_s,
                                                 u"seed"_s,     u"restarts"_s, u"truth"_s};
         QTest::newRow("enroll") << QStringList{u"library"_s, u"type"_s, u"sample-time"_s};
         QTest::newRow("classify") << QStringList{u"library"_s,         u"false-reject"_s, u"wrong-type"_s,
-                                                 u"stranger-accept"_s, u"confidence"_s,   u"robust"_s};
+                                                 u"stranger-accept"_s, u"confidence"_s,   u"robust"_s,
+                                                 u"refuse-overdue"_s,  u"most-lost"_s};
         QTest::newRow("types rename")
             << QStringList{u"library"_s, u"type"_s, u"to"_s, u"reason"_s, u"operator"_s};
         QTest::newRow("types guide") << QStringList{u"library"_s, u"type"_s};
@@ -60,6 +62,31 @@ private slots:
             QVERIFY2(run.out.contains("--" + option.toUtf8()), qPrintable(option));
         QVERIFY(m_work.cli({u"--help"_s}).out.contains(command.section(u' ', 0, 0).toUtf8()));
     }
+    void aFileThatIsNoRecordingIsNotOverwritten()
+    {
+        const QStringList simulate{u"simulate"_s, u"--object"_s, u"1,1,1"_s,
+                                   u"--json"_s,   u"-o"_s,       u"x.csv"_s};
+        const QStringList record{u"record"_s, u"--device"_s, u"virtual:"_s, u"--seconds"_s,
+                                 u"0.2"_s,    u"--json"_s,   u"-o"_s,       u"x.csv"_s};
+        const auto bytes = [this] {
+            QFile file(m_work.path(u"x.csv"_s));
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        for (const QStringList& command : {simulate, record}) {
+            m_work.write(u"x.csv"_s, "thesis, the only copy\n");
+            const ProgramRun refused = m_work.cli(command);
+            QCOMPARE(refused.exit, 5);
+            const QString words = refused.json()[u"error"_s][u"message"_s].toString();
+            QVERIFY2(words.contains(u"no recording of Gripscope"_s) && words.contains(u"--force"_s),
+                     qPrintable(words));
+            QCOMPARE(bytes(), "thesis, the only copy\n");
+            QCOMPARE(m_work.cli(command + QStringList{u"--force"_s}).exit, 0);
+            QVERIFY(bytes().startsWith("# gripscope-recording"));
+            QCOMPARE(m_work.cli(command).exit, 0); // a script that runs again
+            m_work.write(u"x.csv"_s, {});          // a name that mktemp made
+            QCOMPARE(m_work.cli(command).exit, 0);
+        }
+    }
     void everyCommandIsInTheManual()
     {
         QFile page(QStringLiteral(GRIPSCOPE_SOURCE_DIR "/resources/manual/commands.md"));
@@ -74,6 +101,21 @@ private slots:
             ++commands;
         }
         QVERIFY(commands > 15);
+    }
+    void theHelpSaysHowManyDocumentsThereAre_data()
+    {
+        QTest::addColumn<bool>("aLineEach");
+        QTest::newRow("identify") << true;
+        QTest::newRow("replay") << true;
+        QTest::newRow("classify") << false;
+    }
+    void theHelpSaysHowManyDocumentsThereAre()
+    {
+        QFETCH(bool, aLineEach);
+        const QString command = QLatin1String(QTest::currentDataTag());
+        const QByteArray help = m_work.cli({command, u"--help"_s}).out.simplified(); // lines are broken
+        QCOMPARE(help.contains("Writes a JSON document for each file, a line each,"), aLineEach);
+        QCOMPARE(help.contains("Writes a JSON document to standard output"), !aLineEach);
     }
     void whatCannotBeUnderstoodIsExit2_data()
     {
@@ -94,6 +136,7 @@ private slots:
         row("no such estimator", {u"identify"_s, u"--estimator"_s, u"oee"_s, u"x.csv"_s}, "arx-mean-force");
         row("sample time of zero", {u"identify"_s, u"--sample-time"_s, u"0"_s, u"x.csv"_s}, "sample-time");
         row("no type", {u"enroll"_s, u"x.csv"_s}, "--type");
+        row("a share that is none", {u"classify"_s, u"--most-lost"_s, u"2"_s, u"x.csv"_s}, "--most-lost");
         row("a rate that is none", {u"classify"_s, u"--false-reject"_s, u"2"_s, u"x.csv"_s}, "");
         row("no device", {u"record"_s, u"-o"_s, u"x.csv"_s}, "--device");
         row("an address that is none", {u"record"_s, u"--device"_s, u"usb:1"_s, u"-o"_s, u"x.csv"_s},

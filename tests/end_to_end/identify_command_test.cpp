@@ -120,6 +120,68 @@ private slots:
             QVERIFY(std::abs(oe[u"parameters"][QLatin1String(key)].toDouble() - truth[i++]) < 5 * error);
         }
     }
+    void asATableEachFileAndEstimatorHasARow()
+    {
+        QVERIFY(m_work
+                    .cli({u"simulate"_s, u"--object"_s, u"1,1.2,1"_s, u"--noise-sd"_s, u"0.02"_s, u"-o"_s,
+                          u"good.csv"_s})
+                    .exit == 0);
+        m_work.write(u"bad.csv"_s, "time_s,force,position\n0,1,2\n0.05,x,2\n");
+        const ProgramRun run = m_work.cli({u"identify"_s, u"--csv"_s, u"good.csv"_s, u"bad.csv"_s});
+        QCOMPARE(run.exit, 3);
+        const QList<QByteArray> lines = run.out.trimmed().split('\n');
+        QCOMPARE(lines.size(), qsizetype(4)); // header, arx, oe, the bad one
+        const QList<QByteArray> names = lines[0].split(',');
+        const auto cell = [&](qsizetype row, const QByteArray& name) {
+            return lines[row].split(',').value(names.indexOf(name));
+        };
+        QCOMPARE(cell(1, "estimator"), QByteArray("arx"));
+        QCOMPARE(cell(2, "estimator"), QByteArray("oe"));
+        QCOMPARE(cell(2, "recommended"), QByteArray("yes"));
+        QCOMPARE(cell(2, "m_unit"), QByteArray("1"));
+        QCOMPARE(lines[2].count(','), names.size() - 1);
+        const QJsonObject document = m_work.cli({u"identify"_s, u"--json"_s, u"good.csv"_s}).json();
+        const QJsonObject oe = document[u"estimates"][1].toObject();
+        QCOMPARE(cell(2, "k").toDouble(), oe[u"parameters"][u"k"].toDouble());
+        QVERIFY(cell(2, "k_95").toDouble() > oe[u"standard_errors"][u"k"].toDouble());
+        QCOMPARE(cell(2, "validity"), document[u"validity"][u"verdict"].toString().toUtf8());
+        QVERIFY(lines[3].startsWith("bad.csv,,") && lines[3].contains("bad.csv:3:2"));
+        QCOMPARE(m_work.cli({u"identify"_s, u"--csv"_s, u"--json"_s, u"good.csv"_s}).exit, 2);
+    }
+    void aTableOfAnotherProgramIsRead()
+    {
+        QVERIFY(m_work
+                    .cli({u"simulate"_s, u"--object"_s, u"1,1.2,1"_s, u"--noise-sd"_s, u"0.02"_s, u"-o"_s,
+                          u"own.csv"_s})
+                    .exit == 0);
+        QFile own(m_work.path(u"own.csv"_s));
+        QVERIFY(own.open(QIODevice::ReadOnly));
+        QByteArray plain, rows;
+        for (const QByteArray& line : own.readAll().split('\n'))
+            if (!line.isEmpty() && line[0] >= '0' && line[0] <= '9') {
+                plain += line + '\n';
+                rows += QByteArray(line).replace(',', ';').replace('.', ',') + '\n';
+            }
+        const QStringList ask{u"identify"_s, u"--json"_s, u"--estimator"_s,   u"oe"_s,
+                              u"--hold"_s,   u"zoh"_s,    u"--sample-time"_s, u"0.05"_s};
+        m_work.write(u"plain.csv"_s, "time_s,force,position\n" + plain);
+        const QJsonObject same = estimate(ask + QStringList{u"plain.csv"_s});
+        QVERIFY(same[u"parameters"].isObject());
+
+        m_work.write(u"other.txt"_s, "Versuch;7;x\nZeit;Kraft;Weg\ns;N;mm\n" + rows);
+        const QStringList byName{u"--skip-lines"_s,      u"1"_s,    u"--skip-below"_s,   u"1"_s,
+                                 u"--time-column"_s,     u"Zeit"_s, u"--force-column"_s, u"Kraft"_s,
+                                 u"--position-column"_s, u"Weg"_s,  u"other.txt"_s};
+        QCOMPARE(estimate(ask + byName)[u"parameters"], same[u"parameters"]);
+
+        m_work.write(u"bare.txt"_s, rows);
+        const QStringList byNumber{
+            u"--no-header"_s,       u"--delimiter"_s, u"semicolon"_s,      u"--decimal-comma"_s,
+            u"--time-column"_s,     u"1"_s,           u"--force-column"_s, u"2"_s,
+            u"--position-column"_s, u"3"_s,           u"bare.txt"_s};
+        QCOMPARE(estimate(ask + byNumber)[u"parameters"], same[u"parameters"]);
+        QCOMPARE(m_work.cli({u"identify"_s, u"bare.txt"_s, u"--delimiter"_s, u"blank"_s}).exit, 2);
+    }
     void everyFileHasADocumentAndABadOneDoesNotStopTheOthers()
     {
         QVERIFY(m_work.cli({u"simulate"_s, u"--object"_s, u"1,1.2,1"_s, u"-o"_s, u"good.csv"_s}).exit == 0);
@@ -251,7 +313,7 @@ private slots:
                                                       u"N"_s, u"--position-unit"_s, u"mm"_s});
         QCOMPARE(run.exit, 0);
         for (const QByteArray word :
-             {"N s^2/mm", "±", "simulation", "prediction", "says nothing about m, b and k"})
+             {"N s^2/mm", "±", "simulation", "prediction", "says nothing about m, b and k", "(95 %)"})
             QVERIFY2(run.out.contains(word), word.constData());
     }
 };

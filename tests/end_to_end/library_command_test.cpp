@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Commands that look at whole libraries: tables that are enrolled, drift, transfer.
 #include "core/library/library.h"
+#include "core/library/spill/inspection_spill.h"
+#include "core/library/sql/time_ordered_id.h"
 #include "core/math/gaussian.h"
 #include "tests/end_to_end/program_run.h"
 #include "tests/support/test_registry.h"
@@ -129,6 +131,13 @@ private slots:
         QCOMPARE(some[u"filter"][u"kind"].toString(), u"inspection"_s);
         QCOMPARE(work.cli(inspected + QStringList{u"--csv"_s}).out.count('\n'), 41);
         QCOMPARE(work.cli(inspected).out.count('\n'), 41);
+        const auto worth = [&](const QString& validity) {
+            return work.cli(ask + QStringList{u"--validity"_s, validity, u"--json"_s}).json();
+        };
+        QCOMPARE(worth(u"valid"_s)[u"count"].toInt(), 40);
+        QCOMPARE(worth(u"suspect"_s)[u"count"].toInt(), 0);
+        QCOMPARE(worth(u"suspect"_s)[u"filter"][u"validity"].toString(), u"suspect"_s);
+        QCOMPARE(work.cli(ask + QStringList{u"--validity"_s, u"good"_s}).exit, 2);
         QCOMPARE(work.cli(inspected + QStringList{u"--csv"_s, u"--json"_s}).exit, 2);
         QCOMPARE(work.cli(ask + QStringList{u"--from"_s, u"yesterday"_s}).exit, 2);
         QCOMPARE(work.cli({u"history"_s, u"--library"_s, u"none.db"_s}).exit, 5);
@@ -233,6 +242,62 @@ private slots:
         QVERIFY(work.cli(verify.first(4)).out.contains("types"));
         QCOMPARE(work.cli({u"library"_s, u"verify"_s, u"--library"_s, work.path(u"none.db"_s)}).exit, 5);
         QCOMPARE(work.cli({u"library"_s}).exit, 2);
+    }
+    void aBackupIsMadeAndPutBackWithAReason()
+    {
+        const Workplace work;
+        const QString file = work.path(u"lib.db"_s), copy = work.path(u"copy.db"_s);
+        const auto enroll = [&](const QString& type) {
+            return work.cli({u"enroll"_s, u"--library"_s, file, u"--type"_s, type, u"a.csv"_s}).exit;
+        };
+        QCOMPARE(work.cli({u"simulate"_s, u"--object"_s, u"2,3,40"_s, u"-o"_s, u"a.csv"_s}).exit, 0);
+        QCOMPARE(enroll(u"First"_s), 0);
+        const QStringList backup{u"library"_s, u"backup"_s, u"--library"_s, file, u"--json"_s, copy};
+        const ProgramRun made = work.cli(backup);
+        QCOMPARE(made.exit, 0);
+        QVERIFY(made.json()[u"whole"_s].toBool());
+        QCOMPARE(made.json()[u"types"_s].toInt(), 1);
+        QVERIFY(work.cli(backup).exit != 0); // never over a file
+        QCOMPARE(enroll(u"Second"_s), 0);
+        const QStringList restore{u"library"_s, u"restore"_s, u"--library"_s, file, copy};
+        QCOMPARE(work.cli(restore).exit, 2); // why?
+        const ProgramRun restored = work.cli(restore + QStringList{u"--reason"_s, u"a trial"_s, u"--json"_s});
+        QCOMPARE(restored.exit, 0);
+        QVERIFY(QFile::exists(restored.json()[u"kept_as"_s].toString()));
+        const ProgramRun verified = work.cli({u"library"_s, u"verify"_s, u"--library"_s, file, u"--json"_s});
+        QCOMPARE(verified.exit, 0);
+        QCOMPARE(verified.json()[u"witness"_s].toString(), u"matched"_s);
+        QCOMPARE(verified.json()[u"restores"_s].toArray().at(0)[u"reason"_s].toString(), u"a trial"_s);
+        const ProgramRun aside =
+            work.cli({u"library"_s, u"verify"_s, u"--library"_s, restored.json()[u"kept_as"_s].toString()});
+        QCOMPARE(aside.exit, 0);
+    }
+    void inspectionsThatWereKeptAsideAreTakenBack()
+    {
+        const Workplace work;
+        const QString file = work.path(u"lib.db"_s), other = work.path(u"other.db"_s);
+        NewInspection inspection;
+        inspection.id = newTimeOrderedId();
+        inspection.grasp.forceUnit = u"N"_s;
+        inspection.grasp.positionUnit = u"m"_s;
+        inspection.verdict.kind = VerdictKind::Unknown;
+        QString kept;
+        {
+            const auto library = Library::open(file), another = Library::open(other);
+            QVERIFY(library && another);
+            kept = InspectionSpill::keepAside(file, (*library)->birth().value(), inspection).value();
+        }
+        const auto takeBack = [&](const QString& into) {
+            return work.cli({u"library"_s, u"take-back"_s, u"--library"_s, into, u"--json"_s, kept});
+        };
+        QVERIFY(takeBack(other).exit != 0); // it was made for the first
+        QVERIFY(QFile::exists(kept));
+        const ProgramRun taken = takeBack(file);
+        QCOMPARE(taken.exit, 0);
+        QCOMPARE(taken.json()[u"inspections"_s].toArray(), QJsonArray{1});
+        QVERIFY(!QFile::exists(kept));
+        QVERIFY(takeBack(file).exit != 0);
+        QCOMPARE(Library::open(file).value()->inspectionCounts().value().total, 1);
     }
 };
 

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the library knows of a gripper's channels reaches its recordings, and files tell the hold together.
+#include "core/calibration/sensor_calibration.h"
 #include "core/library/library.h"
+#include "core/signal/recording/recording_csv.h"
 #include "tests/end_to_end/program_run.h"
 #include "tests/support/test_registry.h"
+
+#include <algorithm>
+#include <cmath>
 
 using namespace gripscope;
 using namespace gripscope::test;
@@ -47,6 +52,36 @@ private slots:
         for (const char* line : {"# force_lag_s: 2.5e-05\n", "# force_lag_uncertainty_s: 5e-06\n",
                                  "# force_scale_uncertainty: 0.25\n"})
             QVERIFY2(text.contains(line), text.left(600).constData());
+    }
+    void aRecordingIsCorrectedByTheCalibrationOfItsGripper()
+    {
+        {
+            // A force channel that reads a tenth too much.
+            SensorCalibration calibration;
+            calibration.gripperSerial = u"VG-1"_s;
+            calibration.gripperName = u"Gripper"_s;
+            calibration.channel = SensorChannel::Force;
+            calibration.unit = u"N"_s;
+            calibration.reference = {u"weights"_s, u"K-1"_s, 0.01, 0};
+            calibration.degree = 1;
+            calibration.takenUtc = QDateTime::currentDateTimeUtc();
+            calibration.due = QDate::currentDate().addYears(1);
+            for (const double load : {0.0, 20.0, 40.0, 60.0, 40.0, 20.0, 0.0})
+                calibration.points.push_back({load, load * 1.1 + 0.001 * (load > 30 ? 1 : -1)});
+            const auto library = Library::open(m_work.path(u"calibrated.db"_s));
+            QVERIFY(library && (*library)->addCalibration(calibration));
+        }
+        const ProgramRun run = record(u"corrected.csv"_s, {u"--library"_s, u"calibrated.db"_s});
+        QVERIFY2(run.exit == 0 && run.err.contains("Its force is corrected by the calibration"),
+                 run.err.constData());
+        const auto plain = readRecordingCsv(m_work.path(u"before.csv"_s));
+        const auto corrected = readRecordingCsv(m_work.path(u"corrected.csv"_s));
+        QVERIFY(plain && corrected);
+        const auto largest = [](const Recording& recording) {
+            return *std::max_element(recording.force.begin(), recording.force.end());
+        };
+        // 30 N at the most; the noise of the channel is far below a hundredth of that.
+        QVERIFY(std::abs(1.1 * largest(*corrected) / largest(*plain) - 1) < 0.01);
     }
     void identifyUsesItForARecordingThatHasNone()
     {

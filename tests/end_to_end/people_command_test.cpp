@@ -174,6 +174,54 @@ private slots:
         const ProgramRun done = run(enroll + QStringList{u"--operator"_s, u"Mai"_s}, u"Sam"_s, pin);
         QVERIFY2(done.exit == 0, done.out + done.err);
         QCOMPARE(done.json()[u"squeezes"_s].toInt(), 11);
+        // With it the approval of A is void, and no part is held against it until a supervisor approves it.
+        QCOMPARE(done.json()[u"approved"_s], QJsonValue(false));
+        const auto judged = run(QStringList{u"classify"_s, u"a.csv"_s} + units);
+        QVERIFY2(judged.err.contains("Not approved, and so not recognised: A."), judged.err.constData());
+        const QJsonObject posterior = judged.json()[u"results"_s][0][u"posterior"_s].toObject();
+        QVERIFY(!posterior.contains(u"A"_s) && posterior.contains(u"B"_s));
+        const QStringList approve{u"types"_s, u"approve"_s, u"--type"_s, u"A"_s};
+        QCOMPARE(run(approve).exit, 2);
+        QCOMPARE(run(approve, u"Sam"_s, pin).exit, 0);
+        const auto again = run(QStringList{u"classify"_s, u"a.csv"_s} + units);
+        QVERIFY(again.json()[u"results"_s][0][u"posterior"_s].toObject().contains(u"A"_s));
+    }
+    void aSecondPersonIsAskedForByThePolicyAlone()
+    {
+        {
+            const auto library = Library::open(file());
+            actAsSam(**library);
+            QVERIFY((*library)->people().setApproval(ApprovalPolicy::SecondPerson));
+            const auto a = (*library)->findType(u"A"_s);
+            const auto grasps = (*library)->grasps((*a)->id);
+            NewGrasp grasp; // one more, by Sam
+            grasp.typeId = (*a)->id;
+            grasp.forceUnit = u"N"_s;
+            grasp.positionUnit = u"m"_s;
+            Estimate estimate;
+            estimate.status = EstimateStatus::Converged;
+            estimate.parameters = grasps->front().parameters;
+            grasp.estimates = {estimate};
+            QVERIFY((*library)->addGrasp(grasp));
+        }
+        const ProgramRun refused = run({u"types"_s, u"approve"_s, u"--type"_s, u"A"_s}, u"Sam"_s, pin);
+        QCOMPARE(refused.exit, 2);
+        QVERIFY2(refused.json()[u"error"_s][u"message"_s].toString().contains(u"second person"_s),
+                 refused.out);
+    }
+    void installingAProfileNeedsASupervisorAndIsTold()
+    {
+        const QStringList install{
+            u"profile"_s, u"install"_s,
+            QStringLiteral(GRIPSCOPE_SOURCE_DIR "/resources/profiles/example_bare.json"), u"--reason"_s,
+            u"the new gripper"_s};
+        QCOMPARE(run(install).exit, 2);
+        const ProgramRun done = run(install, u"Sam"_s, pin);
+        QVERIFY2(done.exit == 0, done.out + done.err);
+        const QJsonObject told = entries()[0].toObject();
+        QCOMPARE(told[u"action"_s].toString(), u"profile.installed"_s);
+        QCOMPARE(told[u"person"_s].toString(), u"Sam"_s);
+        QCOMPARE(told[u"reason"_s].toString(), u"the new gripper"_s);
     }
     void armingNeedsOneOfThePeopleAndIsKept()
     {
@@ -252,6 +300,22 @@ private slots:
         QCOMPARE(round.exit, 2);
         QVERIFY(!QFile::exists(m_work.path(u"squeeze.csv"_s)));
         QCOMPARE(m_work.cli(record).exit, 2);
+        // Nor is it for what decides about verdicts beside the library.
+        const QStringList other{u"--library"_s, u"lib.db"_s, u"--json"_s};
+        const ProgramRun install = m_work.cli(
+            QStringList{u"profile"_s, u"install"_s,
+                        QStringLiteral(GRIPSCOPE_SOURCE_DIR "/resources/profiles/example_bare.json")} +
+            other);
+        QCOMPARE(install.exit, 2);
+        QVERIFY(install.json()[u"error"_s][u"message"_s].toString().contains(u"GRIPSCOPE_PERSON"_s));
+        QVERIFY(QDir().mkpath(m_work.path(u"kept"_s)));
+        const QString part = u"kept/2026-01-01T000000Z-VG-9.part0001.gscap"_s;
+        m_work.write(part, QByteArray(4096, 'x'));
+        const ProgramRun prune = m_work.cli(QStringList{u"captures"_s, u"prune"_s, u"--folder"_s, u"kept"_s,
+                                                        u"--limit"_s, u"0"_s, u"--yes"_s} +
+                                            other);
+        QCOMPARE(prune.exit, 2);
+        QVERIFY(QFile::exists(m_work.path(part)));
     }
     void theTrailIsListedAndVerified()
     {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/library.h"
 #include "devices/factory/gripper_factory.h"
 #include "devices/replay/capture_folder.h"
 #include "tests/end_to_end/program_run.h"
@@ -54,6 +55,13 @@ private slots:
         QVERIFY2(live.exit == 0, live.err.constData());
         QCOMPARE(place.cli({u"replay"_s, u"s.gscap"_s, u"-o"_s, u"."_s}).exit, 0);
         QCOMPARE(contents(place.path(u"s-squeeze001.csv"_s)), contents(place.path(u"live.csv"_s)));
+        const QString squeeze = u"s-squeeze001.csv"_s;
+        QCOMPARE(place.cli({u"replay"_s, u"s.gscap"_s, u"-o"_s, u"."_s}).exit, 0); // again
+        place.write(squeeze, "notes\n");
+        const ProgramRun refused = place.cli({u"replay"_s, u"s.gscap"_s, u"-o"_s, u"."_s});
+        QCOMPARE(refused.exit, 5);
+        QVERIFY(refused.err.contains("--force"));
+        QCOMPARE(place.cli({u"replay"_s, u"s.gscap"_s, u"--force"_s, u"-o"_s, u"."_s}).exit, 0);
     }
 
     void theVerdictsAreThoseOfTheRecordings()
@@ -70,11 +78,11 @@ private slots:
                          .exit,
                      0);
         }
-        QCOMPARE(place
-                     .cli(QStringList{u"enroll"_s, u"--library"_s, u"l.db"_s, u"--type"_s, u"A"_s} +
-                          files.mid(0, 4))
-                     .exit,
-                 0);
+        const ProgramRun enrolled =
+            place.cli(QStringList{u"enroll"_s, u"--library"_s, u"l.db"_s, u"--type"_s, u"A"_s, u"--json"_s} +
+                      files.mid(0, 4));
+        QCOMPARE(enrolled.exit, 0);
+        QCOMPARE(enrolled.json()[u"approved"_s], QJsonValue(true)); // nobody is in this library
         const ProgramRun classified =
             place.cli({u"classify"_s, u"--library"_s, u"l.db"_s, u"--json"_s, files.back()});
         const ProgramRun replayed =
@@ -87,6 +95,28 @@ private slots:
         expected.remove(u"file"_s);
         found.remove(u"file"_s);
         QCOMPARE(found, expected);
+        // At rates that are given both say the same again, and something else than before.
+        const QStringList rates{u"--false-reject"_s, u"0.05"_s, u"--stranger-accept"_s, u"0.002"_s};
+        const QJsonObject given =
+            place.cli(QStringList{u"replay"_s, u"--library"_s, u"l.db"_s, u"--json"_s, u"4.gscap"_s} + rates)
+                .json()[u"squeezes"_s]
+                .toArray()
+                .first()
+                .toObject();
+        QCOMPARE(given[u"rates"_s][u"from"_s].toString(), u"given"_s);
+        QCOMPARE(given[u"rates"_s][u"false_reject"_s].toDouble(), 0.05);
+        QJsonObject foundAgain = given[u"verdict"_s].toObject();
+        QJsonObject expectedAgain =
+            place
+                .cli(QStringList{u"classify"_s, u"--library"_s, u"l.db"_s, u"--json"_s, files.back()} + rates)
+                .json()[u"results"_s]
+                .toArray()
+                .first()
+                .toObject();
+        foundAgain.remove(u"file"_s);
+        expectedAgain.remove(u"file"_s);
+        QCOMPARE(foundAgain, expectedAgain);
+        QVERIFY(foundAgain[u"gate"_s].toDouble() < found[u"gate"_s].toDouble());
     }
 
     void whatIsNoCaptureIsSaidToBeNone()
@@ -130,8 +160,28 @@ private slots:
         QCOMPARE(verified.json()[u"captures"_s].toArray().last().toObject()[u"condition"_s].toString(),
                  u"changed"_s);
 
-        QCOMPARE(place.cli(QStringList{u"captures"_s, u"prune"_s, u"--limit"_s, u"0"_s} + common).exit, 0);
+        // A script is not asked; a library that is there is told.
+        QVERIFY(Library::open(place.path(u"told.db"_s)));
+        QCOMPARE(place
+                     .cli(QStringList{u"captures"_s, u"prune"_s, u"--limit"_s, u"0"_s, u"--library"_s,
+                                      u"told.db"_s, u"--reason"_s, u"the disk is small"_s} +
+                          common)
+                     .exit,
+                 0);
         QVERIFY(folder.parts().empty());
+        const QJsonArray entries =
+            place.cli({u"audit"_s, u"--library"_s, u"told.db"_s, u"--json"_s}).json()[u"entries"_s].toArray();
+        QCOMPARE(entries.size(), 1);
+        QCOMPARE(entries[0].toObject()[u"action"_s].toString(), u"captures.pruned"_s);
+        QCOMPARE(entries[0].toObject()[u"reason"_s].toString(), u"the disk is small"_s);
+        // Nothing to remove is nothing to tell.
+        QCOMPARE(
+            place.cli(QStringList{u"captures"_s, u"prune"_s, u"--library"_s, u"told.db"_s} + common).exit, 0);
+        QCOMPARE(place.cli({u"audit"_s, u"--library"_s, u"told.db"_s, u"--json"_s})
+                     .json()[u"entries"_s]
+                     .toArray()
+                     .size(),
+                 1);
     }
 };
 

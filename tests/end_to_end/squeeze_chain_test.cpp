@@ -5,6 +5,7 @@
 
 #include <QElapsedTimer>
 
+#include <cmath>
 #include <csignal>
 
 using namespace gripscope::test;
@@ -72,6 +73,13 @@ private slots:
         QVERIFY(result[u"distance"].toDouble() <= result[u"gate"].toDouble());
         QCOMPARE(result[u"samples_used"].toInt(), 2000);
         QVERIFY(!result[u"reasons"].toArray().isEmpty());
+        // Squared in the document, the roots in words.
+        const ProgramRun words = m_work.cli({u"classify"_s, u"--library"_s, u"lib.db"_s, u"part.csv"_s});
+        const auto root = [&result](const QString& member) {
+            return QByteArray::number(std::sqrt(result[member].toDouble()), 'f', 1);
+        };
+        const QByteArray distance = root(u"distance"_s) + " sd away, gate " + root(u"gate"_s) + " sd";
+        QVERIFY2(words.out.contains(distance), words.out.constData());
 
         const ProgramRun both = m_work.cli(
             {u"classify"_s, u"--library"_s, u"lib.db"_s, u"stranger.csv"_s, u"part.csv"_s, u"--json"_s});

@@ -98,6 +98,10 @@ private slots:
         QCOMPARE(guide[u"squeezes"_s].toInt(), 10);
         QCOMPARE(guide[u"more_for_gate"_s].toInt(), 0);
         QVERIFY(guide[u"gate"_s].toDouble() > guide[u"gate_limit"_s].toDouble());
+        const QJsonObject loose =
+            types({u"guide"_s, u"--type"_s, u"A"_s, u"--false-reject"_s, u"0.05"_s}).json();
+        QVERIFY(loose[u"gate"_s].toDouble() < guide[u"gate"_s].toDouble());
+        QCOMPARE(types({u"guide"_s, u"--type"_s, u"A"_s, u"--false-reject"_s, u"2"_s}).exit, 2);
         QVERIFY(guide[u"outliers"_s].toArray().isEmpty() && !guide[u"words"_s].toArray().isEmpty());
         const QJsonObject confusion = types({u"confusion"_s}).json();
         QCOMPARE(confusion[u"squeezes"_s].toInt(), 40);

@@ -34,6 +34,38 @@ private slots:
             QVERIFY2(enrolled.exit == 0, enrolled.err.constData());
         }
     }
+    void isRefusedByChoiceOnly_data()
+    {
+        QTest::addColumn<QStringList>("policy");
+        QTest::addColumn<bool>("refused");
+        QTest::newRow("no policy") << QStringList() << false;
+        QTest::newRow("more allowed") << QStringList{u"--most-lost"_s, u"0.2"_s} << false;
+        QTest::newRow("less allowed") << QStringList{u"--most-lost"_s, u"0.001"_s} << true;
+        QTest::newRow("calibration overdue") << QStringList{u"--refuse-overdue"_s} << true;
+    }
+    void isRefusedByChoiceOnly()
+    {
+        QFETCH(QStringList, policy);
+        QFETCH(bool, refused);
+        const ProgramRun made = record(u"virtual:?object=A&seed=21&speed=0&fault=loss:0.02"_s, u"lost.csv"_s);
+        QVERIFY2(made.exit == 0, made.err.constData());
+        QFile file(m_work.path(u"lost.csv"_s));
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QByteArray measured = file.readAll();
+        measured.insert(measured.indexOf('\n') + 1, "# force_calibration_days_left: -12\n");
+        file.seek(0);
+        file.write(measured);
+        file.close();
+        const ProgramRun run = m_work.cli(
+            QStringList{u"classify"_s, u"--library"_s, u"types.db"_s, u"--json"_s, u"lost.csv"_s} + policy);
+        QCOMPARE(run.exit, refused ? 6 : 0);
+        const QJsonObject result = run.json()[u"results"].toArray().first().toObject();
+        QCOMPARE(result[u"refused"].toBool(), refused);
+        QCOMPARE(result[u"verdict"].toString(), refused ? u"invalid"_s : u"type"_s);
+        QCOMPARE(result[u"validity"].toString(), u"suspect"_s); // what it is worth stays as it is
+        const QString reasons = QString::fromUtf8(run.out);
+        QCOMPARE(reasons.contains(u"Not judged"_s), refused);
+    }
     void isToldByName_data()
     {
         QTest::addColumn<QString>("fault");

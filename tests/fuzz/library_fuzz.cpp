@@ -55,7 +55,12 @@ void fill(Database& database)
     run(u"INSERT INTO audit_entries VALUES (1, 's', '2026-01-01T00:00:00.000Z', 'Ada', 'supervisor', 'a', "
         u"'b', 'c', '{}', "
         "'', 'h')"_s);
-    run(u"INSERT INTO calibrations VALUES ('k', 's', '2026-01-01T00:00:00.000Z', 'GS-1', 'n', 'force', 'N', "
+    run(u"INSERT INTO calibrations (id, station, created_utc, gripper_serial, gripper_name, channel, unit, "
+        u"reference_name, "
+        u"reference_certificate, reference_uncertainty, reference_relative_uncertainty, degree, points, "
+        u"taken_utc, "
+        u"due_date, operator_name, note, serial) VALUES ('k', 's', '2026-01-01T00:00:00.000Z', 'GS-1', 'n', "
+        u"'force', 'N', "
         u"'r', 'c', 0.1, 0, "
         "1, '0 0' || char(10) || '1 1', '2026-01-01T00:00:00.000Z', '2027-01-01', 'Ada', '', 1)"_s);
     require(recording_table::insert(database, RowStamp::now(), u"g"_s, aRecording()).has_value());

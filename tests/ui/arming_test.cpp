@@ -2,6 +2,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/people_window.h"
 #include "ui/people/people_dialogs.h"
+#include "ui/shell/arm_chord.h"
 
 using namespace Qt::StringLiterals;
 using namespace gripscope;
@@ -53,6 +54,86 @@ private slots:
         QVERIFY2(entry.details.contains(u"window"_s), qPrintable(entry.details));
     }
 
+    void thePadlockIsShutWhileNothingCanMove()
+    {
+        const WindowFixture f(false, gripper);
+        const auto* button = f.find<QPushButton>("armButton");
+        const auto shows = [button](const QString& sign, std::optional<QColor> color) {
+            constexpr QSize size(40, 40);
+            return button->icon().pixmap(size).toImage() ==
+                   Theme::instance().icon(sign, color).pixmap(size).toImage();
+        };
+        const QColor accent = Theme::instance().tokens().accent;
+        QVERIFY(shows(u"object-locked"_s, {}) && !shows(u"object-unlocked"_s, {}));
+        f.bench->arm();
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), gripscope::test::longEnough_ms);
+        QTRY_VERIFY(shows(u"object-unlocked"_s, accent) || !f.bench->connection().armed());
+        f.bench->connection().disarm();
+        QTRY_VERIFY_WITH_TIMEOUT(shows(u"object-locked"_s, {}), gripscope::test::longEnough_ms);
+        f.bench->connection().disconnect();
+        QTRY_VERIFY(shows(u"object-locked"_s, {}));
+    }
+
+    void keysThatAreHeldForASecondArm()
+    {
+        std::chrono::steady_clock::time_point now;
+        const WindowFixture f(false, gripper);
+        auto* chord = f.find<ArmChord>("armChord");
+        const auto* bar = f.find<QWidget>("armHolding");
+        chord->setClock([&now] { return now; });
+        const Qt::KeyboardModifiers both = Qt::ControlModifier | Qt::ShiftModifier;
+        const auto hold = [&f, both] { QTest::keyPress(f.window.get(), Qt::Key_A, both); };
+        const auto letGo = [&f, both] { QTest::keyRelease(f.window.get(), Qt::Key_A, both); };
+        const auto looked = [&f] {
+            QTest::qWait(100); // several polls
+            return f.bench->connection().armed();
+        };
+        // Struck, as a scanner would, or let go too early: nothing is done.
+        hold();
+        letGo();
+        now += std::chrono::seconds(5);
+        QVERIFY(!looked());
+        hold();
+        now += std::chrono::milliseconds(600);
+        QVERIFY(!looked());
+        QCOMPARE(chord->progress(), std::optional<double>(0.6));
+        QVERIFY(bar->isVisible());
+        QCOMPARE(f.find<QPushButton>("armButton")->text(), u"Hold…"_s);
+        letGo();
+        QVERIFY(!chord->progress() && bar->isHidden());
+        now += std::chrono::seconds(5);
+        QVERIFY(!looked());
+        // Another key within it, and Stop, end it too.
+        hold();
+        QTest::keyClick(f.window.get(), Qt::Key_7);
+        QVERIFY(!chord->progress());
+        letGo();
+        hold();
+        QTest::keyClick(f.window.get(), Qt::Key_Escape);
+        now += std::chrono::seconds(5);
+        QVERIFY(!looked());
+        letGo();
+        // Held, and no longer than it takes: repeats of the keyboard change nothing.
+        hold();
+        QKeyEvent again(QEvent::KeyPress, Qt::Key_A, both, {}, true);
+        QCoreApplication::sendEvent(f.window.get(), &again);
+        now += ArmChord::duration;
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().armed(), gripscope::test::longEnough_ms);
+        QVERIFY(!chord->progress());
+        letGo();
+    }
+    void keysAskWhoNobodyKnowsToSignIn()
+    {
+        std::chrono::steady_clock::time_point now;
+        const PeopleWindow f(gripper);
+        auto* chord = f.find<ArmChord>("armChord");
+        chord->setClock([&now] { return now; });
+        QTest::keyPress(f.window.get(), Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+        now += ArmChord::duration;
+        QTRY_VERIFY_WITH_TIMEOUT(f.dialog(), gripscope::test::longEnough_ms);
+        QCOMPARE(armedWord(f), u"not armed"_s);
+    }
+
     void everyArmButtonAsksWhoNobodyKnowsToSignIn_data()
     {
         QTest::addColumn<QString>("page");
@@ -95,6 +176,7 @@ private slots:
         auto* policy = people->findChild<QComboBox*>(u"armingPolicy"_s);
         QVERIFY(policy->isEnabled());
         QTest::keyClick(policy, Qt::Key_Down);
+        f.sayWhy(u"the customer asks for it"_s);
         QTRY_VERIFY_WITH_TIMEOUT(f.bench->signIn().arming() == ArmingPolicy::Supervisors,
                                  gripscope::test::longEnough_ms);
         QCOMPARE(policy->currentIndex(), 1);
@@ -116,6 +198,30 @@ private slots:
         QCOMPARE(entry.action, u"gripper.armed"_s);
         QCOMPARE(entry.person, u"Sam"_s);
         QVERIFY2(entry.details.contains(u"Olli"_s), qPrintable(entry.details));
+    }
+
+    void whoMayApproveATypeIsChosenBesideIt()
+    {
+        const PeopleWindow f(gripper);
+        f.signIn(u"Sam"_s, u"2468135790"_s);
+        auto* people = new PeopleDialog(*f.bench, f.window.get());
+        people->open();
+        auto* policy = people->findChild<QComboBox*>(u"approvalPolicy"_s);
+        QVERIFY(policy->isEnabled());
+        QTest::keyClick(policy, Qt::Key_Down);
+        f.sayWhy(u"the customer asks for it"_s);
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->signIn().approval() == ApprovalPolicy::SecondPerson,
+                                 gripscope::test::longEnough_ms);
+        QCOMPARE(policy->currentIndex(), 1);
+        QCOMPARE(f.newestEntry().action, u"policy.approval"_s);
+        QCOMPARE(f.newestEntry().reason, u"the customer asks for it"_s);
+        auto* arming = people->findChild<QComboBox*>(u"armingPolicy"_s);
+        QTest::keyClick(arming, Qt::Key_Down);
+        f.sayWhy(u"an accident"_s);
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->signIn().arming() == ArmingPolicy::Supervisors,
+                                 gripscope::test::longEnough_ms);
+        QCOMPARE(f.newestEntry().reason, u"an accident"_s);
+        people->close();
     }
 
     void stoppedWhileSomebodyIsAskedItIsNotArmed()

@@ -5,6 +5,7 @@
 #include "ui/pages/fit/fit_page_summary.h"
 #include "ui/theme/theme.h"
 
+#include <QAbstractItemModelTester>
 #include <QLabel>
 #include <QTableView>
 #include <QTest>
@@ -55,6 +56,7 @@ private slots:
     void everyEffectIsALineAndTheSumsComeLast()
     {
         BudgetTableModel model;
+        const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
         model.setBudget(exampleBudget(), QStringLiteral("N"), QStringLiteral("m"));
         QCOMPARE(model.rowCount(), 4);
         QCOMPARE(model.index(0, 0).data().toString(), QStringLiteral("Position noise"));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/audit/audit_trail.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
 
@@ -24,6 +25,21 @@ class CalibrateBaselineTest : public QObject {
             qFatal("the library did not answer");
         return *found;
     }
+    static QString newestReason(WindowFixture& f)
+    {
+        std::optional<QString> reason;
+        f.bench->background().ask<QString>(
+            nullptr,
+            [](Library& library) {
+                return library.auditTrail()
+                    .entries({{}, u"chain.measured"_s, 1, 0})
+                    .map([](const auto& found) { return found.empty() ? QString() : found.front().reason; });
+            },
+            [&](Expected<QString> found) { reason = found.value(); });
+        if (!QTest::qWaitFor([&] { return reason.has_value(); }, longEnough_ms))
+            qFatal("the library did not answer");
+        return *reason;
+    }
 
 private slots:
     void aPersonMeasuresTheEmptyGripperAndTakesItOff()
@@ -42,14 +58,18 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(act->text(), u"Take it off from now on"_s, longEnough_ms);
         QVERIFY(!stored(f)); // nothing before it is accepted
         f.click(act);
+        f.sayWhy(u"new fingers"_s);
         QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().measuringChain().baseline, longEnough_ms);
         const auto kept = stored(f);
         QVERIFY(kept && kept->chain.baseline && kept->operatorName == u"Mai"_s);
         QVERIFY(std::abs(kept->chain.baseline->parameters[2] / 3000 - 1) < 0.05);
         QTRY_VERIFY(f.find<QPushButton>("baselineRemove")->isVisible());
+        QCOMPARE(newestReason(f), u"new fingers"_s);
         f.click(f.find<QPushButton>("baselineRemove"));
+        f.sayWhy(u"fingers taken off"_s);
         QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().measuringChain().baseline, longEnough_ms);
         QVERIFY(!stored(f)->chain.baseline);
+        QCOMPARE(newestReason(f), u"fingers taken off"_s);
     }
 
     void withoutAGripperItSaysWhatToDo()

@@ -57,6 +57,7 @@ class CalibrateCheckTest : public QObject {
         dialog->findChild<QDoubleSpinBox*>(u"referenceTolerance2"_s)->setValue(10);
         QTRY_VERIFY(keep->isEnabled());
         f.click(keep);
+        f.sayWhy();
         QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().calibration().reference(), longEnough_ms);
     }
     static std::vector<ReferenceCheckRecord> stored(WindowFixture& f)
@@ -116,6 +117,28 @@ private slots:
         f.connectTo(u"virtual:?object=A&seed=5"_s);
         QTRY_VERIFY_WITH_TIMEOUT(f.window->message().contains(u"reference spring"_s), longEnough_ms);
         QTRY_VERIFY_WITH_TIMEOUT(statusLine(f).contains(u"spring check failed"_s), longEnough_ms);
+    }
+
+    void spaceStaysWithTheCheck()
+    {
+        WindowFixture f(false, gripscope::test::unhurriedA);
+        showChecks(f);
+        stateSpring(f, 9990);
+        QTRY_VERIFY_WITH_TIMEOUT(f.window->message().contains(u"reference spring"_s), longEnough_ms);
+        auto* act = f.find<QPushButton>("checkAct");
+        f.click(act);
+        QTRY_VERIFY_WITH_TIMEOUT(act->text().startsWith(u"Check now"_s), longEnough_ms);
+        f.click(act);
+        const auto* list = f.find<QTableView>("checkList")->model();
+        QTRY_COMPARE_WITH_TIMEOUT(list->rowCount(), 1, longEnough_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(act->text().startsWith(u"Check again"_s), longEnough_ms);
+        // What it was due for is done, and nobody reads that it was never made.
+        QTRY_VERIFY_WITH_TIMEOUT(!f.window->message().contains(u"reference spring"_s), longEnough_ms);
+        // While it was stored its button was off; the next Space is still for the next check.
+        QTRY_COMPARE_WITH_TIMEOUT(f.window->focusWidget(), static_cast<QWidget*>(act), longEnough_ms);
+        QTest::keyClick(f.window->focusWidget(), Qt::Key_Space);
+        QTRY_COMPARE_WITH_TIMEOUT(list->rowCount(), 2, longEnough_ms);
+        QCOMPARE(f.window->currentPage()->id(), u"calibrate"_s);
     }
 
     void anotherTabOrPageStopsTheCheck()

@@ -4,6 +4,7 @@
 #include "ui/pages/fit/fit_page_summary.h"
 #include "ui/theme/theme.h"
 
+#include <QAbstractItemModelTester>
 #include <QLabel>
 #include <QTableView>
 #include <QTest>
@@ -41,6 +42,7 @@ private slots:
     void theBestModelComesFirstWithItsNumbers()
     {
         ComparisonTableModel model;
+        const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
         model.setComparison(exampleComparison());
         const auto text = [&](int row, Column column) {
             return model.index(row, int(column)).data().toString();

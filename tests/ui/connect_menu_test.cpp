@@ -2,8 +2,13 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
 #include "ui/shell/connect_menu.h"
+#include "ui/windows/question.h"
 
+#include <QLabel>
 #include <QPlainTextEdit>
+#include <QWidgetAction>
+
+#include <algorithm>
 
 using namespace gripscope;
 using namespace gripscope::test;
@@ -29,9 +34,26 @@ struct ClosedMenu {
     {
         QStringList texts;
         for (const QAction* action : menu.actions())
-            if (action->isVisible() && !action->isSeparator())
+            if (action->isVisible() && !action->isSeparator() && !isTitle(*action))
                 texts << action->text();
         return texts;
+    }
+    /// What stands under a title, up to the next.
+    [[nodiscard]] QStringList under(const QString& title) const
+    {
+        QStringList texts;
+        bool here = false;
+        for (const QAction* action : menu.actions()) {
+            if (isTitle(*action))
+                here = action->text() == title;
+            else if (here && action->isVisible() && !action->isSeparator())
+                texts << action->text();
+        }
+        return texts;
+    }
+    [[nodiscard]] static bool isTitle(const QAction& action)
+    {
+        return qobject_cast<const QWidgetAction*>(&action) != nullptr;
     }
 };
 
@@ -79,6 +101,42 @@ private slots:
         QVERIFY(!closed.texts().contains(u"Bench gripper · serial GS-1"_s));
     }
 
+    void grippersThisOneAndToolsStandApart()
+    {
+        ClosedMenu closed;
+        closed.menu.showFound({first, second});
+        QStringList titles;
+        for (const QAction* action : closed.menu.actions())
+            if (ClosedMenu::isTitle(*action)) {
+                titles << action->text();
+                QVERIFY(!action->isEnabled()); // keys pass it by
+            }
+        QCOMPARE(titles, (QStringList{u"Grippers"_s, u"This gripper"_s, u"Tools"_s}));
+        const QStringList grippers = closed.under(u"Grippers"_s);
+        QCOMPARE(grippers.size(), 7);
+        QCOMPARE(grippers.at(1), u"Bench gripper · serial GS-2"_s);
+        QCOMPARE(grippers.at(2), u"Virtual gripper, can A"_s);
+        QCOMPARE(grippers.back(), u"Other address…"_s);
+        QCOMPARE(closed.under(u"This gripper"_s),
+                 (QStringList{u"Inspect the gripper…\tF9"_s, u"Measure the lag between its channels…"_s,
+                              u"Disconnect"_s}));
+        QCOMPARE(closed.under(u"Tools"_s), (QStringList{u"Profile of another maker's gripper…"_s,
+                                                        u"Keep the raw reports of every session"_s}));
+    }
+
+    void theAddressIsShownAsItIsTyped()
+    {
+        const TextQuestion question(u"Connect"_s, u"Such as virtual:?object=B&seed=7"_s, {}, u"Connect"_s,
+                                    nullptr);
+        bool found = false;
+        for (const QLabel* label : question.findChildren<QLabel*>())
+            if (label->buddy()) { // there one ampersand marks a key, and two are one
+                QCOMPARE(label->text(), u"Such as virtual:?object=B&&seed=7"_s);
+                found = true;
+            }
+        QVERIFY(found);
+    }
+
     void whoMayNotOpenItIsShownWhatToType()
     {
         WindowFixture f(false, {});
@@ -88,11 +146,27 @@ private slots:
         FoundDevice forbidden = first;
         forbidden.toAllow = QStringList{u"sudo one"_s, u"sudo two"_s};
         menu.showFound({forbidden});
-        menu.actions().at(1)->trigger(); // behind the line for none, which is hidden
+        const QList<QAction*> actions = menu.actions();
+        const auto found = std::find_if(actions.begin(), actions.end(), [](const QAction* action) {
+            return action->text().startsWith(u"Bench gripper"_s);
+        });
+        QVERIFY(found != actions.end());
+        (*found)->trigger();
         const auto* dialog = f.window->findChild<AccessDialog*>();
         QVERIFY(dialog && dialog->isVisible());
         QCOMPARE(dialog->findChild<QPlainTextEdit*>(u"accessCommands"_s)->toPlainText(),
                  u"sudo one\nsudo two"_s);
+    }
+
+    void whatToTypeStaysWhileAnotherGripperIsConnected()
+    {
+        const WindowFixture f(false);
+        auto* dialog = new AccessDialog(*f.bench, first, f.window.get());
+        const QPointer<AccessDialog> shown = dialog;
+        dialog->open();
+        emit f.bench->connectionChanged();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QVERIFY(shown && shown->isVisible());
     }
 };
 

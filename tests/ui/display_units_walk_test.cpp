@@ -113,8 +113,9 @@ private slots:
         WindowFixture f(true, u"virtual:"_s);
         for (const DialogRow& row : dialogTable()) {
             const QLatin1String name(row.name);
-            if (name == "profile"_L1 || name == "inspector"_L1 || name == "manual"_L1)
-                continue; // what a gripper sends, and the manual's own examples
+            if (name == "profile"_L1 || name == "inspector"_L1 || name == "manual"_L1 ||
+                name == "foreign table"_L1 || name == "settings"_L1)
+                continue; // what a gripper sends, the manual's own examples, what a file is in, the choice
             const std::unique_ptr<QDialog> dialog(row.make(*f.bench, f.window.get()));
             dialog->show();
             QTest::qWait(300);
@@ -134,9 +135,24 @@ private slots:
             QCOMPARE(metricTexts(texts), QStringList());
         }
     }
+    void theHistoryReport_data()
+    {
+        QTest::addColumn<DisplayUnits>("units");
+        QTest::addColumn<QStringList>("words");
+        using Force = DisplayUnits::Force;
+        using Length = DisplayUnits::Length;
+        QTest::newRow("N, mm") << DisplayUnits() << QStringList{u" g"_s, u" N s/m"_s, u" kN/m"_s};
+        QTest::newRow("lbf, in") << imperial << QStringList{u" lb"_s, u" lbf s/in"_s, u" lbf/in"_s};
+        QTest::newRow("kgf, mm") << DisplayUnits{Force::KilogramForce, Length::Metre}
+                                 << QStringList{u" g"_s, u" kgf s/mm"_s, u" kgf/mm"_s};
+        QTest::newRow("N, in") << DisplayUnits{Force::Newton, Length::Inch}
+                               << QStringList{u" g"_s, u" N s/in"_s, u" N/in"_s};
+    }
     void theHistoryReport()
     {
-        DisplayUnits::choose(imperial);
+        QFETCH(DisplayUnits, units);
+        QFETCH(QStringList, words);
+        DisplayUnits::choose(units);
         HistoryReport report;
         HistoryEntry entry;
         entry.parameters = MassDampingStiffness{0.04, 40, 10000};
@@ -146,8 +162,13 @@ private slots:
         report.rows = {entry};
         report.total = 1;
         const QStringList texts = textsOf(historyReportHtml(report));
-        QVERIFY2(says(texts, u"lbf/in"_s), qPrintable(texts.join(u'\n')));
-        QCOMPARE(metricTexts(texts), QStringList());
+        for (const QString& word : words) { // at the end of a cell, behind its number
+            const bool said = std::any_of(texts.begin(), texts.end(), [&word](QString text) {
+                return text.remove(QChar(0x2060)).replace(QChar(QChar::Nbsp), u' ').trimmed().endsWith(word);
+            });
+            QVERIFY2(said, qPrintable(word + u": "_s + texts.join(u'\n')));
+        }
+        QCOMPARE(metricTexts(texts).isEmpty(), units == imperial);
     }
     void numbersAreConvertedOnce()
     {
@@ -160,6 +181,9 @@ private slots:
         QCOMPARE(channelScale(u"mm"_s, 25).unit, u"in"_s);
         QCOMPARE(channelScale(u"mm"_s, 25.4).factor * 25.4, 1.0);
         QCOMPARE(channelScale(u"counts"_s, 25).unit, u"counts"_s);
+        QCOMPARE(channelScale(u"counts"_s, 25).factor, 1.0);
+        QCOMPARE(formatNumber(25, {}, u"counts"_s).unit, u"counts"_s);
+        QCOMPARE(tableScale(u"m"_s, 0.0254).unit, u"mm"_s); // for programs
     }
     void whatNobodyTypedComesOutAsItWentIn()
     {

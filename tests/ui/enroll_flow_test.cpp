@@ -117,7 +117,7 @@ void EnrollFlowTest::whatIsLeftForLaterIsGoneOnWith()
     QCOMPARE(drafts(f).front().squeezes, 1);
     bool told = false;
     for (const QLabel* label : f.page(u"enroll"_s)->findChildren<QLabel*>())
-        told |= label->text().contains(u"1 of 10 squeezes, and one to decide on"_s);
+        told |= label->text().contains(u"Squeezes so far: 1, and one to decide on"_s);
     QVERIFY(told);
     f.click(f.find<QPushButton>("goOnWithDraft"));
     QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().activity(), Activity::Deciding,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
+#include "ui/charts/type_map.h"
+#include "ui/context/language.h"
 #include "ui/pages/enroll/enroll_review_panel.h"
 #include "ui/pages/enroll/enroll_squeeze_panel.h"
 #include "ui/pages/shared/enroll_recipe_form.h"
@@ -10,12 +12,16 @@
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScopeGuard>
+#include <QScrollArea>
 #include <QTableView>
 #include <QTableWidget>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -52,6 +58,17 @@ void squeezeAndAccept(WindowFixture& f)
                               gripscope::test::longEnough_ms);
 }
 
+void theFactsAreWhole(WindowFixture& f)
+{
+    QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Review);
+    const auto* facts = f.find<QScrollArea>("reviewFacts"); // cannot be scrolled to the side
+    for (const QSize size : {QSize(1024, 640), QSize(1440, 900)}) {
+        f.window->resize(size);
+        QTRY_VERIFY(facts->widget()->minimumSizeHint().width() <= facts->viewport()->width());
+    }
+    f.window->resize(1024, 640);
+}
+
 } // namespace
 
 /// The Enroll page by click and key, with the virtual gripper.
@@ -59,13 +76,17 @@ class EnrollPageTest : public QObject {
     Q_OBJECT
 private slots:
     void enrollsATypeFromNameToApproval();
+    void theFactsOfTheReviewAreWholeInGerman();
+    void theTableOfSqueezesUsesTheWidth();
     void aSqueezeCanBeRejectedOrDroppedWithAReason();
     void spaceSqueezesAndAccepts();
     void aRecipeAboveItsLimitIsRefusedBeforeItIsSent();
     void aKnownNameKeepsItsRecipe();
+    void oneMoreSqueezeTakesAnApprovedTypeOutOfForceAndTheReviewPutsItBack();
     void reviewFindsMeanSpreadAndTheNearestType();
     void anOutlierIsMarkedWithItsReasonAndOfferedToDrop();
     void theSqueezeStepSaysWhetherItIsEnoughAndKeepsTheParts();
+    void theRingIsFullWhenMoreWouldGainLittle();
 };
 
 void EnrollPageTest::enrollsATypeFromNameToApproval()
@@ -81,6 +102,7 @@ void EnrollPageTest::enrollsATypeFromNameToApproval()
     QTRY_VERIFY(f.find<QPushButton>("reviewButton")->isEnabled());
     f.click(f.find<QPushButton>("reviewButton"));
     QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Review);
+    theFactsAreWhole(f);
     QTRY_VERIFY_WITH_TIMEOUT(f.find<QLabel>("distanceLabel")->text().contains(u" sd away"_s),
                              gripscope::test::longEnough_ms);
     // Four types of ten, one of three: each squeeze is judged by the others.
@@ -103,6 +125,44 @@ void EnrollPageTest::enrollsATypeFromNameToApproval()
     f.click(f.find<QPushButton>("enrollAnother"));
     QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Name);
     QTRY_COMPARE(f.find<QLineEdit>("typeName")->text(), u"Type 1"_s);
+}
+
+void EnrollPageTest::theFactsOfTheReviewAreWholeInGerman()
+{
+    QVERIFY(applyLanguage(u"de"_s));
+    const auto english = qScopeGuard([] { (void)applyLanguage(u"en"_s); });
+    WindowFixture f(true, u"virtual:?object=0.031,52,13500&seed=3&speed=0"_s);
+    pageAtSqueezes(f, u"Cola 330 ml"_s);
+    f.click(f.find<QPushButton>("enrollArmButton"));
+    for (int i = 0; i < EnrollSession::leastSqueezes; ++i)
+        squeezeAndAccept(f);
+    auto* review = f.find<QPushButton>("reviewButton");
+    QTRY_VERIFY(review->isEnabled());
+    f.click(review);
+    QTRY_VERIFY_WITH_TIMEOUT(!f.find<QLabel>("distanceLabel")->text().isEmpty(),
+                             gripscope::test::longEnough_ms);
+    theFactsAreWhole(f);
+}
+
+void EnrollPageTest::theTableOfSqueezesUsesTheWidth()
+{
+    WindowFixture f(true, u"virtual:?object=0.031,52,13500&seed=3&speed=0"_s);
+    pageAtSqueezes(f, u"Cola 330 ml"_s);
+    f.click(f.find<QPushButton>("enrollArmButton"));
+    squeezeAndAccept(f);
+    const auto* table = f.find<QTableView>("squeezeTable");
+    for (const QSize size : {QSize(2048, 1280), QSize(1440, 900)}) {
+        f.window->resize(size);
+        const auto used = [table] { return table->horizontalHeader()->length(); };
+        QTRY_COMPARE(used(), table->viewport()->width());
+        // Not by one column alone: the words at the end begin where two thirds are over.
+        const int last = table->columnViewportPosition(int(EnrollSqueezeModel::Column::Verdict));
+        QVERIFY2(last > 0.66 * table->viewport()->width(), qPrintable(QString::number(last)));
+    }
+    for (int column = 0; column < table->model()->columnCount(); ++column) // and none is cut
+        QVERIFY(table->isColumnHidden(column) ||
+                table->columnWidth(column) >=
+                    static_cast<const QAbstractItemView*>(table)->sizeHintForColumn(column));
 }
 
 void EnrollPageTest::aSqueezeCanBeRejectedOrDroppedWithAReason()
@@ -186,6 +246,33 @@ void EnrollPageTest::aKnownNameKeepsItsRecipe()
     QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Name);
 }
 
+void EnrollPageTest::oneMoreSqueezeTakesAnApprovedTypeOutOfForceAndTheReviewPutsItBack()
+{
+    WindowFixture f(true, unhurriedA);
+    const auto& inspection = f.bench->inspection();
+    QVERIFY(inspection.models().find(u"A"_s));
+    pageAtSqueezes(f, u"A"_s);
+    QVERIFY(f.find<QLabel>("recipeHint")->text().contains(u"its approval is void"_s));
+    f.click(f.find<QPushButton>("enrollArmButton"));
+    QVERIFY(inspection.models().find(u"A"_s)); // nothing is added yet
+    squeezeAndAccept(f);
+    QTRY_VERIFY_WITH_TIMEOUT(inspection.approvedTypes().size() == 3 && !inspection.models().find(u"A"_s),
+                             gripscope::test::longEnough_ms);
+    f.click(f.find<QPushButton>("reviewButton"));
+    QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Review);
+    const auto* map = f.page(u"enroll"_s)->findChild<TypeMap*>();
+    const auto squeezesInMap = [map] {
+        const PlotTable table = map->numbers();
+        return std::count(table[0].texts->begin(), table[0].texts->end(), u"squeeze"_s);
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(squeezesInMap(), 41, gripscope::test::longEnough_ms); // and the one just made
+    f.click(f.find<QPushButton>("approveButton"));
+    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Approved,
+                              gripscope::test::longEnough_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(inspection.models().find(u"A"_s), gripscope::test::longEnough_ms);
+    QCOMPARE(inspection.models().find(u"A"_s)->squeezes, 11);
+}
+
 void EnrollPageTest::reviewFindsMeanSpreadAndTheNearestType()
 {
     // Two types a factor 1.5 apart in stiffness, each with squeezes at -2, 0 and +2 % in all three
@@ -196,13 +283,22 @@ void EnrollPageTest::reviewFindsMeanSpreadAndTheNearestType()
         squeezes.push_back({u"two"_s, {0.04 / step, 43 * step, 15000 * step}});
         squeezes.push_back({u"far"_s, {0.04 * step, 43 * step, 90000 / step}});
     }
-    const TypeReview review = reviewType(squeezes, fitTypeModels(squeezes), u"one"_s);
+    const TypeReview review = reviewType(squeezes, fitTypeModels(squeezes), u"one"_s, {});
     QCOMPARE(review.squeezes, 3);
     QVERIFY(std::abs(review.mean.k - 10000) < 1e-6);
     QVERIFY(std::abs((*review.spreadPercent)[2] - 2.0) < 1e-9); // sd of -2, 0, +2 %
     QCOMPARE(review.nearest, u"two"_s);
     QVERIFY(review.gateSd && *review.nearestSd > *review.gateSd);
-    QCOMPARE(reviewType(squeezes, fitTypeModels(squeezes), u"nobody"_s).squeezes, 0);
+    QCOMPARE(review.squeezesOfAll.size(), std::size_t(9)); // for the map
+    std::vector<TypeSqueeze> more = squeezes;
+    more.push_back({u"in units that cannot be compared"_s, {1, 1, 1}});
+    QCOMPARE(reviewType(more, fitTypeModels(squeezes), u"one"_s, {}).squeezesOfAll.size(), std::size_t(9));
+    QCOMPARE(reviewType(squeezes, fitTypeModels(squeezes), u"nobody"_s, {}).squeezes, 0);
+    VerdictOptions loose;
+    loose.falseReject = 0.05;
+    const TypeReview looser = reviewType(squeezes, fitTypeModels(squeezes), u"one"_s, loose);
+    QVERIFY(*looser.gateSd < *review.gateSd);
+    QCOMPARE(looser.falseReject, 0.05);
 }
 
 void EnrollPageTest::anOutlierIsMarkedWithItsReasonAndOfferedToDrop()
@@ -236,6 +332,34 @@ void EnrollPageTest::theSqueezeStepSaysWhetherItIsEnoughAndKeepsTheParts()
     QTRY_VERIFY_WITH_TIMEOUT(!f.find<QLabel>("adviceLabel")->text().contains(u"One squeeze"_s),
                              gripscope::test::longEnough_ms);
     QVERIFY(f.find<QLabel>("adviceLabel")->text().contains(u"is called unknown"_s));
+}
+
+void EnrollPageTest::theRingIsFullWhenMoreWouldGainLittle()
+{
+    // Beside four types of ten the scatter is known well: fewer than ten are enough.
+    WindowFixture f(true, u"virtual:?object=0.031,52,13500&seed=3&speed=0"_s);
+    pageAtSqueezes(f, u"Cola"_s);
+    f.click(f.find<QPushButton>("enrollArmButton"));
+    const auto* ring = f.find<ProgressRing>("ring");
+    const auto* advice = f.find<QLabel>("adviceLabel");
+    const auto enough = [&] { return advice->text().contains(u"more squeezes would gain little"_s); };
+    const auto ringIsFull = [&] {
+        const int accepted = f.bench->enrollment().acceptedCount();
+        return ring->accessibleName() == u"%1 of %1 squeezes"_s.arg(accepted);
+    };
+    const auto turns = [&] {
+        const QList<QLabel*> labels = f.page(u"enroll"_s)->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+            return label->isVisible() && label->text().contains(u"Turn or change the part"_s);
+        });
+    };
+    while (!enough() && f.bench->enrollment().acceptedCount() < EnrollSession::suggestedSqueezes) {
+        squeezeAndAccept(f);
+        QTRY_COMPARE_WITH_TIMEOUT(ringIsFull(), enough(), gripscope::test::longEnough_ms);
+        QTRY_COMPARE(turns(), !enough());
+    }
+    QVERIFY(enough());
+    QVERIFY(f.bench->enrollment().acceptedCount() < EnrollSession::suggestedSqueezes);
 }
 
 GRIPSCOPE_TEST(EnrollPageTest)

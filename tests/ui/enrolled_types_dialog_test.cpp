@@ -76,6 +76,14 @@ private slots:
         d.accept(u"a mistake"_s);
         QTRY_COMPARE_WITH_TIMEOUT(d.row(0), u"A approved 10"_s, gripscope::test::longEnough_ms);
     }
+    void itOpensFromTheTypesPageToo()
+    {
+        const WindowFixture f(true, {});
+        f.window->showPage(u"types"_s);
+        f.clickWhenEnabled(f.find<QPushButton>("manageTypesButton"));
+        const auto* dialog = f.window->findChild<EnrolledTypesDialog*>();
+        QVERIFY(dialog && dialog->isVisible());
+    }
     void twoTypesAreMerged()
     {
         const OpenDialog d;
@@ -88,6 +96,7 @@ private slots:
         QCOMPARE(d.row(2), u"D not approved 20"_s);
         d.types()->selectRow(2);
         d.f.click(d.f.find<QPushButton>("approveTypeButton"));
+        d.f.sayWhy();
         QTRY_COMPARE_WITH_TIMEOUT(d.row(2), u"D approved 20"_s, gripscope::test::longEnough_ms);
     }
     void squeezesAreSplitOff()

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
+#include "ui/format/estimate_words.h"
+#include "ui/format/fact.h"
 #include "ui/pages/fit/fit_page_summary.h"
 #include "ui/theme/theme.h"
 
@@ -61,6 +63,27 @@ private slots:
                  QStringLiteral("<b>Clock jitter.</b> Samples were moved to &lt;a regular grid&gt;."));
         list.setFindings(validity, {});
         QCOMPARE(textsOf(list).size(), qsizetype(1));
+    }
+    void whatWasNotJudgedHasNoTick()
+    {
+        CheckList list;
+        Validity validity;
+        validity.checks = {check("fit", true, "the model follows the position"),
+                           check("calibration", true, "not judged")};
+        validity.checks[1].noted = true;
+        list.setFindings(validity, {});
+        const auto signs = list.findChildren<CheckSignLabel*>();
+        QCOMPARE(signs.size(), qsizetype(2));
+        QCOMPARE(signs[0]->accessibleName(), QStringLiteral("passed"));
+        QCOMPARE(signs[1]->accessibleName(), QStringLiteral("noted"));
+        QVERIFY(signs[0]->grab().toImage() != signs[1]->grab().toImage());
+    }
+    void aSymbolStaysAsItIs()
+    {
+        QCOMPARE(asSentence(QStringLiteral("m, b and k are above zero")),
+                 QStringLiteral("m, b and k are above zero."));
+        QCOMPARE(asSentence(QStringLiteral("a channel is stuck")), QStringLiteral("A channel is stuck."));
+        QCOMPARE(asSentence(QStringLiteral("k")), QStringLiteral("k."));
     }
     void theVerdictIsNamedForAScreenReader()
     {

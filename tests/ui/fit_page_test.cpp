@@ -3,13 +3,17 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/identification_example.h"
 #include "tests/ui/science_pages.h"
+#include "ui/charts/bode_plots.h"
 #include "ui/charts/fit_plots.h"
 #include "ui/charts/region_plot.h"
+#include "ui/format/number_format.h"
 #include "ui/models/estimate_table_model.h"
 #include "ui/pages/fit/fit_page.h"
 #include "ui/pages/fit/fit_page_export.h"
 #include "ui/pages/fit/fit_page_summary.h"
+#include "ui/widgets/elided_label.h"
 
+#include <QAction>
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QDir>
@@ -24,6 +28,7 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
+#include <QToolButton>
 
 using namespace gripscope;
 
@@ -33,8 +38,10 @@ QString allText(const QWidget& page)
 {
     QStringList texts;
     for (const QLabel* label : page.findChildren<QLabel*>())
-        if (label->isVisibleTo(&page))
-            texts << label->text();
+        if (label->isVisibleTo(&page)) {
+            const auto* elided = qobject_cast<const ElidedLabel*>(label);
+            texts << (elided ? elided->fullText() : label->text());
+        }
     return texts.join(u'\n');
 }
 
@@ -91,6 +98,26 @@ private slots:
         const auto* model = page.findChild<EstimateTableModel*>();
         QVERIFY(model->rowOf(Estimator::ArxMeanForce) >= 0 && model->rowOf(Estimator::Arx221) >= 0);
     }
+    void anIdentificationTellsHowFarItIsAndCanBeCancelled()
+    {
+        test::PageFixture fixture;
+        FitPage page(fixture.bench);
+        page.show();
+        const Recording recording = simulatedSqueeze(test::canA, 3);
+        fixture.bench.navigator().setFitSubject({QStringLiteral("A"), recording, identify(recording)});
+        // It runs: nothing of it can arrive before the next event.
+        QVERIFY(allText(page).contains(QString::fromUtf8("identifying… 0 %")));
+        auto* cancel = button(page, QStringLiteral("Cancel"));
+        QVERIFY(cancel);
+        QTest::mouseClick(cancel, Qt::LeftButton);
+        QVERIFY(!allText(page).contains(QStringLiteral("identifying")));
+        const auto* model = page.findChild<EstimateTableModel*>();
+        QTest::qWait(500); // what is still computed is dropped
+        QCOMPARE(model->rowOf(Estimator::Arx221), -1);
+        QTest::mouseClick(button(page, QStringLiteral("Identify again")), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(model->rowOf(Estimator::Arx221) >= 0, test::longEnough_ms);
+        QVERIFY(button(page, QStringLiteral("Identify again"))->isEnabled());
+    }
     void anotherRowShowsThatModel()
     {
         test::PageFixture fixture;
@@ -105,6 +132,81 @@ private slots:
         QVERIFY(plots->response()->curves()[1].name.contains(QStringLiteral("ARX(2,1,1)")));
         table->selectRow(model->rowOf(Estimator::OutputError));
         QVERIFY(plots->response()->curves()[1].name.contains(QStringLiteral("output error")));
+    }
+    void aShortSqueezeIsToldWithItsLengthAndItsHeldForceInSteps()
+    {
+        test::PageFixture fixture;
+        FitPage page(fixture.bench);
+        page.resize(1200, 800);
+        page.show();
+        const Recording recording = slice(simulatedSqueeze(test::canA, 3), {0, 400});
+        Identification found = identify(recording);
+        fixture.bench.navigator().setFitSubject({QStringLiteral("short"), recording, std::move(found)});
+        const QString words = allText(page);
+        QVERIFY2(words.contains(formatLength(lengthSeconds(recording))), qPrintable(words));
+        QVERIFY(words.contains(QStringLiteral("force held between samples")));
+        const PlotCurve& force = page.findChild<FitPlots*>()->force()->curves().front();
+        QVERIFY(force.held);
+    }
+    void thePageItWasChosenOnIsAClickAway()
+    {
+        test::PageFixture fixture;
+        FitPage page(fixture.bench);
+        page.show();
+        auto* back = page.findChild<QToolButton*>(QStringLiteral("fitBack"));
+        const Recording recording = simulatedSqueeze(test::canA, 3);
+        const Identification found = identify(recording);
+        fixture.bench.navigator().setFitSubject({QStringLiteral("A"), recording, found});
+        QVERIFY(!back->isVisible()); // it came by itself
+        QSignalSpy asked(&fixture.bench.navigator(), &Navigator::pageRequested);
+        fixture.bench.navigator().setFitSubject(
+            {QStringLiteral("A"), recording, found, QStringLiteral("history")}); // the same one again
+        QVERIFY(back->isVisible());
+        QVERIFY2(back->toolTip().contains(QStringLiteral("History")), qPrintable(back->toolTip()));
+        QTest::mouseClick(back, Qt::LeftButton);
+        QCOMPARE(asked.size(), qsizetype(1));
+        QCOMPARE(asked.front().front().toString(), QStringLiteral("history"));
+        fixture.bench.navigator().setFitSubject(
+            {QStringLiteral("B"), recording, found, QStringLiteral("types")});
+        QVERIFY2(back->toolTip().contains(QStringLiteral("Types")), qPrintable(back->toolTip()));
+    }
+    void theBodePlotShowsTheMeasurementAroundTheModel()
+    {
+        test::PageFixture fixture;
+        FitPage page(fixture.bench);
+        page.resize(1200, 800);
+        page.show();
+        page.prepareTour();
+        QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
+        const auto* bode = page.findChild<BodePlots*>();
+        QVERIFY(!bode->isVisible());
+        QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("bodeShown")), Qt::LeftButton);
+        QVERIFY(bode->isVisible() && !page.findChild<FitPlots*>()->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!bode->coherence()->measured().value.empty(), test::longEnough_ms);
+        QCOMPARE(bode->magnitude()->title(), QStringLiteral("Magnitude (mm/N)"));
+
+        // Can A itself: 95 % intervals from 13 averages hold it at most frequencies (94 % in a simulation of
+        // 400 of them; 80 % is six deviations less).
+        const FrequencyCurve& measured = bode->magnitude()->measured();
+        QVERIFY(measured.value.size() > 30);
+        const std::vector<ModelLine> truth = modelResponse(
+            {0.0396, 43.0, 9990}, std::nullopt, {0.0005, ForceHold::Zero, 0}, measured.frequency_Hz);
+        int held = 0;
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+            const double value = 1e3 * std::abs(truth[i].response);
+            held += value >= measured.low[i] && value <= measured.high[i] ? 1 : 0;
+        }
+        QVERIFY2(held > 0.8 * double(truth.size()),
+                 qPrintable(QStringLiteral("%1 of %2").arg(held).arg(truth.size())));
+        // The model at its lowest frequency is the spring: 1/k, within its band, which is narrow.
+        const FrequencyCurve& model = bode->magnitude()->model();
+        QVERIFY(std::abs(model.value.front() * 9.990 - 1) < 0.01);
+        QVERIFY(model.low.front() < model.value.front() && model.high.front() < 1.02 * model.value.front());
+
+        auto* table = estimatorTable(page);
+        const auto* estimates = page.findChild<EstimateTableModel*>();
+        table->selectRow(estimates->rowOf(Estimator::Arx));
+        QVERIFY(bode->legend().back().name.contains(QStringLiteral("ARX(2,1,1)")));
     }
     void aRecordingIsOpenedAndIdentified()
     {
@@ -144,15 +246,23 @@ private slots:
         const auto* tabs = page.findChild<QTabWidget*>();
         QVERIFY(tabs->tabText(tabs->currentIndex()).startsWith(QStringLiteral("Checks (")));
     }
-    void numbersAreCopiedTabSeparated()
+    void numbersAreCopiedInEachForm()
     {
         test::PageFixture fixture;
         FitPage page(fixture.bench);
         page.show();
         page.prepareTour();
         QTRY_VERIFY_WITH_TIMEOUT(page.tourReady(), test::longEnough_ms);
-        button(page, QStringLiteral("Copy numbers"))->click();
-        const QString text = QGuiApplication::clipboard()->text();
+        const auto copied = [&page](const char* name) {
+            page.findChild<QAction*>(QLatin1String(name))->trigger();
+            return QGuiApplication::clipboard()->text();
+        };
+        QVERIFY(button(page, QStringLiteral("Copy numbers"))->menu() != nullptr);
+        QVERIFY(copied("copyText").contains(QStringLiteral("\nm = ")) &&
+                copied("copyText").contains(QChar(0x00B1)));
+        QVERIFY(copied("copyLatex").contains(QStringLiteral("\\pm")));
+        QVERIFY(copied("copyCsv").startsWith(QStringLiteral("quantity,value,half_width_95")));
+        const QString text = copied("copyAll");
         QVERIFY(text.startsWith(QStringLiteral("estimator\tm (kg)")));
         for (const char* block : {"\n\nquantity\tvalue", "\n\ncorrelation\tm\tb\tk\nm\t1\t",
                                   "\nwhiteness (Ljung-Box)\t0.", "\nexcitation\tyes\t", "\nverdict\tvalid"})
@@ -189,8 +299,8 @@ private slots:
         exporter->saveAll(folder.path());
         QTRY_COMPARE_WITH_TIMEOUT(exporter->pending(), 0, test::longEnough_ms);
         QVERIFY(fixture.reports.isEmpty());
-        for (const char* name :
-             {"position", "force", "residuals", "autocorrelation", "cross-correlation", "joint-region"}) {
+        for (const char* name : {"position", "force", "residuals", "autocorrelation", "cross-correlation",
+                                 "joint-region", "bode"}) {
             const QString base = QStringLiteral("Simulated-squeeze-of-can-A-") + QLatin1String(name);
             QVERIFY2(!QImage(folder.filePath(base + QStringLiteral(".png"))).isNull(), name);
             QVERIFY2(contents(folder, base + QStringLiteral(".svg")).contains("<svg"), name);
@@ -248,7 +358,8 @@ private slots:
         QStringList names;
         for (const QAction* action : save->menu()->actions())
             names << action->text();
-        for (const char* name : {"All numbers as JSON…", "Position", "Force", "Residuals", "Joint region"})
+        for (const char* name :
+             {"All numbers as JSON…", "Position", "Force", "Residuals", "Joint region", "Bode plot"})
             QVERIFY2(names.contains(QString::fromUtf8(name)), name);
         QVERIFY(save->sizeHint().height() >= metrics::touchTarget);
     }

@@ -44,6 +44,23 @@ private slots:
             worst = std::max(worst, std::abs((*curves[0].y)[i] - (*curves[1].y)[i]));
         QVERIFY(worst < 0.03); // mm; noise of 5 um never reaches six times that
     }
+    void aForceThatIsHeldIsDrawnInSteps()
+    {
+        TimePlot plot;
+        plot.resize(500, 200);
+        plot.QWidget::show();
+        QVERIFY(QTest::qWaitForWindowExposed(&plot, gripscope::test::longEnough_ms));
+        const auto x = std::make_shared<std::vector<double>>(std::vector<double>{0, 1, 2, 3});
+        const auto y = std::make_shared<std::vector<double>>(std::vector<double>{0, 5, 5, 1});
+        PlotCurve curve{QStringLiteral("u"), CurveRole::Force, x, y};
+        plot.setCurves({curve});
+        plot.setWhole({0, 3});
+        QCOMPARE(plot.drawnPoints(), 4);
+        curve.held = true;
+        plot.setCurves({curve});
+        QCOMPARE(plot.drawnPoints(), 7);                                 // a corner before each but the first
+        QCOMPARE(plot.numbers().front().values->size(), std::size_t(4)); // what is exported stays as measured
+    }
     void aLongRecordingIsDrawnWithTwoPointsAColumn()
     {
         TimePlot plot;
@@ -62,6 +79,50 @@ private slots:
         plot.setHorizontal({1000, 1100});
         QVERIFY(plot.drawnPoints() >= 100 &&
                 plot.drawnPoints() <= 104); // now every sample, and the neighbours
+    }
+    void aShortSqueezeHasItsTimesInMilliseconds()
+    {
+        TimePlot plot;
+        plot.resize(500, 200);
+        plot.setExportNames(QStringLiteral("Force"), QStringLiteral("force"), QStringLiteral("Time (s)"));
+        auto x = std::make_shared<std::vector<double>>();
+        for (int i = 0; i <= 40; ++i)
+            x->push_back(0.001 * i);
+        plot.setCurves({{QStringLiteral("y"), CurveRole::Force, x, x}});
+        plot.QWidget::show();
+        QVERIFY(QTest::qWaitForWindowExposed(&plot, gripscope::test::longEnough_ms));
+        plot.setDuration(0.04);
+        QCOMPARE(plot.horizontal(), (PlotRange{0, 40}));
+        QCOMPARE(plot.drawnPoints(), 41);
+        const QByteArray svg = toSvg(plot);
+        QVERIFY(svg.contains("Time (ms)") && !svg.contains("Time (s)"));
+        plot.setHorizontal({10, 20});
+        QVERIFY(plot.drawnPoints() >= 11 && plot.drawnPoints() <= 13); // and the neighbours
+        plot.fitVertical();
+        QVERIFY(plot.vertical().low > 0.008 && plot.vertical().high < 0.022);
+        // Tables stay in seconds.
+        const PlotTable table = plot.numbers();
+        QCOMPARE(table[0].name, QStringLiteral("Time (s)"));
+        QCOMPARE(table[0].values->back(), x->back());
+        plot.setDuration(0.5);
+        QCOMPARE(plot.horizontal(), (PlotRange{0, 0.5}));
+        QVERIFY(toSvg(plot).contains("Time (s)"));
+    }
+    void allPlotsOfAFitHaveOneTime()
+    {
+        Identification identification = test::identifiedCanA();
+        const double whole = identification.time_s.back() - identification.time_s.front();
+        for (double& time : identification.time_s)
+            time *= 0.1 / whole;
+        FitPlots plots;
+        plots.show(identification, Estimator::OutputError, QStringLiteral("N"), QStringLiteral("m"));
+        for (const TimePlot* plot : {plots.response(), plots.force(), plots.residuals()})
+            QVERIFY(std::abs(plot->horizontal().high - 100) < 1e-9);
+        QTest::keyClick(plots.force(), Qt::Key_Plus);
+        QCOMPARE(plots.residuals()->horizontal(), plots.force()->horizontal());
+        QVERIFY(plots.residuals()->horizontal().span() < 51);
+        plots.show(test::identifiedCanA(), Estimator::OutputError, QStringLiteral("N"), QStringLiteral("m"));
+        QVERIFY(std::abs(plots.force()->horizontal().high - whole) < 1e-9); // longer: in seconds again
     }
     void aZoomInOnePlotIsAZoomInAll()
     {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/windows/stop_controls.h"
 
 #include <chrono>
 #include <thread>
@@ -47,6 +49,11 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(f.bench->inspection().state() == InspectSession::State::Ready,
                                  longEnough_ms);
         QVERIFY(!f.bench->inspection().result());
+        // Nobody asked for it, so it is told: in the message bar, and why at the next look at a page.
+        QTRY_VERIFY_WITH_TIMEOUT(StopStanding::of(*f.bench).disarmReason(), longEnough_ms);
+        const QString why = StopStanding::of(*f.bench).disarmReason()->describe();
+        QVERIFY(!why.isEmpty());
+        QVERIFY2(f.window->findChild<MessageBar*>()->messages().contains(why), qPrintable(why));
     }
 };
 

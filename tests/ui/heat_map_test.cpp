@@ -44,6 +44,26 @@ double luminance(const QColor& color)
 class HeatMapTest : public QObject {
     Q_OBJECT
 private slots:
+    void aMapLeavesTheScreenAsFigureAndNumbers()
+    {
+        HeatMap map;
+        map.resize(160, 160);
+        map.setPlane(examplePlanes(), 0, true);
+        {
+            const FigureLayout layout(map, FigureWidth::OneColumn);
+            QCOMPARE(map.pictureSize(), figureSize(FigureWidth::OneColumn));
+            const QByteArray svg = toSvg(map);
+            QVERIFY(svg.contains("Stiffness k"));
+            QVERIFY(svg.contains("width=\"84.9"));
+            // A unit's colour is in it, and the bar's.
+            QVERIFY(svg.contains(map.color(5).name().toLatin1()));
+            QVERIFY(map.cell(11).right() > 160); // laid out anew
+        }
+        QVERIFY(map.cell(11).right() < 160);
+        const QList<QByteArray> lines = toCsv(map.numbers()).split('\n');
+        QCOMPARE(lines[0], QByteArray("Row,Column,Stiffness k (N/m),Squeezes,Cluster"));
+        QCOMPARE(lines[6], QByteArray("2,2,5,2,1"));
+    }
     void initTestCase() { Theme::instance().apply(ThemeKind::Light); }
     void theScaleRisesInLightnessAlone()
     {

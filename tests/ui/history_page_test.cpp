@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/core/library/raw_database.h"
+#include "tests/core/library/many_inspections.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/science_pages.h"
+#include "ui/charts/overlay_plots.h"
 #include "ui/charts/trend_plot.h"
 #include "ui/models/history_model.h"
+#include "ui/pages/fit/overlay_dialog.h"
 #include "ui/pages/history/history_page.h"
 #include "ui/pages/history/history_parts.h"
 #include "ui/pages/page_state.h"
@@ -104,6 +106,27 @@ private slots:
         QVERIFY(f.at(8)->kind == SqueezeKind::Enrollment);
         QVERIFY(f.fixture.reports.isEmpty());
     }
+    void severalAreLaidOverEachOther()
+    {
+        Filled f;
+        const auto* open = f.page.findChild<QPushButton*>(u"historyOpen"_s);
+        f.clickRow(0);
+        QCOMPARE(open->text(), u"Open in Fit"_s);
+        f.clickRow(2, Qt::ControlModifier);
+        f.clickRow(3, Qt::ControlModifier);
+        QCOMPARE(open->text(), u"Overlay"_s);
+        f.click("historyOpen");
+        auto* dialog = f.page.findChild<OverlayDialog*>();
+        QVERIFY(dialog && dialog->isVisible());
+        QTRY_COMPARE_WITH_TIMEOUT(dialog->plots()->squeezes().size(), std::size_t(3), test::longEnough_ms);
+        QCOMPARE(dialog->plots()->legend().front().name, u"Inspection 8"_s);
+        QCOMPARE(dialog->plots()->legend().back().name, u"Inspection 5"_s);
+        for (const OverlaidSqueeze& squeeze : dialog->plots()->squeezes()) {
+            QCOMPARE(squeeze.time_s->front(), 0.0);
+            QCOMPARE(squeeze.force->size(), squeeze.time_s->size());
+        }
+        QVERIFY(f.fixture.reports.isEmpty());
+    }
     void filtersNarrowTheList()
     {
         Filled f;
@@ -137,6 +160,50 @@ private slots:
         f.fixture.bench.tellLibraryChanged();
         QTest::qWait(200);
         QCOMPARE(f.page.model()->key(f.table()->currentIndex().row()), chosen);
+    }
+    void aLibraryOfManyIsListedWithoutReadingAll()
+    {
+        test::PageFixture fixture;
+        QVERIFY(fixture.loadExamples());
+        test::addManyInspections(fixture.folder.filePath(u"library.db"_s), 25'000);
+        HistoryPage page(fixture.bench);
+        HistoryModel& model = *page.model();
+        auto* table = page.findChild<QTableView*>(u"historyTable"_s);
+        page.resize(1000, 600);
+        page.show();
+        page.setActive(true);
+        QTRY_COMPARE_WITH_TIMEOUT(model.rowCount(), 25'040, test::longEnough_ms);
+        QVERIFY(model.entry(0)->kind == SqueezeKind::Enrollment);
+        QVERIFY(model.key(20'000).isEmpty()); // only what is looked at
+        table->scrollTo(model.index(20'000, 0));
+        model.index(20'000, 0).data();
+        QTRY_COMPARE_WITH_TIMEOUT(model.key(20'000), u"g000005040"_s, test::longEnough_ms);
+        table->selectRow(20'000);
+
+        // What was chosen stays so in the next list, wherever it is there.
+        QSignalSpy restarted(&model, &QAbstractItemModel::modelReset);
+        fixture.bench.tellLibraryChanged();
+        QTRY_COMPARE_WITH_TIMEOUT(restarted.size(), 1, test::longEnough_ms);
+        QCOMPARE(table->currentIndex().row(), 20'000);
+        QCOMPARE(table->selectionModel()->selectedRows().size(), 1);
+
+        table->selectAll();
+        QTest::mouseClick(page.findChild<QPushButton*>(u"historyAgain"_s), Qt::LeftButton);
+        QVERIFY(!page.findChild<ReidentifyDialog*>());
+        QCOMPARE(fixture.reports.size(), 1);
+        QVERIFY(fixture.reports[0][0].toString().startsWith(u"More than"_s));
+
+        table->sortByColumn(int(HistoryModel::Column::Stiffness), Qt::DescendingOrder);
+        QTRY_COMPARE_WITH_TIMEOUT(model.rowCount(), int(HistoryList::mostCollected), test::longEnough_ms);
+        const auto says = [&](const QString& words) {
+            for (const QLabel* label : page.findChildren<QLabel*>())
+                if (label->text().contains(words))
+                    return true;
+            return false;
+        };
+        QVERIFY(says(u"Sorted: only the newest"_s));
+        QTest::mouseClick(page.findChild<QPushButton*>(u"historyCharts"_s), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(says(u"One inspection in 2 is drawn"_s), test::longEnough_ms);
     }
     void columnsAreChosenAndRemembered()
     {
@@ -222,6 +289,16 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file(8)) && QFile::exists(file(7)) && QFile::exists(file(6)),
                                  test::longEnough_ms);
         QVERIFY(bytesOf(file(8)).startsWith("# gripscope-recording"));
+        // What lies there stays: the next ones get a number.
+        QTRY_VERIFY_WITH_TIMEOUT(f.fixture.told.size() == 1, test::longEnough_ms);
+        QFile mine(file(8));
+        QVERIFY(mine.open(QIODevice::WriteOnly) && mine.write("mine") == 4);
+        mine.close();
+        f.page.exportRecordingsTo(f.fixture.folder.path());
+        const QString again = f.fixture.folder.filePath(u"inspection_000008_2.csv"_s);
+        QTRY_VERIFY_WITH_TIMEOUT(f.fixture.told.size() == 2, test::longEnough_ms);
+        QVERIFY(bytesOf(again).startsWith("# gripscope-recording"));
+        QCOMPARE(bytesOf(file(8)), QByteArray("mine"));
     }
     void aReportIsAPdf()
     {
@@ -229,8 +306,25 @@ private slots:
         const QString file = f.fixture.folder.filePath(u"report.pdf"_s);
         f.page.reportTo(file);
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file), test::longEnough_ms);
-        QVERIFY(bytesOf(file).startsWith("%PDF"));
-        QTRY_COMPARE_WITH_TIMEOUT(f.fixture.reports.size(), 1, test::longEnough_ms);
+        const QByteArray bytes = bytesOf(file);
+        QVERIFY(bytes.startsWith("%PDF") && bytes.trimmed().endsWith("%%EOF")); // whole
+        QVERIFY(bytes.count("/Type /Page\n") >= 1);
+        QVERIFY(bytes.contains("/Subtype /Image")); // the charts
+        QVERIFY(bytes.contains("/Title"));
+        QTRY_COMPARE_WITH_TIMEOUT(f.fixture.told.size(), 1, test::longEnough_ms);
+        QCOMPARE(f.fixture.reports.size(), 0); // no warning
+    }
+    void aReportCanBeCancelled()
+    {
+        Filled f;
+        const QString file = f.fixture.folder.filePath(u"report.pdf"_s);
+        f.page.reportTo(file);
+        f.click("historyCancel");
+        QTest::qWait(1000); // what was begun comes to its end, and leaves nothing
+        QVERIFY(!QFile::exists(file));
+        QVERIFY(f.fixture.reports.isEmpty());
+        f.page.reportTo(file);
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file), test::longEnough_ms);
     }
     void aPointOfTheChartsChoosesItsRow()
     {

@@ -38,6 +38,7 @@ inline void fillWithHostileNames(const QString& file, const QStringList& names)
                                    .id;
             for (int i = 0; i < 6; ++i)
                 valueOf(library->addGrasp(aGrasp(id, k * (1 + 0.01 * i))));
+            valueOf(library->approveType(id, {}));
             types << id;
         }
         const BatchRecord batch = valueOf(library->beginBatch({QStringLiteral("batch"), 20, {}, {}}));

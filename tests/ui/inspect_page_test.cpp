@@ -26,6 +26,7 @@ class InspectPageTest : public QObject {
 private slots:
     void sayWhatToDoBeforeTheFirstSqueeze();
     void emptyLibrarySaysEnrollFirst();
+    void typesWithoutApprovalAreSaidToBeThat();
     void squeezeIsOnlyThereWhenArmed();
     void anExpectedPartIsAsExpected();
     void anotherTypeIsNamed();
@@ -55,6 +56,31 @@ void InspectPageTest::emptyLibrarySaysEnrollFirst()
     WindowFixture f(false);
     f.window->showPage(u"inspect"_s);
     QTRY_COMPARE(f.find<VerdictPanel>("verdictPanel")->headline(), u"No types yet"_s);
+}
+
+void InspectPageTest::typesWithoutApprovalAreSaidToBeThat()
+{
+    WindowFixture f(true, unhurriedA);
+    f.window->showPage(u"inspect"_s);
+    bool done = false;
+    f.bench->background().ask<void>(
+        nullptr,
+        [](Library& library) -> Expected<void> {
+            const ChangeNote note{{}, u"test"_s};
+            ASSIGN_OR_RETURN(const auto types, library.types());
+            for (const TypeRecord& type : types) {
+                RETURN_IF_ERROR(library.retireType(type.id, note));
+                RETURN_IF_ERROR(library.reinstateType(type.id, note));
+            }
+            return {};
+        },
+        [&done](const Expected<void>& changed) { done = changed.has_value(); });
+    QTRY_VERIFY_WITH_TIMEOUT(done, gripscope::test::longEnough_ms);
+    f.bench->tellLibraryChanged();
+    QTRY_COMPARE_WITH_TIMEOUT(f.find<VerdictPanel>("verdictPanel")->headline(), u"No approved type"_s,
+                              gripscope::test::longEnough_ms);
+    QVERIFY(!f.find<QPushButton>("squeezeButton")->isVisible());
+    QCOMPARE(f.bench->inspection().types().size(), std::size_t(4));
 }
 
 void InspectPageTest::squeezeIsOnlyThereWhenArmed()
@@ -175,6 +201,8 @@ void InspectPageTest::ratesAreSetByClickAndHold()
     QTest::mouseClick(dialog->findChild<QRadioButton*>(u"confidenceButton"_s), Qt::LeftButton, {}, {8, 8});
     QTest::mouseClick(dialog->findChild<QCheckBox*>(u"earlyEndBox"_s), Qt::LeftButton, {}, {8, 8});
     press(dialog, QDialogButtonBox::Ok);
+    QVERIFY(f.bench->rates().rates.falseReject != 0.005); // nothing before the reason
+    f.sayWhy();
     QCOMPARE(f.bench->rates().rates.falseReject, 0.005);
     QCOMPARE(f.bench->rates().rates.wrongType, 0.001);
     QCOMPARE(f.bench->rates().rates.confidence, std::optional<double>(0.95));

@@ -9,6 +9,7 @@
 #include "ui/widgets/outcome_view.h"
 
 #include <QLabel>
+#include <QRegularExpression>
 
 using namespace Qt::StringLiterals;
 using namespace gripscope;
@@ -146,6 +147,12 @@ void InspectSuspectTest::doubtsAreSeenAndNamed()
     QCOMPARE(panel->outcome() == InspectionOutcome::NotValid, invalid);
     QVERIFY2(why.contains(reason), qPrintable(why));
     QVERIFY2(!why.contains(u"not_identifiable"_s), qPrintable(why));
+    for (const QString& words : {why, f.find<QLabel>("reasonLabel")->toolTip()}) {
+        QStringList sentences = words.split(QRegularExpression(u"(?<=[.:]) "_s), Qt::SkipEmptyParts);
+        const auto said = sentences.size();
+        QVERIFY2(sentences.removeDuplicates() == 0, qPrintable(words));
+        QVERIFY(said > 0 || words.isEmpty());
+    }
     if (!invalid)
         QCOMPARE(panel->headline(), u"A"_s);
     QCOMPARE(panel->accessibleDescription().contains(u"SUSPECT"_s), suspect);

@@ -30,6 +30,7 @@ private slots:
         QVERIFY2(outcome->text().contains(u"s (95 %) later than the force"_s), qPrintable(outcome->text()));
         QVERIFY(!f.bench->squeezing());
         f.click(act);
+        f.sayWhy();
         QTRY_VERIFY_WITH_TIMEOUT(outcome->text().startsWith(u"In use"_s), gripscope::test::longEnough_ms);
         QVERIFY(f.bench->connection().measuringChain().forceLagUncertainty_s > 0);
     }

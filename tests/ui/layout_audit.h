@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/ui/painted_audit.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/elided_label.h"
 
@@ -10,8 +11,10 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLayout>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QStyleOptionComboBox>
+#include <QTableView>
 #include <QWidget>
 
 #include <functional>
@@ -32,11 +35,7 @@ public:
 private:
     void add(const QWidget& widget, const QString& what)
     {
-        QStringList path;
-        for (const QWidget* w = &widget; w && path.size() < 4; w = w->parentWidget())
-            path.prepend(w->objectName().isEmpty() ? QString::fromLatin1(w->metaObject()->className())
-                                                   : w->objectName());
-        m_findings << path.join(u'/') + QStringLiteral(": ") + what;
+        m_findings << placeOf(widget) + QStringLiteral(": ") + what;
     }
 
     void visit(QWidget& widget)
@@ -44,6 +43,7 @@ private:
         checkText(widget);
         checkControl(widget);
         checkScrolled(widget);
+        checkNumbers(widget);
         std::vector<QWidget*> children;
         for (QObject* child : widget.children())
             if (auto* one = qobject_cast<QWidget*>(child); one && one->isVisible() && !one->isWindow())
@@ -66,8 +66,10 @@ private:
     }
     void checkLabel(const QLabel& label)
     {
-        if (label.text().isEmpty() || qobject_cast<const ElidedLabel*>(&label))
+        if (label.text().isEmpty())
             return;
+        if (const auto* elided = qobject_cast<const ElidedLabel*>(&label))
+            return checkElided(*elided);
         const QSize hint = label.wordWrap()
                                ? QSize(label.minimumSizeHint().width(), label.heightForWidth(label.width()))
                                : label.sizeHint();
@@ -78,6 +80,30 @@ private:
                            .arg(hint.height())
                            .arg(label.width())
                            .arg(label.height()));
+    }
+    /// One line that may give way has to have its room all the same, but for the few where giving way is
+    /// right.
+    void checkElided(const ElidedLabel& label)
+    {
+        static const QStringList namesOfPeople{
+            // typed by a person, as long as they like; the whole is in the tip
+            QStringLiteral("batchName"), QStringLiteral("draftName"), QStringLiteral("fitTitle")};
+        static const QStringList partsByRank{
+            // whole parts go from the end where there is no room, and are told elsewhere: the state of the
+            // gripper on Live, the counts of each type in History, the recipe in Enroll, the facts in Fit
+            QStringLiteral("statusText"), QStringLiteral("typesLabel"), QStringLiteral("recipeLabel"),
+            QStringLiteral("factsLabel")};
+        if (label.text() == label.fullText())
+            return;
+        const bool told = label.toolTip() == label.fullText();
+        if (told && namesOfPeople.contains(label.objectName()))
+            return;
+        if (told && partsByRank.contains(label.objectName()) && label.fullText().startsWith(label.text()))
+            return;
+        add(label, QStringLiteral("\"%1\" is shown as \"%2\" in %3, needs %4")
+                       .arg(label.fullText(), label.text())
+                       .arg(label.width())
+                       .arg(label.sizeHint().width()));
     }
     void checkButton(const QAbstractButton& button)
     {
@@ -118,20 +144,77 @@ private:
         }
     }
 
-    /// A finger in a glove: 40 px in height, as all controls here share their rows.
+    static bool isControl(const QWidget& widget)
+    {
+        const bool control = qobject_cast<const QAbstractButton*>(&widget) ||
+                             qobject_cast<const QComboBox*>(&widget) || widget.inherits("QLineEdit") ||
+                             widget.inherits("QAbstractSpinBox") || widget.inherits("QSlider");
+        const QWidget* parent = widget.parentWidget();
+        const bool inner =
+            parent && (qobject_cast<const QComboBox*>(parent) || parent->inherits("QAbstractSpinBox") ||
+                       parent->inherits("QLineEdit") || parent->inherits("QAbstractItemView"));
+        return control && !inner;
+    }
+
+    /// A finger in a glove: 40 px in height. What is lower (a box with its words) is at least 32, and nothing
+    /// else lies in the 40 about its middle, so that a finger that is off finds nothing other.
+    void checkTarget(const QWidget& widget)
+    {
+        constexpr int least = 32;
+        const QWidget* window = widget.window();
+        const QRect own(widget.mapTo(window, QPoint()), widget.size());
+        if (own.height() < least || own.width() < least)
+            return add(widget, QStringLiteral("%1 x %2 px").arg(own.width()).arg(own.height()));
+        if (own.height() >= metrics::touchTarget)
+            return;
+        if (widget.visibleRegion().boundingRect().size() != widget.size())
+            return; // at the edge of what scrolls, or beyond: no finger gets there before it was moved
+        const int more = (metrics::touchTarget - own.height()) / 2;
+        const QRect finger = own.adjusted(0, -more, 0, more);
+        for (const QWidget* other : window->findChildren<QWidget*>()) {
+            if (other == &widget || !other->isVisible() || other->window() != window || !isControl(*other) ||
+                other->isAncestorOf(&widget) || widget.isAncestorOf(other))
+                continue;
+            if (QRect(other->mapTo(window, QPoint()), other->size()).intersects(finger))
+                add(widget, QStringLiteral("%1 px high, and %2 within %3 px")
+                                .arg(own.height())
+                                .arg(describe(*other))
+                                .arg(metrics::touchTarget));
+        }
+    }
+
+    /// Words in a cell may end in dots, and are told whole when they are pointed at; a number may not.
+    void checkNumbers(const QWidget& widget)
+    {
+        const auto* table = qobject_cast<const QTableView*>(&widget);
+        if (!table || !table->model())
+            return;
+        constexpr int air = 6; // of the hint, that a cell can do without
+        static const QRegularExpression number(QStringLiteral("^[±+\\-\u2212]?\\s?\\d"));
+        const QAbstractItemModel& model = *table->model();
+        const int first = std::max(0, table->rowAt(0));
+        const int bottom = table->rowAt(table->viewport()->height() - 1);
+        const int last = bottom < 0 ? model.rowCount() - 1 : bottom;
+        for (int row = first; row <= last; ++row)
+            for (int column = 0; column < model.columnCount(); ++column) {
+                const QModelIndex index = model.index(row, column);
+                if (table->isColumnHidden(column) || !number.match(index.data().toString()).hasMatch() ||
+                    !(index.data(Qt::TextAlignmentRole).toInt() & Qt::AlignRight))
+                    continue;
+                if (const int needed = table->sizeHintForIndex(index).width() - air;
+                    needed > table->columnWidth(column))
+                    add(widget, QStringLiteral("number \"%1\" needs %2, has %3")
+                                    .arg(index.data().toString())
+                                    .arg(needed)
+                                    .arg(table->columnWidth(column)));
+            }
+    }
+
     void checkControl(QWidget& widget)
     {
-        const bool isControl = qobject_cast<QAbstractButton*>(&widget) || qobject_cast<QComboBox*>(&widget) ||
-                               widget.inherits("QLineEdit") || widget.inherits("QAbstractSpinBox") ||
-                               widget.inherits("QSlider");
-        const bool isInner = widget.parentWidget() && (qobject_cast<QComboBox*>(widget.parentWidget()) ||
-                                                       widget.parentWidget()->inherits("QAbstractSpinBox") ||
-                                                       widget.parentWidget()->inherits("QLineEdit") ||
-                                                       widget.parentWidget()->inherits("QAbstractItemView"));
-        if (!isControl || isInner)
+        if (!isControl(widget))
             return;
-        if (widget.height() < metrics::touchTarget && widget.parentWidget()->height() < metrics::touchTarget)
-            add(widget, QStringLiteral("%1 px high").arg(widget.height()));
+        checkTarget(widget);
         const auto* button = qobject_cast<QAbstractButton*>(&widget);
         if (widget.focusPolicy() != Qt::NoFocus && widget.accessibleName().isEmpty() &&
             !(button && !button->text().isEmpty()) && !hasBuddy(widget))

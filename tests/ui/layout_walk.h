@@ -3,9 +3,12 @@
 
 #include "tests/ui/layout_audit.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QCoreApplication>
+#include <QDialog>
 #include <QMap>
+#include <QPixmap>
 
 #include <vector>
 
@@ -14,34 +17,87 @@ namespace gripscope::test {
 /// A theme, and its name in findings.
 using NamedTheme = std::pair<ThemeKind, const char*>;
 
-/// Audits `top` in these themes at these sizes, and warns of each finding once; false where there is any.
-[[nodiscard]] inline bool soundIn(QWidget& top, const QString& state, const std::vector<NamedTheme>& themes,
-                                  const std::vector<QSize>& sizes)
+inline const std::vector<NamedTheme> everyTheme{
+    {ThemeKind::Light, "light"}, {ThemeKind::Dark, "dark"}, {ThemeKind::HighContrast, "contrast"}};
+inline const std::vector<QSize> everySize{{2048, 1280}, {1440, 900}, {1024, 640}};
+constexpr QSize leastSize{1024, 640};
+
+inline void settleLayout()
 {
-    QMap<QString, QStringList> where;
-    for (const auto& [theme, name] : themes) {
-        Theme::instance().apply(theme);
-        for (const QSize size : sizes) {
-            top.resize(size);
-            QCoreApplication::processEvents();
-            QCoreApplication::processEvents();
-            for (const QString& finding : LayoutAudit::of(top))
-                where[finding] << QStringLiteral("%1 %2").arg(QLatin1String(name)).arg(size.width());
-        }
-    }
-    Theme::instance().apply(ThemeKind::Light);
-    for (auto finding = where.begin(); finding != where.end(); ++finding)
-        qWarning("%s %s (%s)", qPrintable(state), qPrintable(finding.key()),
-                 qPrintable(finding->join(QStringLiteral(", "))));
-    return where.isEmpty();
+    for (int i = 0; i < 3; ++i) // what wraps asks its parent for another height
+        QCoreApplication::processEvents();
 }
 
-[[nodiscard]] inline bool soundInAll(QWidget& top, const QString& state, const std::vector<QSize>& sizes)
+/// What is wrong with `top` as it stands. Colours depend on neither size nor scale: they are looked at in
+/// small pictures.
+[[nodiscard]] inline QStringList findingsNow(QWidget& top)
 {
-    return soundIn(
-        top, state,
-        {{ThemeKind::Light, "light"}, {ThemeKind::Dark, "dark"}, {ThemeKind::HighContrast, "contrast"}},
-        sizes);
+    const bool small = top.width() <= leastSize.width() && top.devicePixelRatioF() == 1;
+    return LayoutAudit::of(top) + PaintedAudit::of(top, small ? top.grab().toImage() : QImage());
 }
+
+/// Collects findings over states, themes, sizes and messages, and tells each once.
+class LayoutWalk {
+public:
+    explicit LayoutWalk(QWidget& top) : m_top(&top) {}
+
+    /// `where`: the state, and how it is looked at.
+    void look(const QString& where)
+    {
+        for (const QString& finding : findingsNow(*m_top))
+            note(finding, where);
+    }
+    /// With a message too, where there is one.
+    void in(const QString& state, const NamedTheme& theme, const std::vector<QSize>& sizes,
+            const QString& message = {})
+    {
+        Theme::instance().apply(theme.first);
+        auto* bar = message.isEmpty() ? nullptr : m_top->findChild<MessageBar*>();
+        for (const QSize size : sizes) {
+            const QString where =
+                QStringLiteral("%1, %2 %3").arg(state, QLatin1String(theme.second)).arg(size.width());
+            m_top->resize(size);
+            settleLayout();
+            look(where);
+            if (!bar)
+                continue;
+            bar->show(message);
+            settleLayout();
+            look(where + QStringLiteral(" with a message"));
+            if (m_top->size() != size) // the screen may have no more
+                note(QStringLiteral("is %1 x %2").arg(m_top->width()).arg(m_top->height()), where);
+            bar->dismiss();
+        }
+        Theme::instance().apply(ThemeKind::Light);
+    }
+    void inAll(const QString& state, const std::vector<QSize>& sizes, const QString& message = {})
+    {
+        for (const NamedTheme& theme : everyTheme)
+            in(state, theme, sizes, message);
+    }
+    /// One of the many states of a page that was met in every theme and size: where it is tightest, and where
+    /// lines are thickest.
+    void whereTight(const QString& state)
+    {
+        in(state, everyTheme[0], {{1440, 900}, leastSize});
+        in(state, everyTheme[2], {leastSize});
+    }
+    /// Tells what was found; false where there is any.
+    [[nodiscard]] bool sound() const
+    {
+        for (auto finding = m_where.begin(); finding != m_where.end(); ++finding)
+            qWarning("%s (%s)", qPrintable(finding.key()), qPrintable(finding->join(QStringLiteral("; "))));
+        return m_where.isEmpty();
+    }
+
+private:
+    void note(const QString& finding, const QString& where)
+    {
+        if (QStringList& places = m_where[finding]; !places.contains(where))
+            places << where;
+    }
+    QWidget* m_top;
+    QMap<QString, QStringList> m_where;
+};
 
 } // namespace gripscope::test

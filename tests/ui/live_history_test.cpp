@@ -49,6 +49,8 @@ private slots:
     void onePeakSampleIsNeverLost();
     void reachesUpToTheNewestSample();
     void valuesStandAtTheirTimes();
+    void theMeanIsOfAllSamplesOfAColumn_data();
+    void theMeanIsOfAllSamplesOfAColumn();
     void gapsStayGaps();
     void lostSamplesAndClockStepsAreMarked();
     void keepsTenMinutesAndForgetsWhatIsOlder();
@@ -127,6 +129,43 @@ void LiveHistoryTest::valuesStandAtTheirTimes()
         for (const PlotPoint& p : stretch)
             // A column is 10 ms wide and the sine's slope at most 1.
             QVERIFY(std::abs(p.y - std::sin(now + p.x)) <= 0.01);
+}
+
+void LiveHistoryTest::theMeanIsOfAllSamplesOfAColumn_data()
+{
+    drawingCostsWhatTheWidthCosts_data();
+}
+
+void LiveHistoryTest::theMeanIsOfAllSamplesOfAColumn()
+{
+    QFETCH(double, seconds);
+    LiveHistory history;
+    history.append(ramp(0, 620));
+    const double now = history.newestTime_s();
+    const double column_s = seconds / 800;
+    // Of a sine over a width w it is sin(w/2)/(w/2) times the value in the middle: w²/24 less at most. A
+    // column is made of four bins at least, so that one more or less changes w by a quarter.
+    const double less = 1.6 * column_s * column_s / 24 + 1e-5;
+    for (const LiveHistory::Stretch& stretch :
+         history.columns(LiveHistory::Channel::Force, now, seconds, 800))
+        for (const LiveHistory::Point& p : stretch)
+            QVERIFY2(std::abs(p.mean - std::sin(now + p.x)) <= less, qPrintable(QString::number(p.x)));
+    // One sample among many counts as one.
+    history.reset(sampleTime_s);
+    history.append(ramp(0, 620, 619.5));
+    double sum = 0, columns = 0;
+    for (const LiveHistory::Stretch& stretch :
+         history.columns(LiveHistory::Channel::Position, history.newestTime_s(), seconds, 800))
+        for (const LiveHistory::Point& p : stretch)
+            if (p.y == 9) {
+                sum += p.mean;
+                ++columns;
+            }
+    QCOMPARE(columns, 1.0);
+    // 8 above the rest, in a column of a quarter more or less samples than it is wide.
+    const double samples = std::max(1.0, column_s / sampleTime_s);
+    QVERIFY2(8 / (sum - 1) >= 0.7 * samples - 1 && 8 / (sum - 1) <= 1.3 * samples + 1,
+             qPrintable(QString::number(sum)));
 }
 
 void LiveHistoryTest::gapsStayGaps()

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
+#include "ui/context/connection_words.h"
 #include "ui/help/help_windows.h"
 #include "ui/shell/window_bars.h"
+#include "ui/windows/question.h"
 
+#include <QAbstractButton>
+#include <QApplication>
+#include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 
 using namespace Qt::StringLiterals;
@@ -19,6 +26,7 @@ class MainWindowTest : public QObject {
 private slots:
     void nothingIsCutOffAtTheLeastSize_data();
     void nothingIsCutOffAtTheLeastSize();
+    void theKeyboardReachesWhatAMessagePushedAway();
     void everyPageHasItsPlaceInTheRail();
     void keysChooseThePage();
     void armingIsAPersonsClick();
@@ -32,6 +40,10 @@ private slots:
     void anErrorIsShownUntilItIsDismissed();
     void theOperatorIsKnownToTheSessions();
     void aLostGripperIsToldInWords();
+    void aConnectionErrorGoesWithTheNextGoodConnection();
+    void theRateIsTheMeasuredOne();
+    void whatWasLostIsToldAsPastOnceNothingIs();
+    void theHintOfAnAddressKeepsItsSigns();
     void aGripperThatComesBackGoesOn();
     void everythingThatCanBePressedIsLargeEnoughAndHasAName();
     void closingStopsTheGripper();
@@ -66,9 +78,40 @@ void MainWindowTest::nothingIsCutOffAtTheLeastSize()
                             .arg(least.height())
                             .arg(page->width())
                             .arg(page->height())));
-    QCOMPARE(f.window->width(), 1024);
-    QVERIFY2(f.window->height() <= (withMessage ? 720 : 640),
-             qPrintable(QString::number(f.window->height()))); // what a screen of 768 leaves
+    // A message takes nothing from the page, and makes the window neither larger nor hold its size.
+    QCOMPARE(f.window->size(), QSize(1024, 640));
+    QCOMPARE(f.window->minimumSize(), QSize(1024, 640));
+    const auto* scroll = f.find<QScrollBar>("pageScroll");
+    const QWidget* view = scroll->parentWidget();
+    QCOMPARE(scroll->isVisible(), page->height() > view->height());
+    QVERIFY(withMessage || !scroll->isVisible());
+    QCOMPARE(scroll->maximum(), page->height() - view->height()); // all of it can be reached
+    if (withMessage)
+        f.click(f.find<QPushButton>("dismissButton"));
+    QCOMPARE(f.window->size(), QSize(1024, 640)); // nor when it is gone
+}
+
+void MainWindowTest::theKeyboardReachesWhatAMessagePushedAway()
+{
+    WindowFixture f;
+    f.window->showPage(u"enroll"_s);
+    f.bench->messages().report(u"One line after another. "_s.repeated(40));
+    QCoreApplication::processEvents();
+    auto* scroll = f.find<QScrollBar>("pageScroll");
+    const QWidget* view = scroll->parentWidget();
+    QTRY_VERIFY(scroll->isVisible());
+    int seen = 0;
+    for (auto* button : f.window->currentPage()->findChildren<QAbstractButton*>()) {
+        if (!button->isVisible() || !button->isEnabled() || button->height() > view->height())
+            continue;
+        button->setFocus(Qt::TabFocusReason);
+        if (QApplication::focusWidget() != button)
+            continue;
+        ++seen;
+        QVERIFY2(view->rect().contains(QRect(button->mapTo(view, QPoint()), button->size())),
+                 qPrintable(button->text()));
+    }
+    QVERIFY(seen > 0);
 }
 
 void MainWindowTest::everyPageHasItsPlaceInTheRail()
@@ -230,6 +273,62 @@ void MainWindowTest::theOperatorIsKnownToTheSessions()
     field->selectAll();
     QTest::keyClicks(field, u"Jo"_s);
     QCOMPARE(f.bench->operatorName(), u"Jo"_s);
+}
+
+void MainWindowTest::aConnectionErrorGoesWithTheNextGoodConnection()
+{
+    WindowFixture f(false, {});
+    f.bench->connectTo(u"nonsense:"_s);
+    QTRY_VERIFY(!f.window->message().isEmpty());
+    const QString told = f.window->message();
+    QTest::qWait(100);
+    QCOMPARE(f.window->message(), told); // it holds
+    f.connectTo(gripscope::test::unhurriedA);
+    QTRY_VERIFY_WITH_TIMEOUT(f.window->message() != told, gripscope::test::longEnough_ms);
+    // With a gripper that works, what was typed is told and takes nothing away.
+    f.bench->connectTo(u"nonsense:"_s);
+    QTRY_COMPARE(f.window->message(), told);
+    QVERIFY(f.bench->connection().state() == ConnectSession::State::Connected);
+}
+
+void MainWindowTest::theRateIsTheMeasuredOne()
+{
+    WindowFixture f(false, u"virtual:?object=A&seed=5&fault=loss:0.5"_s);
+    ConnectSession& connection = f.bench->connection();
+    QTRY_VERIFY_WITH_TIMEOUT(connection.counters().lostSamples > 2000, gripscope::test::longEnough_ms);
+    const double nominal_kHz = 1e-3 / connection.identity().sampleTime_s;
+    const QString stated = u"%1 kHz"_s.arg(nominal_kHz, 0, 'g', 2);
+    const LinkCounters counters = connection.counters();
+    // Half of the reports are lost: about half of the rate comes, and no more is said.
+    QVERIFY(counters.sampleRate_Hz < 800 * nominal_kHz);
+    QTRY_VERIFY2(!chipWords(connection).detail.startsWith(stated), qPrintable(chipWords(connection).detail));
+    // And its sign is not that of a link that is well.
+    QTRY_VERIFY(f.find<QWidget>("deviceChip")->accessibleDescription().contains(u"being lost"_s));
+    QVERIFY(f.find<QWidget>("deviceChip")->toolTip().contains(u"loses "_s));
+}
+
+void MainWindowTest::whatWasLostIsToldAsPastOnceNothingIs()
+{
+    const QTemporaryDir folder;
+    QFile script(folder.filePath(u"losses.txt"_s));
+    QVERIFY(script.open(QIODevice::WriteOnly));
+    script.write("0 loss 0.5\n5 loss 0\n");
+    script.close();
+    WindowFixture f(false, u"virtual:?object=A&seed=5&script="_s + script.fileName());
+    const auto* chip = f.find<QWidget>("deviceChip");
+    QTRY_VERIFY_WITH_TIMEOUT(chip->accessibleDescription().contains(u"being lost"_s),
+                             gripscope::test::longEnough_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(chip->accessibleDescription().endsWith(u"lost earlier"_s),
+                             gripscope::test::longEnough_ms);
+}
+
+void MainWindowTest::theHintOfAnAddressKeepsItsSigns()
+{
+    TextQuestion question(u"Connect"_s, u"such as virtual:?object=B&seed=7"_s, {}, u"Connect"_s, nullptr);
+    question.setAttribute(Qt::WA_DeleteOnClose, false);
+    for (const QLabel* label : question.findChildren<QLabel*>())
+        QVERIFY2(!QString(label->text()).remove(u"&&"_s).contains(u'&') || !label->buddy(),
+                 qPrintable(label->text()));
 }
 
 void MainWindowTest::aLostGripperIsToldInWords()

@@ -2,6 +2,7 @@
 // What the window tells goes by itself once it is no longer true, and only then.
 #include "tests/support/test_registry.h"
 #include "ui/context/messages.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -40,6 +41,24 @@ private slots:
         messages.report(u"Busy."_s); // now it stays
         messages.poll();
         QCOMPARE(withdrawn.size(), 0);
+    }
+    void successIsNoWarning()
+    {
+        MessageBar bar;
+        Messages messages;
+        connect(&messages, &Messages::reported, &bar, &MessageBar::show);
+        connect(&messages, &Messages::told, &bar, &MessageBar::tell);
+        messages.tell(u"Saved."_s);
+        QCOMPARE(bar.message(), u"Saved."_s);
+        QVERIFY(bar.isGood(bar.message()));
+        const QImage good = bar.grab().toImage();
+        messages.report(u"Not saved."_s);
+        QVERIFY(!bar.isGood(bar.message()));
+        bar.dismiss();
+        QVERIFY(bar.isGood(bar.message())); // the one behind it is what it was
+        messages.report(u"Saved."_s);
+        QVERIFY(!bar.isGood(bar.message()));
+        QVERIFY(bar.grab().toImage() != good); // another sign at the same words
     }
     void whoIsToldMayReportAgain()
     {

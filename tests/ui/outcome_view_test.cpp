@@ -57,6 +57,7 @@ private slots:
     void parametersAreShownInSi();
     void anEllipseHoldsItsTypesSpread();
     void aLongNameIsStillReadFromAfar();
+    void theVerdictFillsItsField();
     void theStripKeepsTwentyAndOpensTheOneThatIsClicked();
     void theYieldLeavesOutWhatWasNotJudged();
     void soundsAreToldApart();
@@ -89,20 +90,38 @@ void OutcomeViewTest::wordsDiffer()
 void OutcomeViewTest::headlinesNameWhatMatters()
 {
     QCOMPARE(verdictWords(result(InspectionOutcome::AsExpected)).headline, u"A"_s);
+    // What is not in the library is marked, whatever the verdict is.
+    for (const auto outcome : {InspectionOutcome::AsExpected, InspectionOutcome::Unknown}) {
+        InspectSession::Result kept = result(outcome);
+        const QString plain = verdictWords(kept).outcome;
+        kept.keeping = InspectSession::Keeping::Stored;
+        QCOMPARE(verdictWords(kept).outcome, plain);
+        kept.keeping = InspectSession::Keeping::Waiting;
+        QVERIFY(verdictWords(kept).outcome.contains(u"not stored yet"_s));
+        kept.keeping = InspectSession::Keeping::Refused;
+        QVERIFY(verdictWords(kept).outcome.contains(u"NOT STORED"_s));
+    }
     QCOMPARE(verdictWords(result(InspectionOutcome::OtherType)).headline, u"B"_s);
     QVERIFY(verdictWords(result(InspectionOutcome::OtherType)).outcome.contains(u"expected A"_s));
     QCOMPARE(verdictWords(result(InspectionOutcome::Unknown)).headline, u"Unknown"_s);
     QCOMPARE(verdictWords(result(InspectionOutcome::Inconclusive)).headline, u"A or B?"_s);
     QVERIFY(verdictWords(result(InspectionOutcome::NotValid)).outcome.contains(u"not valid"_s));
+    InspectSession::Result refused = result(InspectionOutcome::NotValid);
+    refused.refused = true;
+    refused.verdict.reasons = {u"Nobody is signed in."_s};
+    QCOMPARE(verdictWords(refused).headline, u"Not judged"_s); // to squeeze again would not help
+    QCOMPARE(verdictWords(refused).reason, u"Nobody is signed in."_s);
 }
 
 void OutcomeViewTest::everyWordReadsOnItsTint()
 {
     for (const ThemeKind kind : {ThemeKind::Light, ThemeKind::Dark}) {
         Theme::instance().apply(kind);
-        for (const InspectionOutcome outcome : allOutcomes)
-            QVERIFY(Theme::contrastRatio(Theme::instance().outcomeColor(outcome),
-                                         outcomeFill(outcome).color()) >= 4.5);
+        for (const InspectionOutcome outcome : allOutcomes) {
+            const QColor color = Theme::instance().outcomeColor(outcome);
+            QVERIFY(Theme::contrastRatio(color, outcomeFill(outcome).color()) >= 4.5);
+            QVERIFY(Theme::contrastRatio(color, Theme::onColor(color)) >= 4.5); // the field is filled with it
+        }
     }
     Theme::instance().apply(ThemeKind::HighContrast);
     QSet<int> patterns;
@@ -120,7 +139,7 @@ void OutcomeViewTest::aLongNameStaysInsideThePanel()
     panel.showOutcome(InspectionOutcome::OtherType, u"Sparkling water with elderflower, 500 ml, returnable"_s,
                       u"other type; expected A"_s);
     const QImage image = panel.grab().toImage();
-    const QColor ink = Theme::instance().tokens().otherType;
+    const QColor ink = Theme::onColor(Theme::instance().tokens().otherType);
     for (int y = 8; y < image.height() - 8; ++y)
         for (int x = image.width() - 20; x < image.width() - 4; ++x)
             QVERIFY(image.pixelColor(x, y) != ink);
@@ -159,7 +178,7 @@ void OutcomeViewTest::aLongNameIsStillReadFromAfar()
 {
     VerdictPanel panel;
     panel.showOutcome(InspectionOutcome::AsExpected, u"A"_s, u"as expected"_s);
-    QCOMPARE(panel.fitted(400, 110).pixels, int(metrics::fontVerdict));
+    QVERIFY(panel.fitted(400, 110).pixels >= metrics::fontVerdict);
     // Two lines as soon as one would be small, broken where the lines are of a length.
     panel.showOutcome(InspectionOutcome::AsExpected, u"Sparkling water with elderflower"_s, u"as expected"_s);
     const VerdictPanel::Headline two = panel.fitted(430, 110);
@@ -171,6 +190,30 @@ void OutcomeViewTest::aLongNameIsStillReadFromAfar()
     QCOMPARE(one.lines.size(), 1);
     QVERIFY(one.pixels > metrics::fontNumber);
     QCOMPARE(one.lines[0], u"Holunderblütensprudel"_s);
+}
+
+void OutcomeViewTest::theVerdictFillsItsField()
+{
+    Theme::instance().apply(ThemeKind::Light);
+    VerdictPanel panel;
+    panel.showOutcome(InspectionOutcome::AsExpected, u"A"_s, u"as expected"_s);
+    // Twice the room, twice the letters; a name that is as wide as the field is bound by that.
+    const int small = panel.fitted(600, 120).pixels;
+    const int large = panel.fitted(1200, 240).pixels;
+    QVERIFY2(std::abs(large - 2 * small) <= 8, qPrintable(u"%1, %2"_s.arg(small).arg(large)));
+    panel.showOutcome(InspectionOutcome::AsExpected, u"Holunderblütensprudel"_s, u"as expected"_s);
+    QVERIFY(panel.fitted(600, 240).pixels < large);
+    QVERIFY(panel.fitted(600, 240).pixels > panel.fitted(430, 240).pixels);
+    // And the outcome's colour is the field itself, not a tint: more than half of it.
+    panel.showOutcome(InspectionOutcome::Unknown, u"Unknown"_s, u"none of the enrolled types"_s);
+    panel.resize(700, 260);
+    const QImage image = panel.grab().toImage();
+    const QColor fill = Theme::instance().outcomeColor(InspectionOutcome::Unknown);
+    int filled = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            filled += image.pixelColor(x, y).rgb() == fill.rgb() ? 1 : 0;
+    QVERIFY(filled > image.width() * image.height() / 2);
 }
 
 void OutcomeViewTest::theStripKeepsTwentyAndOpensTheOneThatIsClicked()
@@ -212,7 +255,7 @@ void OutcomeViewTest::soundsAreToldApart()
     // By more than pitch: number of tones, length, or direction.
     QSet<QByteArray> allOutcomes;
     for (const Sound sound : {Sound::AsExpected, Sound::OtherType, Sound::Unknown, Sound::Inconclusive,
-                              Sound::NotValid, Sound::BatchWhole, Sound::CodeUnknown}) {
+                              Sound::NotValid, Sound::BatchWhole, Sound::CodeUnknown, Sound::Countdown}) {
         const std::vector<Tone> tones = tonesOf(sound);
         double seconds = 0;
         for (const Tone& tone : tones)
@@ -226,7 +269,7 @@ void OutcomeViewTest::soundsAreToldApart()
         QVERIFY(std::abs(int(first[samples.size() / 2 - 1])) < 400);
         allOutcomes << samples;
     }
-    QCOMPARE(allOutcomes.size(), 7);
+    QCOMPARE(allOutcomes.size(), 8);
     QVERIFY(tonesOf(Sound::NotValid)[0].seconds > 2 * tonesOf(Sound::AsExpected)[0].seconds);
 }
 

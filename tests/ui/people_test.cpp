@@ -4,6 +4,8 @@
 #include "ui/pages/inspect/inspect_parts.h"
 #include "ui/people/authorize.h"
 #include "ui/people/people_dialogs.h"
+#include "ui/settings/settings_link.h"
+#include "ui/settings/values/settings.h"
 #include "ui/shell/connect_menu.h"
 
 #include <QDialogButtonBox>
@@ -103,7 +105,9 @@ private slots:
         table->selectRow(0);
         QCOMPARE(table->item(0, 0)->text(), u"Ada"_s);
         f.click(f.find<QPushButton>("roleButton"));
+        f.sayWhy(u"the night shift"_s);
         QTRY_COMPARE_WITH_TIMEOUT(table->item(0, 1)->text(), u"supervisor"_s, gripscope::test::longEnough_ms);
+        QCOMPARE(f.newestEntry().reason, u"the night shift"_s);
         f.click(f.find<QPushButton>("activeButton"));
         QTRY_COMPARE_WITH_TIMEOUT(table->item(2, 2)->text(), u"deactivated"_s,
                                   gripscope::test::longEnough_ms);
@@ -158,6 +162,22 @@ private slots:
         f.bench->signIn().reload();
         QTRY_VERIFY_WITH_TIMEOUT(!f.bench->signIn().current(), gripscope::test::longEnough_ms);
     }
+    void nothingIsJudgedForNobodyWhereThatIsSet()
+    {
+        const PeopleWindow f;
+        const SettingsLink link(*f.bench);
+        const auto refused = [&f] { return f.bench->inspection().policy().nobodySignedIn; };
+        QVERIFY(!refused());
+        f.bench->settings().set(setting::onlySignedIn, true);
+        f.bench->settings().set(setting::refuseOverdue, true);
+        f.bench->settings().set(setting::mostLostShare, 0.02);
+        QVERIFY(refused());
+        QVERIFY(f.bench->inspection().policy() == (JudgingPolicy{true, 0.02, true}));
+        f.signInOlli();
+        QTRY_VERIFY_WITH_TIMEOUT(!refused(), gripscope::test::longEnough_ms);
+        f.bench->signIn().signOut();
+        QVERIFY(refused());
+    }
     void ratesAskForASupervisorOnce()
     {
         PeopleWindow f;
@@ -170,6 +190,7 @@ private slots:
             dialog->findChild<QDoubleSpinBox*>(u"falseRejectField"_s)->setValue(percent);
             f.click(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok));
             QTRY_VERIFY_WITH_TIMEOUT(!f.window->findChild<RatesDialog*>(), gripscope::test::longEnough_ms);
+            f.sayWhy(u"the customer's drawing"_s);
         };
         change(2);
         QTRY_VERIFY(f.dialog());
@@ -183,6 +204,7 @@ private slots:
         const AuditEntry entry = f.newestEntry();
         QCOMPARE(entry.action, u"rates.changed"_s);
         QCOMPARE(entry.person, u"Sam"_s);
+        QCOMPARE(entry.reason, u"the customer's drawing"_s);
         QCOMPARE(entry.details,
                  u"{\"false_reject\":{\"from\":%1,\"to\":0.02},\"operator\":\"Olli\"}"_s.arg(before));
         change(3); // once is once

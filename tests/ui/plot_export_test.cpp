@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/display_units.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/identification_example.h"
 #include "ui/charts/fit_plots.h"
@@ -115,6 +116,39 @@ private slots:
         (void)toImage(*plot);
         QCOMPARE(plot->grab().toImage(), before);
     }
+    void figuresHaveTheWidthOfAJournalsColumns_data()
+    {
+        QTest::addColumn<FigureWidth>("width");
+        QTest::addColumn<double>("millimetres");
+        QTest::newRow("one column") << FigureWidth::OneColumn << 85.0;
+        QTest::newRow("two columns") << FigureWidth::TwoColumns << 175.0;
+    }
+    void figuresHaveTheWidthOfAJournalsColumns()
+    {
+        QFETCH(FigureWidth, width);
+        QFETCH(double, millimetres);
+        const auto plot = sinePlot();
+        QVERIFY(QTest::qWaitForWindowExposed(plot.get(), gripscope::test::longEnough_ms));
+        const QImage before = plot->grab().toImage();
+        {
+            const FigureLayout layout(*plot, width);
+            const QByteArray svg = toSvg(*plot);
+            static const QRegularExpression size(QStringLiteral("width=\"([0-9.]+)mm\""));
+            QVERIFY(std::abs(size.match(QString::fromUtf8(svg)).captured(1).toDouble() - millimetres) < 0.3);
+            const QRectF room(QPointF(), QSizeF(figureSize(width)));
+            double right = 0;
+            for (const QPointF& point : linePoints(svg)) {
+                QVERIFY(room.adjusted(-1, -1, 1, 1).contains(point));
+                right = std::max(right, point.x());
+            }
+            QVERIFY2(right > room.width() - 40, qPrintable(QString::number(right))); // laid out for it
+            const QImage image = toImage(*plot, figureScale(width));
+            const double printed_mm = 1000.0 * image.width() / image.dotsPerMeterX();
+            QVERIFY2(std::abs(printed_mm - millimetres) < 0.3, qPrintable(QString::number(printed_mm)));
+            QVERIFY(image.dotsPerMeterX() > 23'500); // 600 dpi
+        }
+        QCOMPARE(plot->grab().toImage(), before);
+    }
     void svgCutsCurvesOffAtThePlotAndHasNoBitmaps()
     {
         const auto plot = sinePlot();
@@ -147,6 +181,27 @@ private slots:
         QCOMPARE(table[1].values->size(), identification.position.size());
         QCOMPARE(table[1].values->at(7), 1000 * identification.position[7]);
         QCOMPARE(plots.residuals()->numbers().at(1).name, QString::fromUtf8("Residuals (µm)"));
+    }
+    /// Programs read them: they do not change with what a person reads.
+    void tablesStayInTheirUnits()
+    {
+        FitPlots plots;
+        const Identification identification = test::identifiedCanA();
+        const auto show = [&](DisplayUnits units) {
+            DisplayUnits::choose(units);
+            plots.show(identification, Estimator::OutputError, QStringLiteral("N"), QStringLiteral("m"));
+        };
+        const auto tables = [&plots] {
+            return toCsv(plots.response()->numbers()) + toCsv(plots.force()->numbers()) +
+                   toCsv(plots.residuals()->numbers());
+        };
+        show({});
+        const QByteArray metric = tables();
+        show({DisplayUnits::Force::PoundForce, DisplayUnits::Length::Inch});
+        QCOMPARE(plots.response()->accessibleName(), QStringLiteral("Position (in)"));
+        QCOMPARE(plots.force()->accessibleName(), QStringLiteral("Force (lbf)"));
+        QCOMPARE(tables(), metric);
+        DisplayUnits::choose({});
     }
     void whatWasNotMeasuredIsLeftEmptyAndAPartKeepsItsTime()
     {

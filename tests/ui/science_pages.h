@@ -16,6 +16,7 @@ struct PageFixture {
     QTemporaryDir folder;
     Workbench bench{folder.filePath(QStringLiteral("library.db"))};
     QSignalSpy reports{&bench.messages(), &Messages::reported};
+    QSignalSpy told{&bench.messages(), &Messages::told};
 
     [[nodiscard]] bool loadExamples()
     {

@@ -90,6 +90,7 @@ private slots:
         rate->selectAll();
         QTest::keyClicks(rate, u"2.5"_s);
         QTest::keyClick(rate, Qt::Key_Return);
+        o.f.sayWhy();
         QCOMPARE(o.f.bench->rates().rates.falseReject, 0.025);
         // Set in the Rates window of the Inspect page, they are shown here.
         StoredRates other = o.f.bench->rates();

@@ -133,7 +133,9 @@ private slots:
                 types->selectRow(action == u"type.reinstate"_s ? 3 : 0);
                 // The page of the tab may be hidden: pressed all the same.
                 QMetaObject::invokeMethod(f.find<QPushButton>(qPrintable(button)), "click");
-                if (action != u"type.approve"_s)
+                if (action == u"type.approve"_s)
+                    f.sayWhy();
+                else
                     acceptForm(f, u"Cola"_s);
             },
             action);
@@ -168,7 +170,13 @@ private slots:
         f.click(f.find<QPushButton>("reviewButton"));
         QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Review);
         refuseThenAllow(
-            f, [&f] { f.click(f.find<QPushButton>("approveButton")); }, u"type.approve"_s);
+            f,
+            [&f] {
+                f.click(f.find<QPushButton>("approveButton"));
+                f.sayWhy(u"reviewed with quality"_s);
+            },
+            u"type.approve"_s);
+        QCOMPARE(f.newestEntry().reason, u"reviewed with quality"_s);
         QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Approved,
                                   gripscope::test::longEnough_ms);
     }
@@ -211,7 +219,13 @@ private slots:
         }
         QTRY_VERIFY(f.find<QPushButton>("calibrationAccept")->isVisible());
         refuseThenAllow(
-            f, [&f] { f.click(f.find<QPushButton>("calibrationAccept")); }, u"calibration.accepted"_s);
+            f,
+            [&f] {
+                f.click(f.find<QPushButton>("calibrationAccept"));
+                f.sayWhy(u"yearly"_s);
+            },
+            u"calibration.accepted"_s);
+        QCOMPARE(f.newestEntry().reason, u"yearly"_s);
         QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().calibration().record(SensorChannel::Force),
                                  gripscope::test::longEnough_ms);
     }

@@ -2,11 +2,15 @@
 #include "tests/support/test_registry.h"
 #include "ui/shell/tour.h"
 
+#include <QColor>
 #include <QDir>
+#include <QHash>
 #include <QImage>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <algorithm>
 
 using namespace Qt::StringLiterals;
 using namespace gripscope;
@@ -15,6 +19,7 @@ class TourTest : public QObject {
     Q_OBJECT
 private slots:
     void savesOnePictureAPage();
+    void thereIsNoPictureOfAPageThatWasNotReady();
     void aFolderThatCannotBeMadeIsAnError();
     void theProgramRefusesWhatItDoesNotKnow_data();
     void theProgramRefusesWhatItDoesNotKnow();
@@ -34,14 +39,35 @@ void TourTest::savesOnePictureAPage()
     for (const QString& name : names) {
         const QImage picture(QDir(options.folder).filePath(name));
         QCOMPARE(picture.size(), options.size);
-        // Something is on it: not one colour from edge to edge below the header.
-        QSet<QRgb> colors;
-        for (int y = 80; y < picture.height() - 40; y += 7)
-            for (int x = 100; x < picture.width(); x += 7)
-                colors << picture.pixel(x, y);
-        QVERIFY2(colors.size() > 8, qPrintable(name));
+        // Something is on it that can be read: not one colour from edge to edge below the header, and not
+        // shades of it.
+        QHash<QRgb, int> colors;
+        int points = 0;
+        for (int y = 80; y < picture.height() - 40; y += 3)
+            for (int x = 100; x < picture.width(); x += 3, ++points)
+                ++colors[picture.pixel(x, y)];
+        const auto ground = std::max_element(colors.begin(), colors.end());
+        QVERIFY2(ground.value() < 0.98 * points, qPrintable(name));
+        int ink = 0;
+        for (auto one = colors.cbegin(); one != colors.cend(); ++one)
+            if (Theme::contrastRatio(QColor(one.key()), QColor(ground.key())) >= 3)
+                ink += one.value();
+        QVERIFY2(ink > 0.003 * points, qPrintable(name));
+        QVERIFY2(colors.size() > 40, qPrintable(name)); // letters have soft edges
     }
     Theme::instance().apply(ThemeKind::Light);
+}
+
+void TourTest::thereIsNoPictureOfAPageThatWasNotReady()
+{
+    QTemporaryDir folder;
+    TourOptions options;
+    options.folder = folder.path();
+    options.patience = std::chrono::milliseconds(0);
+    QCOMPARE(runTour(options), 1);
+    // These take squeezes, which no computer does in no time.
+    for (const QString& name : {u"live.png"_s, u"inspect.png"_s, u"enroll.png"_s, u"history.png"_s})
+        QVERIFY2(!QFile::exists(folder.filePath(name)), qPrintable(name));
 }
 
 void TourTest::aFolderThatCannotBeMadeIsAnError()

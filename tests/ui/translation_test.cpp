@@ -13,6 +13,7 @@
 #include <QDialogButtonBox>
 #include <QLibraryInfo>
 #include <QProcess>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QSet>
 #include <QTranslator>
@@ -136,6 +137,30 @@ private slots:
                 QVERIFY2(placeholders(one.source) == placeholders(text),
                          qPrintable(u"%1 => %2"_s.arg(one.source, text)));
             }
+    }
+
+    /// Whether a sentence of core is filled by Finding or by QString::arg(), no place of it stays open.
+    void everySentenceOfCoreIsFilledInWholly()
+    {
+        QVERIFY(applyLanguage(u"de"_s));
+        static const QRegularExpression open(u"%L?\\d|%L"_s);
+        for (const Message& one : messagesIn(committedFile(u"de"_s))) {
+            if (one.context != "Words"_L1)
+                continue;
+            Finding finding = Words::say(one.source.toUtf8().constData());
+            for (int place = 1; place <= 9; ++place)
+                finding = finding.arg(place + 0.5);
+            const QString text = finding.describe();
+            QVERIFY2(!text.contains(open), qPrintable(text));
+        }
+    }
+
+    /// What Words::say() says is looked for in one context; lupdate puts it into another where it does not
+    /// see whose words they are.
+    void sentencesOfCoreAreWhereTheyAreLookedFor()
+    {
+        for (const Message& one : messagesIn(committedFile(u"de"_s)))
+            QVERIFY2(!one.context.endsWith("::Words"_L1), qPrintable(one.source));
     }
 
     void whatTheWindowAsksForIsInTheList()

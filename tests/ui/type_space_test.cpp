@@ -39,6 +39,29 @@ private slots:
         // A change of the unit of time scales m, b and k: distances in their logarithms stay.
         QVERIFY(std::abs(space->nearest->distance - paperTypeSpace().nearest->distance) < 1e-6);
     }
+    void aTypeThatComesChangesNoOthersSign()
+    {
+        QTemporaryDir folder;
+        const auto library = Library::open(folder.filePath(QStringLiteral("library.db")));
+        QVERIFY(library && (*library)->loadExampleTypes());
+        const Expected<TypeSpace> before = libraryTypeSpace(**library);
+        QVERIFY(before);
+        QCOMPARE(before->signs, (std::vector<int>{0, 1, 2, 3}));
+        const auto d = (*library)->findType(QStringLiteral("D"));
+        QVERIFY(d && *d);
+        QVERIFY((*library)->renameType((*d)->id, QStringLiteral("0"),
+                                       {QStringLiteral("Ada"), QStringLiteral("its name")}));
+        const Expected<TypeSpace> after = libraryTypeSpace(**library);
+        QVERIFY(after);
+        QCOMPARE(after->types.first(), QStringLiteral("0"));
+        QCOMPARE(after->signs, (std::vector<int>{3, 0, 1, 2}));
+        const SceneContent content = typeScene(*after, {true, true, true, true}, std::nullopt);
+        QCOMPARE(content.points.front().color, 3);
+        QCOMPARE(content.ellipsoids.front().color, 3);
+        const SceneContent hidden = typeScene(*after, {false, true, true, true}, std::nullopt);
+        QCOMPARE(hidden.ellipsoids.size(), std::size_t(3));
+        QCOMPARE(hidden.ellipsoids.front().color, 0);
+    }
     void hidingATypeMovesNothing()
     {
         const TypeSpace space = paperTypeSpace();

@@ -7,8 +7,10 @@
 #include "ui/pages/page.h"
 #include "ui/shell/main_window.h"
 #include "ui/theme/theme.h"
+#include "ui/windows/question.h"
 
 #include <QElapsedTimer>
+#include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -124,6 +126,20 @@ public:
                 return false;
         }
         return false;
+    }
+
+    /// Answers the question why something is changed, which comes up by itself.
+    void sayWhy(const QString& reason = QStringLiteral("asked for by quality")) const
+    {
+        const auto question = [this] {
+            return window->findChild<TextQuestion*>(QStringLiteral("whyQuestion"));
+        };
+        if (!QTest::qWaitFor([&question] { return question() != nullptr; }, longEnough_ms))
+            qFatal("nobody asked why");
+        QTest::keyClicks(question()->field(), reason);
+        QTest::keyClick(question()->field(), Qt::Key_Return);
+        if (!QTest::qWaitFor([&question] { return question() == nullptr; }, longEnough_ms))
+            qFatal("the reason was not taken");
     }
 
     static void clickWhenEnabled(QWidget* widget)

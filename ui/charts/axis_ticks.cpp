@@ -50,6 +50,67 @@ AxisTicks roundTicks(double low, double high, int most)
     return ticks;
 }
 
+namespace {
+
+QString superscript(int number)
+{
+    static const QString digits = u"\u2070\u00B9\u00B2\u00B3\u2074\u2075\u2076\u2077\u2078\u2079"_s;
+    QString text;
+    for (const QChar letter : QString::number(number))
+        text += letter == u'-' ? QChar(0x207B) : digits[letter.digitValue()];
+    return text;
+}
+
+/// `multiple` times ten to the power.
+LogarithmicTick logarithmicTick(int multiple, int power)
+{
+    constexpr int plainPowers = 4; // written out up to there
+    LogarithmicTick tick{power + std::log10(double(multiple)), {}};
+    if (std::abs(power) <= plainPowers)
+        tick.label = Words::number(multiple * std::pow(10.0, power), 'f', std::max(0, -power));
+    else if (multiple == 1)
+        tick.label = u"10"_s + superscript(power);
+    else
+        tick.label = u"%1\u00B710%2"_s.arg(multiple).arg(superscript(power));
+    return tick;
+}
+
+std::vector<LogarithmicTick> powerTicks(double low, double high, const std::vector<int>& multiples, int every)
+{
+    constexpr double rounding = 1e-9;
+    std::vector<LogarithmicTick> ticks;
+    const int first = int(std::ceil(low - rounding)); // which shows, however few do
+    for (int power = first - every; power <= int(std::ceil(high)); power += every) {
+        for (const int multiple : multiples) {
+            LogarithmicTick tick = logarithmicTick(multiple, power);
+            if (tick.exponent >= low - rounding && tick.exponent <= high + rounding)
+                ticks.push_back(std::move(tick));
+        }
+    }
+    return ticks;
+}
+
+} // namespace
+
+std::vector<LogarithmicTick> logarithmicTicks(double low, double high, int most)
+{
+    constexpr double farthest = 300; // what a number holds
+    if (!(high > low) || !(std::abs(low) < farthest) || !(std::abs(high) < farthest))
+        return {};
+    const auto room = std::size_t(std::max(2, most));
+    std::vector<LogarithmicTick> ticks = powerTicks(low, high, {1, 2, 5}, 1);
+    for (int every = 1; ticks.size() > room; ++every)
+        ticks = powerTicks(low, high, {1}, every);
+    if (ticks.size() >= 2)
+        return ticks;
+    const AxisTicks linear = roundTicks(std::pow(10.0, low), std::pow(10.0, high), int(room));
+    std::vector<LogarithmicTick> close;
+    for (const double value : linear.values)
+        if (value > 0)
+            close.push_back({std::log10(value), linear.label(value)});
+    return close.size() > ticks.size() ? close : ticks;
+}
+
 double symmetricStep(double half)
 {
     if (!(half > 0) || !std::isfinite(half))
@@ -153,7 +214,7 @@ std::vector<TimeTick> withinDays(double low, double high, double step)
             continue;
         const QDateTime time = local(at);
         const bool midnight = time.time().msecsSinceStartOfDay() == 0;
-        ticks.push_back({at, QLocale().toString(time, midnight ? u"MM-dd"_s : u"HH:mm"_s)});
+        ticks.push_back({at, QLocale().toString(time, midnight ? u"yyyy-MM-dd"_s : u"HH:mm"_s)});
     }
     return ticks;
 }

@@ -54,6 +54,15 @@ struct AxisScale {
 [[nodiscard]] AxisScale axisScale(const QString& name, const QString& unit, double low, double high,
                                   int most = 5);
 
+struct LogarithmicTick {
+    double exponent = 0; ///< the decimal logarithm of what it stands for
+    QString label;
+};
+/// Round numbers along an axis that holds decimal logarithms from `low` to `high`: 1, 2 and 5 times powers of
+/// ten where `most` of them have room, else powers alone or every second, third... of them; within less than
+/// two such numbers as on a linear axis. Beyond ten thousand either way a label says "2·10⁵".
+[[nodiscard]] std::vector<LogarithmicTick> logarithmicTicks(double low, double high, int most);
+
 struct TimeTick {
     double at = 0; ///< milliseconds since 1970, UTC
     QString label;

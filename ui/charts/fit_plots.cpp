@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/fit_plots.h"
 
-#include "ui/format/channel_scale.h"
+#include "ui/charts/channel_curve.h"
 #include "ui/format/estimate_words.h"
 #include "ui/format/residual_words.h"
 #include "ui/theme/theme.h"
@@ -20,12 +20,11 @@ namespace {
 using Values = std::vector<double>;
 using SharedValues = std::shared_ptr<const Values>;
 
-SharedValues scaled(const Values& values, double factor, double shift = 0)
+SharedValues shifted(const Values& values, double by)
 {
-    auto result = std::make_shared<Values>();
-    result->reserve(values.size());
-    for (const double value : values)
-        result->push_back((value - shift) * factor);
+    auto result = std::make_shared<Values>(values);
+    for (double& value : *result)
+        value -= by;
     return result;
 }
 
@@ -141,41 +140,43 @@ void FitPlots::show(const Identification& identification, Estimator estimator, c
     const bool modelled = estimate && !estimate->simulated.empty() &&
                           estimate->simulated.size() == part.count &&
                           part.first + part.count <= identification.position.size();
-    const ChannelScale position = channelScale(positionUnit, largest(identification.position));
-    const ChannelScale force = channelScale(forceUnit, largest(identification.force));
-    const SharedValues time = scaled(identification.time_s, 1, identification.time_s.front());
+    const ChannelScales position(positionUnit, largest(identification.position));
+    const ChannelScales force(forceUnit, largest(identification.force));
+    const SharedValues time = shifted(identification.time_s, identification.time_s.front());
 
     const auto missing = std::make_shared<const std::vector<std::size_t>>(identification.lost);
-    std::vector<PlotCurve> curves{{tr("measured"), CurveRole::MeasuredPosition, time,
-                                   scaled(identification.position, position.factor),
-                                   position.title(tr("Measured position")), missing}};
+    std::vector<PlotCurve> curves{channelCurve(tr("measured"), CurveRole::MeasuredPosition, time,
+                                               identification.position, position, tr("Measured position"))};
+    curves.front().missing = missing;
     if (modelled)
-        curves.push_back({tr("model, %1").arg(estimatorName(estimator)), CurveRole::Model,
-                          std::make_shared<Values>(partOf(*time, part)),
-                          scaled(estimate->simulated, position.factor),
-                          position.title(tr("Model, %1").arg(estimatorName(estimator)))});
-    m_response->setTitle(position.title(tr("Position")));
+        curves.push_back(channelCurve(tr("model, %1").arg(estimatorName(estimator)), CurveRole::Model,
+                                      std::make_shared<Values>(partOf(*time, part)), estimate->simulated,
+                                      position, tr("Model, %1").arg(estimatorName(estimator))));
+    m_response->setTitle(position.shown.title(tr("Position")));
     m_response->setCurves(std::move(curves));
-    m_force->setTitle(force.title(tr("Force")));
-    m_force->setCurves(
-        {{QString(), CurveRole::Force, time, scaled(identification.force, force.factor), {}, missing}});
+    m_force->setTitle(force.shown.title(tr("Force")));
+    PlotCurve forces =
+        channelCurve(QString(), CurveRole::Force, time, identification.force, force, tr("Force"));
+    forces.missing = missing;
+    forces.held = identification.hold == ForceHold::Zero;
+    m_force->setCurves({std::move(forces)});
 
     const Values residual = estimate ? estimate->residual : Values();
-    const ChannelScale small = channelScale(positionUnit, largest(residual));
+    const ChannelScales small(positionUnit, largest(residual));
     const auto residualTime = std::make_shared<Values>(tail(partOf(*time, part), residual.size()));
-    m_residuals->setTitle(
-        small.title(estimate && estimate->coefficients ? tr("Residuals, one step ahead") : tr("Residuals")));
+    const QString name =
+        estimate && estimate->coefficients ? tr("Residuals, one step ahead") : tr("Residuals");
+    m_residuals->setTitle(small.shown.title(name));
     m_residuals->setEmptyText(tr("no model, no residuals"));
-    const double twoSd = 2 * standardDeviation(residual) * small.factor;
-    m_residuals->setCurves({{QString(), CurveRole::Residual, residualTime, scaled(residual, small.factor)}});
+    const double twoSd = 2 * standardDeviation(residual) * small.shown.factor;
+    m_residuals->setCurves(
+        {channelCurve(QString(), CurveRole::Residual, residualTime, residual, small, name)});
     if (twoSd > 0)
         m_residuals->setBand(PlotRange{-twoSd, twoSd}, tr("± 2 sd"));
     else
         m_residuals->setBand(std::nullopt);
-    for (TimePlot* plot : {m_response, m_force, m_residuals}) {
-        plot->setWhole({0, std::max(time->back(), 1e-9)});
-        plot->showWhole();
-    }
+    for (TimePlot* plot : {m_response, m_force, m_residuals})
+        plot->setDuration(time->back());
     m_response->fitVertical();
     m_force->fitVertical();
     m_residuals->fitVertical(1.3 * twoSd);

@@ -5,9 +5,11 @@
 #include "core/math/correlation.h"
 #include "ui/charts/plot_frame.h"
 
+#include <QPen>
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 
 class QLineSeries;
 class QScatterSeries;
@@ -25,7 +27,15 @@ struct PlotCurve {
     QString column = {}; ///< of an exported table: "Measured position (mm)"
     /// Indexes at which `y` was not measured; tables leave these fields empty.
     std::shared_ptr<const std::vector<std::size_t>> missing = {};
+    bool held = false; ///< each value stays until the next one: drawn in steps
+    /// One of several alike, told apart by colour and dashes in place of the role's.
+    std::optional<int> place = {};
+    /// `y` in the unit of `column`, where the person reads another one; null: it is `y` itself.
+    std::shared_ptr<const std::vector<double>> table = {};
 };
+
+/// Of the n-th of several curves alike: eight colours, from the ninth on dashed, from the 17th dotted.
+[[nodiscard]] QPen placePen(int place);
 
 /// Curves over time, drawn with at most two points a pixel column whatever their length.
 class TimePlot : public PlotFrame {
@@ -35,6 +45,9 @@ public:
 
     void setCurves(std::vector<PlotCurve> curves);
     [[nodiscard]] const std::vector<PlotCurve>& curves() const { return m_curves; }
+    /// Shows all from 0 to this, below half a second along an axis in milliseconds. Curves and tables stay in
+    /// seconds.
+    void setDuration(double end_s);
     /// Points that are drawn now, over all curves.
     [[nodiscard]] int drawnPoints() const;
     /// Fits the vertical range to what is in view; at least `leastHalf` either side of the middle.
@@ -49,8 +62,10 @@ protected:
 
 private:
     void updateLegend();
+    [[nodiscard]] PlotRange inView_s() const;
 
     std::vector<PlotCurve> m_curves;
+    double m_perSecond = 1; ///< of the axis
     std::vector<QLineSeries*> m_series;
 };
 

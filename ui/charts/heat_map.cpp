@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 
 namespace gripscope {
 
@@ -156,8 +157,8 @@ void HeatMap::setMarked(int unit)
 
 QRectF HeatMap::grid() const
 {
-    const QRectF area =
-        QRectF(rect()).adjusted(2, titleHeight, -2, -(heatGap + colorBarHeight + numbersHeight));
+    const QRectF area = QRectF(QPointF(), pictureSize())
+                            .adjusted(2, titleHeight, -2, -(heatGap + colorBarHeight + numbersHeight));
     const double side = std::max(1.0, std::floor(std::min(area.width() / std::max(1, m_map.columns),
                                                           area.height() / std::max(1, m_map.rows))));
     QRectF grid(0, 0, side * m_map.columns, side * m_map.rows);
@@ -297,17 +298,34 @@ void HeatMap::paintBar(QPainter& painter) const
 {
     const ThemeTokens& tokens = Theme::instance().tokens();
     const AxisScale& scale = plane().scale;
-    const QRectF bar(2, height() - numbersHeight - colorBarHeight, width() - 4, colorBarHeight);
+    const QSizeF all = pictureSize();
+    const QRectF bar(2, all.height() - numbersHeight - colorBarHeight, all.width() - 4, colorBarHeight);
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
     for (int stop = 0; stop <= 9; ++stop)
         gradient.setColorAt(stop / 9.0, scaleColor(stop / 9.0));
     painter.fillRect(bar, gradient);
     painter.setPen(tokens.secondText);
     painter.setFont(Theme::font(metrics::fontSmall));
-    const QRectF numbers(2, bar.bottom(), width() - 4, numbersHeight);
+    const QRectF numbers(2, bar.bottom(), all.width() - 4, numbersHeight);
     painter.drawText(numbers, Qt::AlignLeft | Qt::AlignVCenter, scale.numberText(scale.low));
     painter.drawText(numbers, Qt::AlignHCenter | Qt::AlignVCenter, scale.unit);
     painter.drawText(numbers, Qt::AlignRight | Qt::AlignVCenter, scale.numberText(scale.high));
+}
+
+void HeatMap::paint(QPainter& painter) const
+{
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    const int wide = pictureSize().width() - 4;
+    painter.setPen(tokens.text);
+    painter.setFont(Theme::font(metrics::fontSmall, true));
+    painter.drawText(QRectF(2, 0, wide, titleHeight), Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(plane().title, Qt::ElideRight, wide));
+    paintCells(painter);
+    paintBorders(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (m_hits)
+        paintHits(painter);
+    paintBar(painter);
 }
 
 void HeatMap::paintEvent(QPaintEvent*)
@@ -316,15 +334,7 @@ void HeatMap::paintEvent(QPaintEvent*)
         return;
     const ThemeTokens& tokens = Theme::instance().tokens();
     QPainter painter(this);
-    painter.setPen(tokens.text);
-    painter.setFont(Theme::font(metrics::fontSmall, true));
-    painter.drawText(QRectF(2, 0, width() - 4, titleHeight), Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(plane().title, Qt::ElideRight, width() - 4));
-    paintCells(painter);
-    paintBorders(painter);
-    painter.setRenderHint(QPainter::Antialiasing);
-    if (m_hits)
-        paintHits(painter);
+    paint(painter);
     if (m_marked >= 0) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(tokens.surface, 4));
@@ -332,7 +342,54 @@ void HeatMap::paintEvent(QPaintEvent*)
         painter.setPen(QPen(tokens.accent, 2));
         painter.drawRect(cell(m_marked));
     }
-    paintBar(painter);
+}
+
+QString HeatMap::plotName() const
+{
+    return empty() ? tr("Map") : plane().title;
+}
+
+QString HeatMap::fileName() const
+{
+    return u"map-%1"_s.arg(m_plane + 1);
+}
+
+QSize HeatMap::pictureSize() const
+{
+    return m_pictureSize.isValid() ? m_pictureSize : size();
+}
+
+void HeatMap::paintPicture(QPainter& painter)
+{
+    painter.save();
+    painter.fillRect(QRectF(QPointF(), pictureSize()), Theme::instance().tokens().surface);
+    if (!empty())
+        paint(painter);
+    painter.restore();
+}
+
+PlotTable HeatMap::numbers() const
+{
+    if (empty())
+        return {};
+    using Values = std::vector<double>;
+    auto rows = std::make_shared<Values>(), columns = std::make_shared<Values>(),
+         values = std::make_shared<Values>(), hits = std::make_shared<Values>(),
+         groups = std::make_shared<Values>();
+    for (int unit = 0; unit < m_map.rows * m_map.columns; ++unit) {
+        const int row = unit / m_map.columns, column = unit % m_map.columns;
+        rows->push_back(row + 1);
+        columns->push_back(column + 1);
+        values->push_back(plane().values(row, column) * plane().scale.factor);
+        hits->push_back(m_map.hits[std::size_t(unit)]);
+        groups->push_back(m_map.groups[std::size_t(unit)] + 1);
+    }
+    const QString unit = plane().scale.unit;
+    return {{tr("Row"), rows},
+            {tr("Column"), columns},
+            {unit.isEmpty() ? plane().title : u"%1 (%2)"_s.arg(plane().title, unit), values},
+            {tr("Squeezes"), hits},
+            {tr("Cluster"), groups}};
 }
 
 } // namespace gripscope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/charts/axis_ticks.h"
+#include "ui/charts/plot_export.h"
 
 #include <Eigen/Core>
 #include <QColor>
@@ -47,7 +48,7 @@ struct MapPlanes {
 /// One plane of a self-organizing map: a cell a unit, its colour the number, borders where the cluster
 /// changes, a colour bar with the extremes and the unit below. Pointing at a cell, or going there with the
 /// arrow keys, tells the number and the squeezes there.
-class HeatMap : public QWidget {
+class HeatMap : public QWidget, public ExportablePlot {
     Q_OBJECT
 public:
     explicit HeatMap(QWidget* parent = nullptr);
@@ -63,6 +64,14 @@ public:
     [[nodiscard]] QColor color(int unit) const;
     /// What pointing at a unit tells.
     [[nodiscard]] QString tip(int unit) const;
+
+    [[nodiscard]] QString plotName() const override;
+    [[nodiscard]] QString fileName() const override;
+    [[nodiscard]] QSize pictureSize() const override;
+    void setPictureSize(QSize size) override { m_pictureSize = size; }
+    void paintPicture(QPainter& painter) override;
+    /// A row a unit: its place on the grid, its number, the squeezes there, its cluster.
+    [[nodiscard]] PlotTable numbers() const override;
 
     QSize sizeHint() const override { return {116, 148}; }
     QSize minimumSizeHint() const override { return {80, 112}; }
@@ -82,6 +91,7 @@ private:
     [[nodiscard]] const MapPlane& plane() const { return m_map.planes[std::size_t(m_plane)]; }
     [[nodiscard]] QRectF grid() const;
     void point(int unit);
+    void paint(QPainter& painter) const;
     void paintCells(QPainter& painter) const;
     void paintBorders(QPainter& painter) const;
     void paintHits(QPainter& painter) const;
@@ -91,6 +101,7 @@ private:
     int m_plane = 0;
     int m_marked = -1;
     bool m_hits = false;
+    QSize m_pictureSize; ///< valid: in place of that on the screen
 };
 
 } // namespace gripscope

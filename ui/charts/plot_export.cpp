@@ -23,19 +23,58 @@ QByteArray toCsv(const PlotTable& table)
         if (&column != &table.front())
             csv += ',';
         csv += csvCell(column.name).toUtf8();
-        rows = std::max(rows, column.values ? column.values->size() : 0);
+        rows = std::max(rows, column.rows());
     }
     csv += '\n';
     for (std::size_t row = 0; row < rows; ++row) {
         for (const PlotColumn& column : table) {
             if (&column != &table.front())
                 csv += ',';
-            if (column.values && row < column.values->size() && std::isfinite((*column.values)[row]))
+            if (row >= column.rows())
+                continue;
+            if (column.texts)
+                csv += csvCell((*column.texts)[row]).toUtf8();
+            else if (std::isfinite((*column.values)[row]))
                 csv += QByteArray::number((*column.values)[row], 'g', QLocale::FloatingPointShortest);
         }
         csv += '\n';
     }
     return csv;
+}
+
+QSize figureSize(FigureWidth width)
+{
+    constexpr double pixelsInMillimetre = 96 / 25.4;
+    const auto sized = [](double wide_mm, double high_mm) {
+        return (QSizeF(wide_mm, high_mm) * pixelsInMillimetre).toSize();
+    };
+    switch (width) {
+    case FigureWidth::OneColumn:
+        return sized(85, 57);
+    case FigureWidth::TwoColumns:
+        return sized(175, 88);
+    case FigureWidth::Screen:
+        break;
+    }
+    return {};
+}
+
+double figureScale(FigureWidth width)
+{
+    return width == FigureWidth::Screen ? 2 : 600.0 / 96;
+}
+
+FigureLayout::FigureLayout(ExportablePlot& plot, FigureWidth width)
+    : m_plot(&plot), m_changed(width != FigureWidth::Screen)
+{
+    if (m_changed)
+        m_plot->setPictureSize(figureSize(width));
+}
+
+FigureLayout::~FigureLayout()
+{
+    if (m_changed)
+        m_plot->setPictureSize({});
 }
 
 QImage toImage(ExportablePlot& plot, double scale)
@@ -47,6 +86,10 @@ QImage toImage(ExportablePlot& plot, double scale)
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
     plot.paintPicture(painter);
+    painter.end();                                       // it would take letters for larger ones
+    const int dotsInMetre = qRound(scale * 96 / 0.0254); // so that a document places it in its own size
+    image.setDotsPerMeterX(dotsInMetre);
+    image.setDotsPerMeterY(dotsInMetre);
     return image;
 }
 

@@ -5,6 +5,7 @@
 #include "ui/theme/theme.h"
 
 #include <QChart>
+#include <QGraphicsLayout>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QValueAxis>
@@ -85,14 +86,31 @@ void PlotFrame::setExportNames(const QString& plot, const QString& file, const Q
 
 QSize PlotFrame::pictureSize() const
 {
-    return viewport()->size();
+    return m_pictureSize.isValid() ? m_pictureSize : viewport()->size();
+}
+
+void PlotFrame::setPictureSize(QSize size)
+{
+    m_pictureSize = size;
+    layOut();
+    refresh();
+    chart()->layout()->activate(); // before the screen is painted again
 }
 
 void PlotFrame::setHorizontalTitle(const QString& title)
 {
     m_horizontalTitle = title;
-    m_horizontal->setLabelsVisible(!title.isEmpty());
+    m_horizontal->setLabelsVisible(!title.isEmpty() && !m_logarithmicHorizontal);
     layOut();
+}
+
+void PlotFrame::renameHorizontal(const QString& title)
+{
+    if (!m_pictureAxis.isEmpty())
+        m_pictureAxis = title;
+    if (!m_horizontalTitle.isEmpty())
+        setHorizontalTitle(title);
+    viewport()->update();
 }
 
 void PlotFrame::setBand(std::optional<PlotRange> band, const QString& name)
@@ -100,6 +118,33 @@ void PlotFrame::setBand(std::optional<PlotRange> band, const QString& name)
     m_band = band;
     m_bandName = name;
     viewport()->update();
+}
+
+void PlotFrame::setLogarithmic(Qt::Orientation axis)
+{
+    QValueAxis* changed = axis == Qt::Horizontal ? m_horizontal : m_vertical;
+    (axis == Qt::Horizontal ? m_logarithmicHorizontal : m_logarithmicVertical) = true;
+    changed->setLabelsVisible(false); // painted with the grid, in plot_frame_painting.cpp
+    changed->setGridLineVisible(false);
+    viewport()->update();
+}
+
+namespace {
+
+/// A label is made for each tick as soon as the range is set: at the interval of before, a range that is a
+/// thousand times as wide (milliseconds for seconds) would have thousands of them.
+void makeRoomForTicks(QValueAxis& axis, PlotRange range)
+{
+    if (range.span() > axis.max() - axis.min())
+        axis.setTickInterval(range.span());
+}
+
+} // namespace
+
+void PlotFrame::setVerticalStep(double step)
+{
+    m_verticalStep = step;
+    setTicks(m_vertical, verticalSteps());
 }
 
 void PlotFrame::setEmptyText(const QString& text)
@@ -125,6 +170,14 @@ PlotRange PlotFrame::vertical() const
 
 void PlotFrame::setTicks(QValueAxis* axis, int most)
 {
+    if (logarithmic(axis))
+        return;
+    if (axis == m_vertical && m_verticalStep > 0) {
+        const double few = std::ceil((axis->max() - axis->min()) / m_verticalStep / most);
+        axis->setTickInterval(m_verticalStep * std::max(1.0, few));
+        axis->setLabelFormat(u"%.%1f"_s.arg(decimalsOf(m_verticalStep)));
+        return;
+    }
     AxisTicks ticks = roundTicks(axis->min(), axis->max(), most);
     if (most < 4 && axis->min() == -axis->max())
         ticks.step = symmetricStep(axis->max()); // zero and both ends, or they would stand too close
@@ -141,8 +194,10 @@ void PlotFrame::setHorizontal(PlotRange range)
 {
     if (!(range.span() > 0) || range == horizontal())
         return;
+    if (!m_logarithmicHorizontal)
+        makeRoomForTicks(*m_horizontal, range);
     m_horizontal->setRange(range.low, range.high);
-    setTicks(m_horizontal, columns() / 70);
+    setTicks(m_horizontal, horizontalSteps());
     refresh();
 }
 
@@ -150,6 +205,8 @@ void PlotFrame::setVertical(PlotRange range)
 {
     if (!(range.span() > 0))
         return;
+    if (!m_logarithmicVertical)
+        makeRoomForTicks(*m_vertical, range);
     m_vertical->setRange(range.low, range.high);
     setTicks(m_vertical, verticalSteps());
 }
@@ -170,6 +227,16 @@ int PlotFrame::columns() const
     return std::max(16, int(chart()->plotArea().width()));
 }
 
+int PlotFrame::horizontalSteps() const
+{
+    return columns() / 70;
+}
+
+bool PlotFrame::logarithmic(const QValueAxis* axis) const
+{
+    return axis == m_horizontal ? m_logarithmicHorizontal : m_logarithmicVertical;
+}
+
 int PlotFrame::verticalSteps() const
 {
     return std::max(2, int(chart()->plotArea().height() / 26));
@@ -178,12 +245,12 @@ int PlotFrame::verticalSteps() const
 void PlotFrame::layOut()
 {
     const bool titled = !m_horizontalTitle.isEmpty();
-    const QSize all = viewport()->size();
+    const QSize all = pictureSize();
     const QRectF area(frameLeft, headerHeight, std::max(10, all.width() - frameLeft - frameRight),
                       std::max(10, all.height() - headerHeight - (titled ? bottomTitled : frameBottomBare)));
     chart()->resize(all);
     chart()->setPlotArea(area);
-    setTicks(m_horizontal, columns() / 70);
+    setTicks(m_horizontal, horizontalSteps());
     setTicks(m_vertical, verticalSteps());
 }
 

@@ -5,6 +5,7 @@
 
 #include <QChartView>
 #include <QColor>
+#include <QFontMetricsF>
 #include <QString>
 
 #include <optional>
@@ -44,8 +45,14 @@ public:
     /// In front of the numbers of the horizontal axis, short; empty hides those too (a plot below shows
     /// them).
     void setHorizontalTitle(const QString& title);
+    /// In place of the one that it has, on the screen or in pictures alone.
+    void renameHorizontal(const QString& title);
     /// A tinted stripe between `low` and `high` with its name at the right end.
     void setBand(std::optional<PlotRange> band, const QString& name = {});
+    /// The axis holds decimal logarithms, and shows the numbers that they are of.
+    void setLogarithmic(Qt::Orientation axis);
+    /// Ticks of the vertical axis are whole multiples of it: 45 for degrees.
+    void setVerticalStep(double step);
     /// What is said in the middle when there is nothing to draw.
     void setEmptyText(const QString& text);
 
@@ -63,6 +70,7 @@ public:
     [[nodiscard]] QString plotName() const override { return m_plotName; }
     [[nodiscard]] QString fileName() const override { return m_fileName; }
     [[nodiscard]] QSize pictureSize() const override;
+    void setPictureSize(QSize size) override;
     void paintPicture(QPainter& painter) override;
 
     QSize sizeHint() const override { return {600, 160}; }
@@ -74,13 +82,15 @@ signals:
 
 protected:
     struct LegendEntry {
-        QString name;
+        QString name; ///< "▲ up" for points
         QColor color;
-        int width = 2;
+        int width = 2; ///< of a line; 0: points
     };
     void setLegend(std::vector<LegendEntry> entries);
     [[nodiscard]] QValueAxis* horizontalAxis() const { return m_horizontal; }
     [[nodiscard]] QValueAxis* verticalAxis() const { return m_vertical; }
+    /// From the axes' numbers to pixels.
+    [[nodiscard]] QPointF pixelOf(QPointF point) const;
     /// The horizontal range or the width changed: draw the curves anew.
     virtual void refresh() {}
     virtual void themeChanged();
@@ -100,7 +110,14 @@ private:
     void layOut();
     [[nodiscard]] int verticalSteps() const;
     void setTicks(QValueAxis* axis, int most);
+    [[nodiscard]] int horizontalSteps() const;
+    [[nodiscard]] bool logarithmic(const QValueAxis* axis) const;
+    void paintLogarithmicGrid(QPainter* painter) const;
+    void paintLogarithmicNumbers(QPainter* painter) const;
     void paintHeader(QPainter* painter) const;
+    /// Left of the axis' first number, and what of its title has room there: all, or the unit alone.
+    [[nodiscard]] double titleRoom(const QFontMetricsF& letters) const;
+    [[nodiscard]] QString horizontalTitleIn(double room, const QFontMetricsF& letters) const;
     [[nodiscard]] double paintTitle(QPainter* painter, const QRectF& line) const;
     void describe();
     void ask(PlotRange range);
@@ -109,8 +126,11 @@ private:
     QValueAxis* m_vertical = nullptr;
     QString m_title, m_briefTitle, m_finding, m_horizontalTitle, m_bandName, m_emptyText;
     QString m_plotName, m_fileName, m_pictureAxis;
+    bool m_logarithmicHorizontal = false, m_logarithmicVertical = false;
+    double m_verticalStep = 0; ///< above 0: of the ticks
     bool m_findingDoubtful = false;
     bool m_inPicture = false; ///< no focus frame then
+    QSize m_pictureSize;      ///< valid: laid out for a picture of this size
     std::optional<PlotRange> m_band;
     std::vector<LegendEntry> m_legend;
     PlotRange m_whole;

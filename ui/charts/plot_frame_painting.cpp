@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/axis_ticks.h"
+#include "ui/charts/line_clipping.h"
 #include "ui/charts/plot_frame.h"
 #include "ui/theme/theme.h"
 
 #include <QChart>
+#include <QGraphicsLayout>
 #include <QLineSeries>
 #include <QPainter>
 #include <QScatterSeries>
@@ -16,6 +19,8 @@ namespace gripscope {
 using namespace Qt::StringLiterals;
 
 namespace {
+
+constexpr double numberOverhang = 13; ///< of a number beyond the plot's right edge: its margin is 14
 
 /// From the axes' numbers to the chart's pixels.
 class AxisMap {
@@ -45,51 +50,14 @@ private:
     const QValueAxis* m_vertical = nullptr;
 };
 
-/// The part of a line inside of `area` (Liang and Barsky 1984).
-std::optional<QLineF> inside(const QLineF& line, const QRectF& area)
-{
-    double from = 0, to = 1;
-    const auto cut = [&](double direction, double room) {
-        if (direction == 0)
-            return room >= 0;
-        const double at = room / direction;
-        if (direction < 0)
-            from = std::max(from, at);
-        else
-            to = std::min(to, at);
-        return from <= to;
-    };
-    if (!std::isfinite(line.dx()) || !std::isfinite(line.dy()) || !cut(-line.dx(), line.x1() - area.left()) ||
-        !cut(line.dx(), area.right() - line.x1()) || !cut(-line.dy(), line.y1() - area.top()) ||
-        !cut(line.dy(), area.bottom() - line.y1()))
-        return std::nullopt;
-    return QLineF(line.pointAt(from), line.pointAt(to));
-}
-
 void paintLine(QPainter& painter, const QLineSeries& series, const AxisMap& map, const QRectF& area)
 {
-    QPolygonF run;
-    const auto flush = [&] {
-        if (run.size() > 1)
-            painter.drawPolyline(run);
-        run.clear();
-    };
     painter.setPen(series.pen());
     painter.setBrush(Qt::NoBrush);
-    const QList<QPointF> points = series.points();
-    for (qsizetype i = 1; i < points.size(); ++i) {
-        const std::optional<QLineF> part = inside({map(points[i - 1]), map(points[i])}, area);
-        if (!part) {
-            flush();
-            continue;
-        }
-        if (run.isEmpty() || run.back() != part->p1()) {
-            flush();
-            run << part->p1();
-        }
-        run << part->p2();
-    }
-    flush();
+    QPolygonF line;
+    for (const QPointF& point : series.points())
+        line << map(point);
+    drawLineInside(painter, line, area);
 }
 
 void paintMarker(QPainter& painter, QScatterSeries::MarkerShape shape, QPointF at, double radius)
@@ -145,7 +113,7 @@ void PlotFrame::paintPicture(QPainter& painter)
     const QList<QAbstractSeries*> series = chart()->series();
     for (QAbstractSeries* one : series)
         one->setVisible(false); // painted below, cut off without a clip
-    const QRect all = viewport()->rect();
+    const QRect all(QPoint(), pictureSize());
     render(&painter, all, all);
     for (QAbstractSeries* one : series)
         one->setVisible(true);
@@ -156,9 +124,57 @@ void PlotFrame::paintPicture(QPainter& painter)
     m_inPicture = false;
 }
 
+QPointF PlotFrame::pixelOf(QPointF point) const
+{
+    const QRectF area = chart()->plotArea();
+    const PlotRange across = horizontal(), up = vertical();
+    return {area.left() + (point.x() - across.low) / across.span() * area.width(),
+            area.bottom() - (point.y() - up.low) / up.span() * area.height()};
+}
+
+void PlotFrame::paintLogarithmicGrid(QPainter* painter) const
+{
+    const QRectF area = chart()->plotArea();
+    painter->setPen(m_horizontal->gridLinePen());
+    if (m_logarithmicHorizontal)
+        for (const LogarithmicTick& tick :
+             logarithmicTicks(m_horizontal->min(), m_horizontal->max(), horizontalSteps())) {
+            const double x = pixelOf({tick.exponent, 0}).x();
+            painter->drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+        }
+    if (m_logarithmicVertical)
+        for (const LogarithmicTick& tick :
+             logarithmicTicks(m_vertical->min(), m_vertical->max(), verticalSteps())) {
+            const double y = pixelOf({0, tick.exponent}).y();
+            painter->drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+        }
+}
+
+void PlotFrame::paintLogarithmicNumbers(QPainter* painter) const
+{
+    const QRectF area = chart()->plotArea();
+    painter->setFont(Theme::font(metrics::fontSmall));
+    painter->setPen(Theme::instance().tokens().secondText);
+    if (m_logarithmicHorizontal && !m_horizontalTitle.isEmpty())
+        for (const LogarithmicTick& tick :
+             logarithmicTicks(m_horizontal->min(), m_horizontal->max(), horizontalSteps())) {
+            const double width = QFontMetricsF(painter->font()).horizontalAdvance(tick.label) + 2;
+            // Whole within the picture, also at its right edge.
+            const double left =
+                std::min(pixelOf({tick.exponent, 0}).x() - width / 2, area.right() + numberOverhang - width);
+            painter->drawText(QRectF(left, area.bottom() + 4, width, 18), Qt::AlignCenter, tick.label);
+        }
+    if (m_logarithmicVertical)
+        for (const LogarithmicTick& tick :
+             logarithmicTicks(m_vertical->min(), m_vertical->max(), verticalSteps()))
+            painter->drawText(QRectF(0, pixelOf({0, tick.exponent}).y() - 9, area.left() - 6, 18),
+                              Qt::AlignRight | Qt::AlignVCenter, tick.label);
+}
+
 void PlotFrame::drawBackground(QPainter* painter, const QRectF& rect)
 {
     QChartView::drawBackground(painter, rect);
+    paintLogarithmicGrid(painter);
     if (!m_band || empty())
         return;
     const ThemeTokens& tokens = Theme::instance().tokens();
@@ -204,6 +220,27 @@ double PlotFrame::paintTitle(QPainter* painter, const QRectF& line) const
     return end + findingWidth;
 }
 
+double PlotFrame::titleRoom(const QFontMetricsF& letters) const
+{
+    if (m_logarithmicHorizontal) {
+        const auto ticks = logarithmicTicks(m_horizontal->min(), m_horizontal->max(), horizontalSteps());
+        if (!ticks.empty())
+            return pixelOf({ticks.front().exponent, 0}).x() -
+                   letters.horizontalAdvance(ticks.front().label) / 2 - 4;
+    }
+    // The first number stands about the corner of the plot, half of it on either side.
+    const QString first =
+        QString::number(m_horizontal->min(), 'f', decimalsOf(std::abs(m_horizontal->tickInterval())));
+    return chart()->plotArea().left() - letters.horizontalAdvance(first) / 2 - 4;
+}
+
+QString PlotFrame::horizontalTitleIn(double room, const QFontMetricsF& letters) const
+{
+    const qsizetype unit = m_horizontalTitle.lastIndexOf(u'(');
+    return letters.horizontalAdvance(m_horizontalTitle) <= room || unit < 0 ? m_horizontalTitle
+                                                                            : m_horizontalTitle.mid(unit);
+}
+
 void PlotFrame::paintHeader(QPainter* painter) const
 {
     const ThemeTokens& tokens = Theme::instance().tokens();
@@ -225,8 +262,8 @@ void PlotFrame::paintHeader(QPainter* painter) const
     };
     if (!m_horizontalTitle.isEmpty()) {
         painter->setPen(tokens.secondText);
-        painter->drawText(QRectF(0, area.bottom() + 4, area.left() - 14, 18),
-                          Qt::AlignRight | Qt::AlignVCenter, m_horizontalTitle);
+        painter->drawText(QRectF(0, area.bottom() + 4, titleRoom(small), 18),
+                          Qt::AlignRight | Qt::AlignVCenter, horizontalTitleIn(titleRoom(small), small));
     }
     if (m_band)
         entry(m_bandName, [&](QPointF at) {
@@ -234,7 +271,12 @@ void PlotFrame::paintHeader(QPainter* painter) const
                               Theme::mix(tokens.surface, tokens.accent, 0.25));
         });
     for (auto i = m_legend.rbegin(); i != m_legend.rend(); ++i)
-        entry(i->name, [&](QPointF at) {
+        entry(i->width > 0 ? i->name : i->name.mid(1).trimmed(), [&](QPointF at) {
+            if (i->width == 0) { // of points: the sign that the name begins with, in their colour
+                painter->setPen(i->color);
+                return painter->drawText(QRectF(at.x(), at.y() - 9, 18, 18), Qt::AlignCenter,
+                                         i->name.left(1));
+            }
             painter->setPen(QPen(i->color, i->width, Qt::SolidLine, Qt::FlatCap));
             painter->drawLine(at, at + QPointF(18, 0));
         });
@@ -245,6 +287,7 @@ void PlotFrame::drawForeground(QPainter* painter, const QRectF&)
     const ThemeTokens& tokens = Theme::instance().tokens();
     painter->save();
     paintHeader(painter);
+    paintLogarithmicNumbers(painter);
     if (empty()) {
         painter->setPen(tokens.secondText);
         painter->setFont(Theme::font(metrics::fontSmall));

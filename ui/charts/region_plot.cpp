@@ -337,6 +337,8 @@ QString RegionPlot::fileName() const
 
 QSize RegionPlot::pictureSize() const
 {
+    if (m_pictureSize.isValid()) // three frames in a triangle are higher than a curve
+        return m_pictureSize.expandedTo({m_pictureSize.width(), m_pictureSize.width() * 4 / 5});
     return size().expandedTo({480, 400}); // a narrow panel is no reason for a cramped picture
 }
 

@@ -65,6 +65,7 @@ public:
     [[nodiscard]] QString plotName() const override;
     [[nodiscard]] QString fileName() const override;
     [[nodiscard]] QSize pictureSize() const override;
+    void setPictureSize(QSize size) override { m_pictureSize = size; }
     void paintPicture(QPainter& painter) override;
     /// The three outlines in percent, then the estimators' points.
     [[nodiscard]] PlotTable numbers() const override;
@@ -92,6 +93,7 @@ private:
     void paintLegend(QPainter& painter, const QRectF& area) const;
 
     std::optional<EstimateRegion> m_region;
+    QSize m_pictureSize; ///< valid: in place of that on the screen
     std::array<double, 3> m_half{1, 1, 1};
 };
 

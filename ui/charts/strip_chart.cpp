@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/strip_chart.h"
 
+#include "ui/charts/strip_chart_curves.h"
 #include "ui/theme/theme.h"
 
 #include <QColor>
@@ -9,68 +10,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <memory>
 
 namespace gripscope {
 
 namespace {
 
-/// Where a point of a channel stands on the screen.
-using StripPlace = std::function<QPointF(const PlotPoint&)>;
-
-/// A measured channel: one thin line a stretch.
-void paintMeasured(QPainter& painter, const std::vector<LiveHistory::Stretch>& stretches,
-                   const StripPlace& place, const QColor& color, double thick)
-{
-    // One wide polyline over dense data would take Qt most of a second: it unites the outline of all its
-    // pieces. Tall pieces are upright bars, the others single lines; both are drawn in a few milliseconds.
-    QList<QRectF> bars;
-    QList<QLineF> lines;
-    for (const LiveHistory::Stretch& stretch : stretches) {
-        QPointF before;
-        for (std::size_t i = 0; i < stretch.size(); ++i) {
-            const QPointF here = place(stretch[i]);
-            const QPointF from = i == 0 ? here : before;
-            if (std::abs(here.x() - from.x()) < 1.5 && std::abs(here.y() - from.y()) > 4)
-                bars << QRectF(here.x() - thick / 2, std::min(here.y(), from.y()), thick,
-                               std::abs(here.y() - from.y()));
-            else
-                lines << QLineF(from, here);
-            before = here;
-        }
-    }
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(color);
-    painter.drawRects(bars);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(color, thick, Qt::SolidLine, Qt::SquareCap));
-    painter.drawLines(lines);
-    painter.setRenderHint(QPainter::Antialiasing, false);
-}
-
-/// A channel that was asked for: a wide band in steps, each value until the next, to lie below the line of
-/// what was measured.
-void paintCommanded(QPainter& painter, const std::vector<LiveHistory::Stretch>& stretches,
-                    const StripPlace& place, const QColor& color, double thick)
-{
-    QList<QRectF> bars;
-    for (const LiveHistory::Stretch& stretch : stretches) {
-        for (std::size_t i = 0; i < stretch.size(); ++i) {
-            const QPointF here = place(stretch[i]);
-            const QPointF next = i + 1 < stretch.size() ? place(stretch[i + 1]) : here;
-            const double low = std::min(here.y(), next.y());
-            bars << QRectF(here.x() - thick / 2, here.y() - thick / 2, next.x() - here.x() + thick, thick)
-                 << QRectF(next.x() - thick / 2, low - thick / 2, thick,
-                           std::abs(next.y() - here.y()) + thick);
-        }
-    }
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(color);
-    painter.drawRects(bars);
-}
-
 constexpr int stripLeft = 64, stripRight = 16, stripTop = 10, stripBottom = 26, stripBottomBare = 10;
-constexpr double gapSign = 8; ///< a triangle on the upper edge
+constexpr int stripNamed = 32; ///< in a picture, whose name stands above
+constexpr double gapSign = 8;  ///< a triangle on the upper edge
 constexpr double markSign = 18;
 constexpr int calmFrames = 60; ///< about a second: the range shrinks only after that
 constexpr double commandedWidth = 5;
@@ -155,8 +103,10 @@ int StripChart::columns() const
 
 QRectF StripChart::plot() const
 {
-    return QRectF(rect()).adjusted(stripLeft, stripTop, -stripRight,
-                                   m_timeLabels ? -stripBottom : -stripBottomBare);
+    const bool labels = m_timeLabels || m_inPicture;
+    return QRectF(QPointF(), pictureSize())
+        .adjusted(stripLeft, m_inPicture ? stripNamed : stripTop, -stripRight,
+                  labels ? -stripBottom : -stripBottomBare);
 }
 
 double StripChart::shareAt(double pixel) const
@@ -175,12 +125,17 @@ QColor StripChart::commandedColor()
     return Theme::mix(t.surface, t.text, 0.5);
 }
 
+QColor StripChart::envelopeColor(const QColor& curve)
+{
+    return Theme::mix(Theme::instance().tokens().surface, curve, 0.3);
+}
+
 void StripChart::followRange()
 {
     const auto extremes = [](const std::vector<LiveHistory::Stretch>& stretches) {
         AxisRange found{INFINITY, -INFINITY};
         for (const LiveHistory::Stretch& stretch : stretches)
-            for (const PlotPoint& p : stretch) {
+            for (const LiveHistory::Point& p : stretch) {
                 found.low = std::min(found.low, p.y);
                 found.high = std::max(found.high, p.y);
             }
@@ -264,12 +219,17 @@ void StripChart::paintFrame()
     m_frame.setDevicePixelRatio(ratio);
     m_frame.fill(Qt::transparent);
     QPainter painter(&m_frame);
+    paintAxes(painter);
+    m_frameValid = true;
+}
+
+void StripChart::paintAxes(QPainter& painter) const
+{
     const ThemeTokens& t = Theme::instance().tokens();
     const QColor grid = t.kind == ThemeKind::HighContrast ? Theme::mix(t.surface, t.line, 0.3) : t.line;
     painter.setFont(Theme::font(metrics::fontSmall));
     paintValueAxis(painter, grid);
     paintTimeAxis(painter, grid);
-    m_frameValid = true;
 }
 
 void StripChart::paintValueAxis(QPainter& painter, const QColor& grid) const
@@ -299,7 +259,7 @@ void StripChart::paintTimeAxis(QPainter& painter, const QColor& grid) const
         const double at = std::round(pixelAt(value * unit - m_end_s)) + 0.5;
         painter.setPen(QPen(grid, 1));
         painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
-        if (!m_timeLabels)
+        if (!m_timeLabels && !m_inPicture)
             continue;
         painter.setPen(Theme::instance().tokens().secondText);
         const QString number = x.label(value);
@@ -307,7 +267,8 @@ void StripChart::paintTimeAxis(QPainter& painter, const QColor& grid) const
         const QString text = zero ? m_zeroWord : unit > 1 ? tr("%1 min").arg(number) : tr("%1 s").arg(number);
         const double wide = painter.fontMetrics().horizontalAdvance(text) + 2;
         // At the left edge beside the line, so that it keeps clear of the other axis.
-        const double from = at - area.left() < wide / 2 ? at : std::min(at - wide / 2, width() - wide);
+        const double from =
+            at - area.left() < wide / 2 ? at : std::min(at - wide / 2, pictureSize().width() - wide);
         painter.drawText(QRectF(from, area.bottom() + 5, wide, 16), Qt::AlignHCenter | Qt::AlignTop, text);
     }
 }
@@ -322,10 +283,12 @@ void StripChart::paintCurves(QPainter& painter) const
                                                              m_range.span() * area.height());
         };
     };
-    painter.setClipRect(area.adjusted(0, -6, 1, 6)); // roundRange() lets noise stand a little outside
-    paintCommanded(painter, m_commanded, place(0), commandedColor(), commandedWidth);
     const QColor color = m_channel == LiveHistory::Channel::Force ? t.force : t.position;
-    paintMeasured(painter, m_stretches, place(m_zero), color, t.curveWidth > 2 ? 2 : 1.5);
+    const std::vector<StripCurve> measured = stripCurves(m_stretches, place(m_zero));
+    painter.setClipRect(area.adjusted(0, -6, 1, 6)); // roundRange() lets noise stand a little outside
+    paintEnvelopes(painter, measured, envelopeColor(color));
+    paintCommanded(painter, stripCurves(m_commanded, place(0)), commandedColor(), commandedWidth);
+    paintMeasured(painter, measured, color, t.curveWidth > 2 ? 2 : 1.5);
     painter.setClipping(false);
 }
 
@@ -372,6 +335,51 @@ void StripChart::paintSign(QPainter& painter, const QString& label, double at, b
     painter.fillRect(box, color);
     painter.setPen(Theme::onColor(color));
     painter.drawText(box, Qt::AlignCenter, label);
+}
+
+QString StripChart::plotName() const
+{
+    return m_channel == LiveHistory::Channel::Force ? tr("Force") : tr("Position");
+}
+
+QString StripChart::fileName() const
+{
+    return m_channel == LiveHistory::Channel::Force ? QStringLiteral("live-force")
+                                                    : QStringLiteral("live-position");
+}
+
+QSize StripChart::pictureSize() const
+{
+    return m_pictureSize.isValid() ? m_pictureSize : size();
+}
+
+void StripChart::paintPicture(QPainter& painter)
+{
+    const ThemeTokens& t = Theme::instance().tokens();
+    m_inPicture = true;
+    painter.save();
+    painter.fillRect(QRectF(QPointF(), pictureSize()), t.surface);
+    paintAxes(painter);
+    paintGaps(painter);
+    paintCurves(painter);
+    paintMarks(painter);
+    painter.setFont(Theme::font(metrics::fontSmall, true));
+    painter.setPen(t.text);
+    painter.drawText(QRectF(stripLeft, 4, plot().width(), 18), Qt::AlignLeft | Qt::AlignVCenter, plotName());
+    painter.restore();
+    m_inPicture = false;
+}
+
+PlotTable StripChart::numbers() const
+{
+    auto times = std::make_shared<std::vector<double>>(), values = std::make_shared<std::vector<double>>();
+    for (const LiveHistory::Stretch& stretch : m_stretches)
+        for (const LiveHistory::Point& point : stretch) {
+            times->push_back(m_end_s + point.x);
+            values->push_back(point.y * m_factor - m_zero);
+        }
+    const QString name = m_unit.isEmpty() ? plotName() : QStringLiteral("%1 (%2)").arg(plotName(), m_unit);
+    return {{tr("Time (s)"), std::move(times)}, {name, std::move(values)}};
 }
 
 } // namespace gripscope

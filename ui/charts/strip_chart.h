@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/charts/axis_ticks.h"
+#include "ui/charts/plot_export.h"
 #include "ui/feed/live_history.h"
 
 #include <QObject>
@@ -25,8 +26,10 @@ struct StripMark {
 };
 
 /// One channel over a stretch of time. It is handed min/max columns, so a frame costs what its width costs.
+/// Where columns side by side each reach over many pixels, a pale area is filled from the lowest to the
+/// highest, and the line is the mean.
 /// The vertical range follows the data between round numbers and gives way slowly.
-class StripChart : public QWidget {
+class StripChart : public QWidget, public ExportablePlot {
     Q_OBJECT
 public:
     StripChart(LiveHistory::Channel channel, double leastSpan, QWidget* parent = nullptr);
@@ -58,6 +61,17 @@ public:
     [[nodiscard]] double pixelAt(double x) const;
     /// The colour of what was commanded: 3 to 1 on the surface, behind the channel's own.
     [[nodiscard]] static QColor commandedColor();
+    /// That of the area between the extremes of a curve of this colour, where the line is their mean.
+    [[nodiscard]] static QColor envelopeColor(const QColor& curve);
+
+    [[nodiscard]] QString plotName() const override;
+    [[nodiscard]] QString fileName() const override;
+    [[nodiscard]] QSize pictureSize() const override;
+    void setPictureSize(QSize size) override { m_pictureSize = size; }
+    /// With its name and a time axis of its own.
+    void paintPicture(QPainter& painter) override;
+    /// What is in view: the extremes of each column, in the unit shown.
+    [[nodiscard]] PlotTable numbers() const override;
 
     [[nodiscard]] QSize sizeHint() const override { return {640, 220}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {280, 96}; }
@@ -72,6 +86,7 @@ protected:
 private:
     void followRange();
     void paintFrame();
+    void paintAxes(QPainter& painter) const;
     void paintTimeAxis(QPainter& painter, const QColor& grid) const;
     void paintValueAxis(QPainter& painter, const QColor& grid) const;
     void paintCurves(QPainter& painter) const;
@@ -93,7 +108,9 @@ private:
     QString m_unit;
     QPixmap m_frame; ///< grid and labels, drawn anew only when they change
     bool m_frameValid = false;
-    int m_calm = 0; ///< frames during which a smaller range would have done
+    QSize m_pictureSize;      ///< valid: in place of that on the screen
+    bool m_inPicture = false; ///< a picture is being painted
+    int m_calm = 0;           ///< frames during which a smaller range would have done
 };
 
 /// What mouse, finger and keys ask of a strip chart that is held: zoom by the wheel, a drag moves what is in

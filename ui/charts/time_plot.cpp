@@ -7,6 +7,7 @@
 #include <QLineSeries>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -33,6 +34,11 @@ QPen curvePen(CurveRole role)
     return pen(tokens.text, 1);
 }
 
+QPen penOf(const PlotCurve& curve)
+{
+    return curve.place ? placePen(*curve.place) : curvePen(curve.role);
+}
+
 /// The part of a curve in [low, high], with the neighbours outside so that lines run to the edges.
 std::pair<std::size_t, std::size_t> visiblePart(const std::vector<double>& x, PlotRange range)
 {
@@ -46,14 +52,15 @@ std::pair<std::size_t, std::size_t> visiblePart(const std::vector<double>& x, Pl
 /// The values of a curve in the rows of another one's times; nothing (not a number) where it has none.
 std::shared_ptr<const std::vector<double>> onTime(const PlotCurve& curve, const PlotCurve& times)
 {
+    const auto& y = curve.table ? curve.table : curve.y;
     const bool whole = !curve.missing || curve.missing->empty();
     if (!curve.x || !curve.y || curve.x->empty() || (whole && curve.x->size() == times.x->size()))
-        return curve.y;
+        return y;
     const auto first = std::lower_bound(times.x->begin(), times.x->end(), curve.x->front());
     const auto offset = std::size_t(first - times.x->begin());
     auto values = std::make_shared<std::vector<double>>(times.x->size(), std::nan(""));
-    for (std::size_t i = 0; i < curve.y->size() && offset + i < values->size(); ++i)
-        (*values)[offset + i] = (*curve.y)[i];
+    for (std::size_t i = 0; i < y->size() && offset + i < values->size(); ++i)
+        (*values)[offset + i] = (*y)[i];
     for (std::size_t i = 0; !whole && i < curve.missing->size(); ++i)
         if (offset + (*curve.missing)[i] < values->size())
             (*values)[offset + (*curve.missing)[i]] = std::nan("");
@@ -61,6 +68,18 @@ std::shared_ptr<const std::vector<double>> onTime(const PlotCurve& curve, const 
 }
 
 } // namespace
+
+QPen placePen(int place)
+{
+    constexpr int colors = 8;
+    constexpr std::array styles{Qt::SolidLine, Qt::DashLine, Qt::DotLine};
+    const ThemeTokens& tokens = Theme::instance().tokens();
+    // Made for a light surface; on a dark one they are lifted.
+    const QColor color =
+        Theme::mix(Theme::typeColor(place), tokens.text, tokens.kind == ThemeKind::Light ? 0.0 : 0.35);
+    return {color, 0.75 * tokens.curveWidth, styles[std::size_t(std::max(0, place)) / colors % styles.size()],
+            Qt::FlatCap, Qt::RoundJoin};
+}
 
 TimePlot::TimePlot(QWidget* parent) : PlotFrame(parent) {}
 
@@ -78,6 +97,21 @@ void TimePlot::setCurves(std::vector<PlotCurve> curves)
     }
     themeChanged();
     refresh();
+}
+
+void TimePlot::setDuration(double end_s)
+{
+    constexpr double shortest_s = 0.5; ///< its numbers would begin with zeros
+    m_perSecond = end_s < shortest_s ? 1000 : 1;
+    renameHorizontal(m_perSecond > 1 ? tr("Time (ms)") : tr("Time (s)"));
+    setWhole({0, m_perSecond * std::max(end_s, 1e-9)});
+    showWhole();
+    refresh();
+}
+
+PlotRange TimePlot::inView_s() const
+{
+    return {horizontal().low / m_perSecond, horizontal().high / m_perSecond};
 }
 
 bool TimePlot::empty() const
@@ -100,13 +134,16 @@ void TimePlot::refresh()
         const PlotCurve& curve = m_curves[i];
         QList<QPointF> points;
         if (curve.x && curve.y) {
-            const auto [from, to] = visiblePart(*curve.x, horizontal());
+            const auto [from, to] = visiblePart(*curve.x, inView_s());
             const std::span<const double> x(curve.x->data() + from, to - from);
             const std::span<const double> y(curve.y->data() + from, to - from);
             const std::vector<PlotPoint> few = decimateMinMax(x, y, std::size_t(columns()));
-            points.reserve(qsizetype(few.size()));
-            for (const PlotPoint& point : few)
-                points.append({point.x, point.y});
+            points.reserve(qsizetype(few.size()) * (curve.held ? 2 : 1));
+            for (const PlotPoint& point : few) {
+                if (curve.held && !points.isEmpty())
+                    points.append({m_perSecond * point.x, points.back().y()});
+                points.append({m_perSecond * point.x, point.y});
+            }
         }
         m_series[i]->replace(points);
     }
@@ -119,7 +156,7 @@ void TimePlot::fitVertical(double leastHalf)
     for (const PlotCurve& curve : m_curves) {
         if (!curve.x || !curve.y)
             continue;
-        const auto [from, to] = visiblePart(*curve.x, horizontal());
+        const auto [from, to] = visiblePart(*curve.x, inView_s());
         for (std::size_t i = from; i < to; ++i) {
             low = std::min(low, (*curve.y)[i]);
             high = std::max(high, (*curve.y)[i]);
@@ -149,7 +186,7 @@ void TimePlot::updateLegend()
 {
     std::vector<LegendEntry> entries;
     for (const PlotCurve& curve : m_curves) {
-        const QPen pen = curvePen(curve.role);
+        const QPen pen = penOf(curve);
         entries.push_back({curve.name, pen.color(), std::max(2, int(std::lround(pen.widthF())))});
     }
     setLegend(std::move(entries));
@@ -159,7 +196,7 @@ void TimePlot::themeChanged()
 {
     PlotFrame::themeChanged();
     for (std::size_t i = 0; i < m_series.size(); ++i)
-        m_series[i]->setPen(curvePen(m_curves[i].role));
+        m_series[i]->setPen(penOf(m_curves[i]));
     updateLegend();
 }
 

@@ -4,10 +4,11 @@
 #include "core/math/normal_interval.h"
 #include "core/signal/recording/units.h"
 #include "ui/charts/axis_ticks.h"
+#include "ui/charts/trend_figure.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,8 @@ namespace {
 constexpr int trendLeft = 66, trendRight = 14, trendTop = 24, trendBottomBare = 8,
               bottomAxis = 26; // around the plot
 constexpr double trendSignSize = 8;
-constexpr double trendReach = 16; ///< so near a click has to be, pixels
+constexpr double trendDoubtTick = 7; ///< height, pixels
+constexpr double trendReach = 16;    ///< so near a click has to be, pixels
 
 struct TrendWords {
     Q_DECLARE_TR_FUNCTIONS(gripscope::TrendPlot)
@@ -44,34 +46,6 @@ QString unitOf(int parameter)
 {
     const ParameterUnits units = siParameterUnits();
     return parameter == 0 ? units.m : parameter == 1 ? units.b : units.k;
-}
-
-QPainterPath signPath(int sign, QPointF at, double size)
-{
-    QPainterPath path;
-    const double r = size / 2;
-    switch (sign % 4) {
-    case 0:
-        path.addEllipse(at, r, r);
-        break;
-    case 1:
-        path.addRect(QRectF(at.x() - r * 0.9, at.y() - r * 0.9, 1.8 * r, 1.8 * r));
-        break;
-    case 2:
-        path.addPolygon(QPolygonF{
-            {at + QPointF(0, -r * 1.1), at + QPointF(r * 1.1, r * 0.9), at + QPointF(-r * 1.1, r * 0.9)}});
-        break;
-    default:
-        path.addPolygon(QPolygonF{{at + QPointF(0, -r * 1.2), at + QPointF(r * 1.2, 0),
-                                   at + QPointF(0, r * 1.2), at + QPointF(-r * 1.2, 0)}});
-    }
-    path.closeSubpath();
-    return path;
-}
-
-QColor signColor(int sign, const ThemeTokens& tokens)
-{
-    return sign < 0 ? tokens.secondText : Theme::typeColor(sign);
 }
 
 /// What the points of one type span in one pixel column.
@@ -115,60 +89,69 @@ std::pair<std::size_t, std::size_t> TrendContent::inView() const
     return {first, bound(first, last, std::nextafter(high, INFINITY))};
 }
 
-TrendContent trendContent(std::shared_ptr<const HistoryPoints> points, const TypeModels& models, bool byTime)
+bool TrendContent::gated() const
+{
+    return std::any_of(bands.begin(), bands.end(),
+                       [](const TrendBand& band) { return band.gate.has_value(); });
+}
+
+TrendContent trendContent(std::shared_ptr<const HistoryPoints> points, const TypeModels& models, bool byTime,
+                          const std::vector<GateIntervals>& gates)
 {
     TrendContent content;
     content.points = std::move(points);
     content.byTime = byTime;
-    int next = int(models.types.size());
-    for (const QString& type : content.points->types) {
-        const auto known = std::find_if(models.types.begin(), models.types.end(),
-                                        [&](const TypeModel& model) { return model.name == type; });
-        content.signs.push_back(known == models.types.end() ? next++ : int(known - models.types.begin()));
+    for (std::size_t i = 0; i < models.types.size(); ++i) {
+        const TypeModel& model = models.types[i];
+        if (!content.points->si || !content.points->types.contains(model.name))
+            continue;
+        TrendBand& band = content.bands.emplace_back();
+        band.type = model.name;
+        band.sign = model.place;
+        band.intervals = typeIntervals(models, model);
+        if (i < gates.size())
+            band.gate = gates[i];
     }
-    for (std::size_t i = 0; i < models.types.size(); ++i)
-        if (content.points->si && content.points->types.contains(models.types[i].name))
-            content.bands.push_back({models.types[i].name, int(i), typeIntervals(models, models.types[i])});
+    for (const HistoryPoint& point : content.points->points) {
+        content.suspects = content.suspects || point.validity == ValidityVerdict::Suspect;
+        content.invalid = content.invalid || point.validity == ValidityVerdict::Invalid;
+    }
     const AxisRange whole = content.whole();
     content.low = whole.low;
     content.high = whole.high;
     return content;
 }
 
-void paintTypeSign(QPainter& painter, int sign, QPointF at, double size, const ThemeTokens& tokens)
+PlotTable trendNumbers(const TrendContent& content)
 {
-    const QColor color = signColor(sign, tokens);
-    const bool light = tokens.kind == ThemeKind::Light;
-    if (sign < 0) {
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(color, 1.6));
-        painter.drawEllipse(at, size / 2, size / 2);
-        return;
+    if (!content.points)
+        return {};
+    const HistoryPoints& points = *content.points;
+    std::vector<QString> times, types, worth;
+    for (const HistoryPoint& point : points.points) {
+        times.push_back(QDateTime::fromMSecsSinceEpoch(point.time_ms, Qt::UTC).toString(Qt::ISODateWithMs));
+        types.push_back(point.type < 0 ? QString() : points.types[point.type]);
+        worth.push_back(point.validity ? toString(*point.validity) : QString());
     }
-    painter.setBrush(color);
-    painter.setPen(QPen(light ? tokens.surface : tokens.text, 1));
-    painter.drawPath(signPath(sign, at, size));
-}
-
-void paintTypeLegend(QPainter& painter, const TrendContent& content, const QRectF& box,
-                     const ThemeTokens& tokens)
-{
-    constexpr double sign = 16, gap = 16; // beside a name, between two entries
-    painter.setFont(Theme::font(metrics::fontSmall));
-    double x = box.left();
-    const auto entry = [&](int which, const QString& name) {
-        const double wide = painter.fontMetrics().horizontalAdvance(name);
-        if (x + sign + wide > box.right())
-            return;
-        paintTypeSign(painter, which, QPointF(x + sign / 2 - 2, box.center().y()), 9, tokens);
-        painter.setPen(tokens.text);
-        painter.drawText(QRectF(x + sign, box.top(), wide + 2, box.height()),
-                         Qt::AlignLeft | Qt::AlignVCenter, name);
-        x += sign + wide + gap;
+    const auto texts = [](std::vector<QString> values) {
+        return std::make_shared<const std::vector<QString>>(std::move(values));
     };
-    for (qsizetype i = 0; i < content.points->types.size(); ++i)
-        entry(content.signs[std::size_t(i)], content.points->types[i]);
-    entry(-1, TrendWords::tr("of no type"));
+    const auto numbers = [&points](MassDampingStiffness HistoryPoint::*which, int parameter) {
+        auto values = std::make_shared<std::vector<double>>();
+        for (const HistoryPoint& point : points.points)
+            values->push_back(component(point.*which, parameter));
+        return values;
+    };
+    PlotTable table{{TrendWords::tr("Time (UTC)"), {}, texts(std::move(times))}};
+    for (int parameter = 0; parameter < 3; ++parameter) {
+        const QString unit = points.si ? u" (%1)"_s.arg(unitOf(parameter)) : QString();
+        table.push_back({nameOf(parameter) + unit, numbers(&HistoryPoint::parameters, parameter)});
+        table.push_back({TrendWords::tr("%1, standard error").arg(nameOf(parameter)) + unit,
+                         numbers(&HistoryPoint::standardErrors, parameter)});
+    }
+    table.push_back({TrendWords::tr("Type"), {}, texts(std::move(types))});
+    table.push_back({TrendWords::tr("Measurement"), {}, texts(std::move(worth))});
+    return table;
 }
 
 TrendPlot::TrendPlot(const TrendContent& content, int parameter, const QRectF& box, bool withAxis)
@@ -190,8 +173,16 @@ void TrendPlot::findRange()
     for (std::size_t i = first; i < last; ++i)
         take(component(m_content.points->points[i].parameters, m_parameter));
     for (const TrendBand& band : m_content.bands) {
-        take(band.intervals[std::size_t(m_parameter)].low);
-        take(band.intervals[std::size_t(m_parameter)].high);
+        const TypeInterval& interval = band.intervals[std::size_t(m_parameter)];
+        take(interval.low);
+        take(interval.high);
+        // One after few squeezes is so wide that all the rest would be a line.
+        constexpr double widest = 4;
+        const TypeInterval gate = band.gate ? (*band.gate)[std::size_t(m_parameter)] : interval;
+        if (gate.high - gate.low < widest * (interval.high - interval.low)) {
+            take(gate.low);
+            take(gate.high);
+        }
     }
     const bool si = !m_content.points || m_content.points->si;
     m_unit = shownUnit(si ? unitOf(m_parameter) : u"1"_s, largest);
@@ -237,13 +228,13 @@ void TrendPlot::paint(QPainter& painter, const ThemeTokens& tokens) const
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     paintFrame(painter, tokens);
-    painter.setClipRect(m_area.adjusted(0, -1, 1, 1));
     paintBands(painter, tokens);
     if (m_content.points && crowded())
         paintColumns(painter, tokens);
     else if (m_content.points)
         paintPoints(painter, tokens);
-    if (m_content.selected && *m_content.selected < m_content.points->points.size()) {
+    const auto [first, last] = m_content.inView();
+    if (m_content.selected && *m_content.selected >= first && *m_content.selected < last) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(tokens.accent, 2.5));
         painter.drawEllipse(position(*m_content.selected), trendSignSize, trendSignSize);
@@ -305,31 +296,44 @@ void TrendPlot::paintBands(QPainter& painter, const ThemeTokens& tokens) const
 {
     for (const TrendBand& band : m_content.bands) {
         const TypeInterval& interval = band.intervals[std::size_t(m_parameter)];
-        const QColor color = signColor(band.sign, tokens);
+        const QColor color = typeSignColor(band.sign, tokens);
         const double high = height(interval.high * m_unit.factor), low = height(interval.low * m_unit.factor);
-        const QRectF stripe(QPointF(m_area.left(), high), QPointF(m_area.right(), low));
+        const QRectF stripe =
+            QRectF(QPointF(m_area.left(), high), QPointF(m_area.right(), low)).intersected(m_area);
         if (tokens.kind == ThemeKind::HighContrast)
             painter.fillRect(stripe, QBrush(color, Qt::BDiagPattern));
         else
             painter.fillRect(stripe, QColor(color.red(), color.green(), color.blue(), 36));
-        painter.setPen(QPen(color, 1, Qt::DashLine));
-        const double mean = height(interval.mean * m_unit.factor);
-        painter.drawLine(QPointF(m_area.left(), mean), QPointF(m_area.right(), mean));
+        paintLevel(painter, interval.mean, QPen(color, 1, Qt::DashLine));
+        if (!band.gate)
+            continue;
+        for (const double end :
+             {(*band.gate)[std::size_t(m_parameter)].low, (*band.gate)[std::size_t(m_parameter)].high})
+            paintLevel(painter, end, QPen(color, 1.2, Qt::DotLine));
     }
+}
+
+void TrendPlot::paintLevel(QPainter& painter, double value, const QPen& pen) const
+{
+    const double y = height(value * m_unit.factor);
+    if (y < m_area.top() || y > m_area.bottom())
+        return;
+    painter.setPen(pen);
+    painter.drawLine(QPointF(m_area.left(), y), QPointF(m_area.right(), y));
 }
 
 void TrendPlot::paintPoints(QPainter& painter, const ThemeTokens& tokens) const
 {
     const auto [first, last] = m_content.inView();
     for (std::size_t i = first; i < last; ++i) {
-        const int type = m_content.points->points[i].type;
-        const int sign = type < 0 ? -1 : m_content.signs[std::size_t(type)];
+        const int sign = m_content.sign(m_content.points->points[i].type);
         const QPointF at = position(i);
         if (const double half = error(i); half > 0) {
-            painter.setPen(QPen(signColor(sign, tokens), 1.2));
-            painter.drawLine(QPointF(at.x(), height(number(i) - half)),
-                             QPointF(at.x(), height(number(i) + half)));
+            painter.setPen(QPen(typeSignColor(sign, tokens), 1.2));
+            painter.drawLine(QPointF(at.x(), std::min(height(number(i) - half), m_area.bottom())),
+                             QPointF(at.x(), std::max(height(number(i) + half), m_area.top())));
         }
+        paintDoubt(painter, m_content.points->points[i].validity, at, trendSignSize, tokens);
         paintTypeSign(painter, sign, at, trendSignSize, tokens);
     }
 }
@@ -337,8 +341,9 @@ void TrendPlot::paintPoints(QPainter& painter, const ThemeTokens& tokens) const
 void TrendPlot::paintColumns(QPainter& painter, const ThemeTokens& tokens) const
 {
     const auto width = std::size_t(std::max(1.0, std::floor(m_area.width())));
-    const std::size_t kinds = m_content.signs.size() + 1; // the last: of no type
+    const std::size_t kinds = std::size_t(m_content.points->types.size()) + 1; // the last: of no type
     std::vector<TrendColumn> columns(width * kinds);
+    std::vector<char> doubts(width);
     const auto [first, last] = m_content.inView();
     for (std::size_t i = first; i < last; ++i) {
         const double share = (m_content.across(i) - m_content.low) / (m_content.high - m_content.low);
@@ -350,9 +355,11 @@ void TrendPlot::paintColumns(QPainter& painter, const ThemeTokens& tokens) const
         column.high = std::max(column.high, value);
         column.sum += value;
         ++column.count;
+        const std::optional<ValidityVerdict>& validity = m_content.points->points[i].validity;
+        doubts[x] = char(doubts[x] != 0 || (validity && *validity != ValidityVerdict::Valid));
     }
     for (std::size_t kind = 0; kind < kinds; ++kind) {
-        const QColor color = signColor(kind + 1 == kinds ? -1 : m_content.signs[kind], tokens);
+        const QColor color = typeSignColor(m_content.sign(kind + 1 == kinds ? -1 : int(kind)), tokens);
         QColor faint = color;
         faint.setAlpha(tokens.kind == ThemeKind::HighContrast ? 255 : 110);
         for (std::size_t x = 0; x < width; ++x) {
@@ -365,6 +372,11 @@ void TrendPlot::paintColumns(QPainter& painter, const ThemeTokens& tokens) const
             painter.fillRect(QRectF(at - 1, height(column.sum / column.count) - 1, 2, 2), color);
         }
     }
+    for (std::size_t x = 0; x < width; ++x)
+        if (doubts[x] != 0)
+            painter.fillRect(
+                QRectF(m_area.left() + double(x), m_area.bottom() - trendDoubtTick, 2, trendDoubtTick),
+                tokens.suspect);
 }
 
 std::optional<std::size_t> TrendPlot::pointAt(QPointF at) const

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/trend_figure.h"
 #include "ui/charts/trend_plot.h"
 
 #include <QKeyEvent>
@@ -12,9 +13,10 @@
 
 namespace gripscope {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 constexpr int plots = 3;
-constexpr int axisRoom = 18;     ///< that the lowest one needs for its numbers
 constexpr int leastDrag = 6;     ///< pixels; less is a click
 constexpr double closest = 1e-5; ///< of the whole: no closer
 } // namespace
@@ -45,13 +47,42 @@ bool TrendView::empty() const
 
 QRectF TrendView::box(int parameter) const
 {
-    const double each = double(height() - axisRoom) / plots;
-    return {0, parameter * each, double(width()), each + (parameter == plots - 1 ? axisRoom : 0)};
+    return trendBoxes(QRectF(rect()))[std::size_t(parameter)];
 }
 
 TrendPlot TrendView::plot(int parameter) const
 {
     return {m_content, parameter, box(parameter), parameter == plots - 1};
+}
+
+QString TrendView::plotName() const
+{
+    return tr("Mass, damping and stiffness");
+}
+
+QString TrendView::fileName() const
+{
+    return u"trend"_s;
+}
+
+QSize TrendView::pictureSize() const
+{
+    QSize plain = size();
+    if (m_pictureSize.isValid()) // higher than a single plot
+        plain = {m_pictureSize.width(), m_pictureSize.height() * (2 + plots) / 3};
+    return plain + QSize(0, typeLegendHeight(m_content, plain.width()));
+}
+
+void TrendView::paintPicture(QPainter& painter)
+{
+    TrendContent content = m_content;
+    content.selected.reset();
+    paintTrendFigure(painter, content, pictureSize(), Theme::instance().tokens());
+}
+
+PlotTable TrendView::numbers() const
+{
+    return trendNumbers(m_content);
 }
 
 void TrendView::paintEvent(QPaintEvent*)

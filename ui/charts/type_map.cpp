@@ -2,16 +2,19 @@
 #include "ui/charts/type_map.h"
 
 #include "core/base/display_units.h"
+#include "core/signal/recording/units.h"
+#include "ui/charts/line_clipping.h"
 #include "ui/theme/theme.h"
 
 #include <Eigen/Eigenvalues>
 #include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
 
 namespace gripscope {
+
+using namespace Qt::StringLiterals;
 
 namespace {
 /// Chi-square with two degrees of freedom is exponential: its 95 % quantile is -2 ln 0.05.
@@ -64,13 +67,28 @@ std::vector<QPointF> TypeMap::ellipse(const TypeModels& models, const TypeModel&
 void TypeMap::setTypes(const TypeModels& models)
 {
     m_shapes.clear();
+    m_points.clear();
     for (const TypeModel& type : models.types) {
         Shape shape;
         shape.name = type.name;
+        shape.sign = type.place;
         shape.centre = drawn({std::exp(type.meanLog[2]), std::exp(type.meanLog[1])});
         for (const QPointF& p : ellipse(models, type))
             shape.edge.push_back(drawn(p));
         m_shapes.push_back(std::move(shape));
+    }
+    update();
+}
+
+void TypeMap::setSqueezes(const std::vector<TypeSqueeze>& squeezes, const QString& own)
+{
+    m_points.clear();
+    for (const TypeSqueeze& squeeze : squeezes) {
+        const auto shape = std::find_if(m_shapes.begin(), m_shapes.end(),
+                                        [&](const Shape& one) { return one.name == squeeze.type; });
+        const QPointF at = drawn({squeeze.parameters.k, squeeze.parameters.b});
+        if (shape != m_shapes.end() && at.x() > 0 && at.y() > 0) // what is not is in no type either
+            m_points.push_back({at, std::size_t(shape - m_shapes.begin()), squeeze.type == own});
     }
     update();
 }
@@ -97,7 +115,7 @@ QPointF TypeMap::View::map(QPointF value) const
 TypeMap::View TypeMap::view() const
 {
     View view;
-    view.plot = QRectF(rect()).adjusted(56, 10, -14, -38);
+    view.plot = QRectF(QPointF(), pictureSize()).adjusted(56, 10, -14, -38);
     double k0 = 1e300, k1 = -1e300, b0 = 1e300, b1 = -1e300;
     const auto include = [&](const QPointF& p) {
         k0 = std::min(k0, p.x());
@@ -110,13 +128,15 @@ TypeMap::View TypeMap::view() const
         for (const QPointF& p : shape.edge)
             include(p);
     }
+    for (const Point& point : m_points)
+        include(point.at);
     if (m_part)
         include(*m_part);
     if (k0 > k1)
         k0 = b0 = 0, k1 = b1 = 1;
     const auto padded = [](double low, double high) {
         const double air = std::max((high - low) * 0.06, std::abs(high) * 0.02);
-        return AxisRange{std::max(0.0, low - air), high + air};
+        return AxisRange{low < 0 ? low - air : std::max(0.0, low - air), high + air};
     };
     view.k = padded(k0, k1);
     view.b = padded(b0, b1);
@@ -126,10 +146,21 @@ TypeMap::View TypeMap::view() const
 void TypeMap::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
+    paint(painter);
+    if (hasFocus()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(Theme::instance().tokens().accent, 2));
+        painter.drawRect(rect().adjusted(1, 1, -1, -1));
+    }
+}
+
+void TypeMap::paint(QPainter& painter) const
+{
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_shapes.empty() && !m_part) {
         painter.setPen(Theme::instance().tokens().secondText);
-        painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap,
+        painter.drawText(QRect(QPoint(), pictureSize()).adjusted(16, 8, -16, -8),
+                         Qt::AlignCenter | Qt::TextWordWrap,
                          tr("No types yet. Enroll one to see where it lies."));
         return;
     }
@@ -137,6 +168,52 @@ void TypeMap::paintEvent(QPaintEvent*)
     paintAxes(painter, v);
     paintTypes(painter, v);
     paintPart(painter, v);
+}
+
+QString TypeMap::plotName() const
+{
+    return tr("Map of the types");
+}
+
+QString TypeMap::fileName() const
+{
+    return u"type-map"_s;
+}
+
+void TypeMap::paintPicture(QPainter& painter)
+{
+    painter.save();
+    painter.fillRect(QRectF(QPointF(), pictureSize()), Theme::instance().tokens().surface);
+    paint(painter);
+    painter.restore();
+}
+
+PlotTable TypeMap::numbers() const
+{
+    auto what = std::make_shared<std::vector<QString>>(), type = std::make_shared<std::vector<QString>>();
+    auto k = std::make_shared<std::vector<double>>(), b = std::make_shared<std::vector<double>>();
+    const QPointF factors = drawn({1, 1});
+    const auto add = [&](const QString& kind, const QString& name, QPointF at) {
+        what->push_back(kind);
+        type->push_back(name);
+        k->push_back(at.x() / factors.x());
+        b->push_back(at.y() / factors.y());
+    };
+    for (const Shape& shape : m_shapes) {
+        add(tr("mean"), shape.name, shape.centre);
+        for (const QPointF& corner : shape.edge)
+            add(tr("edge of 95 %"), shape.name, corner);
+    }
+    for (const Point& point : m_points)
+        add(tr("squeeze"), m_shapes[point.shape].name, point.at);
+    if (m_part)
+        add(tr("this part"), {}, *m_part);
+    for (const QPointF& corner : m_partEdge)
+        add(tr("edge of 95 %"), tr("this part"), corner);
+    return {{tr("What"), {}, what},
+            {tr("Type"), {}, type},
+            {tr("stiffness (%1)").arg(siParameterUnits().k), k},
+            {tr("damping (%1)").arg(siParameterUnits().b), b}};
 }
 
 void TypeMap::paintAxes(QPainter& painter, const View& v) const
@@ -165,13 +242,14 @@ void TypeMap::paintAxes(QPainter& painter, const View& v) const
         painter.drawText(QRectF(18, y - 9, v.plot.left() - 24, 18), Qt::AlignRight | Qt::AlignVCenter,
                          b.label(value));
     }
-    painter.drawText(QRectF(v.plot.left(), height() - 18, v.plot.width(), 16), Qt::AlignCenter,
+    const double foot = v.plot.bottom() + 20;
+    painter.drawText(QRectF(v.plot.left(), foot, v.plot.width(), 16), Qt::AlignCenter,
                      tr("stiffness (%1)").arg(fieldUnit(MechanicalQuantity::Stiffness).unit));
     if (m_part) {
-        painter.drawText(QRectF(v.plot.left(), height() - 18, v.plot.width(), 16),
-                         Qt::AlignRight | Qt::AlignVCenter, tr("this part"));
+        painter.drawText(QRectF(v.plot.left(), foot, v.plot.width(), 16), Qt::AlignRight | Qt::AlignVCenter,
+                         tr("this part"));
         const QPointF ring(v.plot.right() - painter.fontMetrics().horizontalAdvance(tr("this part")) - 10,
-                           height() - 9.0);
+                           foot + 9);
         painter.setPen(QPen(t.text, 1.5));
         painter.drawEllipse(ring, 5, 5);
         painter.drawEllipse(ring, 1, 1);
@@ -191,11 +269,9 @@ void TypeMap::paintTypes(QPainter& painter, const View& v) const
     const ThemeTokens& t = Theme::instance().tokens();
     const bool contrast = t.kind == ThemeKind::HighContrast;
     static constexpr Qt::PenStyle styles[] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
-    painter.setClipRect(v.plot.adjusted(-1, -1, 1, 1));
     std::vector<QRectF> bounds;
-    for (std::size_t i = 0; i < m_shapes.size(); ++i) {
-        const Shape& shape = m_shapes[i];
-        const QColor color = contrast ? t.text : Theme::typeColor(static_cast<int>(i));
+    for (const Shape& shape : m_shapes) {
+        const QColor color = contrast ? t.text : Theme::typeColor(shape.sign);
         QPolygonF edge;
         for (const QPointF& p : shape.edge)
             edge << v.map(p);
@@ -204,7 +280,7 @@ void TypeMap::paintTypes(QPainter& painter, const View& v) const
         const bool light = t.kind == ThemeKind::Light;
         // Without colours the line tells the types apart.
         painter.setPen(QPen(light || contrast ? color : Theme::mix(color, Qt::white, 0.45),
-                            contrast ? 2 : 1.5, contrast ? styles[i % 4] : Qt::SolidLine));
+                            contrast ? 2 : 1.5, contrast ? styles[shape.sign % 4] : Qt::SolidLine));
         painter.setBrush(contrast ? QBrush(Qt::NoBrush) : QBrush(tint));
         const QPointF c = v.map(shape.centre);
         const QRectF box = edge.boundingRect();
@@ -215,8 +291,20 @@ void TypeMap::paintTypes(QPainter& painter, const View& v) const
             painter.drawPolygon(edge);
         bounds.push_back(box.united(QRectF(c.x() - 5, c.y() - 5, 10, 10)));
     }
+    paintSqueezes(painter, v);
     paintNames(painter, v, bounds);
-    painter.setClipping(false);
+}
+
+void TypeMap::paintSqueezes(QPainter& painter, const View& v) const
+{
+    const ThemeTokens& t = Theme::instance().tokens();
+    for (const Point& point : m_points) {
+        const QColor color =
+            t.kind == ThemeKind::HighContrast ? t.text : Theme::typeColor(m_shapes[point.shape].sign);
+        painter.setPen(QPen(Theme::mix(t.surface, color, point.own ? 1 : 0.6), 1));
+        painter.setBrush(point.own ? QBrush(color) : QBrush(t.surface));
+        painter.drawEllipse(v.map(point.at), 2.5, 2.5);
+    }
 }
 
 void TypeMap::paintNames(QPainter& painter, const View& v, const std::vector<QRectF>& bounds) const
@@ -251,6 +339,9 @@ void TypeMap::paintNames(QPainter& painter, const View& v, const std::vector<QRe
                     chosen = QRectF(place, size);
                     found = true;
                 }
+        // Nowhere is there room: within the plot at least.
+        chosen.moveLeft(std::max(v.plot.left(), std::min(chosen.left(), v.plot.right() - chosen.width())));
+        chosen.moveTop(std::max(v.plot.top(), std::min(chosen.top(), v.plot.bottom() - chosen.height())));
         taken.push_back(chosen);
         painter.drawText(chosen, Qt::AlignCenter, name);
     }
@@ -265,12 +356,12 @@ void TypeMap::paintPart(QPainter& painter, const View& v) const
     QPolygonF edge;
     for (const QPointF& p : m_partEdge)
         edge << v.map(p);
-    painter.setClipRect(v.plot.adjusted(-1, -1, 1, 1));
+    if (!edge.isEmpty())
+        edge << edge.front();
     painter.setPen(QPen(t.text, 1.5, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);
     if (edge.boundingRect().width() > 6 || edge.boundingRect().height() > 6)
-        painter.drawPolygon(edge);
-    painter.setClipping(false);
+        drawLineInside(painter, edge, v.plot);
     painter.setBrush(t.text);
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(c, 3, 3);

@@ -35,12 +35,21 @@ public:
     {
         await(context, m_library->run<T>(std::move(work)), std::move(done));
     }
+    /// The same while this program does not have the library open (LibraryService::runClosed).
+    template <typename T>
+    void askClosed(QObject* context, std::function<Expected<T>(const Acting&)> work,
+                   std::function<void(Expected<T>)> done)
+    {
+        await(context, m_library->runClosed<T>(std::move(work)), std::move(done));
+    }
     /// Runs `work` (identification, clustering) in the pool, and `done` on the screen's thread.
     template <typename T>
     void compute(QObject* context, std::function<T()> work, std::function<void(T)> done)
     {
         await(context, inPool(std::move(work), m_pool), std::move(done));
     }
+    /// Something is computed in the pool: the end of this would wait for it.
+    [[nodiscard]] bool busy() const { return m_pool.activeThreadCount() > 0; }
     /// Tells the answers that have come.
     void poll();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/context/connection_words.h"
 
+#include "core/base/words.h"
+#include "core/session/connection/loss_watch.h"
 #include "ui/format/number_format.h"
 
 #include <QCoreApplication>
@@ -31,13 +33,17 @@ bool isForbidden(const ConnectSession& connection)
 
 QString streamWords(const ConnectSession& connection)
 {
-    const double sampleTime_s = connection.identity().sampleTime_s;
-    const QString rate =
-        sampleTime_s > 0 ? Told::tr("%1 kHz").arg(1e-3 / sampleTime_s, 0, 'g', 3) : QString();
     const LinkCounters counters = connection.counters();
+    // As it is measured over the last second, to as many digits as that second tells; none in the first.
+    const QString rate = counters.sampleRate_Hz > 0
+                             ? Told::tr("%1 kHz").arg(Words::number(1e-3 * counters.sampleRate_Hz, 'g', 2))
+                             : QString(QChar(0x2026));
     const auto lost = static_cast<qint64>(counters.lostSamples);
-    // The rate is what the gripper states; while nothing comes there is none.
-    return Told::tr("%1 · %2 lost").arg(counters.stalled ? Told::tr("silent") : rate, formatCount(lost));
+    // Beside the sign of a link that is well, what was lost is told as past.
+    const bool earlier =
+        counters.lastLoss && std::chrono::steady_clock::now() - *counters.lastLoss > LossWatch::window;
+    return (earlier ? Told::tr("%1 · %2 lost earlier") : Told::tr("%1 · %2 lost"))
+        .arg(counters.stalled ? Told::tr("silent") : rate, formatCount(lost));
 }
 
 } // namespace

@@ -9,8 +9,8 @@
 
 namespace gripscope {
 
-/// What a person is told in the window's message bar, errors mostly. A message may say until when it is true:
-/// then it goes by itself, and nobody reads what is no longer so.
+/// What a person is told in the window's message bar: what went wrong, and what was done. A message may say
+/// until when it is true: then it goes by itself, and nobody reads what is no longer so.
 class Messages : public QObject {
     Q_OBJECT
 public:
@@ -18,11 +18,14 @@ public:
 
     /// `holds` is asked at every poll; what it uses must live as long as this.
     void report(const QString& message, Condition holds = {});
+    /// Something was done as it was asked for: no warning.
+    void tell(const QString& message) { emit told(message); }
     /// Takes back what no longer holds.
     void poll();
 
 signals:
     void reported(const QString& message);
+    void told(const QString& message);
     void withdrawn(const QString& message);
 
 private:

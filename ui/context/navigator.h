@@ -16,6 +16,7 @@ struct FitSubject {
     QString title; ///< "Inspection 12", "A, squeeze 3"
     Recording recording;
     Identification identification;
+    QString backTo = {}; ///< id of the page it was chosen on; empty: it came by itself
 };
 
 /// The way from one page to another, and what it takes along.
@@ -24,6 +25,10 @@ class Navigator : public QObject {
 public:
     /// Brings another page into view, by its id.
     void showPage(const QString& id) { emit pageRequested(id); }
+    /// What can be done to the enrolled types, over the page in view.
+    void manageTypes() { emit typesAsked(); }
+    /// Another library, or this one anew, in place of the one that is open; `words` tell it then.
+    void openLibrary(const QString& file, const QString& words) { emit libraryAsked(file, words); }
     /// Puts a squeeze on the Fit page and shows that page.
     void showInFit(FitSubject subject);
     /// Puts a squeeze on the Fit page without leaving this one.
@@ -32,6 +37,8 @@ public:
 
 signals:
     void pageRequested(const QString& id);
+    void typesAsked();
+    void libraryAsked(const QString& file, const QString& words);
     void fitSubjectChanged(); ///< a new one; the page need not be in view
 
 private:

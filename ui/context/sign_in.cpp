@@ -43,7 +43,7 @@ SignIn::SignIn(Workbench& bench) : QObject(&bench), m_bench(&bench)
 
 bool SignIn::may(Permission permission) const
 {
-    return !inForce() || (m_current && mayDo(m_current->role(), permission, m_arming));
+    return !inForce() || (m_current && mayDo(m_current->role(), permission, m_known.arming));
 }
 
 void SignIn::apply(std::optional<Grant> grant)
@@ -53,36 +53,33 @@ void SignIn::apply(std::optional<Grant> grant)
 
 void SignIn::reload()
 {
-    using Known = std::pair<std::vector<Person>, ArmingPolicy>;
     m_bench->background().ask<Known>(
         this,
         [](Library& library) -> Expected<Known> {
-            auto people = library.people().all();
-            const auto arming = library.people().arming();
-            if (!people || !arming)
-                return tl::unexpected(people ? arming.error() : people.error());
-            return Known{std::move(*people), *arming};
+            ASSIGN_OR_RETURN(auto people, library.people().all());
+            ASSIGN_OR_RETURN(const auto arming, library.people().arming());
+            ASSIGN_OR_RETURN(const auto approval, library.people().approval());
+            return Known{std::move(people), arming, approval};
         },
         [this](Expected<Known> known) {
             if (known) // a library that cannot be read is told by whoever needs it
-                setPeople(std::move(known->first), known->second);
+                take(std::move(*known));
         });
 }
 
-void SignIn::setPeople(std::vector<Person> people, ArmingPolicy arming)
+void SignIn::take(Known known)
 {
-    m_known = true;
-    if (people == m_people && arming == m_arming)
+    m_read = true;
+    if (known == m_known)
         return;
-    m_arming = arming;
-    const bool began = m_people.empty();
-    m_people = std::move(people);
+    const bool began = m_known.people.empty();
+    m_known = std::move(known);
     if (m_current) {
-        const auto self = std::find_if(m_people.begin(), m_people.end(), [this](const Person& person) {
-            return person.id == m_current->personId();
-        });
+        const auto self =
+            std::find_if(m_known.people.begin(), m_known.people.end(),
+                         [this](const Person& person) { return person.id == m_current->personId(); });
         // Another role than the one signed in with, or none any more: shown as it is from now on.
-        if (self == m_people.end() || !self->active || self->role != m_current->role())
+        if (self == m_known.people.end() || !self->active || self->role != m_current->role())
             signOut();
     } else if (began && inForce()) {
         m_bench->setOperatorName({}); // a name that anybody can type is nobody's signature any more

@@ -27,14 +27,15 @@ public:
     explicit SignIn(Workbench& bench);
 
     /// Roles are in force: there are people in the library.
-    [[nodiscard]] bool inForce() const { return !m_people.empty(); }
-    [[nodiscard]] bool known() const { return m_known; } ///< the library was read once
-    [[nodiscard]] const std::vector<Person>& people() const { return m_people; }
+    [[nodiscard]] bool inForce() const { return !m_known.people.empty(); }
+    [[nodiscard]] bool known() const { return m_read; } ///< the library was read once
+    [[nodiscard]] const std::vector<Person>& people() const { return m_known.people; }
     [[nodiscard]] const std::optional<Authority>& current() const { return m_current; }
     /// Whether the library will allow it without somebody else's consent, as far as is known here.
     [[nodiscard]] bool may(Permission permission) const;
-    [[nodiscard]] ArmingPolicy arming() const { return m_arming; } ///< who may arm the gripper
-    /// Reads the people and the policy again.
+    [[nodiscard]] ArmingPolicy arming() const { return m_known.arming; }       ///< who may arm the gripper
+    [[nodiscard]] ApprovalPolicy approval() const { return m_known.approval; } ///< who may approve a type
+    /// Reads the people and the policies again.
     void reload();
 
     /// `done` has the reason why not, in words; nothing when it is done.
@@ -57,12 +58,18 @@ protected:
 
 private:
     void apply(std::optional<Grant> grant = std::nullopt);
-    void setPeople(std::vector<Person> people, ArmingPolicy arming);
+    /// What the library says.
+    struct Known {
+        std::vector<Person> people;
+        ArmingPolicy arming = ArmingPolicy::SignedIn;
+        ApprovalPolicy approval = ApprovalPolicy::OnePerson;
+        friend bool operator==(const Known&, const Known&) = default;
+    };
+    void take(Known known);
     void checkIdle();
     Workbench* m_bench;
-    std::vector<Person> m_people;
-    bool m_known = false;
-    ArmingPolicy m_arming = ArmingPolicy::SignedIn;
+    Known m_known;
+    bool m_read = false;
     std::optional<Authority> m_current;
     std::chrono::milliseconds m_idleLimit{};
     QElapsedTimer m_sinceUse;

@@ -13,12 +13,16 @@
 
 #include <QApplication>
 #include <QTimer>
+#include <QWidget>
 
 #include <utility>
 
 namespace gripscope {
 
 namespace {
+
+/// As ConnectSession says it; the library may be locked by another program for a while.
+constexpr std::chrono::seconds askAgainAfter{2};
 
 /// What connectionChanged() is told from.
 struct ConnectionView {
@@ -52,10 +56,13 @@ struct Workbench::Private {
     QTimer timer;
     QString operatorName;
     SignIn* signIn = nullptr;
+    JudgingPolicy policy;
+    bool onlySignedIn = false;
     bool trial = false;
     int stops = 0; ///< asked for by a person
     ConnectionView seen;
     std::optional<Error> connectionError, inspectionError, enrollmentError;
+    std::optional<Error> unreadTold; ///< why it is not known what the library knows of the gripper
     KeepSessions keeping{CaptureFolder::defaultPath(), {}, false};
     bool keeps = false;
     bool captureSuffers = false;                        ///< and that was told
@@ -72,10 +79,12 @@ Workbench::Workbench(const QString& libraryFile, const QString& settingsFile, QO
 {
     keepTextPlain();
     d->enrollment.keepDrafts(true);
+    d->connection.awaitCalibrations(true);
     d->inspection.setWake(d->bell.button());
     d->connection.addListener(
         [this](const std::vector<Sample>& samples) { d->live.take(samples, d->connection); });
     d->signIn = new SignIn(*this);
+    connect(d->signIn, &SignIn::changed, this, &Workbench::applyPolicy);
     // A display refreshes at 60 Hz; the sessions ask to be polled every 16 to 33 ms.
     d->timer.setInterval(16);
     d->timer.setTimerType(Qt::PreciseTimer);
@@ -167,6 +176,19 @@ void Workbench::setRates(const StoredRates& rates)
     emit ratesChanged();
 }
 
+void Workbench::setJudgingPolicy(const JudgingPolicy& policy, bool onlySignedIn)
+{
+    d->policy = policy;
+    d->onlySignedIn = onlySignedIn;
+    applyPolicy();
+}
+
+void Workbench::applyPolicy()
+{
+    d->policy.nobodySignedIn = d->onlySignedIn && d->signIn->inForce() && !d->signIn->current();
+    d->inspection.setPolicy(d->policy);
+}
+
 bool Workbench::keepsSessions() const
 {
     return d->keeps;
@@ -192,10 +214,21 @@ void Workbench::setLinkLimits(const LinkLimits& limits)
 
 void Workbench::connectTo(const QString& address)
 {
+    const Expected<void> done = d->connection.connectTo(address);
+    if (!done)
+        d->messages.report(done.error().describe(), untilConnected());
+    if (!done && d->connection.state() != ConnectSession::State::Disconnected)
+        return; // the one before goes on
     d->connectionError.reset();
     d->seen = {}; // the next one may be open before anybody looks, and must not pass for the one before
-    if (const Expected<void> done = d->connection.connectTo(address); !done)
-        d->messages.report(done.error().describe());
+}
+
+/// Until a gripper is connected that was not when this was asked for; a connection that goes on says nothing.
+Messages::Condition Workbench::untilConnected() const
+{
+    if (d->connection.state() == ConnectSession::State::Connected)
+        return nullptr;
+    return [this] { return d->connection.state() != ConnectSession::State::Connected; };
 }
 
 namespace {
@@ -225,11 +258,24 @@ void Workbench::arm()
     if (d->connection.state() != ConnectSession::State::Connected)
         return now(); // which says why it cannot be
     // The gripper that was meant, and nobody pressed Stop while somebody signed or the disk was slow.
-    authorizeArming(*this, windowInFront(),
-                    [this, now, stops = d->stops, serial = d->connection.identity().serial] {
-                        if (stops == d->stops && serial == d->connection.identity().serial)
-                            now();
-                    });
+    const auto meant = [this, stops = d->stops, serial = d->connection.identity().serial] {
+        return stops == d->stops && serial == d->connection.identity().serial;
+    };
+    const auto authorized = [this, now, meant] {
+        authorizeArming(*this, windowInFront(), [now, meant] {
+            if (meant())
+                now();
+        });
+    };
+    if (d->connection.calibrationsTold())
+        return authorized();
+    // Behind what was asked of the library when the gripper answered, so that what is armed can squeeze.
+    d->background.ask<void>(
+        this, [](Library&) { return Expected<void>(); },
+        [authorized, meant](const Expected<void>&) {
+            if (meant())
+                authorized();
+        });
 }
 
 void Workbench::stop()
@@ -290,8 +336,8 @@ void Workbench::noticeConnection()
         d->seen = now;
         if (opened) {
             d->live.open(d->connection, back);
-            applyMeasuringChain(now.serial);
-            applyCalibrations(now.serial);
+            d->unreadTold.reset();
+            applyKnown(now.serial);
         }
         emit connectionChanged();
     }
@@ -300,6 +346,16 @@ void Workbench::noticeConnection()
 
 void Workbench::noticeCapture()
 {
+    for (const CapturePruning& pruning : d->factory.takePrunings())
+        d->background.ask<void>(
+            this,
+            [pruning](Library& library) {
+                return library.tellPruning(pruning.folder, pruning.parts, pruning.bytes, pruning.squeezes);
+            },
+            [this](const Expected<void>& told) {
+                if (!told)
+                    d->messages.report(told.error().describe());
+            });
     const CaptureStatus status = d->factory.captureStatus();
     const bool suffers = status.problem || status.droppedRecords > 0;
     if (suffers == d->captureSuffers)
@@ -314,33 +370,41 @@ void Workbench::noticeCapture()
                nullptr, static_cast<int>(std::min<std::uint64_t>(status.droppedRecords, 1'000'000'000))));
 }
 
-void Workbench::applyMeasuringChain(const QString& serial)
+void Workbench::applyKnown(const QString& serial)
 {
-    using Found = std::optional<MeasuringChainRecord>;
-    d->background.ask<Found>(
-        this, [serial](Library& library) { return library.measuringChain(serial); },
-        [this, serial](const Expected<Found>& found) {
-            if (!found)
-                return d->messages.report(found.error().describe());
-            if (*found && d->seen.serial == serial)
-                putInForce(d->connection, **found);
-        });
-}
-
-void Workbench::applyCalibrations(const QString& serial)
-{
-    d->background.ask<CalibrationsInForce>(
-        this, [serial](Library& library) { return library.calibrationsInForce(serial); },
-        [this, serial](const Expected<CalibrationsInForce>& found) {
-            if (!found)
-                return d->messages.report(found.error().describe());
+    d->background.ask<KnownGripper>(
+        this, [serial](Library& library) { return knownGripper(library, serial); },
+        [this, serial](const Expected<KnownGripper>& found) {
             if (d->seen.serial != serial)
                 return;
-            d->connection.setCalibrations(*found);
+            if (!found)
+                return askAgain(serial, found.error());
+            d->unreadTold.reset();
+            putInForce(d->connection, *found);
             if (const QString& words = d->connection.calibration().unusable(); !words.isEmpty())
                 d->messages.report(words);
             emit connectionChanged();
         });
+}
+
+void Workbench::askAgain(const QString& serial, const Error& reason)
+{
+    d->connection.tellCalibrationsUnread(reason);
+    const auto wanted = [this, serial] {
+        return d->seen.serial == serial && !d->connection.calibrationsTold();
+    };
+    const Expected<void> told = d->connection.calibrationsTold();
+    if (told) // the gripper was away for a moment: what was in force still is
+        return d->messages.report(reason.describe());
+    if (d->unreadTold != reason)
+        d->messages.report(told.error().describe(), wanted);
+    d->unreadTold = reason;
+    QTimer::singleShot(askAgainAfter, this, [this, serial, wanted] {
+        if (wanted())
+            applyKnown(serial);
+        else
+            d->unreadTold.reset();
+    });
 }
 
 void Workbench::noticeReferenceCheck()
@@ -355,7 +419,8 @@ void Workbench::noticeReferenceCheck()
         return;
     if (status == CheckStatus::Due || status == CheckStatus::Failed)
         d->messages.report(tr("Check on the reference spring: %1 Make it on the Calibrate page.")
-                               .arg(ReferenceWords::status(standing, now)));
+                               .arg(ReferenceWords::status(standing, now)),
+                           [this, status] { return d->referenceCheck == status; });
 }
 
 void Workbench::noticeEnrollment()
@@ -399,7 +464,7 @@ void Workbench::noticeError(std::optional<Error>& known, const std::optional<Err
         return d->messages.report(squeezeErrorWords(d->connection, *now));
     const auto away = [this] { return d->connection.state() == ConnectSession::State::Lost; };
     d->messages.report(connectionErrorWords(d->connection, *now),
-                       d->connection.awaiting() ? Messages::Condition(away) : nullptr);
+                       d->connection.awaiting() ? Messages::Condition(away) : untilConnected());
 }
 
 } // namespace gripscope

@@ -52,6 +52,10 @@ public:
     [[nodiscard]] StoredRates rates() const;
     void setRates(const StoredRates& rates);
 
+    /// What is not judged though it could be; and, where `onlySignedIn` and the library has people, nothing
+    /// while nobody is signed in.
+    void setJudgingPolicy(const JudgingPolicy& policy, bool onlySignedIn);
+
     /// Whether the raw reports of sessions are kept, and how, from the next connection on.
     [[nodiscard]] bool keepsSessions() const;
     [[nodiscard]] const KeepSessions& keeping() const;
@@ -93,12 +97,14 @@ signals:
 private:
     void tick();
     void noticeConnection();
+    [[nodiscard]] Messages::Condition untilConnected() const;
     void noticeCapture();
-    void noticeReferenceCheck(); ///< of the connected gripper: due, or failed
-    void applyCalibrations(const QString& serial);
-    void applyMeasuringChain(const QString& serial); ///< what the library knows of this gripper
+    void noticeReferenceCheck();            ///< of the connected gripper: due, or failed
+    void applyKnown(const QString& serial); ///< what the library knows of this gripper
+    void askAgain(const QString& serial, const Error& reason);
     void noticeEnrollment();
     void noticeInspection();
+    void applyPolicy();
     void noticeError(std::optional<Error>& known, const std::optional<Error>& now);
     struct Private;
     std::unique_ptr<Private> d;

@@ -23,6 +23,10 @@ void LiveHistory::Bin::merge(const Bin& later)
     for (std::size_t c = 0; c < channels; ++c) {
         low[c] = std::min(low[c], later.low[c]);
         high[c] = std::max(high[c], later.high[c]);
+        count[c] += later.count[c];
+        if (later.count[c] > 0)
+            mean[c] +=
+                (later.mean[c] - mean[c]) * static_cast<float>(later.count[c]) / static_cast<float>(count[c]);
     }
 }
 
@@ -63,10 +67,14 @@ LiveHistory::Bin LiveHistory::binOf(const Kept& kept)
 {
     Bin bin;
     bin.begin_s = bin.end_s = kept.sample.time_s;
-    bin.low[0] = bin.high[0] = static_cast<float>(kept.sample.force);
-    bin.low[1] = bin.high[1] = static_cast<float>(kept.sample.position);
+    const auto put = [&bin](std::size_t channel, float value) {
+        bin.low[channel] = bin.high[channel] = bin.mean[channel] = value;
+        bin.count[channel] = 1;
+    };
+    put(0, static_cast<float>(kept.sample.force));
+    put(1, static_cast<float>(kept.sample.position));
     if (kept.commandedForce)
-        bin.low[2] = bin.high[2] = *kept.commandedForce;
+        put(2, *kept.commandedForce);
     return bin;
 }
 
@@ -238,9 +246,10 @@ private:
         // The nearer end first: the line does not cross the column twice.
         const bool fromAbove =
             !m_stretch.empty() && std::abs(m_stretch.back().y - high) < std::abs(m_stretch.back().y - low);
-        m_stretch.push_back({x, fromAbove ? high : low});
+        const double mean = m_open->mean[m_channel];
+        m_stretch.push_back({{x, fromAbove ? high : low}, mean});
         if (low != high)
-            m_stretch.push_back({x, fromAbove ? low : high});
+            m_stretch.push_back({{x, fromAbove ? low : high}, mean});
         m_open.reset();
     }
 

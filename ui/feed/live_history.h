@@ -15,9 +15,9 @@
 
 namespace gripscope {
 
-/// The last ten minutes of samples in bounded memory: the newest minute sample by sample, all of it as lowest
-/// and highest values of ever longer stretches. Drawing costs what the width of the plot costs, whatever the
-/// time shown.
+/// The last ten minutes of samples in bounded memory: the newest minute sample by sample, all of it as
+/// lowest, highest and mean values of ever longer stretches. Drawing costs what the width of the plot costs,
+/// whatever the time shown.
 class LiveHistory {
 public:
     /// Kept sample by sample; squeezes last seconds.
@@ -31,8 +31,12 @@ public:
                 std::span<const std::optional<double>> commandedForce = {});
 
     enum class Channel { Force, Position, CommandedForce };
+    /// The lowest or highest value of a column, with the mean of all that are in it; not a number: unknown.
+    struct Point : PlotPoint {
+        double mean = std::numeric_limits<double>::quiet_NaN();
+    };
     /// A stretch without a gap, to be drawn as one line.
-    using Stretch = std::vector<PlotPoint>;
+    using Stretch = std::vector<Point>;
     /// The `seconds` up to `until_s`, at most two points a column (lowest, highest); x is seconds relative to
     /// `until_s` (<= 0). Columns stand at fixed device times, so that a scrolling picture does not flicker. A
     /// gap in the device's time that is wider than a column starts a new stretch.
@@ -72,6 +76,8 @@ private:
         /// A channel without a value: the lowest above the highest.
         std::array<float, channels> low = filled(std::numeric_limits<float>::infinity());
         std::array<float, channels> high = filled(-std::numeric_limits<float>::infinity());
+        std::array<float, channels> mean = filled(0);
+        std::array<std::uint32_t, channels> count{}; ///< samples with a value
         void merge(const Bin& later);
         static constexpr std::array<float, channels> filled(float value) { return {value, value, value}; }
     };

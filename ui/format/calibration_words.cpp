@@ -20,7 +20,11 @@ constexpr double doubtfulMisfit = 0.01;
 
 QString percentOfScale(const std::optional<double>& percent)
 {
-    return percent ? QLocale().toString(std::abs(*percent), 'g', 2) + u" %"_s : u"–"_s;
+    constexpr double least = 0.001; // below it there is only the rounding of the computer
+    if (!percent)
+        return u"–"_s;
+    return std::abs(*percent) < least ? u"< "_s + QLocale().toString(least) + QChar::Nbsp + u'%'
+                                      : QLocale().toString(std::abs(*percent), 'g', 2) + QChar::Nbsp + u'%';
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 
 #include <array>
+#include <optional>
 #include <utility>
 
 namespace gripscope {
@@ -20,7 +21,21 @@ QString ChannelScale::title(const QString& name) const
     return u"%1 (%2)"_s.arg(name, unit);
 }
 
-ChannelScale channelScale(const QString& unit, double largest)
+namespace {
+
+/// How much of SI one `unit` of force or of length is, and that SI unit.
+std::optional<std::pair<QString, double>> siOf(const QString& unit)
+{
+    if (const std::optional<double> metres = metresPer(unit))
+        return std::pair(u"m"_s, *metres);
+    if (const std::optional<double> newtons = newtonsPer(unit))
+        return std::pair(u"N"_s, *newtons);
+    return std::nullopt;
+}
+
+} // namespace
+
+ChannelScale tableScale(const QString& unit, double largest)
 {
     using Step = std::pair<QString, double>; // unit and how much of SI it is, largest first
     static const std::array<Step, 4> lengths{
@@ -29,23 +44,23 @@ ChannelScale channelScale(const QString& unit, double largest)
         Step{u"kN"_s, 1e3}, {u"N"_s, 1}, {u"mN"_s, 1e-3}, {u"µN"_s, 1e-6}};
     if (unit == u"1")
         return {};
-    const std::optional<double> metres = metresPer(unit);
-    const std::optional<double> newtons = newtonsPer(unit);
-    if (!metres && !newtons)
+    const auto si = siOf(unit);
+    if (!si || !(largest > 0))
         return {unit, 1};
-    const double si = metres ? *metres : *newtons;
-    const QString siUnit = metres ? u"m"_s : u"N"_s;
-    if (displayUnit(siUnit).unit != siUnit) {
-        const ShownUnit shown = shownUnit(siUnit, largest * si);
-        return {shown.unit, si * shown.factor};
-    }
-    if (!(largest > 0))
-        return {unit, 1};
-    const auto& steps = metres ? lengths : forces;
+    const auto& steps = si->first == u"m" ? lengths : forces;
     for (const Step& step : steps)
-        if (largest * si >= step.second)
-            return {step.first, si / step.second};
-    return {steps.back().first, si / steps.back().second};
+        if (largest * si->second >= step.second)
+            return {step.first, si->second / step.second};
+    return {steps.back().first, si->second / steps.back().second};
+}
+
+ChannelScale channelScale(const QString& unit, double largest)
+{
+    const auto si = siOf(unit);
+    if (!si || displayUnit(si->first).unit == si->first)
+        return tableScale(unit, largest);
+    const ShownUnit shown = shownUnit(si->first, largest * si->second);
+    return {shown.unit, si->second * shown.factor};
 }
 
 } // namespace gripscope

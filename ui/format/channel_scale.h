@@ -14,5 +14,7 @@ struct ChannelScale {
 /// `largest`: the largest magnitude to be shown. Units of force and length that core/signal/recording/units.h
 /// knows; others stay as they are.
 [[nodiscard]] ChannelScale channelScale(const QString& unit, double largest);
+/// The same for tables that programs read: metric, whatever the person reads.
+[[nodiscard]] ChannelScale tableScale(const QString& unit, double largest);
 
 } // namespace gripscope

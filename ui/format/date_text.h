@@ -11,11 +11,13 @@ namespace gripscope {
 
 inline constexpr QStringView dateFormat = u"yyyy-MM-dd";
 
-[[nodiscard]] QString dateText(const QDate& date);          ///< "2026-11-22"
-[[nodiscard]] QString dateText(const QDateTime& time);      ///< its day
-[[nodiscard]] QString timeText(const QDateTime& time);      ///< "2026-11-22 09:50"
+[[nodiscard]] QString dateText(const QDate& date);     ///< "2026-11-22"
+[[nodiscard]] QString dateText(const QDateTime& time); ///< its day
+[[nodiscard]] QString timeText(const QDateTime& time); ///< "2026-11-22 09:50"
+/// With the zone that it is in: for what leaves the station. "2026-11-22 09:50 UTC+01:00".
+[[nodiscard]] QString zonedTimeText(const QDateTime& time);
 [[nodiscard]] QString exactTimeText(const QDateTime& time); ///< "2026-11-22 09:50:31"
-/// Where there is little room: without the year while it is this one. "11-22 09:50"
-[[nodiscard]] QString shortTimeText(const QDateTime& time);
+/// By the clock that the time tells, not the reader's: "2026-11-22 09:50:31 +01:00".
+[[nodiscard]] QString timeThereText(const QDateTime& time);
 
 } // namespace gripscope

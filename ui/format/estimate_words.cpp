@@ -113,6 +113,7 @@ QString preparationName(const QString& id)
         {u"contact_loss"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Contact lost")},
         {u"saturation"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Saturation")},
         {u"quantization"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Steps of the channels")},
+        {u"force_noise"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Noise of the force")},
         {u"frame_compliance"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Give of the frame")},
     };
     const char* name = names.value(id, nullptr);

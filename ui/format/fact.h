@@ -11,12 +11,14 @@ struct Fact {
     bool number = true; ///< else words, which wrap
 };
 
-/// Its first letter large, a full stop behind.
+/// Its first letter large, unless that is a symbol (m, b, k); a full stop behind.
 [[nodiscard]] inline QString asSentence(QString text)
 {
     if (text.isEmpty())
         return text;
-    text[0] = text[0].toUpper();
+    const bool symbol = QStringView(u"mbk").contains(text[0]) && (text.size() == 1 || !text[1].isLetter());
+    if (!symbol)
+        text[0] = text[0].toUpper();
     return text.endsWith(QLatin1Char('.')) ? text : text + QLatin1Char('.');
 }
 

@@ -16,11 +16,21 @@ public:
     [[nodiscard]] static QString kind(SqueezeKind kind);
     /// "Inspection 12", "A, enrolled 31 May 2024 12:00".
     [[nodiscard]] static QString title(const HistoryEntry& entry);
+    /// "as expected", "voided: as expected", or its kind where it was not inspected.
+    [[nodiscard]] static QString outcome(const HistoryEntry& entry);
     [[nodiscard]] static QString device(const HistoryEntry& entry); ///< name and serial number
     /// One of the library's own names: "oe" is "Output error".
     [[nodiscard]] static QString estimator(const QString& id);
     /// Free or rest, the hold, the offset: how a squeeze was identified again.
     [[nodiscard]] static QString how(const Reidentification& again);
+    [[nodiscard]] static QString validity(ValidityVerdict validity); ///< "valid", "suspect", "invalid"
+    [[nodiscard]] static QString notRecorded();
+    /// The validity of a squeeze with the checks that it failed: "suspect: calibration".
+    [[nodiscard]] static QString validity(const SqueezeDetails& details);
+    /// The rates that a verdict was held to, all of them.
+    [[nodiscard]] static QString heldTo(const HeldTo& held);
+    /// By which calibration a channel was corrected, see HistoryEntry::forceCalibration.
+    [[nodiscard]] static QString calibration(const std::optional<QString>& words);
     /// "412 squeezes", and of them what came out how.
     [[nodiscard]] static QString summary(const HistoryCounts& counts);
     /// What narrows a query, a fact each; none where everything is let through.

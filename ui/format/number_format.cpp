@@ -4,6 +4,7 @@
 #include "core/base/words.h"
 #include "ui/format/shown_unit.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -121,6 +122,31 @@ FormattedNumber formatNumber(double value, std::optional<double> error, const QS
     return out;
 }
 
+RoundedNumber roundedForReport(double value, double lower, double upper, const QString& unit)
+{
+    const ShownUnit read = readUnit(unit == "1"_L1 ? QString() : unit);
+    if (!std::isfinite(value))
+        return {{}, {}, {}, {}, read.unit};
+    const double half = (upper - lower) / 2 * read.factor;
+    const bool hasInterval = std::isfinite(half) && half > 0;
+    const double magnitude = std::abs(value * read.factor);
+    const Scaled scaled = scaleFor(hasInterval ? std::max(magnitude, half) : magnitude, read.unit);
+    const double factor = read.factor * scaled.factor;
+    if (!hasInterval)
+        return {QString::number(value * factor, 'g', 6), {}, {}, {}, scaled.unit};
+    const double width = half * scaled.factor;
+    int place = decade(width) - 1;
+    if (std::round(width / std::pow(10.0, place)) >= 100)
+        ++place; // 0.0996 becomes 0.10
+    const auto rounded = [&](double number) {
+        const double step = std::pow(10.0, place);
+        const double nearest = std::round(number / step) * step;
+        return QString::number(nearest == 0 ? 0 : nearest, 'f', std::clamp(-place, 0, 17));
+    };
+    return {rounded(value * factor), rounded(width), rounded(lower * factor), rounded(upper * factor),
+            scaled.unit};
+}
+
 QString formatPercent(double percent, int decimals)
 {
     if (!std::isfinite(percent))
@@ -146,6 +172,11 @@ QString formatProbability(double probability)
     if (probability < 0.0001)
         return u"< "_s + Words::number(0.0001, 'f', 4);
     return Words::number(probability, 'f', 4);
+}
+
+QString formatLength(double seconds)
+{
+    return Words::number(seconds, 'f', 2) + QChar::Nbsp + u's';
 }
 
 QString formatCount(qint64 count)

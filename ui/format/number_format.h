@@ -27,12 +27,24 @@ struct FormattedNumber {
 [[nodiscard]] FormattedNumber formatNumber(double value, std::optional<double> error, const QString& unit,
                                            int digits = 3);
 
+/// A number with its interval as a report states it (JCGM 100, 7.2.6): half the width of the interval to two
+/// significant digits, everything else to the same place. For documents: with a decimal point in every
+/// language and a plain minus. Units as in formatNumber(). Without an interval (not finite, or no width)
+/// `half` is empty, and the value has six digits.
+struct RoundedNumber {
+    QString value, half, lower, upper, unit;
+    friend bool operator==(const RoundedNumber&, const RoundedNumber&) = default;
+};
+[[nodiscard]] RoundedNumber roundedForReport(double value, double lower, double upper, const QString& unit);
+
 /// 99.8 % from 99.8; one decimal unless it would hide that it is not 100.
 [[nodiscard]] QString formatPercent(double percent, int decimals = 1);
 /// A stated rate as it was set: 0.01 is "1 %", 0.0005 "0.05 %".
 [[nodiscard]] QString formatRate(double rate);
 /// A posterior, which is never quite certain: 0.9998, "> 0.9999", "< 0.0001".
 [[nodiscard]] QString formatProbability(double probability);
+/// The length of a squeeze (lengthSeconds()), the same wherever it stands: "0.17 s".
+[[nodiscard]] QString formatLength(double seconds);
 /// A count with thin spaces between thousands.
 [[nodiscard]] QString formatCount(qint64 count);
 

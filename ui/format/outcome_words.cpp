@@ -56,6 +56,25 @@ QString outcomeWord(InspectionOutcome outcome, bool suspect)
     return suspect ? OutcomeWords::tr("suspect: %1").arg(outcomeWord(outcome)) : outcomeWord(outcome);
 }
 
+QString outcomeWord(InspectionOutcome outcome, bool suspect, bool expected)
+{
+    if (outcome != InspectionOutcome::AsExpected || expected)
+        return outcomeWord(outcome, suspect);
+    const QString known = OutcomeWords::tr("known type");
+    return suspect ? OutcomeWords::tr("suspect: %1").arg(known) : known;
+}
+
+QString outcomeFilterWord(InspectionOutcome outcome)
+{
+    return outcome == InspectionOutcome::AsExpected ? OutcomeWords::tr("as expected or known type")
+                                                    : outcomeWord(outcome);
+}
+
+bool callsSupervisor(const InspectSession::Result& result, int callAfter)
+{
+    return callAfter > 0 && result.invalidInARow >= callAfter;
+}
+
 namespace {
 
 /// Which two types it may be, and how long to squeeze to know.
@@ -113,6 +132,8 @@ VerdictWords headlineOf(const InspectSession::Result& result)
                 {}};
     }
     case InspectionOutcome::NotValid:
+        if (result.refused)
+            return {OutcomeWords::tr("Not judged"), OutcomeWords::tr("refused by the settings"), {}};
         return {OutcomeWords::tr("Squeeze again"),
                 OutcomeWords::tr("measurement not valid; part not judged"),
                 {}};
@@ -122,10 +143,17 @@ VerdictWords headlineOf(const InspectSession::Result& result)
 
 } // namespace
 
-VerdictWords verdictWords(const InspectSession::Result& result)
+VerdictWords verdictWords(const InspectSession::Result& result, int callAfter)
 {
     VerdictWords words = headlineOf(result);
     words.reason = reasonOf(result);
+    if (callsSupervisor(result, callAfter)) {
+        words.headline = OutcomeWords::tr("Call your supervisor");
+        words.outcome =
+            OutcomeWords::tr("%n squeezes in a row were not valid", nullptr, result.invalidInARow);
+    }
+    if (result.voided)
+        words.outcome = OutcomeWords::tr("VOIDED, does not count: %1").arg(words.outcome);
     if (isSuspect(result)) {
         words.outcome = OutcomeWords::tr("SUSPECT: %1").arg(words.outcome);
         if (const Findings& doubts = result.verdict.validity.reasons; !doubts.empty())

@@ -34,7 +34,7 @@ AboutDialog::AboutDialog(const QStringList& pageTitles, QWidget* parent) : Dialo
     column->addWidget(makeLabel(tr("Keys"), "heading", this));
     auto* keys = new QGridLayout;
     keys->setHorizontalSpacing(24);
-    keys->setVerticalSpacing(8);
+    keys->setVerticalSpacing(6); // all of them on the smallest screen
     const auto addKey = [this, keys](const QString& key, const QString& does) {
         const int row = keys->rowCount();
         keys->addWidget(makeLabel(key, "strong", this), row, 0);
@@ -46,6 +46,7 @@ AboutDialog::AboutDialog(const QStringList& pageTitles, QWidget* parent) : Dialo
         addKey(tr("Ctrl+%1").arg(i + 1), tr("Page %1").arg(pageTitles[i]));
     addKey(tr("Ctrl+,"), tr("Settings"));
     addKey(tr("F1"), tr("The manual, at the page about this screen"));
+    addKey(tr("Ctrl+Shift+A"), tr("Arm the gripper: hold the keys for a second"));
     addKey(tr("F9"), tr("Inspect the gripper: reports, counters, self-test"));
     keys->setColumnStretch(1, 1);
     column->addLayout(keys);

@@ -8,6 +8,7 @@
 
 #include <vector>
 
+class QBoxLayout;
 class QLineEdit;
 class QListWidget;
 
@@ -40,6 +41,7 @@ signals:
     void pageShown(const QString& file);
 
 protected:
+    void changeEvent(QEvent* event) override;
     void doSetSource(const QUrl& name, QTextDocument::ResourceType type) override;
     QVariant loadResource(int type, const QUrl& name) override;
 
@@ -59,8 +61,8 @@ signals:
     void keysAsked(); ///< the list of keys, and what this program is
 
 private:
-    void buildSide(class QBoxLayout* row);
-    void buildButtons(class QBoxLayout* column);
+    void buildSide(QBoxLayout* row);
+    void buildButtons(QBoxLayout* column);
     void filter();
     void followBrowser();
 

@@ -2,6 +2,7 @@
 #include "ui/help/help_windows.h"
 #include "ui/widgets/controls.h"
 
+#include <QEvent>
 #include <QFile>
 #include <QImage>
 #include <QLineEdit>
@@ -9,6 +10,7 @@
 #include <QLocale>
 #include <QMap>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QTextBlock>
 #include <QTextTable>
@@ -73,8 +75,9 @@ QString manualPageFor(const QString& screen)
 }
 
 namespace {
-constexpr int mostWidth = 600; ///< of a picture, logical pixels
-}
+constexpr int mostWidth = 600;  ///< of a picture, logical pixels
+constexpr int titleWidth = 216; ///< of a title in the list, beside its margins and a scroll bar
+} // namespace
 
 ManualBrowser::ManualBrowser(QWidget* parent) : QTextBrowser(parent)
 {
@@ -91,6 +94,17 @@ void ManualBrowser::showPage(const QString& file)
 QString ManualBrowser::page() const
 {
     return source().fileName();
+}
+
+/// The colour of links is set in the document when it is read.
+void ManualBrowser::changeEvent(QEvent* event)
+{
+    QTextBrowser::changeEvent(event);
+    if (event->type() != QEvent::PaletteChange || source().isEmpty())
+        return;
+    const int place = verticalScrollBar()->value();
+    reload();
+    verticalScrollBar()->setValue(place);
 }
 
 void ManualBrowser::doSetSource(const QUrl& name, QTextDocument::ResourceType type)
@@ -177,7 +191,7 @@ void ManualWindow::buildSide(QBoxLayout* row)
     m_list->setObjectName(u"manualPages"_s);
     m_list->setAccessibleName(tr("Pages of the manual"));
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_list->setTextElideMode(Qt::ElideRight);
+    m_list->setWordWrap(true);
     auto* side = new QVBoxLayout;
     side->setSpacing(8);
     side->addWidget(m_words);
@@ -236,7 +250,8 @@ void ManualWindow::filter()
         auto* item = new QListWidgetItem(page.title, m_list);
         item->setData(Qt::UserRole, page.file);
         item->setToolTip(page.title);
-        item->setSizeHint({0, 40});
+        const bool onOneLine = m_list->fontMetrics().horizontalAdvance(page.title) < titleWidth;
+        item->setSizeHint({0, onOneLine ? 40 : 56});
     }
     if (m_list->count() == 0) {
         auto* none = new QListWidgetItem(tr("On no page. Try another word."), m_list);

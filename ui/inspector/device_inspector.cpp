@@ -61,6 +61,7 @@ DeviceInspector::DeviceInspector(Workbench& workbench, QWidget* parent)
     : Dialog(parent, Conduct::Beside), m_workbench(&workbench)
 {
     setObjectName("deviceInspector");
+    setManualPage(u"link"_s);
     setWindowTitle(tr("Gripper inspector"));
     m_reports = new ReportsTab(this);
     m_selfTest = new SelfTestTab(workbench, this);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/budget_table_model.h"
 
+#include "core/base/csv.h"
 #include "core/signal/recording/units.h"
 #include "ui/format/number_format.h"
 #include "ui/format/shown_unit.h"
@@ -8,7 +9,6 @@
 
 #include <QCoreApplication>
 #include <QHash>
-#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -102,9 +102,6 @@ QVariant BudgetTableModel::head(int column, int role) const
 
 QString BudgetTableModel::toTsv() const
 {
-    const auto full = [](double value) {
-        return std::isfinite(value) ? QString::number(value, 'g', QLocale::FloatingPointShortest) : QString();
-    };
     const QString names = u"mbk"_s;
     QStringList header{u"effect"_s};
     for (std::size_t i = 0; i < 3; ++i)
@@ -116,9 +113,9 @@ QString BudgetTableModel::toTsv() const
     for (const Row& row : m_rows) {
         QStringList cells{row.id};
         for (const double value : row.uncertainties)
-            cells << full(value);
+            cells << exactText(value);
         for (const double value : row.shares)
-            cells << (row.sum ? QString() : full(value));
+            cells << (row.sum ? QString() : exactText(value));
         text += cells.join(u'\t') + u'\n';
     }
     return text;
@@ -130,6 +127,7 @@ QString effectName(const QString& id)
         {u"noise"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Noise")},
         {u"position_noise"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Position noise")},
         {u"force_noise"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Force noise")},
+        {u"quantization"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Steps of the position")},
         {u"lag"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Lag of the channels")},
         {u"hold"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Force between samples")},
         {u"calibration"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Calibration")},

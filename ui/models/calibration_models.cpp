@@ -94,7 +94,8 @@ Qt::Alignment alignment(CalibrationPointsModel::Column column)
 } // namespace
 
 void CalibrationPointsModel::setPoints(const QString& unit, std::vector<PlannedPoint> planned,
-                                       std::vector<TakenPoint> taken, std::vector<double> residuals)
+                                       std::vector<TakenPoint> taken, std::vector<double> residuals,
+                                       double expandedUncertainty)
 {
     beginResetModel();
     m_planned = std::move(planned);
@@ -107,7 +108,8 @@ void CalibrationPointsModel::setPoints(const QString& unit, std::vector<PlannedP
     for (const double residual : m_residuals)
         largestResidual = std::max(largestResidual, std::abs(residual));
     m_loads = channelScale(unit, largestLoad);
-    m_rest = channelScale(unit, largestResidual);
+    // As in the plot, which shows the uncertainty, too.
+    m_rest = channelScale(unit, std::max(largestResidual, expandedUncertainty));
     // Readings with a digit more than what is left of them.
     constexpr int usualDecimals = 3;
     m_decimals = largestResidual > 0

@@ -50,7 +50,7 @@ public:
     using RowTableModel::RowTableModel;
 
     void setPoints(const QString& unit, std::vector<PlannedPoint> planned, std::vector<TakenPoint> taken,
-                   std::vector<double> residuals);
+                   std::vector<double> residuals, double expandedUncertainty = 0);
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
 

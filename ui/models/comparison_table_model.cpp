@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/comparison_table_model.h"
 
+#include "core/base/csv.h"
 #include "core/base/words.h"
 #include "ui/format/number_format.h"
 
 #include <QCoreApplication>
 #include <QHash>
-#include <QLocale>
-
-#include <cmath>
 
 namespace gripscope {
 
@@ -89,15 +87,11 @@ QVariant ComparisonTableModel::head(int section, int role) const
 
 QString ComparisonTableModel::toTsv() const
 {
-    const auto full = [](const std::optional<double>& value) {
-        return value && std::isfinite(*value) ? QString::number(*value, 'g', QLocale::FloatingPointShortest)
-                                              : QString();
-    };
     QString text = u"model\t%1 above the best\tweight\tchange (standard errors)\tsimulation fit (%)\n"_s.arg(
         m_criterion);
     for (const Row& row : m_rows)
-        text += QStringList{row.id, full(row.delta), full(row.weight), full(row.change),
-                            full(row.simulationPercent)}
+        text += QStringList{row.id, exactText(row.delta), exactText(row.weight), exactText(row.change),
+                            exactText(row.simulationPercent)}
                     .join(u'\t') +
                 u'\n';
     return text;

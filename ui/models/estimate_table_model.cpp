@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/estimate_table_model.h"
 
+#include "core/base/csv.h"
 #include "core/math/normal_interval.h"
 #include "core/signal/recording/units.h"
 #include "ui/format/estimate_words.h"
@@ -8,7 +9,6 @@
 #include "ui/format/shown_unit.h"
 #include "ui/theme/theme.h"
 
-#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -184,9 +184,6 @@ QVariant EstimateTableModel::head(int section, int role) const
 
 QString EstimateTableModel::toTsv() const
 {
-    const auto full = [](std::optional<double> value) {
-        return value ? QString::number(*value, 'g', QLocale::FloatingPointShortest) : QString();
-    };
     const auto at = [](const std::optional<Eigen::Vector3d>& values, int i) {
         return values ? std::optional((*values)[i]) : std::nullopt;
     };
@@ -203,10 +200,10 @@ QString EstimateTableModel::toTsv() const
     for (const Row& row : m_rows) {
         QStringList cells{toString(row.estimator)};
         for (int i = 0; i < 3; ++i)
-            cells << full(at(row.parameters, i)) << full(at(row.halfWidths, i));
-        cells << full(row.fit.simulationPercent) << full(row.fit.predictionPercent) << row.verdict;
-        cells << (row.cubic ? full(row.cubic->first) : QString())
-              << (row.cubic ? full(row.cubic->second) : QString());
+            cells << exactText(at(row.parameters, i)) << exactText(at(row.halfWidths, i));
+        cells << exactText(row.fit.simulationPercent) << exactText(row.fit.predictionPercent) << row.verdict;
+        cells << (row.cubic ? exactText(row.cubic->first) : QString())
+              << (row.cubic ? exactText(row.cubic->second) : QString());
         text += cells.join(u'\t') + u'\n';
     }
     return text;

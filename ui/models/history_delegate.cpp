@@ -8,7 +8,6 @@
 #include "ui/theme/theme.h"
 #include "ui/widgets/outcome_view.h"
 
-#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -21,15 +20,13 @@ namespace {
 
 constexpr int historySignSize = 20;
 
-QIcon outcomeIcon(InspectionOutcome outcome, double ratio)
+QIcon outcomeIcon(InspectionOutcome outcome, bool suspect, double ratio)
 {
     QPixmap pixmap(QSize(historySignSize, historySignSize) * ratio);
     pixmap.setDevicePixelRatio(ratio);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    paintOutcomeSign(painter, QRectF(1, 1, historySignSize - 2, historySignSize - 2), outcome,
-                     Theme::instance().outcomeColor(outcome));
+    paintJudgedSign(painter, QRectF(1, 1, historySignSize - 2, historySignSize - 2), outcome, suspect);
     painter.end();
     return QIcon(pixmap);
 }
@@ -43,17 +40,20 @@ QString parameterWords(HistoryColumn column, double value, const QString& unit)
     return formatNumber(value * HistoryModel::shownIn(column).factor, std::nullopt, {}).value;
 }
 
-QString wordsOf(HistoryColumn column, const QVariant& value, const QString& unit)
+QString wordsOf(HistoryColumn column, const QVariant& value, const QString& unit, bool suspect, bool expected)
 {
     switch (factsOf(column).format) {
     case ColumnFormat::Count:
         return QString::number(value.toLongLong());
     case ColumnFormat::Time:
-        return shortTimeText(value.toDateTime());
+        return timeText(value.toDateTime());
     case ColumnFormat::Kind:
         return HistoryWords::kind(SqueezeKind(value.toInt()));
     case ColumnFormat::Outcome:
-        return outcomeWord(InspectionOutcome(value.toInt()));
+        return outcomeWord(InspectionOutcome(value.toInt()), suspect, expected);
+    case ColumnFormat::Validity:
+        return value.toInt() < 0 ? HistoryWords::notRecorded()
+                                 : HistoryWords::validity(ValidityVerdict(value.toInt()));
     case ColumnFormat::Probability:
         // In double precision a certain posterior rounds to 1; it never is.
         return formatProbability(std::min(value.toDouble(), 1 - 1e-15));
@@ -62,7 +62,7 @@ QString wordsOf(HistoryColumn column, const QVariant& value, const QString& unit
     case ColumnFormat::Percent:
         return formatPercent(value.toDouble());
     case ColumnFormat::Seconds:
-        return QLocale().toString(value.toDouble(), 'f', 2) + QChar::Nbsp + u's';
+        return formatLength(value.toDouble());
     case ColumnFormat::Estimator:
         return HistoryWords::estimator(value.toString());
     case ColumnFormat::Text:
@@ -77,7 +77,9 @@ QString HistoryDelegate::text(const QModelIndex& index)
 {
     const QVariant value = index.data(HistoryModel::SortRole);
     const QString words = value.isValid() ? wordsOf(HistoryColumn(index.column()), value,
-                                                    index.data(HistoryModel::UnitRole).toString())
+                                                    index.data(HistoryModel::UnitRole).toString(),
+                                                    index.data(HistoryModel::SuspectRole).toBool(),
+                                                    index.data(HistoryModel::AskedRole).toBool())
                                           : QString();
     if (!words.isEmpty())
         return words;
@@ -95,8 +97,9 @@ void HistoryDelegate::initStyleOption(QStyleOptionViewItem* option, const QModel
     if (HistoryColumn(index.column()) != HistoryColumn::Outcome || !value.isValid())
         return;
     option->features |= QStyleOptionViewItem::HasDecoration;
-    option->icon = outcomeIcon(InspectionOutcome(value.toInt()),
-                               option->widget ? option->widget->devicePixelRatioF() : 1);
+    option->icon =
+        outcomeIcon(InspectionOutcome(value.toInt()), index.data(HistoryModel::SuspectRole).toBool(),
+                    option->widget ? option->widget->devicePixelRatioF() : 1);
     option->decorationSize = {historySignSize, historySignSize};
 }
 

@@ -5,8 +5,9 @@
 #include "ui/format/date_text.h"
 #include "ui/format/history_words.h"
 
+#include <QFont>
+
 #include <algorithm>
-#include <limits>
 
 namespace gripscope {
 
@@ -22,6 +23,9 @@ QString parameterUnit(const HistoryEntry& entry, HistoryColumn column)
                                                             : units.k;
     return unit == u"1" ? QString() : unit;
 }
+
+/// What an int and the pixels of a view can count.
+constexpr qint64 mostRows = 40'000'000;
 
 bool isNumber(HistoryColumn column)
 {
@@ -39,15 +43,34 @@ bool isNumber(HistoryColumn column)
 
 } // namespace
 
-void HistoryModel::restart(HistoryKeys keys, std::vector<HistoryEntry> first)
+void HistoryModel::restart(std::shared_ptr<const HistoryList> list, std::vector<HistoryEntry> first)
 {
     beginResetModel();
-    m_keys = std::move(keys);
+    m_list = std::move(list);
     m_pages.clear();
     m_asked.clear();
     if (!first.empty())
         m_pages.insert(0, {std::move(first), ++m_uses});
     endResetModel();
+}
+
+void HistoryModel::goOn(std::shared_ptr<const HistoryList> list)
+{
+    const int before = length();
+    const int after = int(std::min<qint64>(list->rows, mostRows));
+    if (after > before)
+        beginInsertRows({}, before, after - 1);
+    else if (after < before)
+        beginRemoveRows({}, after, before - 1);
+    m_list = std::move(list);
+    if (after > before)
+        endInsertRows();
+    else if (after < before)
+        endRemoveRows();
+    // A page that was the last may be longer now.
+    if (const auto last = m_pages.constFind(before / pageSize);
+        last != m_pages.constEnd() && after > before && last->entries.size() < pageSize)
+        m_pages.remove(before / pageSize);
 }
 
 void HistoryModel::setPage(int page, std::vector<HistoryEntry> entries)
@@ -77,11 +100,6 @@ void HistoryModel::keepFew()
     }
 }
 
-std::vector<QString> HistoryModel::pageKeys(int page) const
-{
-    return m_keys.part(std::size_t(std::max(0, page)) * pageSize, pageSize);
-}
-
 const HistoryEntry* HistoryModel::entry(int row) const
 {
     const auto page = m_pages.constFind(row / pageSize);
@@ -109,14 +127,28 @@ void HistoryModel::ask(int page)
 
 int HistoryModel::rowOf(const QString& key) const
 {
-    const std::optional<std::size_t> place = m_keys.find(key);
-    return place ? int(*place) : -1;
+    if (!m_list->walked) {
+        const std::optional<std::size_t> place = m_list->keys.find(key);
+        return place ? int(*place) : -1;
+    }
+    for (auto page = m_pages.cbegin(); page != m_pages.cend(); ++page)
+        for (std::size_t i = 0; i < page->entries.size(); ++i)
+            if (page->entries[i].graspId == key)
+                return page.key() * pageSize + int(i);
+    return -1;
+}
+
+QString HistoryModel::key(int row) const
+{
+    if (!m_list->walked)
+        return m_list->keys.at(std::size_t(row));
+    const HistoryEntry* held = entry(row);
+    return held ? held->graspId : QString();
 }
 
 int HistoryModel::length() const
 {
-    constexpr auto most = std::size_t(std::numeric_limits<int>::max());
-    return int(std::min(m_keys.size(), most));
+    return int(std::min<qint64>(m_list->rows, mostRows));
 }
 
 QVariant HistoryModel::data(const QModelIndex& index, int role) const
@@ -127,13 +159,24 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
     if (role == Qt::TextAlignmentRole)
         return int(Qt::AlignVCenter | (isNumber(column) ? Qt::AlignRight : Qt::AlignLeft));
     if (role != Qt::DisplayRole && role != Qt::EditRole && role != SortRole && role != UnitRole &&
-        role != Qt::ToolTipRole)
+        role != SuspectRole && role != AskedRole && role != Qt::ToolTipRole && role != Qt::FontRole)
         return {};
     const HistoryEntry* row = wanted(index.row());
     if (!row)
         return {};
+    if (role == Qt::FontRole) {
+        if (row->voided.isEmpty())
+            return {};
+        QFont struck;
+        struck.setStrikeOut(true);
+        return struck;
+    }
     if (role == UnitRole)
         return parameterUnit(*row, column);
+    if (role == SuspectRole)
+        return row->suspect();
+    if (role == AskedRole)
+        return !row->expectedType.isEmpty();
     if (role == Qt::ToolTipRole)
         return column == HistoryColumn::Time ? exactTimeText(row->time) : row->reason.describe();
     return factsOf(column).value(*row);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/library/history/history_fields.h"
+#include "core/library/records/history_list.h"
 #include "ui/format/shown_unit.h"
 #include "ui/models/row_table_model.h"
 
@@ -9,13 +10,14 @@
 #include <QSet>
 #include <QStyledItemDelegate>
 
+#include <memory>
 #include <vector>
 
 namespace gripscope {
 
-/// Squeezes of the library in the order of a query, any of which can be come to at once: the model knows all
-/// keys, asks for the page of two hundred that is looked at, and keeps those looked at last. A row that is
-/// not there yet is empty. Numbers are raw; HistoryDelegate words them.
+/// Squeezes of the library in the order of a query, any of which can be come to at once: the model knows how
+/// many there are, asks for the page of two hundred that is looked at, and keeps those looked at last. A row
+/// that is not there yet is empty. Numbers are raw; HistoryDelegate words them.
 class HistoryModel : public RowTableModel {
     Q_OBJECT
 public:
@@ -25,23 +27,26 @@ public:
     enum Role {
         SortRole = Qt::UserRole, ///< the raw value
         UnitRole,                ///< of m, b and k: SI where the squeeze's units are known; empty: none
+        SuspectRole,             ///< a verdict, but none to rely on
+        AskedRole,               ///< a type was expected
     };
 
     using RowTableModel::RowTableModel;
 
     /// Starts anew with these squeezes, of which `first` are the first.
-    void restart(HistoryKeys keys, std::vector<HistoryEntry> first);
+    void restart(std::shared_ptr<const HistoryList> list, std::vector<HistoryEntry> first);
+    /// The same list, of which more is known: it may be longer.
+    void goOn(std::shared_ptr<const HistoryList> list);
     /// The answer to pageAsked(); one that is not as long as it should be is taken for what is there.
     void setPage(int page, std::vector<HistoryEntry> entries);
     /// It will not be answered: the page is asked for again when it is looked at.
     void forgetRequest(int page);
-    /// The keys of a page that was asked for.
-    [[nodiscard]] std::vector<QString> pageKeys(int page) const;
 
     /// Nothing until its page is there.
     [[nodiscard]] const HistoryEntry* entry(int row) const;
-    [[nodiscard]] QString key(int row) const { return m_keys.at(std::size_t(row)); }
-    [[nodiscard]] int rowOf(const QString& key) const; ///< -1: not among them
+    /// Of a list that is walked: only what its pages hold is known.
+    [[nodiscard]] QString key(int row) const;          ///< empty: not known
+    [[nodiscard]] int rowOf(const QString& key) const; ///< -1: not among them, or not known
     [[nodiscard]] int pagesHeld() const { return int(m_pages.size()); }
     /// The unit at the head of m, b or k, for numbers in SI.
     [[nodiscard]] static ShownUnit shownIn(Column column);
@@ -68,7 +73,7 @@ private:
     void ask(int page);
     void keepFew();
 
-    HistoryKeys m_keys;
+    std::shared_ptr<const HistoryList> m_list = std::make_shared<HistoryList>();
     QHash<int, Page> m_pages;
     QSet<int> m_asked;
     mutable quint64 m_uses = 0;

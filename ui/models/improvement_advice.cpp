@@ -56,6 +56,9 @@ QString sentenceFor(const QString& effect)
         {u"lag"_s, QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
                                      "The lag between the channels dominates the error of %1: measure the "
                                      "lag.")},
+        {u"quantization"_s, QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
+                                              "The steps of the position dominate the error of %1: squeeze "
+                                              "with more force, or measure the position in finer steps.")},
         {u"hold"_s,
          QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
                            "How the force runs between samples dominates the error of %1: sample faster, or "

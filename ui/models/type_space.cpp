@@ -70,8 +70,10 @@ TypeSpace paperTypeSpace()
     space.paper = true;
     space.units = parameterUnits(u"1"_s, u"1"_s);
     for (const TypeSqueeze& squeeze : paperSqueezesAsPrinted()) {
-        if (space.types.isEmpty() || space.types.last() != squeeze.type)
+        if (space.types.isEmpty() || space.types.last() != squeeze.type) {
+            space.signs.push_back(int(space.types.size()));
             space.types << squeeze.type; // the appendix is in order
+        }
         const int number = space.squeezes.empty() || space.squeezes.back().type != int(space.types.size()) - 1
                                ? 1
                                : space.squeezes.back().number + 1;
@@ -105,8 +107,10 @@ Expected<TypeSpace> libraryTypeSpace(Library& library)
                 squeeze.covariance = *grasp.covariance * (factor * factor);
             space.squeezes.push_back(std::move(squeeze));
         }
-        if (number > 0)
+        if (number > 0) {
             space.types << type.name;
+            space.signs.push_back(type.place);
+        }
     }
     complete(space);
     return space;

@@ -27,6 +27,7 @@ struct TypeSpace {
     bool paper = false;
     ParameterUnits units;
     QStringList types;       ///< sorted
+    std::vector<int> signs;  ///< one a type: its colour and shape (TypeRecord::place)
     std::vector<int> counts; ///< squeezes a type
     std::vector<SpaceSqueeze> squeezes;
     TypeModels models;

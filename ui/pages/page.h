@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QLayout>
 #include <QWidget>
+
+#include <optional>
 
 namespace gripscope {
 
@@ -23,6 +26,19 @@ public:
     /// Called when the page comes into view or leaves it; timers and pictures rest while it is out of view.
     virtual void setActive(bool) {}
 
+    /// With less room around it: a message is above it, and the window is low.
+    void setTight(bool tight)
+    {
+        if (!m_margins)
+            m_margins = layout()->contentsMargins();
+        layout()->setContentsMargins(m_margins->left(), m_margins->top() / (tight ? 2 : 1),
+                                     m_margins->right(), m_margins->bottom() / (tight ? 2 : 1));
+    }
+
+    /// Whether something is under way that lives in this page and would be lost with it: then the window is
+    /// not built anew.
+    [[nodiscard]] virtual bool underWay() const { return false; }
+
     /// For `--tour`: bring the page to a telling state with the virtual gripper and the example types. Called
     /// once, while shown; the tour then waits until tourReady() (it gives up, and says so, after 30 s).
     virtual void prepareTour() {}
@@ -33,6 +49,7 @@ protected:
 
 private:
     Workbench* m_workbench;
+    std::optional<QMargins> m_margins; ///< where there is room
 };
 
 } // namespace gripscope

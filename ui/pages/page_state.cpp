@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/page_state.h"
 
+#include "ui/widgets/quantity_box.h"
+#include "ui/widgets/quantity_list_edit.h"
+
 #include <QAbstractButton>
 #include <QAbstractItemModel>
 #include <QComboBox>
@@ -13,6 +16,8 @@
 #include <QTreeView>
 
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 using namespace Qt::StringLiterals;
 
@@ -136,6 +141,44 @@ void setText(QLineEdit& field, const QString& text)
     emit field.textEdited(text); // as if it had been typed
 }
 
+/// What was typed, as the program keeps it: the other window may show it in another unit.
+QJsonValue typedIn(const QLineEdit& field)
+{
+    const auto* list = qobject_cast<const QuantityListEdit*>(&field);
+    const std::optional<std::vector<double>> numbers = list ? list->si() : std::nullopt;
+    if (!numbers)
+        return field.text();
+    QJsonArray typed;
+    for (const double number : *numbers)
+        typed.append(number);
+    return typed;
+}
+
+void typeInto(QLineEdit& field, const QJsonValue& typed)
+{
+    auto* list = qobject_cast<QuantityListEdit*>(&field);
+    if (!list || !typed.isArray())
+        return setText(field, typed.toString());
+    std::vector<double> numbers;
+    for (const QJsonValue& number : typed.toArray())
+        numbers.push_back(number.toDouble());
+    list->setSi(numbers);
+}
+
+double typedIn(const QDoubleSpinBox& field)
+{
+    const auto* quantity = qobject_cast<const QuantityBox*>(&field);
+    return quantity ? quantity->si() : field.value();
+}
+
+void typeInto(QDoubleSpinBox& field, double typed)
+{
+    if (auto* quantity = qobject_cast<QuantityBox*>(&field))
+        quantity->setSi(typed);
+    else
+        field.setValue(typed);
+}
+
 } // namespace
 
 void rememberChoice(QWidget* widget)
@@ -187,9 +230,9 @@ QJsonObject inputOf(const QWidget& page)
 {
     QJsonArray texts, numbers;
     for (const QLineEdit* field : fieldsOf<QLineEdit>(page))
-        texts.append(field->text());
+        texts.append(typedIn(*field));
     for (const QDoubleSpinBox* field : fieldsOf<QDoubleSpinBox>(page))
-        numbers.append(field->value());
+        numbers.append(typedIn(*field));
     return {{u"texts"_s, texts}, {u"numbers"_s, numbers}};
 }
 
@@ -201,9 +244,9 @@ void restoreInput(QWidget& page, const QJsonObject& input)
     if (lines.size() != texts.size() || boxes.size() != numbers.size())
         return; // other fields than those that were typed into
     for (qsizetype i = 0; i < lines.size(); ++i)
-        setText(*lines[i], texts[i].toString());
+        typeInto(*lines[i], texts[i]);
     for (qsizetype i = 0; i < boxes.size(); ++i)
-        boxes[i]->setValue(numbers[i].toDouble());
+        typeInto(*boxes[i], numbers[i].toDouble());
 }
 
 } // namespace gripscope

@@ -23,7 +23,8 @@ void rememberColumns(QHeaderView* header);
 void restoreArrangement(QWidget& page, const QJsonObject& arrangement, bool withWidths = true);
 
 /// What a person typed on a page and did not hand in yet, for another window of this same run; what of it
-/// finds its field there comes back.
+/// finds its field there comes back. Quantities are carried over in SI: the other window may show them in
+/// another unit.
 [[nodiscard]] QJsonObject inputOf(const QWidget& page);
 void restoreInput(QWidget& page, const QJsonObject& input);
 

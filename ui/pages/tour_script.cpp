@@ -18,6 +18,7 @@ void TourScript::wait(int milliseconds)
 void TourScript::connectTo(Workbench& workbench, const QString& address)
 {
     Workbench* bench = &workbench;
+    add([] {}, [bench] { return !bench->busyWithSqueeze(); }); // of the page before
     add([bench, address] { bench->connectTo(address); },
         [bench] { return bench->connection().state() == ConnectSession::State::Connected; });
     add([bench] { bench->arm(); }, [bench] { return bench->connection().armed(); });

@@ -198,6 +198,7 @@ AuditDialog::AuditDialog(Workbench& workbench, QWidget* parent)
       m_result(makeLabel({}, "", this))
 {
     setObjectName("auditDialog");
+    setManualPage(u"people"_s);
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Audit trail"));
     m_typing.setSingleShot(true);
@@ -251,10 +252,14 @@ QWidget* AuditDialog::makeBar()
     m_action->addItem(tr("Authorisations"), QString::fromUtf16(audit_action::authorised));
     m_action->addItem(tr("People"), u"person."_s);
     m_action->addItem(tr("Arming"), QString::fromUtf16(audit_action::gripperArmed));
+    m_action->addItem(tr("Inspections"), u"inspection."_s);
     m_action->addItem(tr("Types"), QString::fromUtf16(audit_action::typePrefix));
     m_action->addItem(tr("Rates"), u"rates."_s);
     m_action->addItem(tr("Calibrations"), u"calibration."_s);
     m_action->addItem(tr("Settings"), u"setting."_s);
+    m_action->addItem(tr("Batches"), u"batch."_s);
+    m_action->addItem(tr("Exports"), u"export."_s);
+    m_action->addItem(tr("Library"), u"library."_s);
     m_verify->setObjectName("auditVerify");
     m_verify->setAutoDefault(false);
     m_verify->setToolTip(
@@ -357,7 +362,10 @@ void AuditDialog::exportTo(const QString& file)
         [file](Library& library) -> Expected<void> {
             ASSIGN_OR_RETURN(const QByteArray csv, auditCsv(library));
             QSaveFile out(file);
-            if (!out.open(QIODevice::WriteOnly) || out.write(csv) != csv.size() || !out.commit())
+            if (!out.open(QIODevice::WriteOnly) || out.write(csv) != csv.size())
+                return failure(ErrorCode::FileUnwritable, {file, out.errorString()});
+            RETURN_IF_ERROR(library.tellExport(file, u"audit trail"_s, csv.count('\n') - 1));
+            if (!out.commit())
                 return failure(ErrorCode::FileUnwritable, {file, out.errorString()});
             return {};
         },

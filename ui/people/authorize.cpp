@@ -3,9 +3,14 @@
 
 #include "core/library/audit/audit_trail.h"
 #include "core/people/audit_entry.h"
+#include "core/recognition/verdict/rates_json.h"
 #include "ui/context/sign_in.h"
 #include "ui/context/workbench.h"
 #include "ui/people/sign_in_dialog.h"
+#include "ui/windows/question.h"
+
+#include <QCoreApplication>
+#include <QLineEdit>
 
 #include <algorithm>
 
@@ -13,11 +18,19 @@ namespace gripscope {
 
 using namespace Qt::StringLiterals;
 
-void answerForPeople(Workbench& bench)
+namespace {
+
+struct AuthorizeWords {
+    Q_DECLARE_TR_FUNCTIONS(gripscope::AuthorizeWords)
+};
+
+} // namespace
+
+void answerForPeople(Workbench& bench, QObject* window)
 {
-    QObject::connect(&bench, &Workbench::signInNeeded, &bench,
+    QObject::connect(&bench, &Workbench::signInNeeded, window,
                      [&bench](QWidget* parent) { (new SignInDialog(bench, std::nullopt, parent))->open(); });
-    QObject::connect(&bench, &Workbench::consentNeeded, &bench,
+    QObject::connect(&bench, &Workbench::consentNeeded, window,
                      [&bench](QWidget* parent, Permission permission, const std::function<void()>& then) {
                          authorize(bench, parent, permission, then);
                      });
@@ -36,8 +49,22 @@ void authorize(Workbench& bench, QWidget* parent, Permission permission, std::fu
     dialog->open();
 }
 
+void askWhy(QWidget* parent, const QString& change, std::function<void(const QString& reason)> then)
+{
+    constexpr int longestReason = 200;
+    auto* question = new TextQuestion(change, AuthorizeWords::tr("Why? The reason is kept with the change."),
+                                      {}, AuthorizeWords::tr("Continue"), parent);
+    question->setObjectName("whyQuestion");
+    question->field()->setMaxLength(longestReason);
+    question->requireText();
+    QObject::connect(question, &TextQuestion::answered, parent,
+                     [then = std::move(then)](const QString& reason) { then(reason.trimmed()); });
+    question->open();
+}
+
 void authorizeRecorded(Workbench& bench, QWidget* parent, Permission permission, const QString& action,
-                       const QString& subject, const QJsonObject& details, std::function<void()> then)
+                       const QString& subject, const QJsonObject& details, std::function<void()> then,
+                       const QString& reason)
 {
     authorize(bench, parent, permission, [=, &bench, then = std::move(then)] {
         // While nobody can refuse it, it need not wait for the disk.
@@ -47,7 +74,7 @@ void authorizeRecorded(Workbench& bench, QWidget* parent, Permission permission,
         bench.background().ask<void>(
             parent,
             [=](Library& library) {
-                return library.auditTrail().record(permission, action, subject, details);
+                return library.auditTrail().record(permission, action, subject, details, reason);
             },
             [&bench, first, then](const Expected<void>& told) {
                 if (!told)
@@ -71,9 +98,17 @@ void changeSettings(Workbench& bench, QWidget* parent, const std::vector<Setting
     const QStringList keys = details.keys();
     const bool rates =
         std::all_of(keys.begin(), keys.end(), [](const QString& key) { return key.startsWith("rates/"_L1); });
-    authorizeRecorded(bench, parent, rates ? Permission::ChangeRates : Permission::ChangeSettings,
-                      QString::fromUtf16(rates ? audit_action::ratesChanged : audit_action::settingChanged),
-                      keys.join(u", "_s), details, std::move(apply));
+    const auto change = [=, &bench, apply = std::move(apply)](const QString& reason) {
+        authorizeRecorded(
+            bench, parent, rates ? Permission::ChangeRates : Permission::ChangeSettings,
+            QString::fromUtf16(rates ? audit_action::ratesChanged : audit_action::settingChanged),
+            keys.join(u", "_s), details, apply, reason);
+    };
+    if (std::any_of(keys.begin(), keys.end(),
+                    [](const QString& key) { return findSetting(key)->needsReason; }))
+        askWhy(parent, AuthorizeWords::tr("Change these settings"), change);
+    else
+        change({});
 }
 
 std::vector<SettingChange> changesOfReset(const Settings& settings)
@@ -89,13 +124,9 @@ namespace {
 
 QJsonObject toJson(const StoredRates& stored)
 {
-    const VerdictOptions& rates = stored.rates;
-    return {{u"false_reject"_s, rates.falseReject},
-            {u"wrong_type"_s, rates.wrongType},
-            {u"stranger_accept"_s, rates.strangerAccept},
-            {u"confidence"_s, rates.confidence ? QJsonValue(*rates.confidence) : QJsonValue()},
-            {u"robust"_s, rates.robust},
-            {u"early_end"_s, stored.earlyEnd}};
+    QJsonObject document = gripscope::toJson(stored.rates);
+    document.insert(u"early_end"_s, stored.earlyEnd);
+    return document;
 }
 
 } // namespace
@@ -110,8 +141,11 @@ void changeRates(Workbench& bench, QWidget* parent, const StoredRates& rates)
     for (auto it = after.begin(); it != after.end(); ++it)
         if (before.value(it.key()) != it.value())
             details.insert(it.key(), QJsonObject{{u"from"_s, before.value(it.key())}, {u"to"_s, it.value()}});
-    authorizeRecorded(bench, parent, Permission::ChangeRates, QString::fromUtf16(audit_action::ratesChanged),
-                      {}, details, [&bench, rates] { bench.setRates(rates); });
+    askWhy(parent, AuthorizeWords::tr("Change the rates"), [=, &bench](const QString& reason) {
+        authorizeRecorded(
+            bench, parent, Permission::ChangeRates, QString::fromUtf16(audit_action::ratesChanged), {},
+            details, [&bench, rates] { bench.setRates(rates); }, reason);
+    });
 }
 
 } // namespace gripscope

@@ -69,6 +69,7 @@ PersonForm::PersonForm(const QString& title, const QString& words, const QString
       m_accept(makeButton(verb, {}, "primary", this))
 {
     setObjectName("personForm");
+    setManualPage(u"people"_s);
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(title);
     auto* column = new QVBoxLayout(this);
@@ -183,6 +184,7 @@ PeopleDialog::PeopleDialog(Workbench& workbench, QWidget* parent)
       m_state(makeLabel({}, "error", this))
 {
     setObjectName("peopleDialog");
+    setManualPage(u"people"_s);
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("People"));
     m_intro->setWordWrap(true);
@@ -212,6 +214,7 @@ PeopleDialog::PeopleDialog(Workbench& workbench, QWidget* parent)
     column->addWidget(m_intro);
     column->addLayout(row, 1);
     column->addLayout(makeArmingRow());
+    column->addLayout(makeApprovalRow());
     column->addLayout(foot);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &PeopleDialog::refresh);
@@ -227,15 +230,30 @@ QHBoxLayout* PeopleDialog::makeArmingRow()
     m_arming->setObjectName("armingPolicy");
     m_arming->addItem(tr("everybody who has signed in"), toString(ArmingPolicy::SignedIn));
     m_arming->addItem(tr("supervisors; others ask one each time"), toString(ArmingPolicy::Supervisors));
-    QLabel* caption = makeLabel(tr("Who may arm the gripper"), "caption", this);
-    caption->setBuddy(m_arming);
-    m_arming->setAccessibleName(caption->text());
+    return makePolicyRow(tr("Who may arm the gripper"), m_arming, &PeopleDialog::changeArming);
+}
+
+QHBoxLayout* PeopleDialog::makeApprovalRow()
+{
+    m_approval = new QComboBox(this);
+    m_approval->setObjectName("approvalPolicy");
+    m_approval->addItem(tr("any supervisor"), toString(ApprovalPolicy::OnePerson));
+    m_approval->addItem(tr("a supervisor who did not enroll it"), toString(ApprovalPolicy::SecondPerson));
+    return makePolicyRow(tr("Who may approve a type"), m_approval, &PeopleDialog::changeApproval);
+}
+
+QHBoxLayout* PeopleDialog::makePolicyRow(const QString& caption, QComboBox* choice,
+                                         void (PeopleDialog::*change)())
+{
+    QLabel* label = makeLabel(caption, "caption", this);
+    label->setBuddy(choice);
+    choice->setAccessibleName(caption);
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
-    row->addWidget(caption);
-    row->addWidget(m_arming);
+    row->addWidget(label);
+    row->addWidget(choice);
     row->addStretch(1);
-    connect(m_arming, &QComboBox::activated, this, &PeopleDialog::changeArming);
+    connect(choice, &QComboBox::activated, this, change);
     return row;
 }
 
@@ -274,6 +292,8 @@ void PeopleDialog::showPeople()
     }
     m_arming->setEnabled(!m_shown.empty());
     m_arming->setCurrentIndex(m_arming->findData(toString(m_workbench->signIn().arming())));
+    m_approval->setEnabled(!m_shown.empty());
+    m_approval->setCurrentIndex(m_approval->findData(toString(m_workbench->signIn().approval())));
     refresh();
 }
 
@@ -308,6 +328,16 @@ void PeopleDialog::change(Change work, PersonForm* form)
     });
 }
 
+void PeopleDialog::changeBecause(const QString& title,
+                                 std::function<Expected<void>(Library&, const QString& reason)> work)
+{
+    askWhy(this, title, [this, work = std::move(work)](const QString& reason) {
+        authorize(*m_workbench, this, Permission::ManagePeople, [this, work, reason] {
+            change([work, reason](Library& library) { return work(library, reason); });
+        });
+    });
+}
+
 void PeopleDialog::add()
 {
     auto* form = PersonForm::forNew(!m_workbench->signIn().inForce(), this);
@@ -328,8 +358,8 @@ void PeopleDialog::changeRole()
 {
     const Person person = *selected();
     const Role role = person.role == Role::Supervisor ? Role::Operator : Role::Supervisor;
-    authorize(*m_workbench, this, Permission::ManagePeople, [this, id = person.id, role] {
-        change([id, role](Library& library) { return library.people().setRole(id, role); });
+    changeBecause(m_role->text(), [id = person.id, role](Library& library, const QString& reason) {
+        return library.people().setRole(id, role, reason);
     });
 }
 
@@ -365,8 +395,19 @@ void PeopleDialog::changeArming()
     showPeople(); // as it is, until it is changed
     if (!wanted || *wanted == m_workbench->signIn().arming())
         return;
-    authorize(*m_workbench, this, Permission::ManagePeople, [this, policy = *wanted] {
-        change([policy](Library& library) { return library.people().setArming(policy); });
+    changeBecause(tr("Change who may arm"), [policy = *wanted](Library& library, const QString& reason) {
+        return library.people().setArming(policy, reason);
+    });
+}
+
+void PeopleDialog::changeApproval()
+{
+    const auto wanted = approvalPolicyFromString(m_approval->currentData().toString());
+    showPeople(); // as it is, until it is changed
+    if (!wanted || *wanted == m_workbench->signIn().approval())
+        return;
+    changeBecause(tr("Change who may approve"), [policy = *wanted](Library& library, const QString& reason) {
+        return library.people().setApproval(policy, reason);
     });
 }
 

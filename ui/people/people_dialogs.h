@@ -77,18 +77,27 @@ private:
     /// On the library's thread, with a supervisor's consent where that is needed; closes `form` when it is
     /// done.
     void change(Change work, PersonForm* form = nullptr);
+    /// The same, after a reason was given for it.
+    void changeBecause(const QString& title,
+                       std::function<Expected<void>(Library&, const QString& reason)> work);
     void add();
     void changeRole();
     void changeSecret();
     void changeActive();
     void changeArming();
+    void changeApproval();
+    /// A policy to choose: its caption before it.
+    [[nodiscard]] QHBoxLayout* makePolicyRow(const QString& caption, QComboBox* choice,
+                                             void (PeopleDialog::*change)());
     [[nodiscard]] QHBoxLayout* makeArmingRow();
+    [[nodiscard]] QHBoxLayout* makeApprovalRow();
 
     Workbench* m_workbench;
     std::vector<Person> m_shown;
     QTableWidget* m_table;
     QLabel *m_intro, *m_state;
-    QComboBox* m_arming; ///< who may arm the gripper
+    QComboBox* m_arming;   ///< who may arm the gripper
+    QComboBox* m_approval; ///< who may approve a type
     QPushButton *m_add, *m_role, *m_secret, *m_active;
 };
 

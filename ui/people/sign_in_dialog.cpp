@@ -27,6 +27,7 @@ SignInDialog::SignInDialog(Workbench& workbench, std::optional<Permission> permi
       m_accept(makeButton(permission ? tr("Authorise") : tr("Sign in"), {}, "primary", this))
 {
     setObjectName("signInDialog");
+    setManualPage(u"people"_s);
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(permission ? tr("Supervisor needed") : tr("Sign in"));
     m_person->setObjectName("personField");

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/profiles/profile_dialog.h"
 
+#include "core/people/audit_entry.h"
 #include "devices/profile/profiled_device.h"
 #include "devices/profile/report_watch.h"
 #include "ui/charts/strip_chart.h"
 #include "ui/context/workbench.h"
+#include "ui/people/authorize.h"
 #include "ui/profiles/profile_parts.h"
 #include "ui/widgets/controls.h"
 #include "ui/windows/file_dialog.h"
@@ -116,6 +118,7 @@ ProfileDialog::ProfileDialog(Workbench& workbench, QWidget* parent)
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("profileDialog");
+    setManualPage(u"profiles"_s);
     setWindowTitle(tr("Profile of another maker's gripper"));
     build();
     connectEditors();
@@ -321,15 +324,21 @@ void ProfileDialog::load()
 
 void ProfileDialog::save()
 {
-    const QByteArray json = writeProfile(d->form->profile());
-    d->workbench.background().compute<Expected<QString>>(
-        this, [json] { return installProfile(json); },
-        [this](const Expected<QString>& saved) {
-            d->problems->setText(saved
-                                     ? tr("Saved as %1. The gripper is found by it from now on.").arg(*saved)
-                                     : saved.error().describe());
-            d->problems->setVisible(true);
-        });
+    const GripperProfile profile = d->form->profile();
+    const auto install = [this, json = writeProfile(profile)] {
+        d->workbench.background().compute<Expected<QString>>(
+            this, [json] { return installProfile(json); },
+            [this](const Expected<QString>& saved) {
+                d->problems->setText(
+                    saved ? tr("Saved as %1. The gripper is found by it from now on.").arg(*saved)
+                          : saved.error().describe());
+                d->problems->setVisible(true);
+            });
+    };
+    // It says what a gripper's numbers mean, so that it decides about verdicts.
+    authorizeRecorded(d->workbench, this, Permission::ChangeSettings,
+                      QString::fromUtf16(audit_action::profileInstalled), profile.name,
+                      {{u"device"_s, profile.usbNumbers()}, {u"from"_s, u"window"_s}}, install);
 }
 
 } // namespace gripscope

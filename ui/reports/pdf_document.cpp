@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reports/pdf_document.h"
 
+#include "ui/reports/pdf_layout.h"
+
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QCoreApplication>
@@ -9,7 +11,6 @@
 #include <QPdfWriter>
 #include <QSaveFile>
 #include <QTextDocument>
-#include <QUrl>
 
 namespace gripscope {
 
@@ -17,33 +18,14 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int resolution = 600;   // points per inch: fine enough that letters stand where they should
-constexpr double margin_mm = 18;  // around the page
-constexpr double footer_mm = 10;  // below the text, the page's number in it
-constexpr double fontSize_pt = 9; // of the text
+constexpr int resolution = 600;  // points per inch: fine enough that letters stand where they should
+constexpr double margin_mm = 18; // around the page
+constexpr double footer_mm = 10; // below the text, the page's number in it
+constexpr double footerSize_pt = 7.5;
 constexpr double pictureDpi = 96; // pdfPicture() counts in these
 
 struct PdfWords {
     Q_DECLARE_TR_FUNCTIONS(gripscope::PdfDocument)
-};
-
-QFont fontOf(double points)
-{
-    QFont font(u"Noto Sans"_s);
-    font.setPointSizeF(points); // the program's own font is sized for the screen
-    return font;
-}
-
-/// Has the pictures that were added and loads nothing else, whatever an address in its text names.
-class SealedDocument : public QTextDocument {
-protected:
-    QVariant loadResource(int, const QUrl&) override
-    {
-        // Where it gets no picture, Qt itself opens the address as a file; so it gets one of nothing.
-        QImage nothing(1, 1, QImage::Format_ARGB32);
-        nothing.fill(Qt::transparent);
-        return nothing;
-    }
 };
 
 void prepare(QPdfWriter& pdf, const QString& title)
@@ -55,9 +37,14 @@ void prepare(QPdfWriter& pdf, const QString& title)
     pdf.setCreator(u"Gripscope "_s + QStringLiteral(GRIPSCOPE_VERSION));
 }
 
+QSizeF pdfTextSize(const QPdfWriter& pdf)
+{
+    return {double(pdf.width()), pdf.height() - footer_mm / 25.4 * resolution};
+}
+
 void paintFooter(QPainter& painter, const QPdfWriter& pdf, const QString& title, int page, int pages)
 {
-    painter.setFont(fontOf(fontSize_pt - 1.5));
+    painter.setFont(pdfFont(footerSize_pt));
     painter.setPen(Qt::darkGray);
     const QRectF line(0, 0, pdf.width(), pdf.height());
     painter.drawText(line, Qt::AlignLeft | Qt::AlignBottom, title);
@@ -87,7 +74,7 @@ void paintPages(QTextDocument& document, QPdfWriter& pdf, const QString& title)
 } // namespace
 
 Expected<void> writePdf(const QString& title, const QString& html, const std::vector<PdfPicture>& pictures,
-                        const QString& file)
+                        const QString& file, const std::shared_ptr<WorkWatch>& watch)
 {
     QSaveFile out(file);
     if (!out.open(QIODevice::WriteOnly))
@@ -98,21 +85,21 @@ Expected<void> writePdf(const QString& title, const QString& html, const std::ve
         buffer.open(QIODevice::WriteOnly);
         QPdfWriter pdf(&buffer);
         prepare(pdf, title);
-        SealedDocument document;
-        document.documentLayout()->setPaintDevice(&pdf);
-        document.setDocumentMargin(0);
-        document.setDefaultFont(fontOf(fontSize_pt));
-        document.setDefaultStyleSheet(u"h1 { font-size: 18pt; } h2 { font-size: 12pt; } "
-                                      ".small td, .small th { font-size: 7.5pt; }"_s);
-        for (const PdfPicture& picture : pictures)
-            document.addResource(QTextDocument::ImageResource, QUrl(picture.name), picture.image);
-        document.setHtml(html);
-        document.setPageSize(QSizeF(pdf.width(), pdf.height() - footer_mm / 25.4 * resolution));
-        paintPages(document, pdf, title);
+        const auto document = layOutPdf(html, pictures, pdf, pdfTextSize(pdf));
+        paintPages(*document, pdf, title);
+    }
+    if (isStopped(watch)) {
+        out.cancelWriting();
+        return {};
     }
     if (out.write(bytes) != bytes.size() || !out.commit())
         return failure(ErrorCode::FileUnwritable, {file, out.errorString()});
     return {};
+}
+
+QString pdfHeading(const QString& text)
+{
+    return u"<h2>%1</h2>"_s.arg(text.toHtmlEscaped());
 }
 
 QString pdfRow(const QString& name, const QString& text)

@@ -6,6 +6,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <algorithm>
 #include <map>
 
 namespace gripscope {
@@ -171,6 +172,30 @@ void PairPlots::paintPoints(QPainter& painter, const Plot& plot) const
     }
 }
 
+void PairPlots::paintPlots(QPainter& painter) const
+{
+    for (const Plot& plot : plots()) {
+        paintFrame(painter, plot);
+        painter.save();
+        painter.setClipRect(plot.area.adjusted(-8, -8, 8, 8));
+        paintContent(painter, plot);
+        painter.restore();
+    }
+}
+
+void PairPlots::paintPicture(QPainter& painter)
+{
+    if (empty() || width() < 1)
+        return;
+    const QSizeF all = pictureSize();
+    const double scale = std::min(all.width() / width(), all.height() / height());
+    painter.save();
+    painter.fillRect(QRectF(QPointF(), all), Theme::instance().tokens().surface);
+    painter.scale(scale, scale);
+    paintPlots(painter);
+    painter.restore();
+}
+
 void PairPlots::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
@@ -182,14 +207,8 @@ void PairPlots::paintEvent(QPaintEvent*)
         painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, emptyText());
         return;
     }
+    paintPlots(painter);
     const std::vector<Plot> all = plots();
-    for (const Plot& plot : all) {
-        paintFrame(painter, plot);
-        painter.save();
-        painter.setClipRect(plot.area.adjusted(-8, -8, 8, 8));
-        paintContent(painter, plot);
-        painter.restore();
-    }
     painter.setPen(tokens.secondText);
     painter.setFont(Theme::font(metrics::fontSmall));
     const QRectF free(all[1].area.left(), all[2].area.top(), all[1].area.width(), all[2].area.height());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/scene/scene_content.h"
+#include "ui/theme/theme.h"
 
 #include <QColor>
 #include <QPointF>
@@ -13,11 +14,9 @@ class QPainter;
 
 namespace gripscope {
 
-/// The shape of the n-th type. Its colour goes by n as well (Theme::typeColor()); the fifth's is close to the
-/// first's, so from there on the shapes are shifted by one.
 [[nodiscard]] constexpr int typeShape(int type)
 {
-    return (type + type / 4) % 4;
+    return Theme::typeShape(type);
 }
 
 /// The flat sign of a type: disc, square, triangle, diamond, for sphere, cube, cone, octahedron. The same in

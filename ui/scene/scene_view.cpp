@@ -11,6 +11,8 @@
 
 #include <cmath>
 
+using namespace Qt::StringLiterals;
+
 namespace gripscope {
 
 namespace {
@@ -50,6 +52,35 @@ bool SceneView::empty() const
 QImage SceneView::picture()
 {
     return grab().toImage();
+}
+
+QString SceneView::plotName() const
+{
+    return tr("Space of m, b and k");
+}
+
+QString SceneView::fileName() const
+{
+    return u"space"_s;
+}
+
+QSize SceneView::pictureSize() const
+{
+    if (!m_pictureSize.isValid())
+        return size();
+    return {m_pictureSize.width(), m_pictureSize.width() * 3 / 4};
+}
+
+PlotTable SceneView::numbers() const
+{
+    PlotTable table;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        auto values = std::make_shared<std::vector<double>>();
+        for (const ScenePoint& point : content().points)
+            values->push_back(point.at[Eigen::Index(axis)] * content().axes[axis].factor);
+        table.push_back({content().axes[axis].title(), std::move(values)});
+    }
+    return table;
 }
 
 void SceneView::pick(const QString& id, const std::optional<Ellipsoid>& error)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/charts/plot_export.h"
 #include "ui/scene/scene_camera.h"
 #include "ui/scene/scene_content.h"
 
@@ -14,7 +15,7 @@ namespace gripscope {
 
 /// A view of the m-b-k space: in three dimensions where there is OpenGL, else three pair plots. Who uses it
 /// need not know which.
-class SceneView : public QWidget {
+class SceneView : public QWidget, public ExportablePlot {
     Q_OBJECT
 public:
     explicit SceneView(QWidget* parent);
@@ -33,6 +34,15 @@ public:
     [[nodiscard]] virtual bool settled() const { return true; }
     /// The picture as it is on the screen, for the clipboard or a file.
     [[nodiscard]] virtual QImage picture();
+
+    [[nodiscard]] QString plotName() const override;
+    [[nodiscard]] QString fileName() const override;
+    [[nodiscard]] QSize pictureSize() const override;
+    void setPictureSize(QSize size) override { m_pictureSize = size; }
+    /// As lines and signs, from where it is looked at now.
+    void paintPicture(QPainter& painter) override = 0;
+    /// m, b and k of every point.
+    [[nodiscard]] PlotTable numbers() const override;
 
     /// What is shown of a point that is pointed at, by its id. Asked then, so that no words are made for
     /// thousands of points that nobody points at.
@@ -81,6 +91,7 @@ private:
     std::optional<Ellipsoid> m_pickedError;
     std::function<QString(const QString&)> m_tips;
     QString m_emptyText;
+    QSize m_pictureSize; ///< valid: in place of that on the screen
 };
 
 /// Best: three dimensions where there is OpenGL.
@@ -105,6 +116,7 @@ public:
 
     [[nodiscard]] const SceneCamera& camera() const;
     void setCamera(const SceneCamera& camera);
+    void paintPicture(QPainter& painter) override;
     /// The rendered part of the picture, without what is painted over it.
     [[nodiscard]] const QImage& rendered() const;
 
@@ -141,6 +153,7 @@ public:
     explicit PairPlots(QWidget* parent = nullptr);
 
     [[nodiscard]] bool threeDimensional() const override { return false; }
+    void paintPicture(QPainter& painter) override;
 
 protected:
     [[nodiscard]] std::vector<Spot> spots() const override;
@@ -157,6 +170,7 @@ private:
     [[nodiscard]] std::vector<Plot> plots() const;
     [[nodiscard]] QPointF place(const Plot& plot, const Eigen::Vector3d& value) const;
     [[nodiscard]] static std::vector<Eigen::Vector3d> outlineOf(const Ellipsoid& ellipsoid, const Plot& plot);
+    void paintPlots(QPainter& painter) const;
     void paintFrame(QPainter& painter, const Plot& plot) const;
     void paintContent(QPainter& painter, const Plot& plot) const;
     void paintPoints(QPainter& painter, const Plot& plot) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene/offscreen_gl.h"
 #include "ui/scene/scene_axes.h"
+#include "ui/scene/scene_figure.h"
 #include "ui/scene/scene_marks.h"
 #include "ui/scene/scene_renderer.h"
 #include "ui/scene/scene_view.h"
@@ -226,6 +227,12 @@ void SceneWidget::paintEvent(QPaintEvent*)
         painter.setPen(QPen(tokens.accent, 2));
         painter.drawRect(rect().adjusted(1, 1, -1, -1));
     }
+}
+
+void SceneWidget::paintPicture(QPainter& painter)
+{
+    if (!empty())
+        paintSceneFigure(painter, content(), d->camera, pictureSize());
 }
 
 void SceneWidget::mousePressEvent(QMouseEvent* event)

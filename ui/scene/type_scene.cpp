@@ -34,16 +34,22 @@ std::array<AxisScale, 3> axesFor(const TypeSpace& space, const SceneContent& all
 /// More errors than this hide each other and the points.
 constexpr std::size_t mostErrors = 500;
 
+int signOf(const TypeSpace& space, int type)
+{
+    return space.signs[std::size_t(type)];
+}
+
 SceneContent everything(const TypeSpace& space)
 {
     SceneContent all;
     all.points.reserve(space.squeezes.size());
-    for (const SpaceSqueeze& squeeze : space.squeezes)
-        all.points.push_back(
-            {squeeze.id, squeeze.parameters.vector(), squeeze.type, typeShape(squeeze.type)});
+    for (const SpaceSqueeze& squeeze : space.squeezes) {
+        const int sign = signOf(space, squeeze.type);
+        all.points.push_back({squeeze.id, squeeze.parameters.vector(), sign, typeShape(sign)});
+    }
     for (std::size_t i = 0; i < space.ellipsoids.size(); ++i)
         if (space.ellipsoids[i])
-            all.ellipsoids.push_back({*space.ellipsoids[i], int(i)});
+            all.ellipsoids.push_back({*space.ellipsoids[i], signOf(space, int(i))});
     return all;
 }
 
@@ -101,12 +107,14 @@ SceneContent typeScene(const TypeSpace& space, const TypeVisibility& visible,
     content.highlight = highlight;
     content.axes = axesFor(space, content);
     hidePoints(content, space, visible);
-    std::erase_if(content.ellipsoids,
-                  [&](const SceneEllipsoid& e) { return !visible[std::size_t(e.color)]; });
+    content.ellipsoids.clear();
+    for (std::size_t i = 0; i < space.ellipsoids.size(); ++i)
+        if (space.ellipsoids[i] && visible[i])
+            content.ellipsoids.push_back({*space.ellipsoids[i], signOf(space, int(i))});
     if (space.squeezes.size() <= mostErrors)
         for (const SpaceSqueeze& squeeze : space.squeezes)
             if (const auto error = ownEllipsoid(squeeze); error && visible[std::size_t(squeeze.type)])
-                content.errors.push_back({*error, squeeze.type});
+                content.errors.push_back({*error, signOf(space, squeeze.type)});
     return content;
 }
 

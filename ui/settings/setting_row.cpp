@@ -57,8 +57,8 @@ SettingRow::SettingRow(Settings& settings, const Setting& setting, QWidget* pare
     row->setContentsMargins(0, 8, 0, 8);
     row->setSpacing(16);
     row->addLayout(words, 1);
-    if (setting.kind == SettingKind::Folder)
-        row->addWidget(makeFolderButton());
+    if (setting.kind == SettingKind::Folder || setting.kind == SettingKind::Picture)
+        row->addWidget(makeFileButton());
     row->addWidget(control);
     row->addWidget(m_reset);
     connect(m_settings, &Settings::changed, this, [this](const QString& key) {
@@ -91,6 +91,7 @@ QWidget* SettingRow::makeControl()
         return makeNumber();
     case SettingKind::Text:
     case SettingKind::Folder:
+    case SettingKind::Picture:
         break;
     }
     return makeText();
@@ -127,7 +128,8 @@ QWidget* SettingRow::makeNumber()
     box->setDecimals(m_setting->decimals);
     box->setRange(factor * m_setting->least, factor * m_setting->most);
     box->setSingleStep(std::pow(10.0, std::floor(std::log10(box->maximum() / 20))));
-    box->setSuffix(QChar(QChar::Nbsp) + QString::fromLatin1(m_setting->unit));
+    if (const QString unit = QString::fromUtf8(m_setting->unit); !unit.isEmpty())
+        box->setSuffix(QChar(QChar::Nbsp) + unit);
     if (m_setting->zeroMeans)
         box->setSpecialValueText(m_setting->shownValue(0.0));
     box->setKeyboardTracking(false); // half a number is not stored
@@ -146,16 +148,19 @@ QWidget* SettingRow::makeText()
     return edit;
 }
 
-QWidget* SettingRow::makeFolderButton()
+QWidget* SettingRow::makeFileButton()
 {
     auto* button = makeButton(tr("Choose…"), u"folder-open"_s, "", this);
     button->setAutoDefault(false);
     button->setAccessibleName(tr("Choose: %1").arg(m_setting->shownName()));
     connect(button, &QPushButton::clicked, this, [this] {
-        auto* dialog = new FileDialog(this, m_setting->shownName(), m_settings->value(m_key).toString());
-        dialog->setFileMode(QFileDialog::Directory);
-        dialog->setOption(QFileDialog::ShowDirsOnly);
-        connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) { store(folder); });
+        const bool picture = m_setting->kind == SettingKind::Picture;
+        const QString chosen = m_settings->value(m_key).toString();
+        auto* dialog = new FileDialog(this, m_setting->shownName(), picture ? QString() : chosen,
+                                      picture ? tr("Pictures (*.png *.svg)") : QString());
+        dialog->setFileMode(picture ? QFileDialog::ExistingFile : QFileDialog::Directory);
+        dialog->setOption(QFileDialog::ShowDirsOnly, !picture);
+        connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { store(file); });
         dialog->open();
     });
     return button;

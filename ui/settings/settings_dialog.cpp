@@ -44,6 +44,7 @@ const RegisteredDialog<ImportDialog> importDialogRow("import", [](Workbench&, QW
 ImportDialog::ImportDialog(const SettingsImport& import, QWidget* parent) : Dialog(parent)
 {
     setObjectName("importDialog");
+    setManualPage(u"settings"_s);
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Import settings"));
     auto* column = new QVBoxLayout(this);
@@ -127,6 +128,7 @@ SettingsDialog::SettingsDialog(Workbench& workbench, QWidget* parent)
     : Dialog(parent), m_workbench(&workbench)
 {
     setObjectName("settingsDialog");
+    setManualPage(u"settings"_s);
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Settings"));
     auto* column = new QVBoxLayout(this);

@@ -40,7 +40,7 @@ private:
     [[nodiscard]] QWidget* makeChoice();
     [[nodiscard]] QWidget* makeNumber();
     [[nodiscard]] QWidget* makeText();
-    [[nodiscard]] QWidget* makeFolderButton();
+    [[nodiscard]] QWidget* makeFileButton();
     void store(const QVariant& value);
     void guarded(const QVariant& after, std::function<void()> apply);
     void refresh();

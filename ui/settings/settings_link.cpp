@@ -49,6 +49,12 @@ void SettingsLink::apply(const QString& key)
         m_workbench->setOperatorName(settings.get(setting::operatorName));
     else if (key.startsWith("rates/"_L1))
         m_workbench->setRates(readRates(settings));
+    else if (key == QLatin1String(setting::refuseOverdue.key) ||
+             key == QLatin1String(setting::mostLostShare.key) ||
+             key == QLatin1String(setting::onlySignedIn.key))
+        m_workbench->setJudgingPolicy(
+            {settings.get(setting::refuseOverdue), settings.get(setting::mostLostShare), false},
+            settings.get(setting::onlySignedIn));
     else if (key.startsWith("captures/"_L1))
         applyKeeping();
     m_applying = false;

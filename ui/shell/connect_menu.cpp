@@ -2,6 +2,7 @@
 #include "ui/shell/connect_menu.h"
 
 #include "devices/virtual/virtual_button.h"
+#include "devices/virtual/virtual_load.h"
 #include "ui/context/workbench.h"
 #include "ui/inspector/device_inspector.h"
 #include "ui/people/authorize.h"
@@ -17,6 +18,7 @@
 #include <QHBoxLayout>
 #include <QPlainTextEdit>
 #include <QVBoxLayout>
+#include <QWidgetAction>
 
 namespace gripscope {
 
@@ -31,6 +33,7 @@ const RegisteredDialog<AccessDialog> accessDialogRow("access", [](Workbench& ben
 AccessDialog::AccessDialog(Workbench& workbench, const FoundDevice& device, QWidget* parent) : Dialog(parent)
 {
     setObjectName("accessDialog");
+    setManualPage(u"connect"_s);
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Allow access to the gripper"));
     auto* column = new QVBoxLayout(this);
@@ -64,10 +67,14 @@ AccessDialog::AccessDialog(Workbench& workbench, const FoundDevice& device, QWid
     row->addWidget(copy);
     column->addLayout(row);
     resize(720, 360);
-    connect(&workbench, &Workbench::connectionChanged, this, [this, bench = &workbench] {
-        if (bench->connection().state() == ConnectSession::State::Connected)
-            accept();
-    });
+    connect(&workbench, &Workbench::connectionChanged, this,
+            [this, bench = &workbench, address = device.address] {
+                const ConnectSession& connection = bench->connection();
+                // Another gripper may be connected all the time.
+                if (connection.state() == ConnectSession::State::Connected &&
+                    connection.identity().address == address)
+                    accept();
+            });
 }
 
 ConnectMenu::ConnectMenu(Workbench& workbench, QWidget* parent) : QMenu(parent), m_workbench(&workbench)
@@ -95,19 +102,39 @@ void ConnectMenu::open()
 {
     clear();
     m_found.clear();
+    addTitle(tr("Grippers"));
     m_none = addAction(tr("Looking for grippers on USB…"));
     m_none->setEnabled(false);
-    m_afterFound = addSeparator();
-    for (const QString& can : {u"A"_s, u"B"_s, u"C"_s, u"D"_s})
-        addAddress(tr("Virtual gripper, can %1").arg(can),
-                   can == "A"_L1 ? u"virtual:"_s : u"virtual:?object=%1"_s.arg(can));
-    addSeparator();
-    addActions();
+    m_afterFound = addAddress(tr("Virtual gripper, can %1").arg(u"A"_s), u"virtual:"_s);
+    for (const QString& can : {u"B"_s, u"C"_s, u"D"_s})
+        addAddress(tr("Virtual gripper, can %1").arg(can), u"virtual:?object=%1"_s.arg(can));
+    connect(addAction(tr("Other address…")), &QAction::triggered, this, &ConnectMenu::askForAddress);
+    addTitle(tr("This gripper"));
+    addGripper();
+    addTitle(tr("Tools"));
+    QAction* profile = addAction(tr("Profile of another maker's gripper…"));
+    profile->setObjectName("gripperProfile");
+    connect(profile, &QAction::triggered, this, [this] { openProfile(); });
+    addKeeping();
     m_shownRevision = 0;
     m_watcher = std::make_unique<HidWatcher>();
 }
 
-void ConnectMenu::addAddress(const QString& text, const QString& address)
+/// The style sheet paints separators without words.
+void ConnectMenu::addTitle(const QString& words)
+{
+    if (!isEmpty())
+        addSeparator();
+    QLabel* label = makeLabel(words, "caption", this);
+    label->setContentsMargins(16, 6, 16, 2);
+    auto* title = new QWidgetAction(this);
+    title->setText(words); // for who hears the menu
+    title->setDefaultWidget(label);
+    title->setEnabled(false); // nothing that keys stop at
+    addAction(title);
+}
+
+QAction* ConnectMenu::addAddress(const QString& text, const QString& address)
 {
     QAction* action = addAction(withoutKeys(text));
     const ConnectSession& connection = m_workbench->connection();
@@ -115,34 +142,42 @@ void ConnectMenu::addAddress(const QString& text, const QString& address)
     action->setChecked(connection.state() == ConnectSession::State::Connected &&
                        connection.address() == address);
     connect(action, &QAction::triggered, m_workbench, [this, address] { m_workbench->connectTo(address); });
+    return action;
 }
 
-void ConnectMenu::addActions()
+void ConnectMenu::addGripper()
 {
-    connect(addAction(tr("Other address…")), &QAction::triggered, this, &ConnectMenu::askForAddress);
+    const ConnectSession& connection = m_workbench->connection();
     QAction* inspect = addAction(tr("Inspect the gripper…") + u"\tF9"_s);
     inspect->setObjectName("inspectGripper");
     connect(inspect, &QAction::triggered, this,
             [this] { DeviceInspector::open(*m_workbench, parentWidget()->window()); });
     QAction* lag = addAction(tr("Measure the lag between its channels…"));
     lag->setObjectName("measureLag");
-    lag->setEnabled(m_workbench->connection().state() == ConnectSession::State::Connected);
+    lag->setEnabled(connection.state() == ConnectSession::State::Connected);
     connect(lag, &QAction::triggered, this,
             [this] { (new LagDialog(*m_workbench, parentWidget()))->open(); });
-    QAction* profile = addAction(tr("Profile of another maker's gripper…"));
-    profile->setObjectName("gripperProfile");
-    connect(profile, &QAction::triggered, this, [this] { openProfile(); });
+    if (connection.state() == ConnectSession::State::Connected &&
+        connection.address().startsWith("virtual:"_L1))
+        addVirtual();
+    QAction* disconnect =
+        addAction(connection.awaiting() ? tr("Do not wait for the gripper") : tr("Disconnect"));
+    disconnect->setObjectName("disconnect");
+    disconnect->setEnabled(connection.state() != ConnectSession::State::Disconnected);
+    connect(disconnect, &QAction::triggered, m_workbench, [this] { m_workbench->connection().disconnect(); });
+}
+
+void ConnectMenu::addVirtual()
+{
     QAction* button = addAction(tr("Press the virtual gripper's button"));
     button->setObjectName("pressButton");
-    button->setVisible(m_workbench->connection().state() == ConnectSession::State::Connected &&
-                       m_workbench->connection().address().startsWith("virtual:"_L1));
     connect(button, &QAction::triggered, this, [] { virtual_button::press(); });
-    addKeeping();
-    const bool awaiting = m_workbench->connection().awaiting();
-    QAction* disconnect = addAction(awaiting ? tr("Do not wait for the gripper") : tr("Disconnect"));
-    disconnect->setObjectName("disconnect");
-    disconnect->setEnabled(m_workbench->connection().state() != ConnectSession::State::Disconnected);
-    connect(disconnect, &QAction::triggered, m_workbench, [this] { m_workbench->connection().disconnect(); });
+    constexpr double part_N = 0.5; // far above the noise of its force, far below every limit
+    QAction* part = addAction(tr("A part leans on the virtual gripper"));
+    part->setObjectName("leanPart");
+    part->setCheckable(true);
+    part->setChecked(virtual_load::load_N() > 0);
+    connect(part, &QAction::triggered, this, [](bool on) { virtual_load::set(on ? part_N : 0); });
 }
 
 void ConnectMenu::addKeeping()
@@ -161,7 +196,7 @@ void ConnectMenu::addKeeping()
 void ConnectMenu::keepSessions(bool on)
 {
     m_workbench->setKeeping(m_workbench->keeping(), on);
-    m_workbench->messages().report(
+    m_workbench->messages().tell(
         on ? tr("From the next connection on, the raw reports of grippers are kept in %1.")
                  .arg(m_workbench->keeping().folder)
            : tr("From the next connection on, raw reports are not kept. Squeezes cannot be "

@@ -42,7 +42,8 @@ private:
 };
 
 /// Which gripper to connect to: those on USB, listed as they come and go while the menu is open, the virtual
-/// one with any of its cans, an address typed in, or none.
+/// one with any of its cans, an address typed in; then what can be done with the one that is connected, and
+/// what belongs to none.
 class ConnectMenu : public QMenu {
     Q_OBJECT
 public:
@@ -58,8 +59,10 @@ private:
     void follow();
     void choose(const FoundDevice& device);
     void askForAddress();
-    void addAddress(const QString& text, const QString& address);
-    void addActions();
+    void addTitle(const QString& words); ///< of the section that follows
+    QAction* addAddress(const QString& text, const QString& address);
+    void addGripper(); ///< what can be done with the one that is connected
+    void addVirtual(); ///< what hands do to the virtual one
     void openProfile();
     void addKeeping();
     void keepSessions(bool on);

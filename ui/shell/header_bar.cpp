@@ -3,8 +3,11 @@
 #include "ui/context/connection_words.h"
 #include "ui/context/sign_in.h"
 #include "ui/context/workbench.h"
+#include "ui/format/number_format.h"
+#include "ui/library/library_dialog.h"
 #include "ui/people/people_dialogs.h"
 #include "ui/people/sign_in_dialog.h"
+#include "ui/shell/arm_chord.h"
 #include "ui/shell/connect_menu.h"
 #include "ui/shell/window_bars.h"
 #include "ui/theme/theme.h"
@@ -20,6 +23,7 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <chrono>
 
 namespace gripscope {
 
@@ -31,7 +35,8 @@ class DeviceChip : public QAbstractButton {
     Q_OBJECT
 public:
     explicit DeviceChip(QWidget* parent = nullptr);
-    void setLink(ConnectSession::State state, const QString& words, const QString& detail);
+    /// `losing`: reports are being lost, or none come.
+    void setLink(ConnectSession::State state, const QString& words, const QString& detail, bool losing);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return {168, 40}; }
 
@@ -42,6 +47,7 @@ private:
     void paintState(QPainter& painter, const QPointF& centre) const;
     ConnectSession::State m_state = ConnectSession::State::Disconnected;
     QString m_words, m_detail;
+    bool m_losing = false;
 };
 
 DeviceChip::DeviceChip(QWidget* parent) : QAbstractButton(parent)
@@ -53,16 +59,18 @@ DeviceChip::DeviceChip(QWidget* parent) : QAbstractButton(parent)
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
-void DeviceChip::setLink(ConnectSession::State state, const QString& words, const QString& detail)
+void DeviceChip::setLink(ConnectSession::State state, const QString& words, const QString& detail,
+                         bool losing)
 {
-    if (state == m_state && words == m_words && detail == m_detail)
+    if (state == m_state && words == m_words && detail == m_detail && losing == m_losing)
         return;
+    m_losing = losing;
     const bool resized = words.size() != m_words.size() || detail.size() != m_detail.size();
     m_state = state;
     m_words = words;
     m_detail = detail;
     setAccessibleName(tr("Gripper: %1").arg(words));
-    setAccessibleDescription(detail);
+    setAccessibleDescription(losing ? tr("%1 · reports are being lost").arg(detail) : detail);
     setToolTip(detail.isEmpty() ? words : u"%1 · %2"_s.arg(words, detail));
     if (resized)
         updateGeometry();
@@ -81,6 +89,11 @@ void DeviceChip::paintState(QPainter& painter, const QPointF& c) const
     const ThemeTokens& t = Theme::instance().tokens();
     switch (m_state) {
     case ConnectSession::State::Connected:
+        if (m_losing) {
+            paintOutcomeSign(painter, QRectF(c.x() - 9, c.y() - 9, 18, 18), InspectionOutcome::NotValid,
+                             t.notValid);
+            break;
+        }
         painter.setPen(Qt::NoPen);
         painter.setBrush(t.asExpected);
         painter.drawEllipse(c, 6, 6);
@@ -210,7 +223,8 @@ void OperatorBox::refresh()
     m_chip->setAccessibleName(!signIn.inForce() ? tr("People")
                               : who             ? tr("%1, %2").arg(who->name(), inWords(who->role()))
                                                 : tr("Nobody has signed in"));
-    m_chip->setToolTip(signIn.inForce() ? m_chip->accessibleName() : tr("People and the audit trail"));
+    m_chip->setToolTip(signIn.inForce() ? m_chip->accessibleName()
+                                        : tr("People, the audit trail and the library"));
 }
 
 void OperatorBox::fillMenu()
@@ -230,9 +244,38 @@ void OperatorBox::fillMenu()
             add(tr("Sign out"), "signOutAction", [this] { m_workbench->signIn().signOut(); });
         m_menu->addSeparator();
     }
+    add(tr("Library…"), "libraryAction", [this, over] { (new LibraryDialog(*m_workbench, over))->open(); });
     add(tr("People…"), "peopleAction", [this, over] { (new PeopleDialog(*m_workbench, over))->open(); });
     add(tr("Audit trail…"), "auditAction", [this, over] { (new AuditDialog(*m_workbench, over))->open(); });
 }
+
+namespace {
+
+constexpr int holdingHeight = 6;
+
+/// Fills from left to right along the lower edge of a button.
+class HoldBar : public QWidget {
+public:
+    HoldBar(const ArmChord& chord, QWidget* button) : QWidget(button), m_chord(&chord)
+    {
+        setObjectName("armHolding");
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        hide();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        const double share = m_chord->progress().value_or(0);
+        painter.fillRect(QRectF(0, 0, share * width(), height()), Theme::instance().tokens().accent);
+    }
+
+private:
+    const ArmChord* m_chord;
+};
+
+} // namespace
 
 HeaderBar::HeaderBar(Workbench& workbench, QWidget* parent) : QFrame(parent), m_workbench(&workbench)
 {
@@ -247,7 +290,7 @@ HeaderBar::HeaderBar(Workbench& workbench, QWidget* parent) : QFrame(parent), m_
     connect(m_chip, &DeviceChip::clicked, this,
             [this] { m_menu->popup(m_chip->mapToGlobal(QPoint(0, m_chip->height() + 4))); });
 
-    m_arm = makeButton(tr("Arm"), u"object-unlocked"_s, "", this);
+    m_arm = makeButton(tr("Arm"), u"object-locked"_s, "", this);
     m_arm->setObjectName("armButton");
     m_arm->setCheckable(true);
     m_arm->setMinimumWidth(132);
@@ -258,6 +301,10 @@ HeaderBar::HeaderBar(Workbench& workbench, QWidget* parent) : QFrame(parent), m_
             m_workbench->arm();
         refreshArmed();
     });
+    m_chord = new ArmChord(workbench, this);
+    m_chord->setObjectName("armChord");
+    m_holding = new HoldBar(*m_chord, m_arm);
+    connect(m_chord, &ArmChord::changed, this, &HeaderBar::refreshHolding);
 
     auto* stop = new StopButton(workbench, 48, this);
     stop->setObjectName("stopButton");
@@ -302,7 +349,21 @@ void HeaderBar::refreshLink()
 {
     const ConnectSession& connection = m_workbench->connection();
     const ConnectionWords words = chipWords(connection);
-    m_chip->setLink(connection.state(), words.headline, words.detail);
+    const LinkCounters counters = connection.counters();
+    m_losses.look(counters, std::chrono::steady_clock::now());
+    const bool connected = connection.state() == ConnectSession::State::Connected;
+    const bool losing = connected && m_losses.losing();
+    m_chip->setLink(connection.state(), words.headline,
+                    losing ? tr("loses %1").arg(formatPercent(100 * m_losses.share())) : words.detail,
+                    losing || counters.stalled);
+}
+
+void HeaderBar::refreshHolding()
+{
+    m_holding->setGeometry(0, m_arm->height() - holdingHeight, m_arm->width(), holdingHeight);
+    m_holding->setVisible(m_chord->progress().has_value());
+    m_holding->update();
+    refreshArmed();
 }
 
 void HeaderBar::refreshArmed()
@@ -311,7 +372,7 @@ void HeaderBar::refreshArmed()
     const bool armed = connection.armed();
     const bool possible =
         connection.state() == ConnectSession::State::Connected && connection.identity().commandable;
-    const QString text = armed ? tr("Armed") : tr("Arm");
+    const QString text = armed ? tr("Armed") : m_chord->progress() ? tr("Hold…") : tr("Arm");
     if (armed == m_arm->isChecked() && possible == m_arm->isEnabled() && text == m_arm->text() &&
         !m_arm->toolTip().isEmpty())
         return;
@@ -319,12 +380,14 @@ void HeaderBar::refreshArmed()
     m_arm->setEnabled(possible);
     m_arm->setText(text);
     m_arm->setAccessibleName(armed ? tr("Armed; press to disarm") : tr("Arm the gripper"));
-    m_arm->setToolTip(armed      ? tr("The gripper may move. Press to disarm it.")
-                      : possible ? tr("Let the gripper move when a squeeze is asked for")
-                                 : tr("No gripper that can be commanded is connected"));
+    m_arm->setToolTip(
+        armed ? tr("The gripper may move. Press to disarm it.")
+        : possible
+            ? tr("Let the gripper move when a squeeze is asked for. By keys: hold Ctrl+Shift+A for a second")
+            : tr("No gripper that can be commanded is connected"));
     const ThemeTokens& tokens = Theme::instance().tokens();
-    m_arm->setIcon(armed ? Theme::instance().icon(u"object-locked"_s, tokens.accent)
-                         : Theme::instance().icon(u"object-unlocked"_s));
+    m_arm->setIcon(armed ? Theme::instance().icon(u"object-unlocked"_s, tokens.accent)
+                         : Theme::instance().icon(u"object-locked"_s)); // locked is what cannot move
 }
 
 } // namespace gripscope

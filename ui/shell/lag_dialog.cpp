@@ -48,6 +48,7 @@ LagDialog::LagDialog(Workbench& workbench, QWidget* parent)
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("lagDialog");
+    setManualPage(u"records"_s);
     setWindowTitle(tr("Lag between the channels"));
     build();
 }

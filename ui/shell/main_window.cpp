@@ -7,6 +7,7 @@
 #include "ui/inspector/device_inspector.h"
 #include "ui/pages/calibrate/calibrate_page.h"
 #include "ui/pages/enroll/enroll_page.h"
+#include "ui/pages/enroll/enrolled_types_dialog.h"
 #include "ui/pages/fit/fit_page.h"
 #include "ui/pages/history/history_page.h"
 #include "ui/pages/inspect/inspect_page.h"
@@ -14,6 +15,7 @@
 #include "ui/pages/types/types_page.h"
 #include "ui/people/authorize.h"
 #include "ui/settings/settings_dialog.h"
+#include "ui/shell/page_view.h"
 #include "ui/shell/window_bars.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/message_bar.h"
@@ -34,7 +36,8 @@ namespace gripscope {
 
 namespace {
 constexpr int railWidth = 88;
-}
+constexpr QSize least(1024, 640);
+} // namespace
 
 MainWindow::MainWindow(Workbench& workbench, QWidget* parent) : QWidget(parent), m_workbench(&workbench)
 {
@@ -50,39 +53,55 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent) : QWidget(parent),
     column->addWidget(m_header);
     column->addWidget(makeRule(this));
     column->addWidget(m_messages);
-    column->addWidget(m_stack, 1);
-    column->addWidget(makeRule(this));
-    column->addWidget(new StatusLine(workbench, this));
+    column->addWidget(new PageView(*m_stack, this), 1);
+    m_foot = new QWidget(this);
+    auto* foot = new QVBoxLayout(m_foot);
+    setSpacing(foot, 0, 0);
+    foot->addWidget(makeRule(m_foot));
+    foot->addWidget(new StatusLine(workbench, m_foot));
+    column->addWidget(m_foot);
     auto* row = new QHBoxLayout(this);
     setSpacing(row, 0, 0);
     row->addWidget(makeRail());
     row->addLayout(column, 1);
 
     connect(&workbench.messages(), &Messages::reported, m_messages, &MessageBar::show);
+    connect(&workbench.messages(), &Messages::told, m_messages, &MessageBar::tell);
     connect(&workbench.messages(), &Messages::withdrawn, m_messages, &MessageBar::withdraw);
     connect(m_messages, &MessageBar::changed, this, &MainWindow::makeRoom);
     connect(&workbench.navigator(), &Navigator::pageRequested, this,
             qOverload<const QString&>(&MainWindow::showPage));
+    connect(&workbench.navigator(), &Navigator::typesAsked, this,
+            [this] { (new EnrolledTypesDialog(*m_workbench, this))->open(); });
     auto* notice = new StopNotice(workbench.connection(), m_header, this);
     connect(&workbench, &Workbench::ticked, notice, &StopNotice::refresh);
     connect(&StopStanding::of(workbench), &StopStanding::changed, this, &MainWindow::tellDisarmed);
     makeShortcuts();
-    answerForPeople(workbench);
-    connect(new WindowGuard(workbench, this), &WindowGuard::helpAsked, this, &MainWindow::showHelp);
-    makeRoom();
+    answerForPeople(workbench, this);
+    connect(new WindowGuard(workbench, this), &WindowGuard::helpAsked, this, &MainWindow::showHelpOn);
+    setMinimumSize(least);
     resize(1280, 800);
     showPage(0);
 }
 
 MainWindow::~MainWindow() = default;
 
-/// A message takes nothing from a page that needs all it has: the window grows by it.
+/// In a low window a message takes the place of the status line and some of the page's margins: the window
+/// stays as it is, for the screen may have no more. What that does not give, PageView scrolls.
 void MainWindow::makeRoom()
 {
-    constexpr QSize least(1024, 640);
     const int message =
-        m_messages->messages().isEmpty() ? 0 : m_messages->heightForWidth(least.width() - railWidth);
-    setMinimumSize(least + QSize(0, message));
+        m_messages->messages().isEmpty() ? 0 : m_messages->heightForWidth(width() - railWidth);
+    const bool tight = height() < least.height() + message;
+    m_foot->setVisible(!tight);
+    for (Page* page : m_pages)
+        page->setTight(tight);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    makeRoom();
 }
 
 void MainWindow::tellDisarmed()
@@ -179,11 +198,16 @@ void MainWindow::showPage(const QString& id)
 
 void MainWindow::showHelp()
 {
+    showHelpOn({});
+}
+
+void MainWindow::showHelpOn(const QString& page)
+{
     if (!m_manual) {
         m_manual = new ManualWindow(this);
         connect(m_manual, &ManualWindow::keysAsked, this, &MainWindow::showAbout);
     }
-    m_manual->showPage(manualPageFor(currentPage()->id()));
+    m_manual->showPage(manualPageFor(page.isEmpty() ? currentPage()->id() : page));
     m_manual->open();
 }
 
@@ -205,7 +229,7 @@ void MainWindow::takeMessages(const MainWindow& other)
 {
     const QStringList& messages = other.m_messages->messages();
     for (auto message = messages.rbegin(); message != messages.rend(); ++message)
-        m_messages->show(*message);
+        other.m_messages->isGood(*message) ? m_messages->tell(*message) : m_messages->show(*message);
 }
 
 QString MainWindow::message() const
@@ -224,7 +248,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
     // The port's own close is bounded; what must not wait is that the gripper stops.
     m_workbench->stop();
     const InspectSession& inspection = m_workbench->inspection();
-    if (inspection.unstored() > 0 && !inspection.storing() && !m_closesAnyway) {
+    // What is in the spill file is stored when the program runs again.
+    if (inspection.unstored() > inspection.spilled() && !inspection.storing() && !m_closesAnyway) {
         event->ignore();
         return askWhetherToLose();
     }
@@ -238,7 +263,7 @@ void MainWindow::askWhetherToLose()
     auto* question = new Question(
         tr("Close and lose what is not stored?"),
         tr("Not stored yet: %1. They are stored as soon as that can be, while the program runs. %2")
-            .arg(session.unstored())
+            .arg(session.unstored() - session.spilled())
             .arg(why ? why->describe() : QString()),
         tr("Close and lose them"), tr("Keep it open"), this);
     question->setObjectName("unstoredQuestion");

@@ -29,7 +29,8 @@ public:
     [[nodiscard]] Page* currentPage() const;
     void showPage(int index);
     void showPage(const QString& id);
-    void showHelp(); ///< the manual, at the page about the screen
+    void showHelp();                      ///< the manual, at the page about the screen
+    void showHelpOn(const QString& page); ///< at this page; at the one about the screen where it is empty
     void showSettings();
     [[nodiscard]] QString message() const; ///< the one in the message bar
     /// Those that another window still shows, which this one replaces.
@@ -37,6 +38,7 @@ public:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
@@ -53,6 +55,7 @@ private:
     QStackedWidget* m_stack;
     HeaderBar* m_header;
     MessageBar* m_messages;
+    QWidget* m_foot; ///< the status line and what parts it from the page
     QButtonGroup* m_rail;
     QPointer<ManualWindow> m_manual;
 };

@@ -25,8 +25,8 @@ namespace gripscope {
 
 namespace {
 
-constexpr int patience_ms = 30000;
-constexpr int settle_ms = 250; ///< for what is still being drawn when a page says it is ready
+constexpr int longestAnswer_ms = 30000; ///< of the library
+constexpr int settle_ms = 250;          ///< for what is still being drawn when a page says it is ready
 
 /// Lets the program live until `reached`, or for `most_ms`.
 bool waitFor(const std::function<bool()>& reached, int most_ms)
@@ -42,6 +42,11 @@ bool waitFor(const std::function<bool()>& reached, int most_ms)
     timer.start(10);
     loop.exec();
     return reached();
+}
+
+void pause(int milliseconds)
+{
+    (void)waitFor([] { return false; }, milliseconds);
 }
 
 void complain(const QString& what)
@@ -61,32 +66,30 @@ bool loadExamples(Workbench& bench)
             if (!done)
                 complain(done.error().describe());
         });
-    const bool inTime = waitFor([&answered] { return answered; }, patience_ms);
+    const bool inTime = waitFor([&answered] { return answered; }, longestAnswer_ms);
     bench.tellLibraryChanged();
     return inTime && loaded;
 }
 
 /// A page in a telling state. False: it never came to one.
-bool prepare(MainWindow& window, int index)
+bool prepare(MainWindow& window, int index, std::chrono::milliseconds patience)
 {
     Page* page = window.pages()[static_cast<std::size_t>(index)];
     window.showPage(index);
     page->prepareTour();
-    const bool good = waitFor([page] { return page->tourReady(); }, patience_ms);
+    const bool good = waitFor([page] { return page->tourReady(); }, static_cast<int>(patience.count()));
     if (!good)
         complain(u"the page %1 was not ready after %2 s (%3)"_s.arg(page->id())
-                     .arg(patience_ms / 1000)
+                     .arg(static_cast<double>(patience.count()) / 1000)
                      .arg(window.message()));
-    QElapsedTimer settling;
-    settling.start();
-    (void)waitFor([&settling] { return settling.elapsed() > settle_ms; }, settle_ms * 4);
+    pause(settle_ms);
     window.showPage(index); // a squeeze may have opened another page
     return good;
 }
 
 /// A busy computer may let the gripper's watchdog trip, which is told: true when there was something to
 /// take away again.
-bool takeMessagesAway(MainWindow& window, const QSize& size)
+bool takeMessagesAway(MainWindow& window)
 {
     auto* bar = window.findChild<MessageBar*>();
     const bool told = !bar->messages().isEmpty();
@@ -94,24 +97,31 @@ bool takeMessagesAway(MainWindow& window, const QSize& size)
         complain(u"taken away: %1"_s.arg(bar->messages().constFirst()));
         bar->dismiss();
     }
-    if (told)
-        window.resize(size);
     return told;
 }
 
-bool visit(MainWindow& window, int index, const QSize& size, const QDir& folder)
+/// Leaves no picture of a page that was not ready: it would be taken for how the page looks.
+bool visit(MainWindow& window, int index, const QDir& folder, const TourOptions& options)
 {
     Page* page = window.pages()[static_cast<std::size_t>(index)];
-    bool good = prepare(window, index);
+    bool good = prepare(window, index, options.patience);
     constexpr int tries = 3;
-    for (int i = 1; takeMessagesAway(window, size) && i < tries; ++i)
-        good = prepare(window, index);
-    const QString file = folder.filePath(page->id() + u".png"_s);
-    if (!window.grab().save(file)) {
-        complain(u"%1 could not be written"_s.arg(file));
-        good = false;
+    for (int i = 1; takeMessagesAway(window) && i < tries; ++i)
+        good = prepare(window, index, options.patience);
+    if (!good)
+        return false;
+    pause(settle_ms); // the page has the room of the messages again
+    if (window.size() != options.size) {
+        complain(u"the window with the page %1 is %2 x %3"_s.arg(page->id())
+                     .arg(window.width())
+                     .arg(window.height()));
+        return false;
     }
-    return good;
+    const QString file = folder.filePath(page->id() + u".png"_s);
+    if (window.grab().save(file))
+        return true;
+    complain(u"%1 could not be written"_s.arg(file));
+    return false;
 }
 
 } // namespace
@@ -147,7 +157,7 @@ int runTour(const TourOptions& options)
         window.resize(options.size);
         window.show();
         for (int i = 0; i < static_cast<int>(window.pages().size()); ++i)
-            good = visit(window, i, options.size, folder) && good;
+            good = visit(window, i, folder, options) && good;
         window.close();
     }
     return good ? 0 : 1;

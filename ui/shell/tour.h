@@ -6,6 +6,8 @@
 #include <QSize>
 #include <QString>
 
+#include <chrono>
+
 namespace gripscope {
 
 struct TourOptions {
@@ -13,11 +15,12 @@ struct TourOptions {
     ThemeKind theme = ThemeKind::Light;
     QSize size{1440, 900};
     QString language = QStringLiteral("en");
+    std::chrono::milliseconds patience{30000}; ///< for a page to be ready
 };
 
 /// Opens the program on the virtual gripper and a temporary library with the example types, brings every page
 /// to a telling state and saves one picture a page, named after its id. 0, or 1 with words on standard error:
-/// a page that was not ready in time, or a picture that could not be written.
+/// a page that was not ready in time, of which there is no picture then, or one that could not be written.
 [[nodiscard]] int runTour(const TourOptions& options);
 
 } // namespace gripscope

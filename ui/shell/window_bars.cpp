@@ -86,6 +86,7 @@ StatusLine::StatusLine(Workbench& workbench, QWidget* parent) : QFrame(parent), 
     setRole(this, "bar");
     setFixedHeight(32);
     m_label = new ElidedLabel({}, this);
+    m_label->setObjectName("statusText");
     setRole(m_label, "caption");
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(16, 0, 16, 0);

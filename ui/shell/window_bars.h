@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/connection/loss_watch.h"
+
 #include <QAbstractButton>
 #include <QFrame>
 
@@ -9,6 +11,7 @@ class QPushButton;
 
 namespace gripscope {
 
+class ArmChord;
 class ConnectMenu;
 class DeviceChip;
 class ElidedLabel;
@@ -41,7 +44,11 @@ public:
 private:
     void refreshLink();
     void refreshArmed();
+    void refreshHolding();
     Workbench* m_workbench;
+    ArmChord* m_chord;
+    QWidget* m_holding; ///< how long the keys that arm have been held
+    LossWatch m_losses;
     QLabel *m_title, *m_stopped;
     DeviceChip* m_chip;
     ConnectMenu* m_menu;

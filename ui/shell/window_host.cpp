@@ -6,6 +6,7 @@
 #include "ui/pages/page.h"
 #include "ui/pages/page_state.h"
 #include "ui/settings/settings_dialog.h"
+#include "ui/settings/values/chosen_units.h"
 #include "ui/settings/values/settings.h"
 #include "ui/shell/main_window.h"
 #include "ui/widgets/message_bar.h"
@@ -15,9 +16,11 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QPointer>
 #include <QScreen>
 
 #include <algorithm>
+#include <utility>
 
 namespace gripscope {
 
@@ -38,6 +41,11 @@ QRect toRect(const QJsonArray& numbers)
     return numbers.size() == 4
                ? QRect(numbers[0].toInt(), numbers[1].toInt(), numbers[2].toInt(), numbers[3].toInt())
                : QRect();
+}
+
+QString unitsShown()
+{
+    return fieldUnit(MechanicalQuantity::Force).unit + u' ' + fieldUnit(MechanicalQuantity::Length).unit;
 }
 
 /// Moved and shrunk onto the screen that shows most of it; onto the first one where none does.
@@ -71,6 +79,7 @@ QByteArray windowStateOf(const MainWindow& window)
                             {u"maximized"_s, window.isMaximized()},
                             {u"page"_s, window.currentPage()->id()},
                             {u"language"_s, currentLanguage()},
+                            {u"units"_s, unitsShown()},
                             {u"pages"_s, pages}};
     return QJsonDocument(state).toJson(QJsonDocument::Compact);
 }
@@ -84,7 +93,8 @@ void restoreWindowState(MainWindow& window, const QByteArray& document)
         window.setGeometry(ontoAScreen(geometry, window.minimumSize()));
     if (state[u"maximized"_s].toBool())
         window.setWindowState(window.windowState() | Qt::WindowMaximized);
-    const bool sameWords = state[u"language"_s].toString() == currentLanguage();
+    const bool sameWords = state[u"language"_s].toString() == currentLanguage() &&
+                           state[u"units"_s].toString(unitsShown()) == unitsShown();
     for (Page* page : window.pages())
         restoreArrangement(*page, state[u"pages"_s][page->id()].toObject(), sameWords);
     window.showPage(state[u"page"_s].toString());
@@ -93,16 +103,22 @@ void restoreWindowState(MainWindow& window, const QByteArray& document)
 WindowHost::WindowHost(Workbench& workbench, QObject* parent) : QObject(parent), m_workbench(&workbench)
 {
     applyLanguage(workbench.settings().get(setting::language));
+    DisplayUnits::choose(chosenUnits(workbench.settings()));
     build();
     restoreWindowState(*m_window, workbench.settings().windowState());
     // Later, since the window that asks for it cannot go while it is asking.
     connect(
         &workbench.settings(), &Settings::changed, this,
         [this](const QString& key) {
-            if (key == QLatin1String(setting::language.key))
-                rebuild();
+            for (const auto& one : {setting::language, setting::forceUnit, setting::lengthUnit})
+                if (key == QLatin1String(one.key))
+                    rebuild();
         },
         Qt::QueuedConnection);
+    connect(&workbench, &Workbench::ticked, this, [this] {
+        if (m_waits != Waits::ForNothing)
+            QMetaObject::invokeMethod(this, &WindowHost::rebuild, Qt::QueuedConnection);
+    });
 }
 
 WindowHost::~WindowHost()
@@ -133,16 +149,41 @@ void WindowHost::explainStop()
     });
 }
 
+bool WindowHost::mustWait()
+{
+    const std::vector<Page*>& pages = m_window->pages();
+    const bool underWay =
+        std::any_of(pages.begin(), pages.end(), [](const Page* page) { return page->underWay(); });
+    const Waits before = std::exchange(m_waits, underWay                   ? Waits::ForPage
+                                                : m_workbench->squeezing() ? Waits::ForSqueeze
+                                                                           : Waits::ForNothing);
+    if (m_waits == Waits::ForPage && before != Waits::ForPage)
+        m_workbench->messages().report(
+            tr("The screen changes as soon as what is under way on the Calibrate page is accepted or left: "
+               "it would be lost."),
+            [host = QPointer(this)] { return host && host->m_waits == Waits::ForPage; });
+    return m_waits != Waits::ForNothing;
+}
+
 void WindowHost::rebuild()
 {
     const QString language = m_workbench->settings().get(setting::language);
-    if (language == currentLanguage() || !applyLanguage(language))
+    const DisplayUnits units = chosenUnits(m_workbench->settings());
+    if (language == currentLanguage() && units == DisplayUnits::current()) {
+        m_waits = Waits::ForNothing;
         return;
+    }
+    if (mustWait())
+        return;
+    const QByteArray state = windowStateOf(*m_window); // in the words and units that it was arranged in
+    const bool otherWords = language != currentLanguage() && applyLanguage(language);
+    if (!otherWords && units == DisplayUnits::current())
+        return;
+    DisplayUnits::choose(units);
     const std::unique_ptr<MainWindow> before = std::move(m_window);
     before->removeEventFilter(this);
     const bool visible = before->isVisible();
     const bool inSettings = before->findChild<SettingsDialog*>() != nullptr;
-    const QByteArray state = windowStateOf(*before);
     auto* bar = before->findChild<MessageBar*>();
     bar->disconnect(this);
     bar->withdraw(m_stopWords); // it comes again, in the other language

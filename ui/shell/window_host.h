@@ -4,6 +4,7 @@
 #include <QByteArray>
 #include <QObject>
 
+#include <cstdint>
 #include <memory>
 
 namespace gripscope {
@@ -18,8 +19,9 @@ class Workbench;
 /// read is as if it had never been kept.
 void restoreWindowState(MainWindow& window, const QByteArray& state);
 
-/// Owns the window: opens it as it was left, keeps how it is left, and builds it anew in another language.
-/// The sessions of the workbench know nothing of it and go on.
+/// Owns the window: opens it as it was left, keeps how it is left, and builds it anew in another language or
+/// in other units (so no page, not one that is yet to be written either, has to follow them). The sessions of
+/// the workbench know nothing of it and go on; for what lives in a page (Page::underWay()) it waits.
 class WindowHost : public QObject {
     Q_OBJECT
 public:
@@ -33,11 +35,15 @@ protected:
 private:
     void build();
     void rebuild();
+    /// For the end of a squeeze, and of what a page has under way; a person is told of the latter.
+    [[nodiscard]] bool mustWait();
     void keepState();
     void explainStop(); ///< once for each user: what STOP is not
     QString m_stopWords;
     Workbench* m_workbench;
     std::unique_ptr<MainWindow> m_window;
+    enum class Waits : std::uint8_t { ForNothing, ForSqueeze, ForPage };
+    Waits m_waits = Waits::ForNothing; ///< to build it anew
 };
 
 } // namespace gripscope

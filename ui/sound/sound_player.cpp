@@ -55,6 +55,8 @@ std::vector<Tone> tonesOf(Sound sound)
         return {{784, 0.1}, {988, 0.1}, {1319, 0.2}};
     case Sound::Suspect:
         return {{294, 0.14}, {0, 0.06}, {294, 0.2}};
+    case Sound::Countdown:
+        return {{1760, 0.05}, {0, 0.03}, {1760, 0.05}};
     case Sound::CodeUnknown:
         return {{392, 0.1}, {0, 0.05}, {294, 0.15}};
     }

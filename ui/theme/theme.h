@@ -23,6 +23,7 @@ enum class ThemeKind { Light, Dark, HighContrast };
 struct ThemeTokens {
     ThemeKind kind = ThemeKind::Light;
     QColor page, surface, line, text, secondText, accent, stop;
+    QColor disabled; ///< words, signs and frames of what cannot be used now
     QColor asExpected, otherType, unknown, inconclusive, notValid;
     QColor suspect; ///< of any outcome whose measurement is in doubt
     QColor force, position, model;
@@ -52,9 +53,12 @@ public:
     [[nodiscard]] QColor outcomeColor(InspectionOutcome outcome) const;
     /// Of a verdict on a suspect measurement `suspect`, whatever the outcome.
     [[nodiscard]] QColor outcomeColor(InspectionOutcome outcome, bool suspect) const;
-    /// Colour of the n-th type, one of eight that hold 3 to 1 on light; shape too goes by n (sphere, cube,
-    /// cone, octahedron), so that colour is never alone.
+    /// Colour of the n-th type that came into the library (TypeRecord::place), one of eight that hold 3 to 1
+    /// on light.
     [[nodiscard]] static QColor typeColor(int index);
+    /// Its shape: 0 to 3 for sphere, cube, cone, octahedron, so that colour is never alone. The fifth colour
+    /// is close to the first: from there on the shapes are shifted by one.
+    [[nodiscard]] static constexpr int typeShape(int index) { return (index + index / 4) % 4; }
     /// A monochrome icon of the desktop's theme in the text colour (or the one given), sharp at any scale.
     [[nodiscard]] QIcon icon(const QString& name, std::optional<QColor> color = std::nullopt) const;
     [[nodiscard]] static QFont font(int pixels, bool strong = false);

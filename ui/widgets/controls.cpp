@@ -6,6 +6,8 @@
 #include <QBoxLayout>
 #include <QStyle>
 
+#include <optional>
+
 namespace gripscope {
 
 void setRole(QWidget* widget, const char* role)
@@ -68,10 +70,14 @@ QPushButton* makeButton(const QString& text, const QString& icon, const char* ro
     const auto paintIcon = [button, icon] {
         if (icon.isEmpty())
             return;
-        const bool filled = button->property("role").toString() == QLatin1String("primary");
+        const QString shown = button->property("role").toString();
         const ThemeTokens& tokens = Theme::instance().tokens();
-        button->setIcon(filled ? Theme::instance().icon(icon, Theme::onColor(tokens.accent))
-                               : Theme::instance().icon(icon));
+        std::optional<QColor> color; // as its words
+        if (shown == QLatin1String("primary"))
+            color = Theme::onColor(tokens.accent);
+        else if (shown == QLatin1String("quiet") && !button->text().isEmpty())
+            color = tokens.accent;
+        button->setIcon(Theme::instance().icon(icon, color));
         button->setIconSize({20, 20});
     };
     paintIcon();

@@ -13,6 +13,7 @@ class ElidedLabel : public QLabel {
 public:
     explicit ElidedLabel(const QString& text = {}, QWidget* parent = nullptr);
     void setFullText(const QString& text);
+    [[nodiscard]] const QString& fullText() const { return m_full; }
     /// The most important first: those at the end give way.
     void setParts(const QStringList& parts, const QString& separator);
     [[nodiscard]] QSize minimumSizeHint() const override;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/format/number_format.h"
 #include "ui/format/outcome_words.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/inspection_widgets.h"
@@ -20,16 +21,27 @@ using namespace Qt::StringLiterals;
 
 InspectionLine inspectionLine(const InspectionRecord& record)
 {
-    return {
-        record.number, record.graspId, inspectionOutcome(record.verdict, record.type, record.expectedType),
-        record.type,   record.seconds, record.suspect && record.verdict != VerdictKind::Invalid};
+    return {record.number,
+            record.graspId,
+            inspectionOutcome(record.verdict, record.type, record.expectedType),
+            record.type,
+            record.seconds,
+            record.suspect && record.verdict != VerdictKind::Invalid,
+            !record.expectedType.isEmpty(),
+            !record.voided.isEmpty()};
+}
+
+QString outcomeWords(const InspectionLine& line)
+{
+    QString words = outcomeWord(line.outcome, line.suspect, line.expected);
+    return line.voided ? QCoreApplication::translate("InspectionLine", "voided: %1").arg(words) : words;
 }
 
 QString inWords(const InspectionLine& line)
 {
     return QCoreApplication::translate("InspectionLine", "Inspection %1: %2 %3")
         .arg(line.number)
-        .arg(line.type, outcomeWord(line.outcome, line.suspect))
+        .arg(line.type, outcomeWords(line))
         .simplified();
 }
 
@@ -54,6 +66,8 @@ QVariant InspectionListModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
     case Qt::AccessibleTextRole:
         return inWords(line);
+    case Qt::ToolTipRole: // a long name ends in dots
+        return line.type.isEmpty() ? outcomeWords(line) : u"%1 · %2"_s.arg(line.type, outcomeWords(line));
     case NumberRole:
         return line.number;
     case OutcomeRole:
@@ -66,6 +80,10 @@ QVariant InspectionListModel::data(const QModelIndex& index, int role) const
         return line.graspId;
     case SuspectRole:
         return line.suspect;
+    case WordsRole:
+        return outcomeWords(line);
+    case VoidedRole:
+        return line.voided;
     default:
         return {};
     }
@@ -102,20 +120,21 @@ public:
         const QString number = u"#%1"_s.arg(index.data(InspectionListModel::NumberRole).toLongLong());
         const double numberWide = std::max(36.0, small.horizontalAdvance(number));
         painter->drawText(box.adjusted(16, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, number);
-        const QString seconds = InspectionList::tr("%1 s").arg(
-            index.data(InspectionListModel::SecondsRole).toDouble(), 0, 'f', 2);
+        const QString seconds = formatLength(index.data(InspectionListModel::SecondsRole).toDouble());
         painter->drawText(box.adjusted(0, 0, -16, 0), Qt::AlignVCenter | Qt::AlignRight, seconds);
         const double left = box.left() + 16 + numberWide + 4;
         paintJudgedSign(*painter, QRectF(left, box.center().y() - 9, 18, 18), outcome, suspect);
         const double from = left + 26;
         const double room = box.right() - 24 - small.horizontalAdvance(seconds) - from;
-        const bool plain = outcome == InspectionOutcome::AsExpected && !suspect;
-        const QFont font = Theme::font(metrics::fontBase, !plain);
+        const bool voided = index.data(InspectionListModel::VoidedRole).toBool();
+        const bool plain = voided || (outcome == InspectionOutcome::AsExpected && !suspect);
+        QFont font = Theme::font(metrics::fontBase, !plain);
+        font.setStrikeOut(voided);
         painter->setFont(font);
         painter->setPen(plain ? t.text : color);
         const QString type = index.data(InspectionListModel::TypeRole).toString();
-        const QString words = type.isEmpty() ? outcomeWord(outcome, suspect)
-                                             : u"%1 · %2"_s.arg(type, outcomeWord(outcome, suspect));
+        const QString outcomeText = index.data(InspectionListModel::WordsRole).toString();
+        const QString words = type.isEmpty() ? outcomeText : u"%1 · %2"_s.arg(type, outcomeText);
         painter->drawText(QRectF(from, box.top(), room, box.height()), Qt::AlignVCenter | Qt::AlignLeft,
                           QFontMetricsF(font).elidedText(words, Qt::ElideRight, room));
         painter->restore();
@@ -169,10 +188,18 @@ void YieldStrip::setLines(std::deque<InspectionLine> lines)
     while (lines.size() > length)
         lines.pop_front();
     m_lines = std::move(lines);
-    const auto good = std::count_if(m_lines.begin(), m_lines.end(), [](const InspectionLine& line) {
-        return line.outcome == InspectionOutcome::AsExpected;
-    });
-    setAccessibleName(tr("Last %1 inspections: %2 as expected").arg(m_lines.size()).arg(good));
+    const auto good = [this](bool expected) {
+        return std::count_if(m_lines.begin(), m_lines.end(), [expected](const InspectionLine& line) {
+            return line.outcome == InspectionOutcome::AsExpected && !line.voided && line.expected == expected;
+        });
+    };
+    QStringList told;
+    if (std::any_of(m_lines.begin(), m_lines.end(), [](const InspectionLine& line) { return line.expected; }))
+        told << tr("%1 as expected").arg(good(true));
+    if (good(false) > 0)
+        told << tr("%1 of a known type").arg(good(false));
+    const QString count = tr("Last %1 inspections").arg(m_lines.size());
+    setAccessibleName(told.isEmpty() ? count : u"%1: %2"_s.arg(count, told.join(u", "_s)));
     update();
 }
 

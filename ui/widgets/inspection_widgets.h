@@ -22,14 +22,27 @@ struct InspectionLine {
     QString type; ///< the type named, else empty
     double seconds = 0;
     bool suspect = false; ///< so was its measurement
+    bool expected = true; ///< a type was
+    bool voided = false;  ///< it does not count
 };
+/// "known type" where none was expected, "voided: as expected" where it does not count.
+[[nodiscard]] QString outcomeWords(const InspectionLine& line);
 [[nodiscard]] InspectionLine inspectionLine(const InspectionRecord& record);
 [[nodiscard]] QString inWords(const InspectionLine& line); ///< "Inspection 12: A as expected"
 
 class InspectionListModel : public QAbstractListModel {
     Q_OBJECT
 public:
-    enum Role { NumberRole = Qt::UserRole, OutcomeRole, TypeRole, SecondsRole, GraspRole, SuspectRole };
+    enum Role {
+        NumberRole = Qt::UserRole,
+        OutcomeRole,
+        TypeRole,
+        SecondsRole,
+        GraspRole,
+        SuspectRole,
+        WordsRole,
+        VoidedRole
+    };
     using QAbstractListModel::QAbstractListModel;
     void setLines(std::vector<InspectionLine> lines); ///< newest first
     [[nodiscard]] const std::vector<InspectionLine>& lines() const { return m_lines; }
@@ -95,6 +108,7 @@ public:
     [[nodiscard]] QString expected() const { return currentData().toString(); }
     /// Chooses the type with this code or name; otherwise notFound(), and nothing is changed.
     void choose(const QString& codeOrName);
+    [[nodiscard]] bool knows(const QString& codeOrName) const { return find(codeOrName.trimmed()) >= 0; }
 
 signals:
     void chosen(const QString& name);

@@ -14,16 +14,21 @@ namespace {
 
 constexpr qsizetype mostMessages = 20;
 
-class WarningSign : public QWidget {
+class MessageSign : public QWidget {
 public:
-    explicit WarningSign(QWidget* parent) : QWidget(parent) { setFixedSize(28, 28); }
+    explicit MessageSign(const MessageBar& bar) : QWidget(nullptr), m_bar(&bar) { setFixedSize(28, 28); }
 
 protected:
     void paintEvent(QPaintEvent*) override
     {
         QPainter painter(this);
-        paintOutcomeSign(painter, rect(), InspectionOutcome::NotValid, Theme::instance().tokens().notValid);
+        const InspectionOutcome like =
+            m_bar->isGood(m_bar->message()) ? InspectionOutcome::AsExpected : InspectionOutcome::NotValid;
+        paintOutcomeSign(painter, rect(), like, Theme::instance().outcomeColor(like));
     }
+
+private:
+    const MessageBar* m_bar;
 };
 
 } // namespace
@@ -38,11 +43,13 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent)
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_more = makeLabel({}, "caption", this);
     m_dismiss = makeButton(tr("Dismiss"), {}, "", this);
+    m_dismiss->setObjectName("dismissButton");
     connect(m_dismiss, &QPushButton::clicked, this, &MessageBar::dismiss);
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(12, 8, 16, 8);
+    row->setContentsMargins(12, 2, 16, 2);
     row->setSpacing(12);
-    row->addWidget(new WarningSign(this));
+    m_sign = new MessageSign(*this);
+    row->addWidget(m_sign);
     row->addWidget(m_text, 1);
     row->addWidget(m_more);
     row->addWidget(m_dismiss);
@@ -50,6 +57,19 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent)
 }
 
 void MessageBar::show(const QString& message)
+{
+    m_good.removeAll(message);
+    put(message);
+}
+
+void MessageBar::tell(const QString& message)
+{
+    if (!m_good.contains(message))
+        m_good.append(message);
+    put(message);
+}
+
+void MessageBar::put(const QString& message)
 {
     m_messages.removeAll(message);
     m_messages.prepend(message);
@@ -78,6 +98,8 @@ QString MessageBar::message() const
 
 void MessageBar::refresh()
 {
+    m_good.removeIf([this](const QString& one) { return !m_messages.contains(one); });
+    m_sign->update();
     m_text->setText(message());
     m_more->setVisible(m_messages.size() > 1);
     m_more->setText(tr("%n more", nullptr, static_cast<int>(m_messages.size()) - 1));

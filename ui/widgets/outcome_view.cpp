@@ -144,8 +144,12 @@ QBrush outcomeFill(InspectionOutcome outcome)
 }
 
 namespace {
-constexpr double signSize = 88;
 constexpr double padding = 24;
+/// Of the field: the sign is read from as far as the words, and leaves them most of the width.
+constexpr double signOfHeight = 0.7, signOfWidth = 0.2, leastSign = 64;
+/// Of the field's height: the words below the headline.
+constexpr double wordsOfHeight = 0.13;
+constexpr int largestHeadline = 400;
 constexpr double suspectFrame = 8;
 /// Below it one line is harder to read from afar than two larger ones.
 constexpr int leastOneLine = 44;
@@ -154,6 +158,17 @@ constexpr int leastOneLine = 44;
 double lineHeight(const QFontMetricsF& metrics)
 {
     return metrics.ascent() * 0.92 + metrics.descent() * 0.7;
+}
+
+/// What one line of this text cannot exceed in this room: measured once, as letters grow in proportion.
+int largestThatMayFit(const QString& text, double room, double tall)
+{
+    constexpr int measured = metrics::fontVerdict;
+    const QFontMetricsF font(Theme::font(measured, true));
+    const double growth =
+        std::min(room / std::max(1.0, font.horizontalAdvance(text)), tall / lineHeight(font));
+    constexpr int rounding = 4; // of hinted letters
+    return std::clamp(static_cast<int>(growth * measured) + rounding, leastOneLine, largestHeadline);
 }
 
 /// Broken at the space that leaves the longer line shortest; nothing where that does not fit.
@@ -193,12 +208,21 @@ void VerdictPanel::showOutcome(InspectionOutcome outcome, const QString& headlin
 {
     m_outcome = outcome;
     m_suspect = suspect;
+    m_alert = false;
     setWords(headline, words);
 }
 
 void VerdictPanel::showHint(const QString& headline, const QString& words)
 {
     m_outcome.reset();
+    m_alert = false;
+    setWords(headline, words);
+}
+
+void VerdictPanel::showAlert(const QString& headline, const QString& words)
+{
+    m_outcome.reset();
+    m_alert = true;
     setWords(headline, words);
 }
 
@@ -219,15 +243,23 @@ void VerdictPanel::paintEvent(QPaintEvent*)
     QPainterPath frame;
     frame.addRoundedRect(QRectF(rect()).adjusted(w / 2, w / 2, -w / 2, -w / 2), metrics::radius,
                          metrics::radius);
-    painter.fillPath(frame, t.surface);
-    const QColor color = m_outcome ? Theme::instance().outcomeColor(*m_outcome, m_suspect) : t.secondText;
+    painter.fillPath(frame, m_alert ? t.accent : t.surface);
+    const QColor color = m_outcome ? Theme::instance().outcomeColor(*m_outcome, m_suspect)
+                         : m_alert ? Theme::onColor(t.accent)
+                                   : t.secondText;
     double left = padding;
     if (m_outcome) {
-        painter.fillPath(frame, suspect() ? suspectStripes() : outcomeFill(*m_outcome));
-        const QRectF box(padding, (height() - signSize) / 2, signSize, signSize);
-        if (t.kind == ThemeKind::HighContrast && !suspect())
+        painter.fillPath(frame, suspect()  ? suspectStripes()
+                                : filled() ? QBrush(color)
+                                           : outcomeFill(*m_outcome));
+        const double size = signSize();
+        const QRectF box(padding, (height() - size) / 2, size, size);
+        if (!filled() && !suspect())
             painter.fillRect(box, t.surface);
-        paintJudgedSign(painter, box, *m_outcome, m_suspect);
+        if (filled())
+            paintOutcomeSign(painter, box, *m_outcome, Theme::onColor(color));
+        else
+            paintJudgedSign(painter, box, *m_outcome, m_suspect);
         left = box.right() + padding;
     }
     painter.setPen(QPen(m_outcome ? color : t.line, m_outcome ? 2 : w));
@@ -241,16 +273,27 @@ void VerdictPanel::paintEvent(QPaintEvent*)
     } else {
         painter.drawPath(frame);
     }
-    paintWords(painter, left, color);
+    paintWords(painter, left, filled() ? Theme::onColor(color) : color);
     if (m_progress >= 0) {
         painter.setClipPath(frame);
         painter.fillRect(QRectF(0, height() - 6, width() * std::min(m_progress, 1.0), 6), t.accent);
     }
 }
 
+bool VerdictPanel::filled() const
+{
+    return m_outcome && !m_suspect && Theme::instance().tokens().kind != ThemeKind::HighContrast;
+}
+
+double VerdictPanel::signSize() const
+{
+    return std::max(leastSign, std::min(signOfHeight * height(), signOfWidth * width()));
+}
+
 VerdictPanel::Headline VerdictPanel::fitted(double room, double tall) const
 {
-    const int most = m_outcome ? metrics::fontVerdict : metrics::fontNumber;
+    const int most = readFromAfar() ? largestThatMayFit(m_headline, room, tall)
+                                    : metrics::fontNumber; // read by who stands there
     for (int pixels = most; pixels >= metrics::fontNumber; pixels -= 2) {
         const QFontMetricsF font(Theme::font(pixels, true));
         const QStringList two = pixels < leastOneLine ? inTwoLines(m_headline, font, room) : QStringList();
@@ -265,9 +308,10 @@ VerdictPanel::Headline VerdictPanel::fitted(double room, double tall) const
 
 QFont VerdictPanel::wordsFont(double room) const
 {
-    const bool strong = m_outcome.has_value();
-    for (int pixels = suspect() ? metrics::fontNumber : metrics::fontTitle; pixels > metrics::fontTitle;
-         pixels -= 2)
+    const bool strong = readFromAfar();
+    const int most = std::max(suspect() ? metrics::fontNumber : metrics::fontTitle,
+                              strong ? static_cast<int>(wordsOfHeight * height()) : 0);
+    for (int pixels = most; pixels > metrics::fontTitle; pixels -= 2)
         if (const QFont font = Theme::font(pixels, strong);
             QFontMetricsF(font).horizontalAdvance(m_words) <= room)
             return font;
@@ -293,7 +337,7 @@ void VerdictPanel::paintWords(QPainter& painter, double left, const QColor& colo
             wide = std::max(wide, largeMetrics.horizontalAdvance(line));
         painter.fillRect(QRectF(left - 8, top, wide + 16, largeHeight + smallMetrics.height()), t.surface);
     }
-    painter.setPen(m_outcome ? color : t.text);
+    painter.setPen(readFromAfar() ? color : t.text);
     painter.setFont(large);
     double baseline = top + largeMetrics.ascent() * 0.92;
     for (const QString& line : headline.lines) {
@@ -301,7 +345,7 @@ void VerdictPanel::paintWords(QPainter& painter, double left, const QColor& colo
         baseline += each;
     }
     painter.setFont(small);
-    painter.setPen(m_outcome ? color : t.secondText);
+    painter.setPen(readFromAfar() ? color : t.secondText);
     painter.drawText(QPointF(left, top + largeHeight + smallMetrics.ascent()), words);
 }
 

@@ -27,9 +27,9 @@ void paintJudgedSign(QPainter& painter, const QRectF& box, InspectionOutcome out
 /// The stripes over the fill of a verdict on a suspect measurement, in every theme.
 [[nodiscard]] QBrush suspectStripes();
 
-/// The verdict as it is read from 3 m: a sign, a headline of up to 72 px, and the outcome in words. The
-/// headline shrinks to its room, but not below 44 px: then it takes two lines, and only what no two lines of
-/// 28 px hold is cut with an ellipsis.
+/// The verdict as it is read from 3 m: a sign, a headline as large as the field allows, and the outcome in
+/// words, on the outcome's own colour. The headline shrinks to its room, but not below 44 px: then it takes
+/// two lines, and only what no two lines of 28 px hold is cut with an ellipsis.
 class VerdictPanel : public QWidget {
     Q_OBJECT
 public:
@@ -40,11 +40,17 @@ public:
                      bool suspect = false);
     /// No verdict yet: what to do instead.
     void showHint(const QString& headline, const QString& words);
+    /// What the gripper is about to do by itself: as large as a verdict, on the accent.
+    void showAlert(const QString& headline, const QString& words);
     /// A thin bar along the bottom while a squeeze runs; negative: none.
     void setProgress(double share);
     [[nodiscard]] std::optional<InspectionOutcome> outcome() const { return m_outcome; }
     [[nodiscard]] bool suspect() const { return m_outcome && m_suspect; }
     [[nodiscard]] QString headline() const { return m_headline; }
+    [[nodiscard]] bool alerts() const { return m_alert; }
+    /// What is behind a verdict, and the ink on it: the outcome's colour in full. In doubt, and where a theme
+    /// tells outcomes apart by patterns, the plain field with the outcome's colour as ink.
+    [[nodiscard]] bool filled() const;
     /// The headline as it is painted in this room: its lines and their size.
     struct Headline {
         QStringList lines;
@@ -58,11 +64,13 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    [[nodiscard]] QFont wordsFont(double room) const; ///< larger for a suspect verdict, where it has room
+    [[nodiscard]] QFont wordsFont(double room) const; ///< a third of the headline's, where there is room
+    [[nodiscard]] double signSize() const;
+    [[nodiscard]] bool readFromAfar() const { return m_outcome || m_alert; }
     void paintWords(class QPainter& painter, double left, const QColor& color) const;
     void setWords(const QString& headline, const QString& words);
     std::optional<InspectionOutcome> m_outcome;
-    bool m_suspect = false;
+    bool m_suspect = false, m_alert = false;
     QString m_headline, m_words;
     double m_progress = -1;
 };

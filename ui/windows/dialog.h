@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QString>
 
 #include <functional>
 #include <vector>
@@ -24,14 +25,23 @@ public:
         Beside, ///< the other windows go on
         Reads,  ///< and it goes on while others ask: it can change nothing
     };
+    /// Over the window that `parent` is in.
     explicit Dialog(QWidget* parent, Conduct conduct = Conduct::Asks);
 
     [[nodiscard]] Conduct conduct() const { return m_conduct; }
+    /// The page of the manual that F1 opens here ("settings"); empty: the one about the screen under it.
+    [[nodiscard]] const QString& manualPage() const { return m_manualPage; }
+    void setManualPage(const QString& page) { m_manualPage = page; }
     /// Shows it and returns at once; accepted() or rejected() tell the answer.
     void open() override;
 
+protected:
+    /// Grows as its words do: lines that wrap have no least height that a window would keep by itself.
+    bool event(QEvent* event) override;
+
 private:
     Conduct m_conduct;
+    QString m_manualPage;
 };
 
 /// A class of dialogs, by its name, and how to make one over a window for a look at it.

@@ -12,7 +12,7 @@ const RegisteredDialog<FileDialog> fileRow("file", [](Workbench&, QWidget* over)
 } // namespace
 
 FileDialog::FileDialog(QWidget* parent, const QString& title, const QString& folder, const QString& filter)
-    : QFileDialog(parent, title, folder, filter)
+    : QFileDialog(parent ? parent->window() : nullptr, title, folder, filter)
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setOption(QFileDialog::DontUseNativeDialog);

@@ -2,6 +2,7 @@
 #include "ui/windows/question.h"
 
 #include "ui/widgets/controls.h"
+#include "ui/widgets/plain_text.h"
 
 #include <QHBoxLayout>
 #include <QLineEdit>
@@ -67,33 +68,40 @@ Question::Question(const QString& title, const QString& words, const QString& ye
 
 TextQuestion::TextQuestion(const QString& title, const QString& words, const QString& initial,
                            const QString& accept, QWidget* parent)
-    : Dialog(parent), m_field(new QLineEdit(initial, this))
+    : Dialog(parent), m_field(new QLineEdit(initial, this)), m_accept(makeButton(accept, {}, "primary", this))
 {
     QVBoxLayout* column = beginColumn(this, title);
-    QLabel* label = makeWords(words, this);
+    QLabel* label = makeWords(withoutKeys(words), this); // of a field: it would look for a key after "&"
     label->setBuddy(m_field);
     column->addWidget(label);
     column->addWidget(m_field);
     column->addStretch(1);
     m_field->setObjectName("answerField");
     m_field->setAccessibleName(title);
+    m_field->setAccessibleDescription(words);
     m_field->selectAll();
     m_field->setFocus();
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     QPushButton* cancel = makeButton(tr("Cancel"), {}, "", this);
     cancel->setAutoDefault(false);
-    QPushButton* yes = makeButton(accept, {}, "primary", this);
-    yes->setObjectName("answerAccept");
-    yes->setDefault(true);
+    m_accept->setObjectName("answerAccept");
+    m_accept->setDefault(true);
     row->addStretch(1);
     row->addWidget(cancel);
-    row->addWidget(yes);
+    row->addWidget(m_accept);
     column->addLayout(row);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
-    connect(yes, &QPushButton::clicked, this, &QDialog::accept);
+    connect(m_accept, &QPushButton::clicked, this, &QDialog::accept);
     connect(this, &QDialog::accepted, this, [this] { emit answered(text()); });
     resize(width_px, heightForWidth(width_px));
+}
+
+void TextQuestion::requireText()
+{
+    const auto refresh = [this] { m_accept->setEnabled(!text().trimmed().isEmpty()); };
+    connect(m_field, &QLineEdit::textChanged, this, refresh);
+    refresh();
 }
 
 QString TextQuestion::text() const

@@ -31,12 +31,15 @@ public:
                  QWidget* parent);
     [[nodiscard]] QString text() const;
     [[nodiscard]] QLineEdit* field() const { return m_field; }
+    /// Only blanks are no answer.
+    void requireText();
 
 signals:
     void answered(const QString& text); ///< accepted with this
 
 private:
     QLineEdit* m_field;
+    QPushButton* m_accept;
 };
 
 } // namespace gripscope

@@ -67,6 +67,12 @@ Dialog::Conduct conductOf(const QWidget* window)
     return dialog ? dialog->conduct() : Dialog::Conduct::Asks;
 }
 
+QString manualPageOf(const QWidget* window)
+{
+    const auto* dialog = qobject_cast<const Dialog*>(window);
+    return dialog ? dialog->manualPage() : QString();
+}
+
 bool isPopup(const QWidget* widget)
 {
     return widget->isWindow() && (widget->windowType() == Qt::Popup || widget->windowType() == Qt::ToolTip);
@@ -161,7 +167,7 @@ bool WindowGuard::eventFilter(QObject* watched, QEvent* event)
     if (event->type() == QEvent::Shortcut) // of a QShortcut or an action
         if (const QWidget* owner = ownerOf(watched); owner && isBlocked(owner)) {
             if (static_cast<QShortcutEvent*>(event)->key() == QKeySequence(Qt::Key_F1))
-                emit helpAsked(); // reading is never kept from anybody
+                emit helpAsked(manualPageOf(asking())); // reading is never kept from anybody
             return true;
         }
     return false;
@@ -202,7 +208,7 @@ bool WindowGuard::seeAtWidget(QWidget* widget, QEvent* event)
         stopByKey(key); // of keys that reached no window first: a screen keyboard's, a test's
         const auto* dialog = qobject_cast<QDialog*>(widget->window());
         if (key.key() == Qt::Key_F1 && dialog && conductOf(dialog) != Dialog::Conduct::Reads) {
-            emit helpAsked();
+            emit helpAsked(manualPageOf(dialog));
             return true;
         }
         break;

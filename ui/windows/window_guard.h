@@ -36,7 +36,7 @@ public:
     [[nodiscard]] static QDialog* asking();
 
 signals:
-    void helpAsked(); ///< F1 in a dialog
+    void helpAsked(const QString& page); ///< F1 in a dialog, and its page of the manual (see Dialog)
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -160,23 +160,31 @@ HoldVerdict HoldEvidence::verdict() const
     return expectedGain > tellableGain ? HoldVerdict::Agrees : HoldVerdict::Ambiguous;
 }
 
-HoldEvidence weighHolds(const std::vector<double>& force, const std::vector<double>& position,
-                        const OutputErrorOptions& options, const Estimate& oe, double lagUncertainty_s)
+Estimate estimateOtherHold(const std::vector<double>& force, const std::vector<double>& position,
+                           const OutputErrorOptions& options, const Estimate& oe)
+{
+    if (oe.status != EstimateStatus::Converged || !oe.parameters)
+        return oe;
+    OutputErrorOptions otherOptions = options;
+    otherOptions.hold = otherThan(options.hold);
+    otherOptions.start = oe.parameters;
+    return estimateOutputError(force, position, otherOptions);
+}
+
+HoldEvidence weighHolds(const std::vector<double>& force, const OutputErrorOptions& options,
+                        const Estimate& oe, const Estimate& other, double lagUncertainty_s)
 {
     HoldEvidence evidence;
     evidence.declared = options.hold;
     evidence.lag_s = options.lag_s;
     evidence.lagUncertainty_s = lagUncertainty_s;
     const Range range(force.size(), options);
-    if (oe.status != EstimateStatus::Converged || !oe.parameters || oe.residual.size() != force.size() ||
-        range.count < 10)
+    if (oe.status != EstimateStatus::Converged || other.status != EstimateStatus::Converged ||
+        !oe.parameters || !other.parameters || oe.residual.size() != force.size() ||
+        other.residual.size() != force.size() || range.count < 10)
         return evidence;
     OutputErrorOptions otherOptions = options;
     otherOptions.hold = otherThan(options.hold);
-    otherOptions.start = oe.parameters;
-    const Estimate other = estimateOutputError(force, position, otherOptions);
-    if (other.status != EstimateStatus::Converged)
-        return evidence;
     evidence.parameters = oe.parameters;
     evidence.otherParameters = other.parameters;
     if (!(lagUncertainty_s < uselessLag * options.sampleTime_s)) {

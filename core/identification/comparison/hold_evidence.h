@@ -62,13 +62,18 @@ struct HoldEvidence {
     [[nodiscard]] bool declaresAs(const HoldEvidence& other) const;
 };
 
-/// `oe` is the estimate by output error under `options`. Nothing is judged for an estimate that did not
-/// converge, or when nothing converges under the other hold. `lagUncertainty_s`: standard uncertainty of
-/// options.lag_s; from half a sample time on nothing can be told, and gain and expectedGain are 0. What the
-/// other declaration would find is the same with the sign of the gain turned.
-[[nodiscard]] HoldEvidence weighHolds(const std::vector<double>& force, const std::vector<double>& position,
-                                      const OutputErrorOptions& options, const Estimate& oe,
-                                      double lagUncertainty_s);
+/// The record under the other hold, begun at the estimate `oe` under `options`; as it is where `oe` did not
+/// converge.
+[[nodiscard]] Estimate estimateOtherHold(const std::vector<double>& force,
+                                         const std::vector<double>& position,
+                                         const OutputErrorOptions& options, const Estimate& oe);
+
+/// `oe` is the estimate by output error under `options`, `other` that of estimateOtherHold(). Nothing is
+/// judged where one of them did not converge. `lagUncertainty_s`: standard uncertainty of options.lag_s; from
+/// half a sample time on nothing can be told, and gain and expectedGain are 0. What the other declaration
+/// would find is the same with the sign of the gain turned.
+[[nodiscard]] HoldEvidence weighHolds(const std::vector<double>& force, const OutputErrorOptions& options,
+                                      const Estimate& oe, const Estimate& other, double lagUncertainty_s);
 
 /// Evidence of independent squeezes of one device adds up; its lag is the same unknown in all of them. Only
 /// those count that were judged and declare what the last one does: hold, lag and the lag's uncertainty.

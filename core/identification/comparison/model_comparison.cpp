@@ -73,11 +73,22 @@ double delayStep(const Estimate& e, const std::vector<double>& force, const Outp
     return std::isfinite(step) ? step : 0;
 }
 
+/// Begun at the linear model's m, b and k, and no further than the comparison needs: a thousandth of a
+/// standard error moves the criterion by a millionth, and a model that has nowhere to settle (one without the
+/// offset that there is) would otherwise keep the verdict waiting for it.
+OutputErrorOptions fromLinear(OutputErrorOptions options, const Estimate& linear)
+{
+    options.start = linear.parameters;
+    options.arrived = 1e-3;
+    options.maxIterations = 30;
+    return options;
+}
+
 ComparedModel delayed(const std::vector<double>& force, const std::vector<double>& position,
                       const OutputErrorOptions& options, const Estimate& linear)
 {
     constexpr int iterations = 4;
-    OutputErrorOptions moved = options;
+    OutputErrorOptions moved = fromLinear(options, linear);
     moved.residualTests = false;
     ComparedModel best =
         modelOf(u"delay"_s, Words::say("a further delay between force and position"), linear, 1);
@@ -105,16 +116,10 @@ ComparedModel delayed(const std::vector<double>& force, const std::vector<double
     return best;
 }
 
-OutputErrorOptions fromLinear(OutputErrorOptions options, const Estimate& linear)
-{
-    options.start = linear.parameters;
-    return options;
-}
-
 /// Side by side: somebody waits for the verdict that rests on them.
 std::vector<ComparedModel> candidates(const std::vector<double>& force, const std::vector<double>& position,
                                       const OutputErrorOptions& options, const Estimate& linear,
-                                      const std::optional<Estimate>& cubic)
+                                      const Estimate& otherHold, const std::optional<Estimate>& cubic)
 {
     std::vector<ComparedModel> models;
     models.push_back(modelOf(u"linear"_s, Words::say("mass, spring and damper"), linear));
@@ -125,6 +130,10 @@ std::vector<ComparedModel> candidates(const std::vector<double>& force, const st
             stiffens ? Words::say("a stiffening spring") : Words::say("a softening spring"), *cubic, 1));
     }
     const bool straight = options.hold == ForceHold::First;
+    models.push_back(modelOf(u"other_hold"_s,
+                             straight ? Words::say("a force that is held from sample to sample")
+                                      : Words::say("a force that runs straight from sample to sample"),
+                             otherHold));
     std::vector<std::function<ComparedModel()>> others;
     others.emplace_back([&] { return delayed(force, position, options, linear); }); // the longest
     others.emplace_back([&, other = fromLinear(options, linear)]() mutable {
@@ -132,13 +141,6 @@ std::vector<ComparedModel> candidates(const std::vector<double>& force, const st
         return modelOf(options.freeOffset ? u"without_offset"_s : u"with_offset"_s,
                        options.freeOffset ? Words::say("no offset of the position")
                                           : Words::say("an offset of the position"),
-                       estimateOutputError(force, position, other));
-    });
-    others.emplace_back([&, other = fromLinear(options, linear)]() mutable {
-        other.hold = straight ? ForceHold::Zero : ForceHold::First;
-        return modelOf(u"other_hold"_s,
-                       straight ? Words::say("a force that is held from sample to sample")
-                                : Words::say("a force that runs straight from sample to sample"),
                        estimateOutputError(force, position, other));
     });
     if (straight)
@@ -198,14 +200,14 @@ const ComparedModel* ModelComparison::find(const QString& id) const
 
 ModelComparison compareModels(const std::vector<double>& force, const std::vector<double>& position,
                               const OutputErrorOptions& options, const Estimate& linear,
-                              const std::optional<Estimate>& cubic)
+                              const Estimate& otherHold, const std::optional<Estimate>& cubic)
 {
     ModelComparison comparison;
     comparison.criterion = u"BIC"_s;
     if (linear.status != EstimateStatus::Converged || !linear.parameters ||
         linear.residual.size() != force.size() || force.size() != position.size())
         return comparison;
-    for (ComparedModel& model : candidates(force, position, options, linear, cubic)) {
+    for (ComparedModel& model : candidates(force, position, options, linear, otherHold, cubic)) {
         if (!judge(model, options)) {
             if (model.id == u"linear"_s)
                 return comparison;

@@ -43,13 +43,15 @@ struct ModelComparison {
 inline constexpr double decisiveDelta = 10;
 
 /// `linear` is the output-error estimate with `options`; `cubic`, where there is one, the Duffing estimate of
-/// the same record. The others are estimated here: the offset the other way, a further delay between the
-/// channels (by Gauss-Newton), the other hold, and for straight forces one that is smooth between its samples
-/// (straightAsSpline()). A model is claimed to be better only where the criterion is decisively lower and m,
-/// b or k differ by more than two standard errors, the smaller of the two models' each.
+/// the same record, `otherHold` that of estimateOtherHold(). The others are estimated here: the offset the
+/// other way, a further delay between the channels (by Gauss-Newton), and for straight forces one that is
+/// smooth between its samples (straightAsSpline()). A model is claimed to be better only where the criterion
+/// is decisively lower and m, b or k differ by more than two standard errors, the smaller of the two models'
+/// each. One that does not settle within 30 iterations (the others need 3 to 12) is not among the ranked.
 [[nodiscard]] ModelComparison compareModels(const std::vector<double>& force,
                                             const std::vector<double>& position,
                                             const OutputErrorOptions& options, const Estimate& linear,
+                                            const Estimate& otherHold,
                                             const std::optional<Estimate>& cubic = std::nullopt);
 
 } // namespace gripscope

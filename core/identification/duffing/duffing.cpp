@@ -3,9 +3,10 @@
 
 #include "core/base/words.h"
 #include "core/identification/duffing/duffing_model.h"
+#include "core/identification/model/discretization.h"
 #include "core/identification/model/identifiability.h"
+#include "core/identification/output_error/completed_record.h"
 #include "core/identification/output_error/output_error.h"
-#include "core/identification/output_error/output_error_problem.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -104,7 +105,7 @@ double integrationError(DuffingProblem& problem, const DuffingPoint& point)
 /// Shortens the steps and searches on until the integration is as exact as the data asks for.
 void settleIntegration(DuffingProblem& problem, DuffingSearchResult& search, int maxIterations)
 {
-    const auto count = static_cast<double>(problem.rows());
+    const auto count = static_cast<double>(problem.measuredRows());
     const double size = std::sqrt(positionEnergy(problem) / count);
     while (search.linear.finite && problem.substeps < mostFinalSubsteps) {
         const double noise = std::sqrt(search.linear.cost / search.degreesOfFreedom(problem));
@@ -192,7 +193,7 @@ Finding duffingBoundaryMessage(const DuffingSearchResult& search)
 std::optional<Estimate> obstacle(const std::vector<double>& force, const std::vector<double>& position,
                                  const DuffingProblem& problem)
 {
-    if (problem.rows() <= problem.unknowns())
+    if (problem.measuredRows() <= problem.unknowns())
         return failedDuffing(EstimateStatus::TooFewSamples,
                              Words::say("the lag between the channels leaves too few samples"));
     if (isConstant(position))
@@ -231,27 +232,23 @@ Estimate inChannelUnits(const DuffingProblem& problem, const DuffingSearchResult
     return estimate;
 }
 
-} // namespace
-
-Estimate estimateDuffing(const std::vector<double>& force, const std::vector<double>& position,
-                         const DuffingOptions& options)
+void widen(Estimate& estimate, double factor)
 {
-    if (!options.lost.empty())
-        return failedDuffing(
-            EstimateStatus::NotApplicable,
-            Words::say("the cubic spring needs an unbroken record; choose a window without lost samples"));
-    if (force.size() != position.size())
-        return failedDuffing(EstimateStatus::NotApplicable,
-                             Words::say("force and position have different lengths"));
-    const std::size_t unknowns = 4 + (options.freeInitialState ? 2 : 0) + (options.freeOffset ? 1 : 0);
-    if (force.size() <= unknowns)
-        return failedDuffing(
-            EstimateStatus::TooFewSamples,
-            Words::say("there are fewer samples than the cubic spring has unknowns; record for longer"));
-    DuffingProblem problem = scaledProblem(force, position, options);
-    if (const std::optional<Estimate> stop = obstacle(force, position, problem))
+    if (!estimate.cubic || !estimate.covariance)
+        return;
+    *estimate.covariance *= factor * factor;
+    estimate.cubic->covariance *= factor * factor;
+}
+
+/// With every force known, or completed.
+Estimate estimateCompleted(const CompletedRecord& completed, const DuffingOptions& options)
+{
+    DuffingProblem problem{completedProblem(completed, options), 1};
+    if (const std::optional<Estimate> stop = obstacle(completed.force, completed.position, problem))
         return *stop;
-    const std::vector<DuffingPoint> starts = startsFor(problem, force, position, options);
+    DuffingOptions known = options;
+    known.lost.clear();
+    const std::vector<DuffingPoint> starts = startsFor(problem, completed.force, completed.position, known);
     std::optional<DuffingSearchResult> search = searchFrom(problem, starts, options.maxIterations);
     if (!search || search->outcome == SearchOutcome::Lost)
         return failedDuffing(EstimateStatus::NotIdentifiable, Words::say(noAnswer));
@@ -264,9 +261,61 @@ Estimate estimateDuffing(const std::vector<double>& force, const std::vector<dou
         estimate.message =
             Words::say("this force does not determine m, b, k and k3; squeeze with a richer one");
     else
-        estimate = inChannelUnits(problem, *search, position);
+        estimate = inChannelUnits(problem, *search, completed.position);
     estimate.iterations = search->iterations;
+    widen(estimate, completed.errorFactor);
     return estimate;
+}
+
+/// The lost forces once more, from positions without what the cubic spring in `found` adds to those of a
+/// linear one.
+CompletedRecord completedAgain(const CompletedRecord& completed, const Estimate& found,
+                               const DuffingOptions& options)
+{
+    const Nuisance& n = found.nuisance;
+    const std::vector<double> linear = simulate(*found.parameters, completed.force,
+                                                {options.sampleTime_s, options.hold, options.lag_s,
+                                                 n.x0.value_or(0), n.v0.value_or(0), n.offset.value_or(0)});
+    std::vector<double> position = completed.position;
+    for (std::size_t i = 0; i < position.size(); ++i)
+        position[i] -= found.simulated[i] - linear[i];
+    ContinuousTimeOptions asked = options;
+    asked.start = found.parameters;
+    CompletedRecord again = completedRecord(completed.force, position, asked);
+    again.position = completed.position;
+    return again;
+}
+
+} // namespace
+
+Estimate estimateDuffing(const std::vector<double>& force, const std::vector<double>& position,
+                         const DuffingOptions& options)
+{
+    if (force.size() != position.size())
+        return failedDuffing(EstimateStatus::NotApplicable,
+                             Words::say("force and position have different lengths"));
+    const std::size_t unknowns = 4 + (options.freeInitialState ? 2 : 0) + (options.freeOffset ? 1 : 0);
+    if (force.size() <= unknowns)
+        return failedDuffing(
+            EstimateStatus::TooFewSamples,
+            Words::say("there are fewer samples than the cubic spring has unknowns; record for longer"));
+    const CompletedRecord completed = completedRecord(force, position, options);
+    if (!options.lost.empty() && !completed.outputError.parameters)
+        return failedDuffing(completed.outputError.status, completed.outputError.message);
+    Estimate estimate = estimateCompleted(completed, options);
+    if (completed.lost.empty() || estimate.status != EstimateStatus::Converged)
+        return estimate;
+    const CompletedRecord again = completedAgain(completed, estimate, options);
+    if (!again.outputError.parameters)
+        return estimate;
+    DuffingOptions near = options;
+    near.start = estimate.parameters;
+    near.startCubic = estimate.cubic->k3;
+    Estimate better = estimateCompleted(again, near);
+    if (better.status != EstimateStatus::Converged)
+        return estimate;
+    better.iterations += estimate.iterations;
+    return better;
 }
 
 } // namespace gripscope

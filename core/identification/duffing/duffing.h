@@ -7,7 +7,7 @@
 
 namespace gripscope {
 
-/// How to find m, b, k and the cubic stiffness k3; no sample may be lost.
+/// How to find m, b, k and the cubic stiffness k3.
 struct DuffingOptions : ContinuousTimeOptions {
     double startCubic = 0; ///< k3 that belongs to `start`
     int maxIterations = 100;
@@ -26,7 +26,11 @@ struct DuffingOptions : ContinuousTimeOptions {
 ///
 /// All numbers must be finite, force and position equally long, the sample time positive. Statuses:
 /// Converged; NotConverged with the last iterate; TooFewSamples when N <= p; NotIdentifiable with words when
-/// the data does not determine the four; NotApplicable when samples are lost. About 1 s for 10^5 samples.
+/// the data does not determine the four. About 1 s for 10^5 samples.
+///
+/// Where samples were lost their forces are those that output error finds (completedRecord()), at first with
+/// a linear spring, then in positions without what the cubic one adds; their rows are skipped, and the errors
+/// grow as those of output error do.
 [[nodiscard]] Estimate estimateDuffing(const std::vector<double>& force, const std::vector<double>& position,
                                        const DuffingOptions& options);
 

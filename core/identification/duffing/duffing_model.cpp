@@ -290,8 +290,8 @@ void Integrator::step(Motion& motion, const DuffingStepFamily& family, double fa
     }
 }
 
-/// Calls use(index, motion) for every position whose time the force covers; false when the motion left all
-/// bounds.
+/// Calls use(index, motion) for every measured position whose time the force covers; false when the motion
+/// left all bounds.
 template <bool tangents, typename Use>
 bool forEachRow(const DuffingProblem& problem, const DuffingPoint& point, const Use& use)
 {
@@ -302,7 +302,7 @@ bool forEachRow(const DuffingProblem& problem, const DuffingPoint& point, const 
     const std::ptrdiff_t begin = problem.firstRow() + problem.lag.samples;
     const std::ptrdiff_t end = problem.endRow() + problem.lag.samples;
     const auto show = [&](std::ptrdiff_t n, const Motion& at) {
-        if (n >= begin)
+        if (n >= begin && !problem.isLost(n - problem.lag.samples))
             use(n - problem.lag.samples, at);
     };
     for (std::ptrdiff_t n = 0; n < end; ++n) {
@@ -384,10 +384,10 @@ DuffingLinearization linearize(const DuffingProblem& problem, const DuffingPoint
 DuffingRows duffingRows(const DuffingProblem& problem, const DuffingPoint& point)
 {
     DuffingRows rows;
-    rows.sensitivities.resize(problem.rows(), problem.unknowns());
-    rows.residuals.reserve(static_cast<std::size_t>(problem.rows()));
+    rows.sensitivities.resize(problem.measuredRows(), problem.unknowns());
+    rows.residuals.reserve(static_cast<std::size_t>(problem.measuredRows()));
     forEachRow<true>(problem, point, [&](std::ptrdiff_t index, const Motion& motion) {
-        fillRow(problem, motion, rows.sensitivities.row(index - problem.firstRow()));
+        fillRow(problem, motion, rows.sensitivities.row(static_cast<Eigen::Index>(rows.residuals.size())));
         rows.residuals.push_back(problem.position[static_cast<std::size_t>(index)] - motion.x - point.offset);
     });
     return rows;

@@ -45,7 +45,7 @@ struct DuffingLinearization {
 };
 [[nodiscard]] DuffingLinearization linearize(const DuffingProblem& problem, const DuffingPoint& point);
 
-/// All sensitivities, a row a position from firstRow() to endRow(), and the residuals.
+/// All sensitivities, a row a measured position from firstRow() to endRow(), and the residuals.
 struct DuffingRows {
     Eigen::MatrixXd sensitivities;
     std::vector<double> residuals;
@@ -84,7 +84,8 @@ struct DuffingSearchResult : SearchEnd {
     [[nodiscard]] bool isSettled() const { return outcome == SearchOutcome::Converged && isDetermined(); }
     [[nodiscard]] double degreesOfFreedom(const DuffingProblem& problem) const
     {
-        return static_cast<double>(std::max<std::ptrdiff_t>(problem.rows() - 4 - linear.nuisanceRank, 1));
+        return static_cast<double>(
+            std::max<std::ptrdiff_t>(problem.measuredRows() - 4 - linear.nuisanceRank, 1));
     }
 };
 

@@ -27,8 +27,9 @@ Estimate runArx(Estimator estimator, const PreparedRecord& record, const Estimat
 Estimate runInstrumentalVariables(Estimator, const PreparedRecord& record, const EstimatorTask& task,
                                   Repetition*)
 {
-    return estimateInstrumentalVariables(record.force, record.position,
-                                         continuousOptions<InstrumentalVariablesOptions>(record, task));
+    auto options = continuousOptions<InstrumentalVariablesOptions>(record, task);
+    options.lost = record.lost;
+    return estimateInstrumentalVariables(record.force, record.position, options);
 }
 
 Estimate runOutputError(Estimator, const PreparedRecord& record, const EstimatorTask& task, Repetition*)
@@ -38,7 +39,9 @@ Estimate runOutputError(Estimator, const PreparedRecord& record, const Estimator
 
 Estimate runDuffing(Estimator, const PreparedRecord& record, const EstimatorTask& task, Repetition*)
 {
-    return estimateDuffing(record.force, record.position, continuousOptions<DuffingOptions>(record, task));
+    auto options = continuousOptions<DuffingOptions>(record, task);
+    options.lost = record.lost;
+    return estimateDuffing(record.force, record.position, options);
 }
 
 Estimate runPeriodic(Estimator, const PreparedRecord& record, const EstimatorTask& task,
@@ -85,7 +88,7 @@ constexpr std::array<EstimatorFacts, 7> table{{{Estimator::Arx,
                                                 "iv",
                                                 QT_TRANSLATE_NOOP("Words", "instrumental var."),
                                                 "instrumental variables",
-                                                false,
+                                                true,
                                                 true,
                                                 {3, 1.15, -up},
                                                 runInstrumentalVariables},
@@ -101,7 +104,7 @@ constexpr std::array<EstimatorFacts, 7> table{{{Estimator::Arx,
                                                 "duffing",
                                                 QT_TRANSLATE_NOOP("Words", "cubic spring"),
                                                 "output error with a cubic spring",
-                                                false,
+                                                true,
                                                 false,
                                                 {5, 1.1, up},
                                                 runDuffing},

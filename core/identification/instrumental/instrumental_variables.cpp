@@ -5,7 +5,7 @@
 #include "core/identification/instrumental/instrumental_variables_search.h"
 #include "core/identification/model/discretization.h"
 #include "core/identification/model/identifiability.h"
-#include "core/identification/output_error/output_error_problem.h"
+#include "core/identification/output_error/completed_record.h"
 #include "core/identification/output_error/output_error_search.h"
 
 #include <Eigen/LU>
@@ -91,11 +91,6 @@ Estimate inChannelUnits(const OutputErrorProblem& record, const InstrumentalResu
 Estimate estimateInstrumentalVariables(const std::vector<double>& force, const std::vector<double>& position,
                                        const InstrumentalVariablesOptions& options)
 {
-    if (!options.lost.empty())
-        return failedInstrumental(
-            EstimateStatus::NotApplicable,
-            Words::say(
-                "instrumental variables need an unbroken record; choose a window without lost samples"));
     if (force.size() != position.size())
         return failedInstrumental(EstimateStatus::NotApplicable,
                                   Words::say("force and position have different lengths"));
@@ -104,26 +99,29 @@ Estimate estimateInstrumentalVariables(const std::vector<double>& force, const s
         return failedInstrumental(
             EstimateStatus::TooFewSamples,
             Words::say("there are fewer samples than there are unknowns; record for longer"));
-    const OutputErrorProblem record = makeOutputErrorProblem(force, position, options);
-    if (record.rows() <= static_cast<std::ptrdiff_t>(unknowns))
+    const CompletedRecord completed = completedRecord(force, position, options);
+    if (!options.lost.empty() && !completed.outputError.parameters)
+        return failedInstrumental(completed.outputError.status, completed.outputError.message);
+    const OutputErrorProblem record = completedProblem(completed, options);
+    if (record.measuredRows() <= static_cast<std::ptrdiff_t>(unknowns))
         return failedInstrumental(EstimateStatus::TooFewSamples,
                                   Words::say("the lag between the channels leaves too few samples"));
-    if (isConstant(position))
+    if (isConstant(completed.position))
         return failedInstrumental(EstimateStatus::NotIdentifiable, Words::say(constantPosition));
     const std::optional<InstrumentalResult> result = findSolution(record, options);
     if (!result)
-        return failedInstrumental(EstimateStatus::NotIdentifiable,
-                                  isConstant(force) ? Words::say(constantForce) : Words::say(noAnswer));
+        return failedInstrumental(EstimateStatus::NotIdentifiable, isConstant(completed.force)
+                                                                       ? Words::say(constantForce)
+                                                                       : Words::say(noAnswer));
     Estimate estimate = failedInstrumental(EstimateStatus::NotIdentifiable, Finding());
     if (!result->isDetermined())
-        estimate.message =
-            isConstant(force)
-                ? Words::say(constantForce)
-                : Words::say("this force does not determine m, b and k; squeeze with a richer one");
+        estimate.message = Words::say(isConstant(completed.force) ? constantForce : poorForce);
     else if (result->outcome == SearchOutcome::Boundary)
         estimate.message = boundaryMessage(result->boundaryIndex, result->boundaryAtZero);
     else
-        estimate = inChannelUnits(record, *result, position);
+        estimate = inChannelUnits(record, *result, completed.position);
+    if (estimate.covariance)
+        *estimate.covariance *= completed.errorFactor * completed.errorFactor;
     estimate.iterations = result->iterations;
     return estimate;
 }

@@ -7,7 +7,7 @@
 
 namespace gripscope {
 
-/// How to find m, b, k by refined instrumental variables; no sample may be lost.
+/// How to find m, b, k by refined instrumental variables.
 struct InstrumentalVariablesOptions : ContinuousTimeOptions {
     int maxIterations = 60;
 };
@@ -27,8 +27,10 @@ struct InstrumentalVariablesOptions : ContinuousTimeOptions {
 /// a step with the instruments for regressors (Gauss-Newton) where it cannot.
 ///
 /// `covariance` = s^2 (Z'Phi)^-1 Z'Z (Phi'Z)^-1, Z the instruments, Phi the regressors, what the nuisances
-/// explain taken out of both; s^2 = SSE / (N - p). Conventions and statuses as for estimateOutputError();
-/// NotApplicable when samples are lost.
+/// explain taken out of both; s^2 = SSE / (N - p). Conventions and statuses as for estimateOutputError().
+///
+/// Where samples were lost their forces are those that output error finds (completedRecord()), which leaves
+/// the fixed point where it is, and their rows are skipped; the errors grow as those of output error do.
 [[nodiscard]] Estimate estimateInstrumentalVariables(const std::vector<double>& force,
                                                      const std::vector<double>& position,
                                                      const InstrumentalVariablesOptions& options);

@@ -98,7 +98,8 @@ private:
     Eigen::Matrix2d m_free = Eigen::Matrix2d::Identity();
 };
 
-/// Calls use(index, cascade at that position's time) for every position whose time the force covers.
+/// Calls use(index, cascade at that position's time) for every position whose time the force covers, those of
+/// lost samples too.
 template <typename Use>
 void forEachRow(const OutputErrorProblem& record, Cascade& cascade, const Use& use)
 {
@@ -159,6 +160,8 @@ AuxiliaryModel auxiliaryModel(const OutputErrorProblem& record, const Eigen::Vec
     const Eigen::Index nuisances = record.nuisanceCount();
     SequentialQr qr(nuisances + 2);
     forEachRow(record, cascade, [&](std::ptrdiff_t index, const Eigen::Vector4d& outputs) {
+        if (record.isLost(index))
+            return;
         auto row = qr.nextRow();
         fillNuisances(record, cascade, row);
         row(nuisances) = outputs(0);
@@ -198,11 +201,13 @@ InstrumentalEquations instrumentalEquations(const OutputErrorProblem& record, co
     const Eigen::Index nuisances = record.nuisanceCount();
     SequentialQr qr(nuisances + 7);
     forEachRow(record, cascade, [&](std::ptrdiff_t index, const Eigen::Vector4d& outputs) {
-        auto row = qr.nextRow();
-        fillNuisances(record, cascade, row);
-        row.segment<3>(nuisances) = outputs.tail<3>().transpose();
-        row.segment<3>(nuisances + 3) = measured.regressors(index);
-        row(nuisances + 6) = record.position[static_cast<std::size_t>(index)] - outputs(0) - model.offset;
+        if (!record.isLost(index)) {
+            auto row = qr.nextRow();
+            fillNuisances(record, cascade, row);
+            row.segment<3>(nuisances) = outputs.tail<3>().transpose();
+            row.segment<3>(nuisances + 3) = measured.regressors(index);
+            row(nuisances + 6) = record.position[static_cast<std::size_t>(index)] - outputs(0) - model.offset;
+        }
         measured.advance(index);
     });
     const Eigen::MatrixXd triangle = qr.triangle();
@@ -220,12 +225,14 @@ InstrumentRows instrumentRows(const OutputErrorProblem& record, const AuxiliaryM
 {
     InstrumentRows rows;
     const Eigen::Index nuisances = record.nuisanceCount();
-    rows.columns.resize(record.rows(), nuisances + 3);
-    rows.residuals.reserve(static_cast<std::size_t>(record.rows()));
+    rows.columns.resize(record.measuredRows(), nuisances + 3);
+    rows.residuals.reserve(static_cast<std::size_t>(record.measuredRows()));
     Cascade cascade(record, model.theta);
     cascade.start(model.x0, model.v0);
     forEachRow(record, cascade, [&](std::ptrdiff_t index, const Eigen::Vector4d& outputs) {
-        auto row = rows.columns.row(index - record.firstRow());
+        if (record.isLost(index))
+            return;
+        auto row = rows.columns.row(static_cast<Eigen::Index>(rows.residuals.size()));
         fillNuisances(record, cascade, row);
         row.segment<3>(nuisances) = outputs.tail<3>().transpose();
         rows.residuals.push_back(record.position[static_cast<std::size_t>(index)] - outputs(0) -

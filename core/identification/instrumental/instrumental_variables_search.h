@@ -34,7 +34,7 @@ struct InstrumentalEquations {
 [[nodiscard]] InstrumentalEquations instrumentalEquations(const OutputErrorProblem& record,
                                                           const AuxiliaryModel& model);
 
-/// All rows: free nuisance columns, then the instruments; and the residuals.
+/// All measured rows: free nuisance columns, then the instruments; and the residuals.
 struct InstrumentRows {
     Eigen::MatrixXd columns;
     std::vector<double> residuals;
@@ -51,7 +51,8 @@ struct InstrumentalResult : SearchEnd {
     [[nodiscard]] bool isSettled() const { return outcome == SearchOutcome::Converged && isDetermined(); }
     [[nodiscard]] double degreesOfFreedom(const OutputErrorProblem& record) const
     {
-        return static_cast<double>(std::max<std::ptrdiff_t>(record.rows() - 3 - model.nuisanceRank, 1));
+        return static_cast<double>(
+            std::max<std::ptrdiff_t>(record.measuredRows() - 3 - model.nuisanceRank, 1));
     }
 };
 

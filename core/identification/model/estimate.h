@@ -114,6 +114,7 @@ struct Estimate {
     std::optional<CubicSpring> cubic;
     std::optional<AutoregressiveNoise> noise; ///< the model behind `covariance` where residuals are not white
     Nuisance nuisance;
+    std::vector<double> lostForces; ///< found for the lost samples, in their order; output error only
     std::optional<ArxCoefficients> coefficients;
     Fit fit;
     ResidualSummary residuals;

@@ -24,6 +24,8 @@ inline constexpr const char* constantForce =
 inline constexpr const char* constantPosition = QT_TRANSLATE_NOOP(
     "Words",
     "the position does not change; check that the fingers hold the object and that the sensor works");
+inline constexpr const char* poorForce =
+    QT_TRANSLATE_NOOP("Words", "this force does not determine m, b and k; squeeze with a richer one");
 inline constexpr const char* noAnswer = QT_TRANSLATE_NOOP(
     "Words", "the position does not answer the force; check the grip and which column is which");
 

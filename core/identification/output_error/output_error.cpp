@@ -82,8 +82,10 @@ void describeResiduals(const OutputErrorProblem& problem, const SearchResult& se
                        const std::vector<double>& force, const std::vector<double>& position,
                        const OutputErrorOptions& options, Estimate& estimate)
 {
-    simulateSolution(problem, completedForce(problem, search.linear.nuisance, force), position, options,
-                     estimate);
+    const std::vector<double> completed = completedForce(problem, search.linear.nuisance, force);
+    for (const std::size_t lost : problem.lost)
+        estimate.lostForces.push_back(completed[lost]);
+    simulateSolution(problem, completed, position, options, estimate);
     const std::vector<double> residual = measuredOnly(problem, estimate.residual);
     estimate.fit.simulationPercent =
         fitPercent(measuredOnly(problem, position), measuredOnly(problem, estimate.simulated));
@@ -129,8 +131,9 @@ std::optional<SearchResult> findSolution(const OutputErrorProblem& problem, cons
 {
     MultiStart<SearchResult> searches;
     const auto from = [&](const Eigen::Vector3d& start) {
-        return start.allFinite() ? std::optional(searchOutputError(problem, start, options.maxIterations))
-                                 : std::nullopt;
+        return start.allFinite()
+                   ? std::optional(searchOutputError(problem, start, options.maxIterations, options.arrived))
+                   : std::nullopt;
     };
     if (options.start) {
         searches.run(std::array{problem.toTheta(*options.start)}, from);
@@ -170,7 +173,7 @@ std::optional<SearchResult> findSolutionAndNoise(OutputErrorProblem& problem,
         problem.noiseDeviation = std::exp(std::max(here + step, std::log(noiseRounding * size)));
         if (std::log(problem.noiseDeviation) == here)
             break;
-        found = searchOutputError(problem, found->theta, options.maxIterations);
+        found = searchOutputError(problem, found->theta, options.maxIterations, options.arrived);
     }
     return found;
 }
@@ -205,10 +208,7 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
     Estimate estimate = failedOutputError(EstimateStatus::NotIdentifiable, Finding());
     estimate.iterations = search.iterations;
     if (!search.isDetermined()) {
-        estimate.message =
-            isConstant(problem.force)
-                ? Words::say(constantForce)
-                : Words::say("this force does not determine m, b and k; squeeze with a richer one");
+        estimate.message = Words::say(isConstant(problem.force) ? constantForce : poorForce);
         return estimate;
     }
     if (search.outcome == SearchOutcome::Boundary) {

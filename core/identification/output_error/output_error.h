@@ -10,6 +10,8 @@ namespace gripscope {
 /// How to find m, b, k by output error. A lost force is one more unknown, its position is no row of the sum.
 struct OutputErrorOptions : ContinuousTimeOptions {
     int maxIterations = 200;
+    /// The step still to go, in standard errors, at which the search has arrived.
+    double arrived = 1e-9;
     /// Off: no residual tests and no noise model; `covariance` is that under white noise. For a fit on the
     /// way to another.
     bool residualTests = true;

@@ -68,8 +68,11 @@ void testResiduals(const OutputErrorProblem& record, const Eigen::MatrixXd& colu
     const Eigen::Index model = columns.cols();
     constexpr auto extra = static_cast<Eigen::Index>(inputLags.size());
     SequentialQr qr(model + extra + 1);
-    for (Eigen::Index i = 0; i < columns.rows(); ++i) {
-        const std::ptrdiff_t at = std::max<std::ptrdiff_t>(record.firstRow() + i + record.lag.samples, 0);
+    std::ptrdiff_t index = record.firstRow();
+    for (Eigen::Index i = 0; i < columns.rows(); ++i, ++index) {
+        while (record.isLost(index))
+            ++index;
+        const std::ptrdiff_t at = std::max<std::ptrdiff_t>(index + record.lag.samples, 0);
         auto row = qr.nextRow();
         row.head(model) = columns.row(i);
         row.segment<extra>(model) = laggedInputs(record.force, static_cast<std::size_t>(at));
@@ -216,17 +219,22 @@ void describeResiduals(const OutputErrorProblem& record, const std::vector<doubl
                        const Eigen::MatrixXd& columns, const std::vector<double>& residuals,
                        Estimate& estimate)
 {
-    estimate.residual.resize(position.size());
-    for (std::size_t i = 0; i < position.size(); ++i)
+    estimate.residual.assign(position.size(), 0);
+    std::vector<double> measured;
+    std::vector<double> simulated;
+    for (std::size_t i = 0; i < position.size(); ++i) {
+        const auto index = static_cast<std::ptrdiff_t>(i);
+        if (record.isLost(index))
+            continue;
         estimate.residual[i] = position[i] - estimate.simulated[i];
-    const auto first = static_cast<std::size_t>(record.firstRow());
-    const auto rows = static_cast<std::size_t>(record.rows());
-    const std::span<const double> simulated(estimate.simulated);
-    estimate.fit.simulationPercent =
-        fitPercent(std::span(position).subspan(first, rows), simulated.subspan(first, rows));
+        if (index < record.firstRow() || index >= record.endRow())
+            continue;
+        measured.push_back(position[i]);
+        simulated.push_back(estimate.simulated[i]);
+        estimate.residuals.sse += estimate.residual[i] * estimate.residual[i];
+    }
+    estimate.fit.simulationPercent = fitPercent(measured, simulated);
     estimate.fit.predictionPercent = estimate.fit.simulationPercent;
-    for (const double e : std::span<const double>(estimate.residual).subspan(first, rows))
-        estimate.residuals.sse += e * e;
     estimate.residuals.sse = std::min(estimate.residuals.sse, std::numeric_limits<double>::max());
     if (squaredSum(residuals) > roundingShare * roundingShare * squaredSum(record.position))
         testResiduals(record, columns, residuals, estimate.residuals);

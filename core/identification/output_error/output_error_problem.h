@@ -32,6 +32,10 @@ struct OutputErrorProblem {
     [[nodiscard]] std::ptrdiff_t firstRow() const;
     [[nodiscard]] std::ptrdiff_t endRow() const;
     [[nodiscard]] std::ptrdiff_t rows() const { return std::max<std::ptrdiff_t>(endRow() - firstRow(), 0); }
+    [[nodiscard]] bool isLost(std::ptrdiff_t index) const
+    {
+        return !lost.empty() && std::binary_search(lost.begin(), lost.end(), static_cast<std::size_t>(index));
+    }
     /// Those of them that were measured.
     [[nodiscard]] std::ptrdiff_t measuredRows() const;
     /// Terms of the sum of squares: the measured rows and, given a noise, one for every lost force.
@@ -67,8 +71,8 @@ struct OutputErrorProblem {
 
 /// Fills in residuals, fits and the tests of the residuals from `estimate.simulated` (channel units, as long
 /// as `position`). `columns` are the derivatives of the positions in the record's units, nuisances first, a
-/// row from firstRow() to endRow(); `residuals` belong to them. Fitted parameters are accounted for by the
-/// columns (score test).
+/// row a measured sample from firstRow() to endRow(); `residuals` belong to them. Fitted parameters are
+/// accounted for by the columns (score test).
 void describeResiduals(const OutputErrorProblem& record, const std::vector<double>& position,
                        const Eigen::MatrixXd& columns, const std::vector<double>& residuals,
                        Estimate& estimate);

@@ -17,8 +17,6 @@ namespace gripscope {
 
 namespace {
 
-/// The step still to go, in standard errors, at which the search has arrived.
-constexpr double arrivedSearch = 1e-9;
 /// Gauss-Newton needs 5 to 15 iterations where it converges well.
 constexpr int gaussNewtonIterations = 15;
 /// Linearization::stale above which a second pass is worth its while, and below which the end is the end.
@@ -28,8 +26,8 @@ constexpr double columnRounding = 1e-15;
 
 class OutputErrorSearch : LevenbergMarquardt {
 public:
-    OutputErrorSearch(const OutputErrorProblem& problem, const Eigen::Vector3d& start)
-        : LevenbergMarquardt(squaredSize(problem), arrivedSearch), m_problem(problem), m_linearizer(problem)
+    OutputErrorSearch(const OutputErrorProblem& problem, const Eigen::Vector3d& start, double arrived)
+        : LevenbergMarquardt(squaredSize(problem), arrived), m_problem(problem), m_linearizer(problem)
     {
         m_result.theta = start;
         m_result.linear = settledAt(start, unknownNuisance(problem));
@@ -198,9 +196,9 @@ bool SearchResult::isSettled() const
 }
 
 SearchResult searchOutputError(const OutputErrorProblem& problem, const Eigen::Vector3d& start,
-                               int maxIterations)
+                               int maxIterations, double arrived)
 {
-    return OutputErrorSearch(problem, start).run(maxIterations);
+    return OutputErrorSearch(problem, start, arrived).run(maxIterations);
 }
 
 } // namespace gripscope

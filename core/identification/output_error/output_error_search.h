@@ -52,10 +52,10 @@ struct SearchResult : SearchEnd {
     [[nodiscard]] bool isSettled() const;
 };
 
-/// LevenbergMarquardt to 1e-9 standard errors on the problem with x0, v0, offset and lost forces eliminated;
-/// one pass over the record an iteration. Where that is slow, Newton's method.
+/// LevenbergMarquardt to `arrived` standard errors on the problem with x0, v0, offset and lost forces
+/// eliminated; one pass over the record an iteration. Where that is slow, Newton's method.
 [[nodiscard]] SearchResult searchOutputError(const OutputErrorProblem& problem, const Eigen::Vector3d& start,
-                                             int maxIterations);
+                                             int maxIterations, double arrived);
 
 /// M, B, K of theta.
 [[nodiscard]] MassDampingStiffness scaledParameters(const Eigen::Vector3d& theta);

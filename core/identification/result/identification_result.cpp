@@ -29,6 +29,15 @@ QString toString(ValidityVerdict verdict)
     return {};
 }
 
+std::optional<ValidityVerdict> validityVerdictFromString(const QString& text)
+{
+    for (const ValidityVerdict verdict :
+         {ValidityVerdict::Valid, ValidityVerdict::Suspect, ValidityVerdict::Invalid})
+        if (toString(verdict) == text)
+            return verdict;
+    return {};
+}
+
 ValiditySummary summaryOf(const Validity& validity)
 {
     ValiditySummary summary;

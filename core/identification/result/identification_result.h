@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/work_watch.h"
 #include "core/identification/comparison/hold_evidence.h"
 #include "core/identification/comparison/model_comparison.h"
 #include "core/identification/model/estimate.h"
@@ -12,6 +13,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,6 +22,7 @@ namespace gripscope {
 /// About the measurement, never about the part.
 enum class ValidityVerdict { Valid, Suspect, Invalid };
 [[nodiscard]] QString toString(ValidityVerdict verdict);
+[[nodiscard]] std::optional<ValidityVerdict> validityVerdictFromString(const QString& text);
 
 /// One check: `id` is one of the contract's (samples_lost, saturation, excitation, residual_whiteness,
 /// input_independence, hold, convergence, physical_range, fit, calibration), or `stuck`, `device_fault`,
@@ -30,6 +33,9 @@ struct ValidityCheck {
     bool decisive = false; ///< failing it makes the measurement invalid, not only suspect
     std::optional<double> value, limit;
     Finding message; ///< what was found and, when it failed, what to do
+    /// It did not fail, which is all: there was nothing to judge it by, or what was found is only made up
+    /// for.
+    bool noted = false;
 };
 
 struct Validity {
@@ -61,6 +67,8 @@ struct IdentificationOptions {
     /// What earlier squeezes of the same device say about the hold. It counts where they declared the same
     /// hold and lag.
     HoldEvidence earlierHold = {};
+    /// Told how far it is; may stop it: the result then lacks what was not begun, and is not to be used.
+    std::shared_ptr<WorkWatch> watch = {};
 };
 
 /// All that was found out about one recording.

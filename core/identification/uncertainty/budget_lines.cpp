@@ -69,7 +69,7 @@ BudgetLine lineOf(const QString& id, const Finding& words, EvaluationType type, 
 }
 
 std::vector<BudgetLine> effectLines(const Eigen::Vector3d& p, const LinearizedRecord& record,
-                                    const MeasuringChain& chain)
+                                    const MeasuringChain& chain, double lagBound_s)
 {
     std::vector<BudgetLine> lines;
     const Eigen::Matrix3Xd shifts =
@@ -82,6 +82,12 @@ std::vector<BudgetLine> effectLines(const Eigen::Vector3d& p, const LinearizedRe
                                Words::say("the lag between the channels is known to %1 us")
                                    .arg(chain.forceLagUncertainty_s * 1e6, 'g', 3),
                                EvaluationType::B, p, shift * shift.transpose()));
+    } else if (lagBound_s > 0) {
+        lines.push_back(lineOf(u"lag"_s,
+                               Words::say("the lag between the channels was never measured: it is taken to "
+                                          "be within %1 us of what is assumed, a tenth of the sample time")
+                                   .arg(lagBound_s * 1e6, 'g', 3),
+                               EvaluationType::B, p, rectangular(shifts.col(0) * lagBound_s)));
     }
     if (chain.frameComplianceUncertainty > 0) {
         const Eigen::Vector3d shift = shifts.col(1) * chain.frameComplianceUncertainty;

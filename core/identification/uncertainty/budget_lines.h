@@ -72,9 +72,21 @@ inline constexpr double misfitLevel = 1e-3;
                                                  const OutputErrorOptions& options,
                                                  double forceNoiseDeviation);
 
-/// Lag and frame compliance.
+/// The lag of the chain with its uncertainty, or else one that nobody measured: within +-`lagBound_s`, all
+/// values alike; and frame compliance.
 [[nodiscard]] std::vector<BudgetLine> effectLines(const Eigen::Vector3d& p, const LinearizedRecord& record,
-                                                  const MeasuringChain& chain);
+                                                  const MeasuringChain& chain, double lagBound_s);
+/// The position's counts, `step` apart, as far as rounding does not act as the white noise that the residuals
+/// show it to be. A position y with noise of deviation s before it is rounded is off by a function of y,
+///     sum_h q / (pi h) exp(-2 (pi h s / q)^2) sin(2 pi h y / q) (up to signs)
+/// (Widrow and Kollar, Quantization Noise, 2008, ch. 4). Where the object lies on the lattice is anybody's
+/// guess, so that its phases are even: with A' the influences (effect_regression.h) the covariance is
+///     sum_h v_h (|sum_t A_t exp(2 pi i h y_t / q)|^2 - sum_t A_t A_t'),
+///     v_h = q^2 / (2 pi^2 h^2) exp(-4 (pi h s / q)^2),
+/// cut to its positive part; the second term is in the noise's line already. s^2 is what q^2 / 12 leaves of
+/// the residuals' variance. Nothing from a noise of two fifths of a step on, which hides the counts.
+[[nodiscard]] std::vector<BudgetLine> quantizationLines(const Estimate& estimate,
+                                                        const LinearizedRecord& record, double step);
 /// The other hold of HoldEvidence, and a force that is smooth between its samples. `others`: the covariance
 /// that all other lines add up to.
 [[nodiscard]] std::vector<BudgetLine> holdLines(const Eigen::Vector3d& p,

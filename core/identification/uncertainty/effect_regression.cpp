@@ -6,6 +6,7 @@
 #include "core/math/fit.h"
 #include "core/math/sequential_qr.h"
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -250,6 +251,19 @@ Eigen::Matrix3Xd shiftsBy(const LinearizedRecord& record, std::span<const std::v
         return {};
     const Eigen::Matrix3Xd shifts = qr.solve(triangle.block(nuisances, nuisances + 3, 3, count));
     return shifts.allFinite() ? shifts : Eigen::Matrix3Xd();
+}
+
+Eigen::MatrixXd influences(const LinearizedRecord& record)
+{
+    // The nuisances are projected out row by row of the record, from its Gram matrices.
+    const Eigen::MatrixXd& n = record.nuisances;
+    Eigen::MatrixXd own = record.sensitivities;
+    if (n.cols() > 0) {
+        const Eigen::MatrixXd gram = n.transpose() * n;
+        own -= n * gram.completeOrthogonalDecomposition().solve(n.transpose() * own);
+    }
+    const Eigen::Matrix3d information = own.transpose() * own;
+    return own * information.inverse() / record.positionScale;
 }
 
 std::vector<double> straightAsSpline(const std::vector<double>& force)

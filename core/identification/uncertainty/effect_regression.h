@@ -40,6 +40,10 @@ struct LinearizedRecord {
 [[nodiscard]] Eigen::Matrix3Xd shiftsBy(const LinearizedRecord& record,
                                         std::span<const std::vector<double>> effects);
 
+/// (S'S)^-1 S' of LinearizedRecord, a row a row of the record: what a unit of position there does to (ln m,
+/// ln b, ln k).
+[[nodiscard]] Eigen::MatrixXd influences(const LinearizedRecord& record);
+
 /// The triangle of [nuisances, sensitivities, effects, residual], rows filtered by `noise` (each stretch
 /// between lost samples on its own; its first rows are left out), and how many rows went into it.
 struct EffectTriangle {

@@ -4,8 +4,7 @@
 #include "core/identification/model/discretization.h"
 #include "core/identification/uncertainty/budget_lines.h"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -69,16 +68,7 @@ ForceNoiseEffect forceNoiseEffect(const Estimate& e, const LinearizedRecord& rec
     ForceNoiseEffect out;
     out.position = autocovarianceOf(simulate(*e.parameters, impulse, rest));
 
-    // A' = (S'S)^-1 S' with the nuisances projected out, row by row of the record, from its Gram matrices.
-    const Eigen::MatrixXd& n = record.nuisances;
-    Eigen::MatrixXd own = record.sensitivities;
-    if (n.cols() > 0) {
-        const Eigen::MatrixXd gram = n.transpose() * n;
-        own -= n * gram.completeOrthogonalDecomposition().solve(n.transpose() * own);
-    }
-    const Eigen::Matrix3d information = own.transpose() * own;
-    const Eigen::Matrix3d inverse = information.inverse();
-    const Eigen::MatrixXd influence = own * inverse / record.positionScale;
+    const Eigen::MatrixXd influence = influences(record);
     Eigen::MatrixXd answered(static_cast<Eigen::Index>(samples), 3);
     for (Eigen::Index i = 0; i < 3; ++i) {
         std::vector<double> backwards(samples, 0.0);

@@ -137,7 +137,8 @@ UncertaintyBudget uncertaintyBudget(const Estimate& estimate, const std::vector<
     const ModelMisfit misfit = modelMisfit(estimate, record, force, options, known);
     const Eigen::Vector3d measured = estimate.parameters->vector();
     append(budget.lines, noiseLines(estimate, record, options, chain.forceNoiseDeviation));
-    append(budget.lines, effectLines(measured, record, chain));
+    append(budget.lines, quantizationLines(estimate, record, budgetOptions.positionStep));
+    append(budget.lines, effectLines(measured, record, chain, budgetOptions.lagBound_s));
     append(budget.lines, discrepancyLines(measured, budgetOptions.discrepancy, misfit));
 
     Eigen::Vector3d own = measured;
@@ -151,7 +152,8 @@ UncertaintyBudget uncertaintyBudget(const Estimate& estimate, const std::vector<
     for (const BudgetLine& line : budget.lines)
         others += line.covariance;
     append(budget.lines, holdLines(measured, budgetOptions.hold, budgetOptions.coverage, misfit, others));
-    const bool needsRecord = chain.forceLagUncertainty_s > 0 || chain.frameComplianceUncertainty > 0;
+    const bool needsRecord = chain.forceLagUncertainty_s > 0 || budgetOptions.lagBound_s > 0 ||
+                             chain.frameComplianceUncertainty > 0;
     if (needsRecord && budget.find(u"lag"_s) == nullptr && budget.find(u"frame_compliance"_s) == nullptr)
         budget.message = Words::say("what the lag and the frame's compliance do could not be computed");
     budget.parameters = MassDampingStiffness{own(0), own(1), own(2)};

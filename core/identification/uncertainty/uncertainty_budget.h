@@ -63,8 +63,8 @@ enum class EvaluationType { A, B };
 [[nodiscard]] QString toString(EvaluationType type); ///< "A", "B"
 
 /// One effect's part in the uncertainty of m, b and k. `id` is one of position_noise, noise (position and
-/// force noise together, coloured), force_noise, lag, hold, calibration, frame_compliance, baseline,
-/// model_discrepancy.
+/// force noise together, coloured), force_noise, quantization, lag, hold, calibration, frame_compliance,
+/// baseline, model_discrepancy.
 struct BudgetLine {
     QString id;
     Finding words; ///< what it is and how large, plain words
@@ -117,7 +117,9 @@ struct HoldAmbiguity {
 struct BudgetOptions {
     std::optional<HoldAmbiguity> hold;
     std::optional<ModelDiscrepancy> discrepancy; ///< between windows, amplitudes or squeezes
-    bool subtractBaseline = true;                ///< false: `estimate` is that of the object alone already
+    double lagBound_s = 0;        ///< half of the range of a lag that nobody measured; 0: it is known
+    double positionStep = 0;      ///< of the position's counts, its unit; 0: none
+    bool subtractBaseline = true; ///< false: `estimate` is that of the object alone already
     double coverage = 0.95;
 };
 
@@ -126,8 +128,12 @@ struct BudgetOptions {
 /// - noise: the estimate's own covariance; where the chain states the noise of the force, the covariance that
 ///   its filtered answer causes and s^2 (J'J)^-1 with the rest of s^2, unless the residuals are coloured so
 ///   strongly that their own noise model asks for more;
-/// - lag: the velocity is what a second of lag adds; frame compliance: the force is what a unit of compliance
-///   adds (a declared compliance was taken off the position before the estimate);
+/// - quantization: what rounding adds to the residuals' white noise where it follows the motion
+///   (quantizationLines());
+/// - lag: the velocity is what a second of lag adds, with the chain's uncertainty or, where nobody measured
+///   the lag, a rectangular distribution within BudgetOptions::lagBound_s (JCGM 100, 4.3.7); frame
+///   compliance: the force is what a unit of compliance adds (a declared compliance was taken off the
+///   position before the estimate);
 /// - calibration: m, b, k are proportional to force over position, exactly; after the baseline, which the
 ///   same channels measured;
 /// - hold: so much that the interval reaches the parameters under the other hold. With coverage 1 - 2 q and a

@@ -2,6 +2,7 @@
 #include "core/base/words.h"
 #include "core/identification/validity/validity_checks.h"
 #include "core/signal/preparation/sensor_faults.h"
+#include "core/signal/recording/channel_quantity.h"
 
 #include <algorithm>
 
@@ -13,13 +14,6 @@ namespace {
 
 /// Share of saturated samples above which the measurement is invalid; any saturated sample makes it suspect.
 constexpr double largestSaturatedShare = 0.01;
-
-/// "12.34 mm", or only the number where no unit is named.
-Finding withUnit(double value, const QString& unit)
-{
-    const Finding number = Finding::number(value, 'g', 4);
-    return unit == u"1"_s ? number : number + Finding(u' ' + unit);
-}
 
 Finding saturationWords(const SaturatedSamples& found, std::size_t samples)
 {
@@ -107,11 +101,12 @@ ValidityCheck stuckChannel(const Identification& data, const Recording& recordin
             ? Words::say("the position channel is stuck: it stands at %1 in %2 of %3 samples while "
                          "the force moves. Check the position sensor and its cable, then squeeze "
                          "again.")
-                  .arg(withUnit(position[stuck->first], recording.positionUnit))
+                  .arg(channelQuantity(MechanicalQuantity::Length, position[stuck->first],
+                                       recording.positionUnit))
             : Words::say("the force channel is stuck: it stands at %1 in %2 of %3 samples while the "
                          "position moves. Check the force sensor and its cable, then squeeze "
                          "again.")
-                  .arg(withUnit(force[stuck->first], recording.forceUnit));
+                  .arg(channelQuantity(MechanicalQuantity::Force, force[stuck->first], recording.forceUnit));
     check.message = words.arg(stuck->count).arg(window.count);
     return check;
 }

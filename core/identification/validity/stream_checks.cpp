@@ -185,6 +185,7 @@ ValidityCheck clockAgainstComputer(const Recording& recording)
     check.id = u"clock"_s;
     const ClockAccount clocks = streamAccount(recording).value_or(StreamAccount()).clocks;
     if (!judgeRate(check, clocks.clock)) {
+        check.noted = true;
         check.message =
             clocks.compared
                 ? Words::say(

@@ -67,6 +67,7 @@ ValidityCheck excitation(const Estimate& estimate)
     const std::optional<Eigen::Vector3d> errors = estimate.standardErrors();
     if (!estimate.parameters || !errors) {
         check.message = Words::say("not judged without an estimate");
+        check.noted = true;
         return check;
     }
     const double mass = (*errors)(0) / estimate.parameters->m;
@@ -92,6 +93,7 @@ ValidityCheck residualTest(const QString& id, std::optional<double> p, bool matt
     check.limit = smallestP;
     const bool found = p && *p < smallestP;
     check.ok = !found || !matters;
+    check.noted = !p || (found && check.ok);
     if (!p)
         check.message = Words::say("not judged: there is nothing to test");
     else
@@ -126,13 +128,16 @@ ValidityCheck residualWhiteness(const Estimate& estimate)
     const bool matters =
         modelled ? residuals.innovationInflation.value_or(largestInflation) >= largestInnovationInflation
                  : residuals.errorInflation.value_or(largestInflation) >= largestInflation;
-    return residualTest(u"residual_whiteness"_s, p, remainderMatters(estimate) && matters,
-                        modelled ? noiseWords(*estimate.noise, residuals.errorInflation.value_or(1))
-                                 : Words::say("the residuals look like white noise"),
-                        Words::say("the residuals are not white%1: something besides sensor noise is in the "
-                                   "position, and the errors "
-                                   "shown are too small. Check for a loose grip, vibration and drift")
-                            .arg(modelled ? Words::say(", and no noise model describes them") : QString()));
+    ValidityCheck check =
+        residualTest(u"residual_whiteness"_s, p, remainderMatters(estimate) && matters,
+                     modelled ? noiseWords(*estimate.noise, residuals.errorInflation.value_or(1))
+                              : Words::say("the residuals look like white noise"),
+                     Words::say("the residuals are not white%1: something besides sensor noise is in the "
+                                "position, and the errors "
+                                "shown are too small. Check for a loose grip, vibration and drift")
+                         .arg(modelled ? Words::say(", and no noise model describes them") : QString()));
+    check.noted = check.noted || (check.ok && modelled);
+    return check;
 }
 
 ValidityCheck inputIndependence(const Estimate& estimate)
@@ -293,6 +298,7 @@ ValidityCheck fitCheck(const Estimate& estimate)
     check.limit = smallestFitPercent;
     if (!estimate.parameters) {
         check.message = Words::say("not judged without an estimate");
+        check.noted = true;
         return check;
     }
     check.ok = check.value && *check.value >= smallestFitPercent;
@@ -343,6 +349,7 @@ ValidityCheck calibration(const Recording& recording)
     if (const Finding doubt = referenceDoubt(recording); !doubt.isEmpty())
         doubts.push_back(doubt);
     check.ok = doubts.empty();
+    check.noted = check.ok && first == facts.end();
     check.message = !check.ok ? Finding::joined(doubts, u" "_s)
                     : first != facts.end()
                         ? Words::say("the calibrations held on that day")

@@ -2,6 +2,7 @@
 #include "core/library/audit/audit_trail.h"
 
 #include "core/base/words.h"
+#include "core/library/ledger/ledger_table.h"
 #include "core/library/tables/audit_table.h"
 #include "core/library/tables/permission_check.h"
 #include "core/library/tables/write_transaction.h"
@@ -23,7 +24,9 @@ Expected<qint64> AuditTrail::count(const AuditFilter& filter) const
 Expected<AuditVerification> AuditTrail::verify() const
 {
     // Before the trail: what another process adds in between is only more.
-    AuditChainCheck check(readWitness(m_database->file()).audit);
+    LibraryWitness witness = readWitness(m_database->file());
+    settleRestore(witness, ledger_table::hashesOf(*m_database));
+    AuditChainCheck check(std::move(witness.audit));
     const auto done = audit_table::forEach(*m_database, [&](const AuditEntry& entry) { check.take(entry); });
     if (!done)
         return tl::unexpected(done.error());
@@ -33,11 +36,11 @@ Expected<AuditVerification> AuditTrail::verify() const
 }
 
 Expected<void> AuditTrail::record(Permission permission, const QString& action, const QString& subject,
-                                  const QJsonObject& details)
+                                  const QJsonObject& details, const QString& reason)
 {
     return writeTo<void>(*m_database, Words::tr("continue the audit trail"), [&]() -> Expected<void> {
         RETURN_IF_ERROR(requirePermission(*m_database, permission));
-        return audit_table::append(*m_database, {action, subject, {}, details});
+        return audit_table::append(*m_database, {action, subject, reason, details});
     });
 }
 

@@ -26,7 +26,7 @@ public:
     /// What is about to be changed outside the library: `details` with the old and the new. Refused as the
     /// change has to be.
     [[nodiscard]] Expected<void> record(Permission permission, const QString& action, const QString& subject,
-                                        const QJsonObject& details);
+                                        const QJsonObject& details, const QString& reason = {});
 
 private:
     Database* m_database;

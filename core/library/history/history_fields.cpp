@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/history/history_fields.h"
 
+#include "core/base/csv.h"
 #include "core/base/json_value.h"
 #include "core/library/history/history_view.h"
 #include "core/library/tables/estimate_tables.h"
 #include "core/library/tables/inspection_tables.h"
 #include "core/signal/recording/units.h"
 
+#include <QJsonArray>
 #include <QJsonObject>
-#include <QLocale>
 #include <QStringList>
 
 #include <array>
@@ -23,20 +24,21 @@ namespace {
 using Entry = HistoryEntry;
 using Need = HistorySelection;
 
-QString exactText(const std::optional<double>& value)
+QString exactTime(const QDateTime& time)
 {
-    return value ? QString::number(*value, 'g', QLocale::FloatingPointShortest) : QString();
+    return time.toString(Qt::ISODateWithMs); // with its offset; empty where it is not valid
 }
 
 QString exactUtc(const Entry& entry)
 {
-    return entry.time.toUTC().toString(Qt::ISODateWithMs);
+    return exactTime(entry.time.toUTC());
 }
 
-QString outcomeText(const Entry& entry)
+/// The times that cannot be taken at their word, as ISO 8601 writes an interval.
+QString setBackText(const Entry& entry)
 {
-    const std::optional<InspectionOutcome> outcome = entry.outcome();
-    return outcome ? toString(*outcome) : QString();
+    const auto& step = entry.clockSetBack;
+    return step ? exactTime(step->to.toUTC()) + u'/' + exactTime(step->from.toUTC()) : QString();
 }
 
 QJsonValue byName(const std::optional<Eigen::Vector3d>& values)
@@ -131,6 +133,23 @@ HistoryField verdictOfInspection()
         }};
 }
 
+/// The one that identified the squeeze, else the one that judged it.
+QString programSql()
+{
+    return u"COALESCE(NULLIF(e.program, ''), i.program, '')"_s;
+}
+
+QString versionSql()
+{
+    return u"COALESCE(i.library_version, NULLIF(g.library_version, 0))"_s;
+}
+
+QString validityOrderSql()
+{
+    return u"CASE %1 WHEN 'valid' THEN 0 WHEN 'suspect' THEN 1 WHEN 'invalid' THEN 2 END"_s.arg(
+        historyValiditySql());
+}
+
 std::vector<HistoryField> fieldsOfTheVerdict()
 {
     return {numberOfInspection(),
@@ -144,16 +163,14 @@ std::vector<HistoryField> fieldsOfTheVerdict()
              "outcome",
              {},
              nullptr,
-             [](const Entry& entry) { return QStringList{outcomeText(entry)}; },
-             [](const Entry& entry) { return jsonText(outcomeText(entry)); }},
+             [](const Entry& entry) { return QStringList{entry.outcomeName()}; },
+             [](const Entry& entry) { return jsonText(entry.outcomeName()); }},
             verdictOfInspection(),
             textField<&Entry::type>("type", historyTypeSql()),
             textField<&Entry::nearest>("nearest", u"COALESCE(i.nearest, '')"_s),
             numberField<&Entry::posterior>("posterior", "posterior", u"i.posterior"_s),
             numberField<&Entry::distance>("distance", "", u"i.distance"_s),
-            numberField<&Entry::gate>("gate", "", u"i.gate"_s),
-            numberField<&Entry::falseReject>("false_reject_rate", "", u"i.false_reject"_s),
-            numberField<&Entry::wrongType>("wrong_type_rate", "", u"i.wrong_type"_s)};
+            numberField<&Entry::gate>("gate", "", u"i.gate"_s)};
 }
 
 std::vector<HistoryField> fieldsOfTheEstimate()
@@ -194,13 +211,117 @@ std::vector<HistoryField> fieldsOfTheRecord()
          [](const Entry& entry) { return QStringList{entry.accepted ? u"yes"_s : u"no"_s}; },
          [](const Entry& entry) { return QJsonValue(entry.accepted); }},
         textField<&Entry::estimator>("estimator", u"COALESCE(e.estimator, '')"_s),
-        textField<&Entry::program>("software", u"COALESCE(e.program, '')"_s),
+        textField<&Entry::program>("software", programSql()),
         textField<&Entry::graspId>("key", u"g.id"_s),
         {"reason", "reason", u"COALESCE(i.reasons, '[]')"_s,
          [](Statement& row, Entry& entry) { entry.reason = inspection_table::joinReasons(row.takeText()); },
          [](const Entry& entry) { return QStringList{entry.reason.describe()}; },
          [](const Entry& entry) { return jsonText(entry.reason.describe()); }},
-        textField<&Entry::batch>("batch", u"COALESCE(o.name, '')"_s)};
+        textField<&Entry::batch>("batch", u"COALESCE(o.name, '')"_s),
+        textField<&Entry::partNumber>("part_number", u"COALESCE(i.part_number, '')"_s),
+        textField<&Entry::voided>("voided", historyVoidedSql())};
+}
+
+QString validityText(const Entry& entry)
+{
+    return entry.validity ? toString(*entry.validity) : QString();
+}
+
+template <std::optional<double> HeldTo::*member>
+HistoryField rateField(const char* name, const QString& sql)
+{
+    return {name,
+            name,
+            sql,
+            [](Statement& row, Entry& entry) { entry.heldTo.*member = row.takeOptionalReal(); },
+            [](const Entry& entry) { return QStringList{exactText(entry.heldTo.*member)}; },
+            [](const Entry& entry) { return jsonNumber(entry.heldTo.*member); }};
+}
+
+/// "none" where the channel was corrected by none; empty where that was not recorded.
+QString calibrationText(const std::optional<QString>& words)
+{
+    return words && words->isEmpty() ? u"none"_s : words.value_or(QString());
+}
+
+template <std::optional<QString> Entry::*member>
+HistoryField calibrationField(const char* name, const QString& sql)
+{
+    return {name,
+            name,
+            sql,
+            [](Statement& row, Entry& entry) { entry.*member = row.takeOptionalText(); },
+            [](const Entry& entry) { return QStringList{calibrationText(entry.*member)}; },
+            [](const Entry& entry) { return jsonText(calibrationText(entry.*member)); }};
+}
+
+HistoryField robustField()
+{
+    return {"robust",
+            "robust",
+            u"i.robust"_s,
+            [](Statement& row, Entry& entry) {
+                if (const std::optional<qint64> robust = row.takeOptionalInteger())
+                    entry.heldTo.robust = *robust != 0;
+            },
+            [](const Entry& entry) {
+                const std::optional<bool>& robust = entry.heldTo.robust;
+                return QStringList{!robust ? QString() : *robust ? u"yes"_s : u"no"_s};
+            },
+            [](const Entry& entry) {
+                return entry.heldTo.robust ? QJsonValue(*entry.heldTo.robust) : QJsonValue();
+            }};
+}
+
+HistoryField versionField()
+{
+    return {"library_version",
+            "library_version",
+            versionSql(),
+            [](Statement& row, Entry& entry) { entry.libraryVersion = row.takeOptionalInteger(); },
+            [](const Entry& entry) {
+                return QStringList{entry.libraryVersion ? QString::number(*entry.libraryVersion) : QString()};
+            },
+            [](const Entry& entry) {
+                return entry.libraryVersion ? QJsonValue(*entry.libraryVersion) : QJsonValue();
+            }};
+}
+
+/// What the measurement was worth, and what was in force then.
+std::vector<HistoryField> fieldsOfThatTime()
+{
+    return {
+        {"validity", "validity", historyValiditySql(),
+         [](Statement& row, Entry& entry) { entry.validity = validityVerdictFromString(row.takeText()); },
+         [](const Entry& entry) { return QStringList{validityText(entry)}; },
+         [](const Entry& entry) { return jsonText(validityText(entry)); }},
+        {"checks_failed", "checks_failed", u"COALESCE(i.checks_failed, '')"_s,
+         [](Statement& row, Entry& entry) {
+             entry.checksFailed = row.takeText().split(u' ', Qt::SkipEmptyParts);
+         },
+         [](const Entry& entry) { return QStringList{entry.checksFailed.join(u' ')}; },
+         [](const Entry& entry) { return QJsonValue(QJsonArray::fromStringList(entry.checksFailed)); }},
+        rateField<&HeldTo::falseReject>("false_reject_rate", u"i.false_reject"_s),
+        rateField<&HeldTo::wrongType>("wrong_type_rate", u"i.wrong_type"_s),
+        rateField<&HeldTo::strangerAccept>("stranger_accept_rate", u"i.stranger_accept"_s),
+        rateField<&HeldTo::confidence>("confidence", u"i.confidence"_s),
+        robustField(),
+        versionField(),
+        calibrationField<&Entry::forceCalibration>("force_calibration", u"g.force_calibration"_s),
+        textField<&Entry::forceCalibrationId>("force_calibration_id", u"g.force_calibration_id"_s),
+        calibrationField<&Entry::positionCalibration>("position_calibration", u"g.position_calibration"_s),
+        textField<&Entry::positionCalibrationId>("position_calibration_id", u"g.position_calibration_id"_s),
+        textField<&Entry::station>("station", u"g.station"_s),
+        {"time_local", "time_local", u"g.utc_offset_s"_s,
+         [](Statement& row, Entry& entry) { entry.utcOffset_s = row.takeOptionalInteger(); },
+         [](const Entry& entry) { return QStringList{exactTime(entry.timeThere())}; },
+         [](const Entry& entry) { return jsonText(exactTime(entry.timeThere())); }},
+        {"clock_set_back",
+         "clock_set_back",
+         {},
+         nullptr, // history_view::entries() knows
+         [](const Entry& entry) { return QStringList{setBackText(entry)}; },
+         [](const Entry& entry) { return jsonText(setBackText(entry)); }}};
 }
 
 template <double MassDampingStiffness::*member>
@@ -246,6 +367,12 @@ std::vector<HistoryColumnFacts> columnsOfTheVerdict()
                  return outcome ? QVariant(int(*outcome)) : QVariant();
              },
              historyOutcomeSql(), Need::Inspections},
+            {HistoryColumn::Validity, ColumnFormat::Validity, QT_TRANSLATE_NOOP("Words", "Validity"),
+             [](const Entry& entry) {
+                 const int place = entry.validity ? int(*entry.validity) : -1;
+                 return entry.verdict ? QVariant(place) : QVariant();
+             },
+             validityOrderSql(), Need::Inspections},
             {HistoryColumn::Expected, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Expected"),
              textOf<&Entry::expectedType>, word(u"i.expected_type"_s), Need::Inspections},
             {HistoryColumn::Type, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Type"),
@@ -283,13 +410,21 @@ std::vector<HistoryColumnFacts> columnsOfTheRecord()
         {HistoryColumn::Estimator, ColumnFormat::Estimator, QT_TRANSLATE_NOOP("Words", "Estimator"),
          textOf<&Entry::estimator>, u"e.estimator"_s, Need::Estimates},
         {HistoryColumn::Program, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Software"),
-         textOf<&Entry::program>, u"e.program"_s, Need::Estimates}};
+         textOf<&Entry::program>, programSql(), Need::Estimates | Need::Inspections},
+        {HistoryColumn::LibraryVersion, ColumnFormat::Count, QT_TRANSLATE_NOOP("Words", "Library version"),
+         [](const Entry& entry) {
+             return entry.libraryVersion ? QVariant(*entry.libraryVersion) : QVariant();
+         },
+         versionSql(), Need::Inspections},
+        {HistoryColumn::Voided, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Voided"),
+         textOf<&Entry::voided>, word(historyVoidedSql()), Need::Inspections}};
 }
 
 template <typename Row>
-std::vector<Row> together(std::vector<Row> first, std::vector<Row> second, std::vector<Row> third)
+std::vector<Row> together(std::vector<Row> first, std::vector<Row> second, std::vector<Row> third,
+                          std::vector<Row> fourth = {})
 {
-    for (std::vector<Row>* more : {&second, &third})
+    for (std::vector<Row>* more : {&second, &third, &fourth})
         first.insert(first.end(), std::make_move_iterator(more->begin()),
                      std::make_move_iterator(more->end()));
     return first;
@@ -299,7 +434,9 @@ std::vector<Row> together(std::vector<Row> first, std::vector<Row> second, std::
 
 const std::vector<HistoryField>& historyFields()
 {
-    static const auto fields = together(fieldsOfTheVerdict(), fieldsOfTheEstimate(), fieldsOfTheRecord());
+    // What came later stands behind: whoever reads the CSV counts on the order.
+    static const auto fields =
+        together(fieldsOfTheVerdict(), fieldsOfTheEstimate(), fieldsOfTheRecord(), fieldsOfThatTime());
     return fields;
 }
 

@@ -35,6 +35,7 @@ enum class ColumnFormat {
     Time,
     Kind,
     Outcome,
+    Validity, ///< of an inspection; -1 where it was not recorded
     Probability,
     Quantity,
     Percent,

@@ -59,6 +59,24 @@ Expected<LedgerHead> head(Database& database, const QString& chain)
     return head;
 }
 
+Expected<std::optional<ChainEnd>> birth(Database& database)
+{
+    std::optional<ChainEnd> first;
+    // Not by its time: the clock of a station that came later may be behind.
+    Statement query(
+        database, readingLedger(),
+        u"SELECT chain, number, hash FROM ledger ORDER BY %1 LIMIT 1"_s.arg(Database::orderOfInsertion()));
+    const auto done = query.forEach([&](Statement& row) {
+        first.emplace();
+        first->chain = row.takeText();
+        first->links = row.takeInteger();
+        first->hash = row.takeBytes();
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return first;
+}
+
 Expected<QByteArray> hashOf(Database& database, const QString& chain, qint64 number)
 {
     QByteArray hash;
@@ -67,6 +85,30 @@ Expected<QByteArray> hashOf(Database& database, const QString& chain, qint64 num
     if (auto done = query.forEach([&](Statement& row) { hash = row.takeBytes(); }); !done)
         return tl::unexpected(done.error());
     return hash;
+}
+
+LinkHash hashesOf(Database& database)
+{
+    return [&database](const QString& chain, qint64 number) {
+        return hashOf(database, chain, number).value_or(QByteArray());
+    };
+}
+
+Expected<std::map<QString, ChainEnd>> ends(Database& database)
+{
+    std::map<QString, ChainEnd> ends;
+    // From chain to chain by the key, since there may be millions of links.
+    for (QString chain;;) {
+        QString next;
+        Statement query(database, readingLedger(),
+                        u"SELECT chain FROM ledger WHERE chain > ? ORDER BY chain LIMIT 1"_s);
+        RETURN_IF_ERROR(query.bind(chain).forEach([&](Statement& row) { next = row.takeText(); }));
+        if (next.isEmpty())
+            return ends;
+        ASSIGN_OR_RETURN(const LedgerHead last, head(database, next));
+        ends[next] = {next, last.links, last.hash};
+        chain = next;
+    }
 }
 
 Expected<void> forEach(Database& database, const std::function<void(const LedgerLink&)>& take)

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/library/ledger/ledger_link.h"
+#include "core/library/ledger/library_witness.h"
 
 #include <functional>
 
@@ -14,8 +15,14 @@ namespace gripscope::ledger_table {
 
 [[nodiscard]] Expected<void> insert(Database& database, const LedgerLink& link);
 [[nodiscard]] Expected<LedgerHead> head(Database& database, const QString& chain);
+/// The link that was put in first, of whatever chain, which never changes; nothing where there is none yet.
+[[nodiscard]] Expected<std::optional<ChainEnd>> birth(Database& database);
+/// Where each chain ends, by name.
+[[nodiscard]] Expected<std::map<QString, ChainEnd>> ends(Database& database);
 /// The hash of a link as stored; empty when there is none.
 [[nodiscard]] Expected<QByteArray> hashOf(Database& database, const QString& chain, qint64 number);
+/// The same for settleRestore(); empty also where the ledger cannot be read.
+[[nodiscard]] LinkHash hashesOf(Database& database);
 /// Chain by chain, each from its first link. A link that cannot be read ends it with an error.
 [[nodiscard]] Expected<void> forEach(Database& database, const std::function<void(const LedgerLink&)>& take);
 

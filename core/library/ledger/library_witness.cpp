@@ -2,6 +2,7 @@
 #include "core/library/ledger/library_witness.h"
 
 #include "core/base/bounded_file.h"
+#include "core/base/words.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -21,19 +22,55 @@ namespace {
 constexpr int lockTimeout_ms = 2000; ///< the file takes milliseconds to write
 constexpr auto lockSuffix = ".lock"_L1;
 
+QJsonObject toJson(const ChainEnd& end)
+{
+    return {{u"links"_s, end.links}, {u"hash"_s, QString::fromLatin1(end.hash.toHex())}};
+}
+
+/// What both the library and a backup end with.
+void putEnds(QJsonObject& document, const std::optional<AuditHead>& audit,
+             const std::map<QString, ChainEnd>& ends)
+{
+    if (audit) {
+        document.insert(u"entries"_s, audit->entries);
+        document.insert(u"hash"_s, audit->hash);
+    }
+    QJsonObject chains;
+    for (const auto& [name, end] : ends)
+        chains.insert(name, toJson(end));
+    if (!chains.isEmpty())
+        document.insert(u"chains"_s, chains);
+}
+
+std::optional<AuditHead> auditFrom(const QJsonObject& document)
+{
+    const AuditHead audit{document.value(u"entries"_s).toInteger(), document.value(u"hash"_s).toString()};
+    return audit.entries > 0 && !audit.hash.isEmpty() ? std::optional(audit) : std::nullopt;
+}
+
+std::map<QString, ChainEnd> chainsFrom(const QJsonObject& document)
+{
+    std::map<QString, ChainEnd> ends;
+    const QJsonObject chains = document.value(u"chains"_s).toObject();
+    for (auto chain = chains.begin(); chain != chains.end(); ++chain) {
+        const QJsonObject end = chain.value().toObject();
+        const QByteArray hash = QByteArray::fromHex(end.value(u"hash"_s).toString().toLatin1());
+        const qint64 links = end.value(u"links"_s).toInteger();
+        if (links > 0 && !hash.isEmpty())
+            ends[chain.key()] = {chain.key(), links, hash};
+    }
+    return ends;
+}
+
 QJsonObject toJson(const LibraryWitness& witness, const QString& libraryFile)
 {
     QJsonObject document{{u"library"_s, QFileInfo(libraryFile).absoluteFilePath()}};
-    if (witness.audit) {
-        document.insert(u"entries"_s, witness.audit->entries);
-        document.insert(u"hash"_s, witness.audit->hash);
+    putEnds(document, witness.audit, witness.chains);
+    if (witness.announced) {
+        QJsonObject announced{{u"told_by"_s, witness.announced->told.chain}};
+        putEnds(announced, witness.announced->audit, witness.announced->chains);
+        document.insert(u"restore"_s, announced);
     }
-    QJsonObject chains;
-    for (const auto& [name, end] : witness.chains)
-        chains.insert(
-            name, QJsonObject{{u"links"_s, end.links}, {u"hash"_s, QString::fromLatin1(end.hash.toHex())}});
-    if (!chains.isEmpty())
-        document.insert(u"chains"_s, chains);
     return document;
 }
 
@@ -60,22 +97,32 @@ LibraryWitness readWitness(const QString& libraryFile)
     LibraryWitness witness;
     const auto bytes = readBounded(witnessFile(libraryFile), megabyte);
     const QJsonObject known = bytes ? QJsonDocument::fromJson(*bytes).object() : QJsonObject();
-    const AuditHead audit{known.value(u"entries"_s).toInteger(), known.value(u"hash"_s).toString()};
-    if (audit.entries > 0 && !audit.hash.isEmpty())
-        witness.audit = audit;
-    const QJsonObject chains = known.value(u"chains"_s).toObject();
-    for (auto chain = chains.begin(); chain != chains.end(); ++chain) {
-        const QJsonObject end = chain.value().toObject();
-        const QByteArray hash = QByteArray::fromHex(end.value(u"hash"_s).toString().toLatin1());
-        const qint64 links = end.value(u"links"_s).toInteger();
-        if (links > 0 && !hash.isEmpty())
-            witness.chains[chain.key()] = {chain.key(), links, hash};
+    witness.audit = auditFrom(known);
+    witness.chains = chainsFrom(known);
+    const QJsonObject announced = known.value(u"restore"_s).toObject();
+    AnnouncedRestore restore{{}, chainsFrom(announced), auditFrom(announced)};
+    const auto told = restore.chains.find(announced.value(u"told_by"_s).toString());
+    if (told != restore.chains.end()) {
+        restore.told = told->second;
+        witness.announced = std::move(restore);
     }
     return witness;
 }
 
+void settleRestore(LibraryWitness& witness, const LinkHash& hashOf)
+{
+    if (!witness.announced)
+        return;
+    const ChainEnd& told = witness.announced->told;
+    if (hashOf(told.chain, told.links) != told.hash)
+        return;
+    witness.chains = witness.announced->chains;
+    witness.audit = witness.announced->audit;
+    witness.announced.reset();
+}
+
 void tellWitness(const QString& libraryFile, const LibraryWitness& news,
-                 const std::function<bool(const LibraryWitness&)>& fits)
+                 const std::function<bool(LibraryWitness&)>& fits)
 {
     const QString name = witnessFile(libraryFile);
     QDir().mkpath(QFileInfo(name).path());
@@ -91,6 +138,23 @@ void tellWitness(const QString& libraryFile, const LibraryWitness& news,
         if (known.chains[chain].links < end.links)
             known.chains[chain] = end;
     static_cast<void>(write(name, toJson(known, libraryFile)));
+}
+
+Expected<void> announceRestore(const QString& libraryFile, const QString& keptAs,
+                               const AnnouncedRestore& restore)
+{
+    const QString name = witnessFile(libraryFile);
+    QDir().mkpath(QFileInfo(name).path());
+    QLockFile lock(name + lockSuffix);
+    if (!lock.tryLock(lockTimeout_ms))
+        return failure(ErrorCode::FileUnwritable, {name, Words::tr("another program keeps it locked")});
+    LibraryWitness known = readWitness(libraryFile);
+    known.announced.reset(); // an older one that came to nothing
+    const bool kept = known.empty() || write(witnessFile(keptAs), toJson(known, keptAs));
+    known.announced = restore;
+    if (!kept || !write(name, toJson(known, libraryFile)))
+        return failure(ErrorCode::FileUnwritable, {name, Words::tr("it cannot be written")});
+    return {};
 }
 
 PassingLibrary::~PassingLibrary()

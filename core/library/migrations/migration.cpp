@@ -18,6 +18,12 @@ QString bringingUpToDate()
     return Words::tr("be brought up to date");
 }
 
+/// Of a step after the ledger: its own entry at least.
+Expected<void> enterNewRows(Database& database)
+{
+    return continueLedger(database).map([](const std::optional<ChainEnd>&) {});
+}
+
 Expected<void> checkApplied(Database& database, const std::vector<Migration>& steps)
 {
     QString changed;
@@ -111,6 +117,18 @@ const std::vector<Migration>& migrations()
         step(11, QT_TRANSLATE_NOOP("Words", "policies"), migrationScript11),
         step(12, QT_TRANSLATE_NOOP("Words", "the ledger of all rows, and their order"), migrationScript12,
              enterFoundRows),
+        step(13, QT_TRANSLATE_NOOP("Words", "what was in force when a part was judged"), migrationScript13,
+             enterNewRows),
+        step(14, QT_TRANSLATE_NOOP("Words", "what is not approved is not judged"), migrationScript14,
+             approveFoundTypes),
+        step(15, QT_TRANSLATE_NOOP("Words", "inspections that do not count, and part numbers"),
+             migrationScript15, enterNewRows),
+        step(16, QT_TRANSLATE_NOOP("Words", "tallies of inspections, and recordings stored once"),
+             migrationScript16, enterNewRows),
+        step(17, QT_TRANSLATE_NOOP("Words", "certificates of calibrations"), migrationScript17, enterNewRows),
+        step(18, QT_TRANSLATE_NOOP("Words", "what the history is found by"), migrationScript18, enterNewRows),
+        step(19, QT_TRANSLATE_NOOP("Words", "the clock that a squeeze was recorded by"), migrationScript19,
+             enterNewRows),
     };
     return steps;
 }

@@ -53,5 +53,15 @@ extern const char* const migrationScript9;
 extern const char* const migrationScript10;
 extern const char* const migrationScript11;
 extern const char* const migrationScript12;
+extern const char* const migrationScript13;
+extern const char* const migrationScript14;
+
+/// Of step 14: see its script. Each is a version of the library.
+[[nodiscard]] Expected<void> approveFoundTypes(Database& database);
+extern const char* const migrationScript15;
+extern const char* const migrationScript16;
+extern const char* const migrationScript17;
+extern const char* const migrationScript18;
+extern const char* const migrationScript19;
 
 } // namespace gripscope

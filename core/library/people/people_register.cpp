@@ -103,6 +103,7 @@ Expected<std::vector<Person>> PeopleRegister::all() const
 {
     ASSIGN_OR_RETURN(const auto rows, person_table::all(*m_database));
     std::vector<Person> people;
+    people.reserve(rows.size());
     for (const PersonRow& row : rows)
         people.push_back(row.person);
     return people;
@@ -127,7 +128,7 @@ Expected<ArmingPolicy> PeopleRegister::arming() const
     return policy_table::arming(*m_database);
 }
 
-Expected<void> PeopleRegister::setArming(ArmingPolicy policy)
+Expected<void> PeopleRegister::setArming(ArmingPolicy policy, const QString& reason)
 {
     return writeTo<void>(*m_database, changing(), [&]() -> Expected<void> {
         RETURN_IF_ERROR(requirePermission(*m_database, Permission::ManagePeople));
@@ -138,7 +139,28 @@ Expected<void> PeopleRegister::setArming(ArmingPolicy policy)
         return audit_table::append(*m_database,
                                    {QString::fromUtf16(audit_action::armingPolicy),
                                     {},
+                                    reason,
+                                    {{u"from"_s, toString(before)}, {u"to"_s, toString(policy)}}});
+    });
+}
+
+Expected<ApprovalPolicy> PeopleRegister::approval() const
+{
+    return policy_table::approval(*m_database);
+}
+
+Expected<void> PeopleRegister::setApproval(ApprovalPolicy policy, const QString& reason)
+{
+    return writeTo<void>(*m_database, changing(), [&]() -> Expected<void> {
+        RETURN_IF_ERROR(requirePermission(*m_database, Permission::ManagePeople));
+        ASSIGN_OR_RETURN(const auto before, policy_table::approval(*m_database));
+        if (before == policy)
+            return {};
+        RETURN_IF_ERROR(policy_table::insertApproval(*m_database, policy));
+        return audit_table::append(*m_database,
+                                   {QString::fromUtf16(audit_action::approvalPolicy),
                                     {},
+                                    reason,
                                     {{u"from"_s, toString(before)}, {u"to"_s, toString(policy)}}});
     });
 }
@@ -175,7 +197,8 @@ Expected<Person> PeopleRegister::add(const QString& name, Role role, const Secre
     });
 }
 
-Expected<void> PeopleRegister::change(const QString& personId, const PersonRow& next, const char16_t* action)
+Expected<void> PeopleRegister::change(const QString& personId, const PersonRow& next, const char16_t* action,
+                                      const QString& reason)
 {
     ASSIGN_OR_RETURN(const auto people, person_table::all(*m_database));
     RETURN_IF_ERROR(requireSupervisorLeft(people, next));
@@ -186,17 +209,17 @@ Expected<void> PeopleRegister::change(const QString& personId, const PersonRow& 
     RETURN_IF_ERROR(person_table::insert(*m_database, row));
     return audit_table::append(
         *m_database,
-        {QString::fromUtf16(action), row.person.name, {}, {{u"role"_s, toString(row.person.role)}}});
+        {QString::fromUtf16(action), row.person.name, reason, {{u"role"_s, toString(row.person.role)}}});
 }
 
-Expected<void> PeopleRegister::setRole(const QString& personId, Role role)
+Expected<void> PeopleRegister::setRole(const QString& personId, Role role, const QString& reason)
 {
     return writeTo<void>(*m_database, changing(), [&]() -> Expected<void> {
         ASSIGN_OR_RETURN(auto row, personToManage(*m_database, personId));
         if (row.person.role == role)
             return {};
         row.person.role = role;
-        return change(personId, row, audit_action::personRole);
+        return change(personId, row, audit_action::personRole, reason);
     });
 }
 

@@ -32,10 +32,14 @@ public:
     /// Who may arm the gripper, where people are in the library.
     [[nodiscard]] Expected<ArmingPolicy> arming() const;
     /// For who may manage people.
-    [[nodiscard]] Expected<void> setArming(ArmingPolicy policy);
+    [[nodiscard]] Expected<void> setArming(ArmingPolicy policy, const QString& reason = {});
+    /// Who may approve a type, where people are in the library.
+    [[nodiscard]] Expected<ApprovalPolicy> approval() const;
+    /// For who may manage people.
+    [[nodiscard]] Expected<void> setApproval(ApprovalPolicy policy, const QString& reason = {});
 
     [[nodiscard]] Expected<Person> add(const QString& name, Role role, const Secret& secret);
-    [[nodiscard]] Expected<void> setRole(const QString& personId, Role role);
+    [[nodiscard]] Expected<void> setRole(const QString& personId, Role role, const QString& reason = {});
     /// By a supervisor, or by the person, who is signed in. Ends a wait after wrong tries.
     [[nodiscard]] Expected<void> setSecret(const QString& personId, const Secret& secret);
     [[nodiscard]] Expected<void> setActive(const QString& personId, bool active);
@@ -52,7 +56,7 @@ private:
     [[nodiscard]] Expected<Authority> check(const QString& personId, const Secret& secret,
                                             const std::optional<Permission>& permission);
     [[nodiscard]] Expected<void> change(const QString& personId, const PersonRow& next,
-                                        const char16_t* action);
+                                        const char16_t* action, const QString& reason = {});
     Database* m_database;
 };
 

@@ -18,11 +18,40 @@ bool HistoryQuery::everything() const
     return *this == open;
 }
 
+HistoryCounts& HistoryCounts::operator+=(const HistoryCounts& other)
+{
+    for (qint64 HistoryCounts::*count :
+         {&HistoryCounts::inspections, &HistoryCounts::enrolled, &HistoryCounts::asExpected,
+          &HistoryCounts::otherType, &HistoryCounts::unknown, &HistoryCounts::inconclusive,
+          &HistoryCounts::notValid, &HistoryCounts::knownType, &HistoryCounts::unasked,
+          &HistoryCounts::suspect, &HistoryCounts::voided})
+        this->*count += other.*count;
+    return *this;
+}
+
 std::optional<InspectionOutcome> HistoryEntry::outcome() const
 {
     if (!verdict)
         return {};
     return inspectionOutcome(*verdict, type, expectedType);
+}
+
+QString HistoryEntry::outcomeName() const
+{
+    const std::optional<InspectionOutcome> found = outcome();
+    if (found == InspectionOutcome::AsExpected && expectedType.isEmpty())
+        return u"known_type"_s;
+    return found ? toString(*found) : QString();
+}
+
+QDateTime HistoryEntry::timeThere() const
+{
+    return utcOffset_s ? time.toOffsetFromUtc(int(*utcOffset_s)) : QDateTime();
+}
+
+bool HistoryEntry::suspect() const
+{
+    return validity == ValidityVerdict::Suspect && verdict && *verdict != VerdictKind::Invalid;
 }
 
 std::optional<double> HistoryEntry::tellingPosterior() const

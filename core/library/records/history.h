@@ -3,6 +3,8 @@
 
 #include "core/identification/identification.h"
 #include "core/identification/model/estimate.h"
+#include "core/library/records/clock_step.h"
+#include "core/library/records/yield.h"
 #include "core/recognition/verdict/inspection_outcome.h"
 
 #include <QDateTime>
@@ -12,6 +14,7 @@
 #include <QStringList>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +72,7 @@ enum class HistoryColumn {
     Time,
     Kind,
     Outcome,
+    Validity,
     Expected,
     Type,
     Posterior,
@@ -81,18 +85,21 @@ enum class HistoryColumn {
     Device,
     Batch,
     Estimator,
-    Program
+    Program,
+    LibraryVersion,
+    Voided
 };
 
 /// Which squeezes, and in which order. What is empty lets everything through.
 struct HistoryQuery {
-    /// Contained in number, type, expected type, operator, gripper, batch, source or part; case does not
-    /// matter.
+    /// Contained in number, type, expected type, operator, gripper, batch, source, part or part number; case
+    /// does not matter (of the letters A to Z).
     QString text = {};
     std::optional<SqueezeKind> kind = {};
     std::optional<InspectionOutcome> outcome = {};
-    QString type = {};     ///< named, or enrolled in
-    QString expected = {}; ///< an inspection's
+    std::optional<ValidityVerdict> validity = {}; ///< of an inspection's measurement
+    QString type = {};                            ///< named, or enrolled in
+    QString expected = {};                        ///< an inspection's
     QString operatorName = {};
     QString device = {};          ///< as HistoryChoices has them
     QString batch = {};           ///< by name
@@ -104,17 +111,37 @@ struct HistoryQuery {
     friend bool operator==(const HistoryQuery&, const HistoryQuery&) = default;
 };
 
+/// What a verdict was held to when it was made. Rows from before hold less: what is empty was not recorded,
+/// but for the confidence beside a strangerAccept: the false-reject rate held on average then.
+struct HeldTo {
+    std::optional<double> falseReject, wrongType, strangerAccept, confidence;
+    std::optional<bool> robust;
+    friend bool operator==(const HeldTo&, const HeldTo&) = default;
+};
+
 /// One squeeze as a list shows it.
 struct HistoryEntry {
     QString graspId;
     SqueezeKind kind = SqueezeKind::Inspection;
     QDateTime time;
-    qint64 number = 0; ///< of an inspection; 0: none
+    QString station;                       ///< whose clock it was
+    std::optional<qint64> utcOffset_s;     ///< of that clock then; nothing where that was not recorded
+    std::optional<ClockStep> clockSetBack; ///< found since: the time may be one of a wrong clock
+    qint64 number = 0;                     ///< of an inspection; 0: none
     QString expectedType, type, nearest;
     Finding reason;
     std::optional<VerdictKind> verdict; ///< of an inspection
     std::optional<double> posterior, distance, gate, seconds;
-    std::optional<double> falseReject, wrongType; ///< rates that the verdict was held to
+    HeldTo heldTo;
+    /// What the measurement of an inspection is worth; nothing where that was not recorded.
+    std::optional<ValidityVerdict> validity;
+    QStringList checksFailed; ///< ids of the validity checks
+    /// The version of the library whose types it was judged by, or that an enrolled squeeze made.
+    std::optional<qint64> libraryVersion;
+    /// By which calibration the channel was corrected, for heardCalibration(); empty: by none. Nothing where
+    /// that was not recorded. Then their keys in the library.
+    std::optional<QString> forceCalibration, positionCalibration;
+    QString forceCalibrationId, positionCalibrationId;
     std::optional<MassDampingStiffness> parameters;
     std::optional<Eigen::Vector3d> standardErrors;
     std::optional<double> simulationFitPercent;
@@ -122,10 +149,19 @@ struct HistoryEntry {
     QString forceUnit, positionUnit;
     QString operatorName, device, serial, firmware, source, part;
     QString batch;        ///< the name of the one that was inspected
+    QString partNumber;   ///< of an inspection, as it was scanned
+    QString voided;       ///< why an inspection does not count; empty: it does
     bool accepted = true; ///< false once an enrolled squeeze was dropped from its type
 
     /// What an inspection showed.
     [[nodiscard]] std::optional<InspectionOutcome> outcome() const;
+    /// As exported: that of toString(), and "known_type" where a type was named and none was expected; empty
+    /// without one.
+    [[nodiscard]] QString outcomeName() const;
+    /// `time` as the station's clock showed it; not valid where its offset was not recorded.
+    [[nodiscard]] QDateTime timeThere() const;
+    /// There is a verdict, but none to rely on.
+    [[nodiscard]] bool suspect() const;
     /// Among the enrolled types only: nothing for a part that is none of them, where it would mislead.
     [[nodiscard]] std::optional<double> tellingPosterior() const;
 };
@@ -137,25 +173,53 @@ struct HistoryPoint {
     MassDampingStiffness standardErrors; ///< 0: not known
     int type = -1;                       ///< place in HistoryPoints::types; -1: of none
     std::optional<InspectionOutcome> outcome;
+    std::optional<ValidityVerdict> validity; ///< of an inspection's measurement
 };
 
-/// Those of a query that have m, b and k, in order of time whatever the order asked for.
+/// Those of a list that have m, b and k, in order of time whatever the order asked for. What was voided is
+/// not among them. Of more than a screen can show every so many-th inspection is read, by its number, and all
+/// that were enrolled: an even share of the time they took, in which a single outlier may be missing.
 struct HistoryPoints {
     std::vector<HistoryPoint> points;
-    HistoryKeys keys;                         ///< of the squeezes, in the same order
-    QStringList types;                        ///< by name
-    bool si = true;                           ///< whether all are in SI; else as they were stored
-    QMap<QString, qint64> operators, serials; ///< squeezes of each, those without m, b and k too
-    QMap<QString, QString> devices;           ///< the name of the gripper with a serial number
+    HistoryKeys keys;  ///< of the squeezes, in the same order
+    QStringList types; ///< by name
+    /// Of each of them, see TypeRecord::place, whether the type is approved, in use or gone; a name that no
+    /// type ever had comes after all of them.
+    std::vector<int> places;
+    bool si = true;   ///< whether all are in SI; else as they were stored
+    qint64 oneIn = 1; ///< of so many inspections one is among them
 };
 
 /// How many squeezes came out how.
 struct HistoryCounts {
     qint64 inspections = 0, enrolled = 0;
     qint64 asExpected = 0, otherType = 0, unknown = 0, inconclusive = 0, notValid = 0;
+    /// Where nothing was expected: a known type, counted in asExpected; known or unknown, so judged.
+    qint64 knownType = 0, unasked = 0;
+    qint64 suspect = 0; ///< of those with a verdict
+    qint64 voided = 0;  ///< of the inspections; in none of the outcomes
     [[nodiscard]] qint64 total() const { return inspections + enrolled; }
-    /// Inspections that judged a part.
-    [[nodiscard]] qint64 judged() const { return asExpected + otherType + unknown + inconclusive; }
+    HistoryCounts& operator+=(const HistoryCounts& other);
+    friend bool operator==(const HistoryCounts&, const HistoryCounts&) = default;
+};
+
+/// What was in force when the squeezes of a query were made.
+struct HistoryInForce {
+    struct Rates {
+        HeldTo heldTo;
+        qint64 inspections = 0;
+    };
+    std::vector<Rates> rates; ///< the most frequent first
+    /// Squeezes by their calibration, see HistoryEntry::forceCalibration; of one gripper.
+    struct Calibrations {
+        std::map<std::optional<QString>, qint64> force, position;
+    };
+    std::map<QString, Calibrations> calibrations;    ///< by the serial number of the gripper
+    std::optional<qint64> firstVersion, lastVersion; ///< of the library, of those recorded
+    qint64 withoutVersion = 0;                       ///< inspections of which it was not recorded
+    std::map<QString, qint64> programs;              ///< inspections by version; empty: not recorded
+    QMap<QString, qint64> operators, serials;        ///< squeezes of each, but for those that were voided
+    QMap<QString, QString> devices;                  ///< the name of the gripper with a serial number
 };
 
 /// What there is to choose from, by name.

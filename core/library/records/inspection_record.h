@@ -18,6 +18,9 @@ struct NewInspection {
     /// newTimeOrderedId(), so that one that is asked for again, after an answer that nobody got, is stored
     /// once. Empty: it is not asked for again.
     QString id = {};
+    /// The version of the library whose types it was judged by.
+    std::optional<qint64> libraryVersion = {};
+    QString partNumber = {}; ///< as it was scanned; empty: none
 };
 
 struct InspectionRecord {
@@ -33,6 +36,8 @@ struct InspectionRecord {
     double seconds = 0;
     QString batch = {};   ///< the name of its batch; empty: of none
     bool suspect = false; ///< so was its measurement
+    QString partNumber = {};
+    QString voided = {}; ///< why it does not count; empty: it does
 };
 
 struct HistoryFilter {
@@ -42,12 +47,20 @@ struct HistoryFilter {
 
 /// Valid squeezes of parts that were said to be of one type.
 struct ExpectedCounts {
-    qint64 squeezes = 0, otherType = 0, unknown = 0;
+    qint64 squeezes = 0, otherType = 0, unknown = 0, inconclusive = 0;
+    [[nodiscard]] qint64 judged() const { return squeezes - inconclusive; }
+    [[nodiscard]] qint64 asExpected() const { return judged() - otherType - unknown; }
 };
 
+/// Those that were voided are counted as that, and as nothing else.
 struct InspectionCounts {
     qint64 total = 0, asExpected = 0, otherType = 0, unknown = 0, inconclusive = 0, invalid = 0;
     QMap<QString, ExpectedCounts> expected = {}; ///< by the type that was expected
+    qint64 voided = 0;
+    /// Where nothing was expected: a known type, counted in asExpected; known or unknown, so judged.
+    qint64 knownType = 0, unasked = 0;
+    /// Parts that were judged: neither inconclusive nor not valid.
+    [[nodiscard]] qint64 judged() const { return asExpected + otherType + unknown; }
 };
 
 } // namespace gripscope

@@ -40,6 +40,13 @@ QString squeezes(int count)
     return count == 1 ? Words::tr("1 squeeze") : Words::tr("%1 squeezes").arg(count);
 }
 
+/// The change of squeezes, and what follows from it.
+QString withApproval(const QString& words, const LibraryChange& change)
+{
+    return change.other == QString::fromUtf16(approvalVoid) ? Words::tr("%1 Its approval is void.").arg(words)
+                                                            : words;
+}
+
 } // namespace
 
 QString toString(ChangeKind kind)
@@ -89,11 +96,12 @@ QString inWords(const LibraryChange& change)
     case ChangeKind::NewType:
         return Words::tr("%1 was added as a new type.").arg(type);
     case ChangeKind::Squeeze:
-        return Words::tr("%1 was enrolled with %2 more.").arg(type, squeezes(change.squeezes));
+        return withApproval(Words::tr("%1 was enrolled with %2 more.").arg(type, squeezes(change.squeezes)),
+                            change);
     case ChangeKind::Drop:
-        return Words::tr("%2 of %1 was dropped.").arg(type, squeezes(change.squeezes));
+        return withApproval(Words::tr("%2 of %1 was dropped.").arg(type, squeezes(change.squeezes)), change);
     case ChangeKind::Undrop:
-        return Words::tr("%2 of %1 counts again.").arg(type, squeezes(change.squeezes));
+        return withApproval(Words::tr("%2 of %1 counts again.").arg(type, squeezes(change.squeezes)), change);
     case ChangeKind::Recipe:
         return Words::tr("The recipe of %1 was changed.").arg(type);
     case ChangeKind::Approve:

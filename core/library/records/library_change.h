@@ -35,21 +35,26 @@ struct ChangeNote {
     QString operatorName, reason;
 };
 
+/// What `other` of a change of squeezes says where the type was approved before: it no longer is.
+inline constexpr char16_t approvalVoid[] = u"approval void";
+
 struct LibraryChange {
     qint64 version = 0;
     QDateTime changed;
     QString station;
     ChangeKind kind = ChangeKind::NewType;
-    QString type;     ///< its name before the change; empty where all types are meant
-    QString other;    ///< the new name, the type it went into, the new type, its code, the version restored
+    QString type; ///< its name before the change; empty where all types are meant
+    /// The new name, the type it went into, the new type, its code, the version restored; approvalVoid.
+    QString other;
     int squeezes = 0; ///< as many were added, dropped or moved
     QString operatorName, reason;
 };
 /// "Cola was merged into Pepsi, with 10 squeezes."
 [[nodiscard]] QString inWords(const LibraryChange& change);
 
-/// Enrolled and approved types are recognised. A retired one is kept and can be put back into use; one that
-/// is gone was merged into another, or is of a later version than the one that was restored.
+/// Approved types are recognised; enrolled ones wait for approval: new ones, and those that hold other
+/// squeezes than were approved. A retired one is kept and can be put back into use; one that is gone was
+/// merged into another, or is of a later version than the one that was restored.
 enum class TypeStatus { Enrolled, Approved, Retired, Gone };
 [[nodiscard]] QString toString(TypeStatus status);
 [[nodiscard]] std::optional<TypeStatus> typeStatusFromString(const QString& text);

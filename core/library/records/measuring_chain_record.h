@@ -14,7 +14,8 @@ struct NewMeasuringChain {
     double forceLag_s = 0; ///< how much later the position channel samples than the force channel
     MeasuringChain chain;
     QString operatorName;
-    QString basis; ///< how it was measured, in words
+    QString basis;       ///< how it was measured, in words
+    QString reason = {}; ///< why it is to hold from now on; of the audit trail
 };
 
 struct MeasuringChainRecord : NewMeasuringChain {

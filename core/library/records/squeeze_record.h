@@ -20,9 +20,13 @@ struct NewGrasp {
     QString forceUnit, positionUnit;
     QString source; ///< file or device it came from
     QString operatorName;
-    QJsonObject identification; ///< the whole identify document, for audit; may be empty
-    QString part = {};          ///< which part of the type it was, as the operator calls it; may be empty
-    QDateTime recorded = {};    ///< now where it is not valid
+    QJsonObject identification;  ///< the whole identify document, for audit; may be empty
+    QString part = {};           ///< which part of the type it was, as the operator calls it; may be empty
+    QDateTime recorded = {};     ///< now where it is not valid
+    QString draftSqueezeId = {}; ///< under which its recording may be in the library already; may be empty
+    /// By how much the station's clock was ahead of UTC then; that of now where `recorded` is not valid.
+    std::optional<qint64> utcOffset_s = {};
+    QString program = {}; ///< the version that identified and judged it; empty: the one that stores it
 };
 
 struct GraspRecord {

@@ -27,6 +27,7 @@ struct TypeRecord {
     TypeStatus status = TypeStatus::Enrolled;
     int recipeVersion = 1; ///< its recipes are numbered from 1
     QString code = {};     ///< what a scanner reads on its parts (a GTIN...); empty: none
+    int place = 0; ///< among all types there ever were, by when they came: its sign and colour, for life
 };
 
 } // namespace gripscope

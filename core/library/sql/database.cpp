@@ -61,21 +61,50 @@ QString inWords(const QSqlError& error)
     }
 }
 
+/// So many as tell what kind of file it is; none of a library that this program has open.
+Expected<QByteArray> firstBytes(const QString& name)
+{
+    Expected<QByteArray> bytes;
+    FileInUse::unlessInUse(name, [&] {
+        QFile file(name);
+        bytes = openRegular(file).map([&file] { return file.read(16); });
+    });
+    return bytes;
+}
+
+bool areOfAnotherKind(const QByteArray& head)
+{
+    return !head.isEmpty() && head != QByteArray("SQLite format 3\0", 16);
+}
+
 /// Looks at the first bytes, so that a file of another kind is refused before SQLite touches it.
 std::optional<QString> reasonNotToOpen(const QString& name)
 {
     if (name.isEmpty())
         return Words::tr("no file is named");
-    const QFileInfo info(name);
-    if (!info.exists())
+    if (!QFileInfo::exists(name))
         return {};
-    QFile file(name);
-    if (const Expected<void> opened = openRegular(file); !opened)
-        return opened.error().argument(1);
-    const QByteArray head = file.read(16);
-    if (!head.isEmpty() && head != QByteArray("SQLite format 3\0", 16))
+    const Expected<QByteArray> head = firstBytes(name);
+    if (!head)
+        return head.error().argument(1);
+    if (areOfAnotherKind(*head))
         return Words::tr("it is not a library but a file of another kind");
     return {};
+}
+
+/// What is half written is mended in a copy, not in place. False where this program has it open: nothing is.
+Expected<bool> copyParts(const QString& file, const QString& copy)
+{
+    Expected<bool> copied = false;
+    FileInUse::unlessInUse(file, [&] {
+        copied = true;
+        for (const QString& part : {u""_s, u"-wal"_s, u"-journal"_s})
+            if (copied && QFileInfo::exists(file + part) && !QFile::copy(file + part, copy + part))
+                copied =
+                    failure(ErrorCode::StorageOpen,
+                            {file, Words::tr("there is no room for the copy that it has to be read from")});
+    });
+    return copied;
 }
 
 QString uniqueConnectionName()
@@ -121,18 +150,27 @@ Database::~Database()
     m_connection.close();
     m_connection = {}; // the last handle has to be gone before the name is given back
     QSqlDatabase::removeDatabase(name);
+    m_inUse.reset();
 }
 
-Expected<std::unique_ptr<Database>> Database::connect(const QString& file, const QString& name,
-                                                      const QString& options)
+Expected<std::unique_ptr<Database>> Database::connect(const QString& file, const QString& place,
+                                                      const QString& parameters)
 {
     if (!QSqlDatabase::isDriverAvailable(u"QSQLITE"_s))
         return failure(ErrorCode::StorageOpen, {file, Words::tr("Qt's SQLite driver is not installed")});
+    QString name = place, options = u"QSQLITE_BUSY_TIMEOUT=%1"_s.arg(busyTimeout_ms);
+    if (!parameters.isEmpty()) {
+        const QByteArray url = QUrl::fromLocalFile(QFileInfo(place).absoluteFilePath()).toEncoded();
+        name = QString::fromLatin1(url) + parameters;
+        options += u";QSQLITE_OPEN_URI;QSQLITE_OPEN_READONLY"_s;
+    }
     std::unique_ptr<Database> database(new Database(file, uniqueConnectionName()));
     database->m_connection.setDatabaseName(name);
-    database->m_connection.setConnectOptions(u"QSQLITE_BUSY_TIMEOUT=%1"_s.arg(busyTimeout_ms) + options);
+    database->m_connection.setConnectOptions(options);
+    database->m_inUse = std::make_unique<FileInUse>(place);
     if (!database->m_connection.open())
         return failure(ErrorCode::StorageOpen, {file, inWords(database->m_connection.lastError())});
+    database->m_inUse->noteNew(place);
     // With the usual 2 MB of pages a library of a hundred thousand squeezes is read from the disk again and
     // again.
     // The file may be anybody's: what its schema says is not run, and a cell that lies about its size is an
@@ -147,7 +185,7 @@ Expected<std::unique_ptr<Database>> Database::open(const QString& file)
 {
     if (const auto reason = reasonNotToOpen(file))
         return failure(ErrorCode::StorageOpen, {file, *reason});
-    ASSIGN_OR_RETURN(auto database, connect(file, file, {}));
+    ASSIGN_OR_RETURN(auto database, connect(file, file));
     RETURN_IF_ERROR(refuseForeignPrograms(*database));
     return database;
 }
@@ -158,40 +196,49 @@ Expected<std::unique_ptr<Database>> Database::openToRead(const QString& file)
         return failure(ErrorCode::StorageOpen, {file, *reason});
     if (!QFileInfo::exists(file))
         return failure(ErrorCode::StorageOpen, {file, Words::tr("there is no such file")});
+    const Written written = Written::of(file); // before it is known that nobody has it
     const bool log = QFileInfo::exists(file + u"-wal"_s);
-    const bool halfWritten = QFileInfo::exists(file + u"-journal"_s);
     const bool inUse = log && QFileInfo::exists(file + u"-shm"_s);
+    const bool halfWritten = QFileInfo::exists(file + u"-journal"_s) || (log && !inUse);
     std::unique_ptr<QTemporaryDir> copy;
-    QString place = file;
-    if (halfWritten || (log && !inUse)) { // to be read it has to be mended first: not the original
+    if (halfWritten) {
         copy = std::make_unique<QTemporaryDir>();
-        place = copy->filePath(u"copy"_s);
-        for (const QString& part : {u""_s, u"-wal"_s, u"-journal"_s})
-            if (QFileInfo::exists(file + part) && !QFile::copy(file + part, place + part))
-                return failure(
-                    ErrorCode::StorageOpen,
-                    {file, Words::tr("there is no room for the copy that it has to be read from")});
+        ASSIGN_OR_RETURN(const bool copied, copyParts(file, copy->filePath(u"copy"_s)));
+        if (!copied)
+            copy.reset();
     }
+    const QString place = copy ? copy->filePath(u"copy"_s) : file;
     const bool alone = !copy && !inUse;
-    const QString name =
-        QString::fromLatin1(QUrl::fromLocalFile(QFileInfo(place).absoluteFilePath()).toEncoded());
-    ASSIGN_OR_RETURN(auto database, copy ? connect(file, place, {})
-                                         : connect(file, name + (alone ? u"?immutable=1"_s : u"?mode=ro"_s),
-                                                   u";QSQLITE_OPEN_URI;QSQLITE_OPEN_READONLY"_s));
+    const QString readOnly = alone ? u"?immutable=1"_s : u"?mode=ro"_s;
+    ASSIGN_OR_RETURN(auto database, connect(file, place, copy ? QString() : readOnly));
     database->m_copy = std::move(copy);
-    database->m_alone = alone;
+    if (alone)
+        database->m_alone = written;
     RETURN_IF_ERROR(database->execute(u"PRAGMA query_only=ON"_s, Words::tr("be opened")));
     return database;
 }
 
+bool Database::isOfAnotherKind(const QString& file)
+{
+    const Expected<QByteArray> head = firstBytes(file);
+    return head && areOfAnotherKind(*head);
+}
+
 Expected<std::unique_ptr<Database>> Database::inMemory()
 {
-    return connect({}, u":memory:"_s, {});
+    return connect({}, u":memory:"_s);
+}
+
+Database::Written Database::Written::of(const QString& file)
+{
+    const QFileInfo info(file);
+    return {info.lastModified(), info.size()};
 }
 
 bool Database::wasWrittenMeanwhile() const
 {
-    return m_alone && QFileInfo::exists(m_file + u"-wal"_s);
+    // Who came and went has moved the log into the file, which is gone.
+    return m_alone && (QFileInfo::exists(m_file + u"-wal"_s) || Written::of(m_file) != *m_alone);
 }
 
 Expected<void> Database::prepareForWriting()
@@ -259,6 +306,17 @@ tl::unexpected<Error> Database::error(const QSqlError& error, const QString& doi
     default:
         return failure(ErrorCode::StorageFailed, {doing, inWords(error)});
     }
+}
+
+Expected<std::unique_ptr<ReadTransaction>> ReadTransaction::begin(Database& database, const QString& doing)
+{
+    RETURN_IF_ERROR(database.execute(u"BEGIN"_s, doing));
+    return std::unique_ptr<ReadTransaction>(new ReadTransaction(database, doing));
+}
+
+ReadTransaction::~ReadTransaction()
+{
+    static_cast<void>(m_database.execute(u"COMMIT"_s, m_doing)); // there is nothing that could be lost
 }
 
 Expected<std::unique_ptr<Transaction>> Transaction::begin(Database& database, const QString& doing)

@@ -3,10 +3,12 @@
 
 #include "core/base/error.h"
 #include "core/library/sql/file_identity.h"
+#include "core/library/sql/files_in_use.h"
 #include "core/library/sql/table_rows.h"
 #include "core/people/acting.h"
 #include "core/people/audit_chain.h"
 
+#include <QDateTime>
 #include <QSqlDatabase>
 #include <QString>
 #include <QStringList>
@@ -36,8 +38,11 @@ public:
     /// behind half written, is seen as it stood. Its schema may be anybody's (schemaDifferences()), and its
     /// views are not to be read before that was looked at. StorageOpen, StorageCorrupt.
     [[nodiscard]] static Expected<std::unique_ptr<Database>> openToRead(const QString& file);
-    /// Of openToRead(): nobody had it open then, and somebody has since. What was read may be of two states.
+    /// Of openToRead(): nobody had it open then, and somebody has since, or had. What was read may be of two
+    /// states.
     [[nodiscard]] bool wasWrittenMeanwhile() const;
+    /// Its first bytes are not those of a library's file.
+    [[nodiscard]] static bool isOfAnotherKind(const QString& file);
     /// An empty one that goes with its object.
     [[nodiscard]] static Expected<std::unique_ptr<Database>> inMemory();
     ~Database();
@@ -55,6 +60,15 @@ public:
     [[nodiscard]] Expected<void> execute(const QString& sql, const QString& doing);
     [[nodiscard]] Expected<QStringList> tables();
     [[nodiscard]] QString blobType() const { return QStringLiteral("BLOB"); }
+    /// What rows that are never deleted are sorted by to come in the order in which they were put in; a copy
+    /// keeps it.
+    [[nodiscard]] static QString orderOfInsertion() { return QStringLiteral("rowid"); }
+    /// The condition that a text contains what is bound, '!' before a sign that stands for itself. SQLite's
+    /// LIKE takes A to Z for a to z by itself; to lower both sides would take as long again.
+    [[nodiscard]] static QString containsSql(const QString& text)
+    {
+        return text + QStringLiteral(" LIKE ? ESCAPE '!'");
+    }
 
     /// The error as a value. `doing` completes "the library could not ...".
     [[nodiscard]] tl::unexpected<Error> error(const QSqlError& error, const QString& doing) const;
@@ -77,11 +91,20 @@ public:
     [[nodiscard]] std::map<QString, std::vector<Column>>& knownColumns() { return m_knownColumns; }
 
 private:
+    /// What of a file tells that it was written to.
+    struct Written {
+        QDateTime changed;
+        qint64 bytes = 0;
+        [[nodiscard]] static Written of(const QString& file);
+        friend bool operator==(const Written&, const Written&) = default;
+    };
     Database(QString file, const QString& name);
-    [[nodiscard]] static Expected<std::unique_ptr<Database>> connect(const QString& file, const QString& name,
-                                                                     const QString& options);
+    /// `place`: where what is called `file` is read. `parameters`: of a URI, to read only.
+    [[nodiscard]] static Expected<std::unique_ptr<Database>>
+    connect(const QString& file, const QString& place, const QString& parameters = {});
     std::unique_ptr<QTemporaryDir> m_copy; ///< holds what is read, where that is a copy
-    bool m_alone = false;
+    std::unique_ptr<FileInUse> m_inUse;
+    std::optional<Written> m_alone;         ///< as it was when nobody had it open
     std::optional<FileIdentity> m_identity; ///< from prepareForWriting() on
     QString m_file;
     QSqlDatabase m_connection;
@@ -89,6 +112,21 @@ private:
     std::optional<AuditHead> m_newAuditHead;
     std::vector<InsertedRow> m_inserted;
     std::map<QString, std::vector<Column>> m_knownColumns;
+};
+
+/// All that is read while it lives is of one state, whoever writes meanwhile.
+class ReadTransaction {
+public:
+    [[nodiscard]] static Expected<std::unique_ptr<ReadTransaction>> begin(Database& database,
+                                                                          const QString& doing);
+    ~ReadTransaction();
+    ReadTransaction(const ReadTransaction&) = delete;
+    ReadTransaction& operator=(const ReadTransaction&) = delete;
+
+private:
+    ReadTransaction(Database& database, QString doing) : m_database(database), m_doing(std::move(doing)) {}
+    Database& m_database;
+    QString m_doing;
 };
 
 /// A write transaction that takes its lock at once: one that starts as a reader and then wants to write fails

@@ -67,6 +67,20 @@ Statement& Statement::bind(qint64 number)
     return *this;
 }
 
+Statement& Statement::bindOptional(const std::optional<qint64>& number)
+{
+    m_query.addBindValue(number ? QVariant(*number) : QVariant(QMetaType::fromType<qint64>()));
+    return *this;
+}
+
+Statement& Statement::bindOptional(const std::optional<QString>& text)
+{
+    if (text)
+        return bind(*text);
+    m_query.addBindValue(QVariant(QMetaType::fromType<QString>()));
+    return *this;
+}
+
 Statement& Statement::bindBytes(const QByteArray& bytes)
 {
     m_query.addBindValue(bytes);
@@ -100,6 +114,12 @@ QString Statement::takeText()
     return m_query.value(m_column++).toString();
 }
 
+std::optional<QString> Statement::takeOptionalText()
+{
+    const QVariant value = m_query.value(m_column++);
+    return value.isNull() ? std::nullopt : std::optional(value.toString());
+}
+
 double Statement::takeReal()
 {
     return m_query.value(m_column++).toDouble();
@@ -116,6 +136,12 @@ std::optional<double> Statement::takeOptionalReal()
 qint64 Statement::takeInteger()
 {
     return m_query.value(m_column++).toLongLong();
+}
+
+std::optional<qint64> Statement::takeOptionalInteger()
+{
+    const QVariant value = m_query.value(m_column++);
+    return value.isNull() ? std::nullopt : std::optional<qint64>(value.toLongLong());
 }
 
 QByteArray Statement::takeBytes()

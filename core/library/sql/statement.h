@@ -27,15 +27,20 @@ public:
     Statement& bind(const char*) = delete;
     Statement& bindBytes(const QByteArray& bytes);
     Statement& bindOrNull(const QString& text); ///< NULL when empty
+    // NULL when there is none.
+    Statement& bindOptional(const std::optional<qint64>& number);
+    Statement& bindOptional(const std::optional<QString>& text);
 
     [[nodiscard]] Expected<void> run();
     /// Calls `row` for each row; take...() inside it. An error on the way ends it.
     [[nodiscard]] Expected<void> forEach(const std::function<void(Statement&)>& row);
 
     QString takeText();
+    std::optional<QString> takeOptionalText();
     double takeReal();
     std::optional<double> takeOptionalReal();
     qint64 takeInteger();
+    std::optional<qint64> takeOptionalInteger();
     QByteArray takeBytes();
     QDateTime takeUtc();
 

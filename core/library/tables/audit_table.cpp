@@ -32,6 +32,21 @@ AuditEntry takeAuditEntry(Statement& row)
     return entry;
 }
 
+ClockStep takeClockStep(Statement& row)
+{
+    ClockStep step;
+    step.station = row.takeText();
+    const QJsonObject details = QJsonDocument::fromJson(row.takeText().toUtf8()).object();
+    step.from = QDateTime::fromString(details[u"from"].toString(), Qt::ISODateWithMs);
+    step.to = row.takeUtc();
+    const auto number = [&details](QStringView key) {
+        return details.contains(key) ? std::optional(details[key].toInteger()) : std::nullopt;
+    };
+    step.lastInspection = number(u"last_inspection");
+    step.lastVersion = number(u"last_version");
+    return step;
+}
+
 struct NewestEntry {
     AuditHead head{0, firstPreviousHash()};
     QString station;
@@ -78,19 +93,63 @@ Expected<AuditHead> store(Database& database, const AuditHead& last, AuditEntry 
     return head;
 }
 
-/// A clock of this station that was set back is said in the trail itself: its times cannot be taken at their
-/// word from there on. Where the trail then ends.
-Expected<AuditHead> noteClock(Database& database, const NewestEntry& last, const RowStamp& stamp)
+/// When this station made its newest inspection; not valid where none of the last hundred is its own.
+Expected<QDateTime> newestInspection(Database& database, const QString& station)
+{
+    QDateTime newest;
+    Statement query(database, readingTrail(),
+                    u"SELECT inspected_utc FROM inspections WHERE number > "
+                    "(SELECT COALESCE(MAX(number), 0) FROM inspections) - 100 AND station = ? "
+                    "ORDER BY number DESC LIMIT 1"_s);
+    if (auto done = query.bind(station).forEach([&](Statement& row) { newest = row.takeUtc(); }); !done)
+        return tl::unexpected(done.error());
+    return newest;
+}
+
+/// The time that the station's clock already showed, where it is now behind that and nothing tells of it.
+Expected<std::optional<QDateTime>> shownBefore(Database& database, const NewestEntry& last,
+                                               const RowStamp& stamp)
 {
     constexpr qint64 stepFrom_s = 60; // what a time server corrects is less
     const QDateTime now = QDateTime::fromString(stamp.utc, Qt::ISODateWithMs);
-    if (last.station != stamp.station || now.secsTo(last.made) < stepFrom_s)
+    const auto ahead = [&now](const QDateTime& time) {
+        return time.isValid() && now.secsTo(time) >= stepFrom_s;
+    };
+    std::optional<QDateTime> shown;
+    if (last.station == stamp.station && ahead(last.made))
+        shown = last.made;
+    ASSIGN_OR_RETURN(const QDateTime inspected, newestInspection(database, stamp.station));
+    if (!ahead(inspected) || (shown && *shown >= inspected))
+        return shown;
+    ASSIGN_OR_RETURN(const std::vector<ClockStep> steps, clockSteps(database));
+    const bool told = std::any_of(steps.begin(), steps.end(), [&](const ClockStep& step) {
+        return step.covers(stamp.station, inspected);
+    });
+    return told ? shown : std::optional(inspected);
+}
+
+/// A clock of this station that was set back is said in the trail itself: its times cannot be taken at their
+/// word from there on. Where the trail then ends.
+Expected<AuditHead> tellStep(Database& database, const NewestEntry& last, const RowStamp& stamp)
+{
+    ASSIGN_OR_RETURN(const std::optional<QDateTime> shown, shownBefore(database, last, stamp));
+    if (!shown)
         return last.head;
     AuditEntry entry;
     entry.utc = stamp.utc;
     entry.station = entry.subject = stamp.station;
     entry.action = QString::fromUtf16(audit_action::clockBack);
-    return store(database, last.head, entry, {{u"from"_s, utcText(last.made)}, {u"to"_s, stamp.utc}});
+    QJsonObject details{{u"from"_s, utcText(*shown)}, {u"to"_s, stamp.utc}};
+    // Which squeezes were there already: their times alone would not tell once the clock has come so far
+    // again.
+    Statement query(database, readingTrail(),
+                    u"SELECT (SELECT COALESCE(MAX(number), 0) FROM inspections), "
+                    "(SELECT COALESCE(MAX(library_version), 0) FROM grasps)"_s);
+    RETURN_IF_ERROR(query.forEach([&](Statement& row) {
+        details.insert(u"last_inspection"_s, row.takeInteger());
+        details.insert(u"last_version"_s, row.takeInteger());
+    }));
+    return store(database, last.head, entry, details);
 }
 
 /// Who it was: by whose consent, who is signed in, or the name that was typed.
@@ -140,7 +199,7 @@ Expected<void> append(Database& database, const NewAuditEntry& told)
 {
     const RowStamp stamp = RowStamp::now();
     ASSIGN_OR_RETURN(const NewestEntry newestEntry, newest(database));
-    ASSIGN_OR_RETURN(const AuditHead last, noteClock(database, newestEntry, stamp));
+    ASSIGN_OR_RETURN(const AuditHead last, tellStep(database, newestEntry, stamp));
     QJsonObject details = told.details;
     AuditEntry entry;
     entry.utc = stamp.utc;
@@ -151,6 +210,21 @@ Expected<void> append(Database& database, const NewAuditEntry& told)
     entry.reason = told.reason;
     RETURN_IF_ERROR(store(database, last, entry, details));
     return {};
+}
+
+Expected<void> noteClock(Database& database)
+{
+    ASSIGN_OR_RETURN(const NewestEntry newestEntry, newest(database));
+    return tellStep(database, newestEntry, RowStamp::now()).map([](const AuditHead&) {});
+}
+
+Expected<std::vector<ClockStep>> clockSteps(Database& database)
+{
+    // The action is spelled out: there is an index of just these.
+    Statement query(database, readingTrail(),
+                    u"SELECT station, details, created_utc FROM audit_entries "
+                    "WHERE action = 'clock.back' ORDER BY number"_s);
+    return allRows(query, takeClockStep);
 }
 
 Expected<std::vector<AuditEntry>> page(Database& database, const AuditFilter& filter)

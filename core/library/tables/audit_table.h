@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/library/records/audit_filter.h"
+#include "core/library/records/clock_step.h"
 #include "core/library/sql/statement.h"
 #include "core/people/acting.h"
 #include "core/people/audit_chain.h"
@@ -23,6 +24,11 @@ namespace audit_table {
 
 /// Continues the chain. Inside the write transaction of what it tells.
 [[nodiscard]] Expected<void> append(Database& database, const NewAuditEntry& entry);
+/// Tells of the station's clock where it was set back since its last entry or inspection; append() does so
+/// too.
+[[nodiscard]] Expected<void> noteClock(Database& database);
+/// All that were told, the first first.
+[[nodiscard]] Expected<std::vector<ClockStep>> clockSteps(Database& database);
 /// Newest first.
 [[nodiscard]] Expected<std::vector<AuditEntry>> page(Database& database, const AuditFilter& filter);
 [[nodiscard]] Expected<qint64> count(Database& database, const AuditFilter& filter);

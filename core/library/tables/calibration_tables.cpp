@@ -20,7 +20,10 @@ QString readingCalibrations()
 const auto calibrationColumns =
     u"id, created_utc, gripper_serial, gripper_name, channel, unit, reference_name, "
     "reference_certificate, reference_uncertainty, reference_relative_uncertainty, degree, "
-    "points, taken_utc, due_date, operator_name, note"_s;
+    "points, taken_utc, due_date, operator_name, note, load_unit, gravity, ambient_celsius, tolerance, "
+    "decision_rule, reference_due, found_correction, check_points"_s;
+/// What only a stored one has.
+const auto storedColumns = u", station, certificate_number"_s;
 
 QString textOf(const std::vector<CalibrationPoint>& points)
 {
@@ -47,6 +50,30 @@ Expected<std::vector<CalibrationPoint>> pointsOf(const QString& text)
     return points;
 }
 
+/// In the order of calibrationColumns, from load_unit on.
+Expected<void> takeConditions(Statement& row, SensorCalibration& calibration)
+{
+    const auto corrupt = [](const QString& why) {
+        return failure(ErrorCode::StorageCorrupt, {Words::tr("A calibration"), why});
+    };
+    CalibrationConditions& conditions = calibration.conditions;
+    const std::optional<LoadUnit> loadUnit = loadUnitFromString(row.takeText());
+    conditions.gravity = row.takeOptionalReal().value_or(standardGravity);
+    conditions.ambient_C = row.takeOptionalReal();
+    conditions.tolerance = row.takeOptionalReal();
+    const std::optional<DecisionRule> rule = decisionRuleFromString(row.takeText());
+    calibration.reference.due = QDate::fromString(row.takeText(), Qt::ISODate);
+    calibration.foundCorrection = row.takeOptionalText();
+    ASSIGN_OR_RETURN(calibration.checkPoints, pointsOf(row.takeText()));
+    if (!loadUnit || !rule)
+        return corrupt(Words::tr("a unit of loads or a decision rule is none that is known"));
+    conditions.loadUnit = *loadUnit;
+    conditions.rule = *rule;
+    if (problemOf(conditions))
+        return corrupt(Words::tr("its conditions are none that there can be"));
+    return {};
+}
+
 Expected<CalibrationRecord> takeCalibration(Statement& row)
 {
     CalibrationRecord record;
@@ -66,6 +93,11 @@ Expected<CalibrationRecord> takeCalibration(Statement& row)
     record.due = QDate::fromString(row.takeText(), Qt::ISODate);
     record.operatorName = row.takeText();
     record.note = row.takeText();
+    const Expected<void> conditions = takeConditions(row, record);
+    record.station = row.takeText();
+    record.certificateNumber = row.takeInteger();
+    if (!conditions)
+        return tl::unexpected<Error>(conditions.error());
     if (!points)
         return tl::unexpected<Error>(points.error());
     if (!channel)
@@ -76,14 +108,31 @@ Expected<CalibrationRecord> takeCalibration(Statement& row)
     return record;
 }
 
+/// As takeConditions() takes them.
+void bindConditions(Statement& row, const SensorCalibration& calibration)
+{
+    const CalibrationConditions& conditions = calibration.conditions;
+    const bool masses = conditions.loadUnit != LoadUnit::Channel;
+    row.bind(toString(conditions.loadUnit));
+    row.bind(masses ? std::optional(conditions.gravity) : std::nullopt);
+    row.bind(conditions.ambient_C).bind(conditions.tolerance).bind(toString(conditions.rule));
+    row.bind(calibration.reference.due.isValid() ? calibration.reference.due.toString(Qt::ISODate) : u""_s);
+    row.bindOptional(calibration.foundCorrection).bind(textOf(calibration.checkPoints));
+}
+
 } // namespace
 
 Expected<void> insert(Database& database, const RowStamp& stamp, const SensorCalibration& calibration)
 {
-    Statement row(database, Words::tr("store the calibration"),
-                  u"INSERT INTO calibrations (station, "_s + calibrationColumns +
-                      u", serial) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "_s +
-                      nextSerial(u"calibrations"_s) + u')');
+    // The next number of this station, within the transaction: no two are alike, and as rows stay, none comes
+    // again.
+    Statement row(
+        database, Words::tr("store the calibration"),
+        u"INSERT INTO calibrations (station, "_s + calibrationColumns +
+            u", serial, certificate_number) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+            "?, ?, ?, ?, ?, ?, ?, ?, "_s +
+            nextSerial(u"calibrations"_s) +
+            u", (SELECT COALESCE(MAX(certificate_number), 0) + 1 FROM calibrations WHERE station = ?))"_s);
     row.bind(stamp.station).bind(stamp.id).bind(stamp.utc);
     row.bind(calibration.gripperSerial).bind(calibration.gripperName);
     row.bind(toString(calibration.channel)).bind(calibration.unit);
@@ -92,13 +141,14 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const SensorCal
     row.bind(calibration.degree).bind(textOf(calibration.points));
     row.bind(utcText(calibration.takenUtc)).bind(calibration.due.toString(Qt::ISODate));
     row.bind(calibration.operatorName).bind(calibration.note);
-    return row.run();
+    bindConditions(row, calibration);
+    return row.bind(stamp.station).run();
 }
 
 Expected<std::vector<CalibrationRecord>> read(Database& database, const QString& gripperSerial, int limit)
 {
     Statement query(database, readingCalibrations(),
-                    u"SELECT "_s + calibrationColumns +
+                    u"SELECT "_s + calibrationColumns + storedColumns +
                         u" FROM calibrations WHERE ? IN ('', gripper_serial) "
                         "ORDER BY "_s +
                         newestFirst + u" LIMIT ?"_s);
@@ -111,7 +161,7 @@ Expected<CalibrationsInForce> inForce(Database& database, const QString& gripper
     CalibrationsInForce found;
     for (const SensorChannel channel : {SensorChannel::Force, SensorChannel::Position}) {
         Statement query(database, readingCalibrations(),
-                        u"SELECT "_s + calibrationColumns +
+                        u"SELECT "_s + calibrationColumns + storedColumns +
                             u" FROM calibrations WHERE gripper_serial = ? AND channel = ? "
                             "ORDER BY "_s +
                             newestFirst + u" LIMIT 1"_s);

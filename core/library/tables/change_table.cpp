@@ -17,7 +17,8 @@ QString readingVersions()
     return Words::tr("read its versions");
 }
 
-/// Every version is an entry of the audit trail, too.
+/// Every version is an entry of the audit trail, too, but for those by which an earlier library was brought
+/// up to date (migration 14): the ledger tells of these, and nobody did them.
 Expected<void> audit(Database& database, const LibraryChange& change, qint64 version)
 {
     NewAuditEntry entry;
@@ -26,7 +27,9 @@ Expected<void> audit(Database& database, const LibraryChange& change, qint64 ver
     entry.reason = change.reason;
     entry.operatorName = change.operatorName;
     entry.details = {{u"version"_s, version}};
-    if (!change.other.isEmpty())
+    if (change.other == QString::fromUtf16(approvalVoid))
+        entry.details.insert(u"approval_void"_s, true);
+    else if (!change.other.isEmpty())
         entry.details.insert(u"other"_s, change.other);
     if (change.squeezes != 0)
         entry.details.insert(u"squeezes"_s, change.squeezes);

@@ -80,13 +80,18 @@ std::optional<Eigen::Vector3d> takeStandardErrors(Statement& row)
     return Eigen::Vector3d(std::sqrt(*m), std::sqrt(*b), std::sqrt(*k));
 }
 
+QString programOf(const NewGrasp& grasp)
+{
+    return grasp.program.isEmpty() ? QStringLiteral(GRIPSCOPE_VERSION) : grasp.program;
+}
+
 Expected<void> insert(Database& database, const RowStamp& stamp, const QString& graspId, int rank,
-                      const Estimate& estimate)
+                      const Estimate& estimate, const QString& program)
 {
     Statement row(database, Words::tr("store the estimate"), insertSql);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(graspId).bind(rank);
     row.bind(toString(estimate.estimator)).bind(toString(estimate.status));
-    row.bind(estimate.message.english()).bind(QStringLiteral(GRIPSCOPE_VERSION));
+    row.bind(estimate.message.english()).bind(program);
     bindParameters(row, estimate);
     row.bind(estimate.fit.simulationPercent).bind(estimate.fit.predictionPercent);
     row.bind(estimate.residuals.sse).bind(estimate.residuals.degreesOfFreedom);

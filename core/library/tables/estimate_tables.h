@@ -11,9 +11,11 @@ namespace gripscope::estimate_table {
 /// The next three columns, variances, as standard errors.
 [[nodiscard]] std::optional<Eigen::Vector3d> takeStandardErrors(Statement& row);
 
-/// `rank` 0: the recommended one.
+/// The version that worked out what comes with a squeeze: this one, where it does not say.
+[[nodiscard]] QString programOf(const NewGrasp& grasp);
+/// `rank` 0: the recommended one. `program`: the version that found it.
 [[nodiscard]] Expected<void> insert(Database& database, const RowStamp& stamp, const QString& graspId,
-                                    int rank, const Estimate& estimate);
+                                    int rank, const Estimate& estimate, const QString& program);
 /// The rank of one that comes later: never 0.
 [[nodiscard]] Expected<int> nextRank(Database& database, const QString& graspId);
 /// By rank.

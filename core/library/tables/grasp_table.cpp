@@ -2,9 +2,11 @@
 #include "core/library/tables/grasp_table.h"
 
 #include "core/base/words.h"
+#include "core/calibration/calibration_facts.h"
 #include "core/library/records/type_squeeze.h"
 #include "core/library/sql/rows.h"
 #include "core/library/tables/estimate_tables.h"
+#include "core/library/tables/type_tables.h"
 
 namespace gripscope::grasp_table {
 
@@ -83,10 +85,11 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const NewGrasp&
     Statement row(
         database, Words::tr("store the squeeze"),
         u"INSERT INTO grasps (id, station, recorded_utc, type_id, operator_name, source, force_unit, "
-        "position_unit, part, library_version, device_name, device_serial, firmware) "
-        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+        "position_unit, part, library_version, device_name, device_serial, firmware, force_calibration, "
+        "force_calibration_id, position_calibration, position_calibration_id, utc_offset_s) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bindOrNull(grasp.typeId);
-    return row.bind(grasp.operatorName)
+    row.bind(grasp.operatorName)
         .bind(grasp.source)
         .bind(grasp.forceUnit)
         .bind(grasp.positionUnit)
@@ -94,8 +97,15 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const NewGrasp&
         .bind(version)
         .bind(noted(u"device"_s))
         .bind(noted(u"serial"_s))
-        .bind(noted(u"firmware"_s))
-        .run();
+        .bind(noted(u"firmware"_s));
+    for (const SensorChannel channel : {SensorChannel::Force, SensorChannel::Position}) {
+        const auto note =
+            grasp.recording ? calibrationNote(grasp.recording->provenance, channel) : std::nullopt;
+        row.bindOptional(note ? std::optional(note->words) : std::nullopt).bind(note ? note->id : QString());
+    }
+    const qint64 offsetNow_s = QDateTime::currentDateTime().offsetFromUtc();
+    row.bindOptional(grasp.recorded.isValid() ? grasp.utcOffset_s : std::optional(offsetNow_s));
+    return row.run();
 }
 
 Expected<std::vector<GraspRecord>> ofType(Database& database, const QString& typeId)
@@ -114,16 +124,18 @@ Expected<std::optional<GraspRecord>> find(Database& database, const QString& id)
     return firstRow(query.bind(id), takeGrasp);
 }
 
-Expected<std::vector<TypeSqueeze>> enrolled(Database& database)
+Expected<std::vector<TypeSqueeze>> enrolled(Database& database, Of which)
 {
+    ASSIGN_OR_RETURN(const auto places, type_table::places(database));
     // A hundred thousand of them are read before the first inspection: no column that is not needed.
     Statement query(
         database, readingSqueezes(),
         u"SELECT COALESCE(p.type_id, g.type_id), s.name, g.type_id, g.part, g.force_unit, g.position_unit, "
         u"e.m, e.b, e.k, e.var_m, e.cov_mb, e.cov_mk, e.var_b, e.cov_bk, e.var_k "_s +
-            from +
-            u"WHERE g.type_id IS NOT NULL AND e.m IS NOT NULL AND COALESCE(p.accepted, 1) = 1 AND "
-            "s.status IN ('enrolled', 'approved') ORDER BY s.name, g.recorded_utc, g.id"_s);
+            from + u"WHERE g.type_id IS NOT NULL AND e.m IS NOT NULL AND COALESCE(p.accepted, 1) = 1 AND "_s +
+            (which == Of::ApprovedTypes ? u"s.status = 'approved'"_s
+                                        : u"s.status IN ('enrolled', 'approved')"_s) +
+            u" ORDER BY s.name, g.recorded_utc, g.id"_s);
     std::vector<TypeSqueeze> squeezes;
     GraspRecord grasp;
     auto done = query.forEach([&](Statement& row) {
@@ -135,8 +147,10 @@ Expected<std::vector<TypeSqueeze>> enrolled(Database& database)
         grasp.positionUnit = row.takeText();
         grasp.parameters = estimate_table::takeParameters(row);
         grasp.covariance = takeCovariance(row);
-        if (auto squeeze = typeSqueeze(grasp))
+        if (auto squeeze = typeSqueeze(grasp)) {
+            squeeze->place = places.value(grasp.typeId, -1);
             squeezes.push_back(std::move(*squeeze));
+        }
     });
     if (!done)
         return tl::unexpected(done.error());

@@ -15,7 +15,8 @@ namespace gripscope::grasp_table {
                                     qint64 version);
 [[nodiscard]] Expected<std::vector<GraspRecord>> ofType(Database& database, const QString& typeId);
 [[nodiscard]] Expected<std::optional<GraspRecord>> find(Database& database, const QString& id);
-/// The accepted squeezes of types in use that have parameters, as typeSqueeze() has them, by type and time.
-[[nodiscard]] Expected<std::vector<TypeSqueeze>> enrolled(Database& database);
+enum class Of { TypesInUse, ApprovedTypes };
+/// The accepted squeezes of such types that have parameters, as typeSqueeze() has them, by type and time.
+[[nodiscard]] Expected<std::vector<TypeSqueeze>> enrolled(Database& database, Of which);
 
 } // namespace gripscope::grasp_table

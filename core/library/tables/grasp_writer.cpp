@@ -45,9 +45,11 @@ Expected<QString> storeGrasp(Database& database, const NewGrasp& grasp, qint64 v
     if (done)
         done = grasp_table::insert(database, stamp, grasp, version);
     if (done && grasp.recording)
-        done = recording_table::insert(database, RowStamp::now(), stamp.id, *grasp.recording);
+        done = recording_table::insert(database, RowStamp::now(), stamp.id, *grasp.recording,
+                                       grasp.draftSqueezeId);
     for (std::size_t rank = 0; done && rank < grasp.estimates.size(); ++rank)
-        done = estimate_table::insert(database, RowStamp::now(), stamp.id, int(rank), grasp.estimates[rank]);
+        done = estimate_table::insert(database, RowStamp::now(), stamp.id, int(rank), grasp.estimates[rank],
+                                      estimate_table::programOf(grasp));
     if (done && !grasp.identification.isEmpty())
         done = document_table::insert(database, RowStamp::now(), stamp.id, grasp.identification);
     if (!done)

@@ -4,6 +4,7 @@
 #include "core/base/words.h"
 #include "core/library/sql/rows.h"
 #include "core/library/tables/estimate_tables.h"
+#include "core/library/tables/tally_table.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -26,13 +27,12 @@ const auto selectInspections =
     u"SELECT i.id, i.grasp_id, i.expected_type, i.number, i.inspected_utc, i.verdict, "
     u"i.type_name, i.nearest, i.reasons, "
     "i.operator_name, i.posterior, i.distance, i.gate, e.m, e.b, e.k, g.force_unit, "
-    "g.position_unit, i.seconds, COALESCE(o.name, ''), "
-    // Words in the document have their quotation marks escaped: only its own field is this.
-    "CASE WHEN i.validity <> '' THEN i.validity = 'suspect' "
-    "WHEN (SELECT d.document FROM documents d WHERE d.grasp_id = i.grasp_id) "
-    "LIKE '%\"verdict\":\"suspect\"%' THEN 1 ELSE 0 END "
+    "g.position_unit, i.seconds, COALESCE(o.name, ''), "_s +
+    validitySql() +
+    u", i.part_number, COALESCE(x.reason, '') "
     "FROM inspections i JOIN grasps g ON g.id = i.grasp_id "
     "LEFT JOIN batches o ON o.id = i.batch_id "
+    "LEFT JOIN inspection_voids x ON x.inspection_id = i.id "
     "LEFT JOIN estimates e ON e.grasp_id = i.grasp_id AND e.rank = 0 "_s;
 
 template <typename Json>
@@ -85,11 +85,22 @@ InspectionRecord takeInspection(Statement& row)
     inspection.positionUnit = row.takeText();
     inspection.seconds = row.takeReal();
     inspection.batch = row.takeText();
-    inspection.suspect = row.takeInteger() != 0;
+    inspection.suspect = row.takeText() == toString(ValidityVerdict::Suspect);
+    inspection.partNumber = row.takeText();
+    inspection.voided = row.takeText();
     return inspection;
 }
 
 } // namespace
+
+QString validitySql()
+{
+    // Words in the document have their quotation marks escaped: only its own field is this.
+    const QString document = u"(SELECT d.document FROM documents d WHERE d.grasp_id = i.grasp_id)"_s;
+    return u"CASE WHEN i.validity <> '' THEN i.validity WHEN i.verdict = 'invalid' THEN 'invalid' "
+           "WHEN %1 LIKE '%\"verdict\":\"suspect\"%' THEN 'suspect' "
+           "WHEN %1 LIKE '%\"verdict\":\"valid\"%' THEN 'valid' ELSE '' END"_s.replace("%1"_L1, document);
+}
 
 Finding joinReasons(const QString& json)
 {
@@ -108,22 +119,33 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
         database, Words::tr("store the inspection"),
         u"INSERT INTO inspections (id, station, inspected_utc, number, grasp_id, expected_type, verdict, "
         "type_name, nearest, posterior, distance, gate, samples_used, false_reject, wrong_type, seconds, "
-        "operator_name, posteriors, reasons, batch_id, validity) VALUES (?, ?, ?, "
+        "operator_name, posteriors, reasons, batch_id, validity, checks_failed, stranger_accept, confidence, "
+        "robust, library_version, program, part_number) VALUES (?, ?, ?, "
         "(SELECT COALESCE(MAX(number), 0) + 1 FROM inspections), "
-        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(graspId).bind(inspection.expectedType);
     row.bind(toString(verdict.kind)).bind(verdict.type).bind(verdict.nearest);
     row.bind(leadingPosterior(verdict)).bind(verdict.distance).bind(verdict.gate);
     row.bind(qint64(verdict.samplesUsed)).bind(inspection.rates.falseReject).bind(inspection.rates.wrongType);
     row.bind(inspection.seconds).bind(inspection.grasp.operatorName).bind(compact(toJson(verdict.posterior)));
     row.bind(compact(toJson(verdict.allReasons())));
-    return row.bindOrNull(inspection.batchId).bind(toString(verdict.validity.verdict)).run();
+    row.bindOrNull(inspection.batchId).bind(toString(verdict.validity.verdict));
+    row.bind(verdict.validity.checksFailed.join(u' '));
+    row.bind(inspection.rates.strangerAccept).bind(inspection.rates.confidence);
+    row.bind(inspection.rates.robust ? 1 : 0).bindOptional(inspection.libraryVersion);
+    return row.bind(estimate_table::programOf(inspection.grasp)).bind(inspection.partNumber).run();
 }
 
 Expected<std::optional<InspectionRecord>> find(Database& database, const QString& id)
 {
     Statement query(database, readingInspections(), selectInspections + u"WHERE i.id = ?"_s);
     return firstRow(query.bind(id), takeInspection);
+}
+
+Expected<std::optional<InspectionRecord>> withNumber(Database& database, qint64 number)
+{
+    Statement query(database, readingInspections(), selectInspections + u"WHERE i.number = ?"_s);
+    return firstRow(query.bind(number), takeInspection);
 }
 
 Expected<std::vector<InspectionRecord>> page(Database& database, const HistoryFilter& filter)
@@ -136,48 +158,100 @@ Expected<std::vector<InspectionRecord>> page(Database& database, const HistoryFi
     return allRows(query.bind(std::max(0, filter.limit)).bind(std::max(0, filter.offset)), takeInspection);
 }
 
-Expected<InspectionCounts> counts(Database& database, const QString& batchId)
+namespace {
+
+/// `n` inspections that came out so; below 0 they are taken away again.
+void add(InspectionCounts& counts, VerdictKind verdict, const QString& expected, const QString& type,
+         qint64 n)
+{
+    counts.total += n;
+    if (!expected.isEmpty() && verdict != VerdictKind::Invalid) {
+        ExpectedCounts& known = counts.expected[expected];
+        known.squeezes += n;
+        known.otherType += verdict == VerdictKind::Type && type != expected ? n : 0;
+        known.unknown += verdict == VerdictKind::Unknown ? n : 0;
+        known.inconclusive += verdict == VerdictKind::Inconclusive ? n : 0;
+    }
+    if (expected.isEmpty()) {
+        counts.knownType += verdict == VerdictKind::Type ? n : 0;
+        counts.unasked += verdict == VerdictKind::Type || verdict == VerdictKind::Unknown ? n : 0;
+    }
+    switch (verdict) {
+    case VerdictKind::Type:
+        (expected.isEmpty() || expected == type ? counts.asExpected : counts.otherType) += n;
+        break;
+    case VerdictKind::Unknown:
+        counts.unknown += n;
+        break;
+    case VerdictKind::Inconclusive:
+        counts.inconclusive += n;
+        break;
+    case VerdictKind::Invalid:
+        counts.invalid += n;
+        break;
+    }
+}
+
+} // namespace
+
+Expected<InspectionCounts> counts(Database& database, const QString& batchId, qint64 after)
 {
     InspectionCounts counts;
-    const QString batch = batchId.isEmpty() ? u""_s : u"WHERE batch_id = ? "_s;
-    Statement query(database, readingInspections(),
-                    u"SELECT verdict, expected_type, type_name, COUNT(*) FROM inspections "_s + batch +
-                        u"GROUP BY verdict, expected_type, type_name"_s);
+    QStringList conditions;
     if (!batchId.isEmpty())
-        query.bind(batchId);
-    auto done = query.forEach([&](Statement& row) {
-        const auto verdict = verdictKindFromString(row.takeText()).value_or(VerdictKind::Invalid);
-        const QString expected = row.takeText();
-        const QString type = row.takeText();
-        const qint64 n = row.takeInteger();
-        counts.total += n;
-        if (!expected.isEmpty() && verdict != VerdictKind::Invalid) {
-            ExpectedCounts& known = counts.expected[expected];
-            known.squeezes += n;
-            known.otherType += verdict == VerdictKind::Type && type != expected ? n : 0;
-            known.unknown += verdict == VerdictKind::Unknown ? n : 0;
-        }
-        switch (verdict) {
-        case VerdictKind::Type:
-            (expected.isEmpty() || expected == type ? counts.asExpected : counts.otherType) += n;
-            break;
-        case VerdictKind::Unknown:
-            counts.unknown += n;
-            break;
-        case VerdictKind::Inconclusive:
-            counts.inconclusive += n;
-            break;
-        case VerdictKind::Invalid:
-            counts.invalid += n;
-            break;
-        }
-    });
-    if (!done)
-        return tl::unexpected(done.error());
+        conditions << u"batch_id = ?"_s;
+    if (after > 0)
+        conditions << u"number > ?"_s;
+    const auto count = [&](qint64 sign) {
+        const QString where = u"WHERE "_s + conditions.join(u" AND "_s);
+        // The verdict in a form that no index is in the order of: it would be gone through from end to end,
+        // and the few behind a number looked for in all.
+        const QString counted =
+            conditions.isEmpty()
+                ? tally_table::countedSql()
+                : u"(SELECT verdict || '' AS verdict, expected_type, type_name, 1 AS n FROM inspections %1)"_s
+                      .arg(where);
+        Statement query(database, readingInspections(),
+                        u"SELECT verdict, expected_type, type_name, SUM(n) FROM %1 AS counted "
+                        "GROUP BY verdict, expected_type, type_name"_s.arg(counted));
+        if (!batchId.isEmpty())
+            query.bind(batchId);
+        if (after > 0)
+            query.bind(after);
+        return query.forEach([&](Statement& row) {
+            const auto verdict = verdictKindFromString(row.takeText()).value_or(VerdictKind::Invalid);
+            const QString expected = row.takeText();
+            const QString type = row.takeText();
+            const qint64 n = row.takeInteger();
+            add(counts, verdict, expected, type, sign * n);
+            counts.voided += sign < 0 ? n : 0;
+        });
+    };
+    RETURN_IF_ERROR(count(1));
+    // Those that were voided are few: they are taken away from all, which an index alone counts.
+    conditions << u"id IN (SELECT inspection_id FROM inspection_voids)"_s;
+    RETURN_IF_ERROR(count(-1));
     return counts;
 }
 
 } // namespace gripscope::inspection_table
+
+namespace gripscope::void_table {
+
+using namespace Qt::StringLiterals;
+
+Expected<void> insert(Database& database, const QString& inspectionId, const QString& reason,
+                      const QString& operatorName)
+{
+    const RowStamp stamp = RowStamp::now();
+    Statement row(database, Words::tr("void the inspection"),
+                  u"INSERT INTO inspection_voids (id, station, voided_utc, inspection_id, operator_name, "
+                  "reason) VALUES (?, ?, ?, ?, ?, ?)"_s);
+    row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(inspectionId);
+    return row.bind(operatorName).bind(reason).run();
+}
+
+} // namespace gripscope::void_table
 
 namespace gripscope::batch_table {
 
@@ -193,6 +267,9 @@ QString readingBatches()
 const auto selectBatches = u"SELECT b.id, b.begun_utc, b.name, b.target, b.expected_type, b.operator_name, "
                            u"COALESCE(e.ended_utc, '') "
                            "FROM batches b LEFT JOIN batch_ends e ON e.batch_id = b.id "_s;
+
+/// By the number that SQLite gives each row as it comes, whatever the clock of the station said then.
+const auto newestBatchFirst = u"ORDER BY b.rowid DESC "_s;
 
 BatchRecord takeBatch(Statement& row)
 {
@@ -238,16 +315,14 @@ Expected<std::optional<BatchRecord>> find(Database& database, const QString& id)
 Expected<std::optional<BatchRecord>> underWay(Database& database, const QString& station)
 {
     Statement query(database, readingBatches(),
-                    selectBatches +
-                        u"WHERE b.station = ? AND e.id IS NULL ORDER BY b.begun_utc DESC, b.id DESC "
-                        "LIMIT 1"_s);
+                    selectBatches + u"WHERE b.station = ? AND e.id IS NULL "_s + newestBatchFirst +
+                        u"LIMIT 1"_s);
     return firstRow(query.bind(station), takeBatch);
 }
 
 Expected<std::vector<BatchRecord>> newest(Database& database, int limit)
 {
-    Statement query(database, readingBatches(),
-                    selectBatches + u"ORDER BY b.begun_utc DESC, b.id DESC LIMIT ?"_s);
+    Statement query(database, readingBatches(), selectBatches + newestBatchFirst + u"LIMIT ?"_s);
     return allRows(query.bind(std::max(0, limit)), takeBatch);
 }
 

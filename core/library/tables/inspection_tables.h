@@ -7,6 +7,9 @@
 
 namespace gripscope::inspection_table {
 
+/// What the measurement of inspection `i` is worth, as toString(ValidityVerdict); empty: not recorded. Rows
+/// from before it had a column have it in their document.
+[[nodiscard]] QString validitySql();
 /// The sentences of a stored list, as one text.
 /// As they were stored, sentences of earlier versions as text; what is no reason is left out.
 [[nodiscard]] Finding joinReasons(const QString& json);
@@ -15,11 +18,20 @@ namespace gripscope::inspection_table {
 [[nodiscard]] Expected<void> insert(Database& database, const RowStamp& stamp, const QString& graspId,
                                     const NewInspection& inspection);
 [[nodiscard]] Expected<std::optional<InspectionRecord>> find(Database& database, const QString& id);
+[[nodiscard]] Expected<std::optional<InspectionRecord>> withNumber(Database& database, qint64 number);
 [[nodiscard]] Expected<std::vector<InspectionRecord>> page(Database& database, const HistoryFilter& filter);
-/// Of one batch; of all where it is empty.
-[[nodiscard]] Expected<InspectionCounts> counts(Database& database, const QString& batchId = {});
+/// Of one batch, or of all where it is empty; those with a number behind `after` only.
+[[nodiscard]] Expected<InspectionCounts> counts(Database& database, const QString& batchId = {},
+                                                qint64 after = 0);
 
 } // namespace gripscope::inspection_table
+
+namespace gripscope::void_table {
+
+/// `inspectionId` does not count from now on; it must not be there yet.
+[[nodiscard]] Expected<void> insert(Database& database, const QString& inspectionId, const QString& reason,
+                                    const QString& operatorName);
+} // namespace gripscope::void_table
 
 namespace gripscope::batch_table {
 

@@ -18,21 +18,32 @@ Expected<bool> holds(Database& database, const Authority& authority, Permission 
 
 } // namespace
 
+Expected<std::vector<Authority>> whoMay(Database& database, Permission permission)
+{
+    ASSIGN_OR_RETURN(const auto arming, policy_table::arming(database));
+    const Acting& acting = database.acting();
+    std::vector<Authority> asked;
+    if (acting.granted && acting.granted->permission == permission)
+        asked.push_back(acting.granted->by);
+    if (acting.signedIn)
+        asked.push_back(*acting.signedIn);
+    std::vector<Authority> allowed;
+    for (const Authority& authority : asked) {
+        ASSIGN_OR_RETURN(const bool may, holds(database, authority, permission, arming));
+        if (may)
+            allowed.push_back(authority);
+    }
+    return allowed;
+}
+
 Expected<void> requirePermission(Database& database, Permission permission)
 {
     ASSIGN_OR_RETURN(const auto anybody, person_table::isAnybodyThere(database));
     if (!anybody)
         return {};
     ASSIGN_OR_RETURN(const auto arming, policy_table::arming(database));
-    const Acting& acting = database.acting();
-    Expected<bool> may = false;
-    if (acting.granted && acting.granted->permission == permission)
-        may = holds(database, acting.granted->by, permission, arming);
-    if (may && !*may && acting.signedIn)
-        may = holds(database, *acting.signedIn, permission, arming);
-    if (!may)
-        return tl::unexpected(may.error());
-    if (*may)
+    ASSIGN_OR_RETURN(const auto allowed, whoMay(database, permission));
+    if (!allowed.empty())
         return {};
     if (mayDo(Role::Operator, permission, arming))
         return failure(ErrorCode::Usage,

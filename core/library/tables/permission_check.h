@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/people/permission.h"
+#include "core/people/acting.h"
+
+#include <vector>
 
 namespace gripscope {
 
@@ -12,5 +14,8 @@ class Database;
 /// library; else who is signed in or has consented, with the role that is stored for them at this moment.
 /// Usage, worded, when not. Inside the transaction of what is to be done.
 [[nodiscard]] Expected<void> requirePermission(Database& database, Permission permission);
+/// By whom it may be done then: who consented and who is signed in, as far as either may. Empty also while no
+/// people are in the library.
+[[nodiscard]] Expected<std::vector<Authority>> whoMay(Database& database, Permission permission);
 
 } // namespace gripscope

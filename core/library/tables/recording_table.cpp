@@ -8,24 +8,51 @@ namespace gripscope::recording_table {
 
 using namespace Qt::StringLiterals;
 
-Expected<void> insert(Database& database, const RowStamp& stamp, const QString& graspId,
-                      const Recording& recording)
+namespace {
+
+/// The squeeze of a draft has just this recording.
+Expected<bool> isKept(Database& database, const QString& draftSqueezeId, const PackedRecording& packed)
 {
-    ASSIGN_OR_RETURN(const auto packed, packRecording(recording));
+    bool kept = false;
+    if (draftSqueezeId.isEmpty())
+        return kept;
+    Statement query(database, Words::tr("store the recording"),
+                    u"SELECT bytes FROM draft_squeezes WHERE id = ? AND bytes = ? AND sha256 = ?"_s);
+    const auto done =
+        query.bind(draftSqueezeId).bind(packed.bytes).bind(packed.sha256).forEach([&](Statement&) {
+            kept = true;
+        });
+    if (!done)
+        return tl::unexpected(done.error());
+    return kept;
+}
+
+} // namespace
+
+Expected<void> insert(Database& database, const RowStamp& stamp, const QString& graspId,
+                      const Recording& recording, const QString& draftSqueezeId)
+{
+    ASSIGN_OR_RETURN(auto packed, packRecording(recording));
+    ASSIGN_OR_RETURN(const bool kept, isKept(database, draftSqueezeId, packed));
+    if (kept)
+        packed.packed = QByteArray("");
     Statement row(
         database, Words::tr("store the recording"),
-        u"INSERT INTO recordings (id, station, created_utc, grasp_id, samples, bytes, sha256, packed) "
-        "VALUES (?, ?, ?, ?, ?, ?, ?, ?)"_s);
+        u"INSERT INTO recordings (id, station, created_utc, grasp_id, samples, bytes, sha256, packed, "
+        "draft_squeeze_id) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(graspId).bind(qint64(recording.size()));
     bindPacked(row, packed);
-    return row.run();
+    return row.bindOrNull(kept ? draftSqueezeId : QString()).run();
 }
 
 Expected<Recording> read(Database& database, const QString& graspId)
 {
     std::optional<PackedRecording> packed;
-    Statement query(database, Words::tr("read the recording"),
-                    u"SELECT bytes, sha256, packed FROM recordings WHERE grasp_id = ?"_s);
+    Statement query(
+        database, Words::tr("read the recording"),
+        u"SELECT r.bytes, r.sha256, CASE WHEN r.draft_squeeze_id IS NULL THEN r.packed ELSE (SELECT "
+        "d.packed FROM draft_squeezes d WHERE d.id = r.draft_squeeze_id) END "
+        "FROM recordings r WHERE r.grasp_id = ?"_s);
     auto done = query.bind(graspId).forEach([&](Statement& row) { packed = takePacked(row); });
     if (!done)
         return tl::unexpected(done.error());

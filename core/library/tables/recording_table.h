@@ -6,9 +6,10 @@
 
 namespace gripscope::recording_table {
 
-/// Packed with zlib, with the SHA-256 of the unpacked bytes (packed_recording.h).
+/// Packed with zlib, with the SHA-256 of the unpacked bytes (packed_recording.h). Where the squeeze of a
+/// draft has the same bytes, they stay there alone.
 [[nodiscard]] Expected<void> insert(Database& database, const RowStamp& stamp, const QString& graspId,
-                                    const Recording& recording);
+                                    const Recording& recording, const QString& draftSqueezeId = {});
 /// NotFound when the squeeze has none, StorageCorrupt when the bytes are not those that were stored.
 [[nodiscard]] Expected<Recording> read(Database& database, const QString& graspId);
 

@@ -12,6 +12,12 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+/// By the version of the library that brought it, not by a clock; keys of one version go by when they were
+/// made.
+const auto selectPlaces =
+    u"SELECT o.id AS type_id, ROW_NUMBER() OVER (ORDER BY (SELECT MIN(w.version) FROM type_states w WHERE "
+    "w.type_id = o.id), o.id) - 1 AS place FROM types o"_s;
+
 const auto selectTypes =
     u"SELECT t.id, s.name, t.created_utc, v.recipe_name, v.peak_n, v.bias_n, v.bit_s, v.seconds, "
     "v.max_force_n, v.max_travel_m, v.force_unit, v.position_unit, "
@@ -19,10 +25,11 @@ const auto selectTypes =
     "(SELECT MAX(q.version) FROM placements q WHERE q.grasp_id = g.id) "
     "WHERE (g.type_id = t.id OR g.id IN (SELECT r.grasp_id FROM placements r WHERE r.type_id = t.id)) "
     "AND COALESCE(p.type_id, g.type_id) = t.id AND COALESCE(p.accepted, 1) = 1), "
-    "s.status, s.recipe_version, s.code "
+    "s.status, s.recipe_version, s.code, c.place "
     "FROM types t JOIN type_states s ON s.type_id = t.id AND s.version = "
     "(SELECT MAX(w.version) FROM type_states w WHERE w.type_id = t.id) "
-    "JOIN type_versions v ON v.type_id = t.id AND v.version = s.recipe_version "_s;
+    "JOIN type_versions v ON v.type_id = t.id AND v.version = s.recipe_version JOIN ("_s +
+    selectPlaces + u") c ON c.type_id = t.id "_s;
 
 TypeRecord takeType(Statement& row)
 {
@@ -38,6 +45,7 @@ TypeRecord takeType(Statement& row)
     type.approved = type.status == TypeStatus::Approved;
     type.recipeVersion = int(row.takeInteger());
     type.code = row.takeText();
+    type.place = int(row.takeInteger());
     return type;
 }
 
@@ -51,6 +59,19 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
                   "CASE WHEN EXISTS (SELECT 1 FROM types o WHERE o.name = ?) THEN ? ELSE ? END"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(name);
     return row.bind(name + u' ' + stamp.id).bind(name).run();
+}
+
+Expected<QHash<QString, int>> places(Database& database)
+{
+    QHash<QString, int> places;
+    Statement query(database, Words::tr("read the types"), selectPlaces);
+    auto done = query.forEach([&](Statement& row) {
+        const QString id = row.takeText();
+        places.insert(id, int(row.takeInteger()));
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return places;
 }
 
 Expected<std::vector<TypeRecord>> all(Database& database)

@@ -4,9 +4,13 @@
 #include "core/library/records/type_record.h"
 #include "core/library/sql/statement.h"
 
+#include <QHash>
+
 namespace gripscope::type_table {
 
 [[nodiscard]] Expected<void> insert(Database& database, const RowStamp& stamp, const QString& name);
+/// The places (see TypeRecord) of all types there ever were, by their keys.
+[[nodiscard]] Expected<QHash<QString, int>> places(Database& database);
 /// Every type that is not gone, retired ones too, as it is now, by name.
 [[nodiscard]] Expected<std::vector<TypeRecord>> all(Database& database);
 [[nodiscard]] Expected<std::optional<TypeRecord>> findByName(Database& database, const QString& name);

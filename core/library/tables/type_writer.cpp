@@ -2,6 +2,7 @@
 #include "core/library/tables/type_writer.h"
 
 #include "core/base/words.h"
+#include "core/library/tables/change_table.h"
 #include "core/library/tables/type_state_table.h"
 #include "core/library/tables/type_tables.h"
 #include "core/signal/recording/units.h"
@@ -24,6 +25,31 @@ Expected<void> checkRecipe(const Recipe& recipe)
 }
 
 } // namespace
+
+TypeState stateOf(const TypeRecord& type)
+{
+    return {type.id, type.name, type.status, type.recipeVersion, type.squeezes, type.code};
+}
+
+TypeState unapproved(const TypeRecord& type)
+{
+    TypeState state = stateOf(type);
+    if (state.status == TypeStatus::Approved)
+        state.status = TypeStatus::Enrolled;
+    return state;
+}
+
+Expected<qint64> recordSqueezeChange(Database& database, const TypeRecord& type, LibraryChange change)
+{
+    change.type = type.name;
+    change.squeezes = 1;
+    if (type.status == TypeStatus::Approved)
+        change.other = QString::fromUtf16(approvalVoid);
+    ASSIGN_OR_RETURN(const auto version, change_table::insert(database, change));
+    if (type.status == TypeStatus::Approved)
+        RETURN_IF_ERROR(type_state_table::insert(database, version, unapproved(type)));
+    return version;
+}
 
 Expected<void> requireComparableUnits(const QString& force, const QString& position,
                                       const QString& wantedForce, const QString& wantedPosition)

@@ -14,7 +14,15 @@ struct NewType {
     QString forceUnit, positionUnit;
 };
 
+/// The type as it is.
+[[nodiscard]] TypeState stateOf(const TypeRecord& type);
+/// With other squeezes in it than those that were approved: it needs approval again.
+[[nodiscard]] TypeState unapproved(const TypeRecord& type);
+
 // All inside a write transaction of the caller; errors as in Library.
+/// Records a change of the type's squeezes, and that its approval is void with it; the version that this is.
+[[nodiscard]] Expected<qint64> recordSqueezeChange(Database& database, const TypeRecord& type,
+                                                   LibraryChange change);
 [[nodiscard]] Expected<TypeRecord> createType(Database& database, const NewType& type, TypeStatus status,
                                               qint64 version);
 /// Appends the recipe to the type's; its number.

@@ -14,7 +14,8 @@ void tellWitness(Database& database, const std::optional<ChainEnd>& chain)
         news.chains[chain->chain] = *chain;
     if (news.empty())
         return;
-    tellWitness(database.file(), news, [&](const LibraryWitness& known) {
+    tellWitness(database.file(), news, [&](LibraryWitness& known) {
+        settleRestore(known, ledger_table::hashesOf(database));
         if (known.audit) {
             const auto there = audit_table::hashOf(database, known.audit->entries);
             if (!there || *there != known.audit->hash)

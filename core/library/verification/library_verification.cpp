@@ -2,11 +2,13 @@
 #include "core/library/verification/library_verification.h"
 
 #include "core/base/words.h"
+#include "core/library/ledger/ledger_table.h"
 #include "core/library/ledger/library_witness.h"
 #include "core/library/migrations/migration.h"
 #include "core/library/migrations/schema_check.h"
 #include "core/library/sql/statement.h"
 #include "core/library/tables/audit_table.h"
+#include "core/library/tables/tally_table.h"
 #include "core/library/verification/ledger_check.h"
 #include "core/library/verification/recomputation.h"
 
@@ -78,12 +80,29 @@ void checkMigrations(Database& database, LibraryVerification& found)
 void checkAudit(Database& database, const LibraryWitness& witness, LibraryVerification& found)
 {
     AuditChainCheck check(witness.audit);
-    const auto done = audit_table::forEach(database, [&](const AuditEntry& entry) { check.take(entry); });
+    const QString restored = QString::fromUtf16(audit_action::libraryRestored);
+    const auto done = audit_table::forEach(database, [&](const AuditEntry& entry) {
+        check.take(entry);
+        if (entry.action == restored)
+            found.restores.push_back({entry.utc, entry.person, entry.reason, entry.subject});
+    });
     if (!done)
         return found.differs(u"audit_entries"_s, {}, done.error().describe());
     const AuditVerification trail = check.finish();
     if (!trail.whole())
         found.differs(u"audit_entries"_s, QString::number(trail.at), faultInWords(trail));
+}
+
+/// What is derived is made anew and compared: a tally that says less would hide inspections from the
+/// counters.
+void checkTallies(Database& database, LibraryVerification& found)
+{
+    const Expected<std::optional<qint64>> wrong = tally_table::wrongUpTo(database);
+    if (!wrong)
+        found.differs(u"inspection_tallies"_s, {}, wrong.error().describe());
+    else if (*wrong)
+        found.differs(u"inspection_tallies"_s, QString::number(**wrong),
+                      Words::tr("is not what counting the inspections up to this number finds"));
 }
 
 Expected<void> refuseOtherVersions(Database& database, const QString& file)
@@ -103,10 +122,9 @@ Expected<void> refuseOtherVersions(Database& database, const QString& file)
     return {};
 }
 
-Expected<LibraryVerification> verifyOnce(const QString& file, bool recomputed, bool& changedMeanwhile)
+Expected<LibraryVerification> verifyOnce(const QString& file, LibraryWitness witness, bool recomputed,
+                                         bool& changedMeanwhile)
 {
-    // Before the library: what another process adds in between is only more.
-    const LibraryWitness witness = readWitness(file);
     ASSIGN_OR_RETURN(const auto database, Database::openToRead(file));
     RETURN_IF_ERROR(database->execute(u"BEGIN"_s, verifying())); // one state from here on
     RETURN_IF_ERROR(refuseOtherVersions(*database, file));
@@ -114,9 +132,11 @@ Expected<LibraryVerification> verifyOnce(const QString& file, bool recomputed, b
     ASSIGN_OR_RETURN(const bool readable, checkSchema(*database, found));
     checkFile(*database, found);
     if (readable) {
+        settleRestore(witness, ledger_table::hashesOf(*database));
         checkMigrations(*database, found);
         checkLedger(*database, witness, found);
         checkAudit(*database, witness, found);
+        checkTallies(*database, found);
     }
     if (readable && recomputed)
         recompute(*database, found);
@@ -131,10 +151,19 @@ Expected<LibraryVerification> verifyLibrary(const QString& file, bool recomputed
     constexpr int attempts = 3;
     for (int attempt = 1;; ++attempt) {
         bool changedMeanwhile = false;
-        ASSIGN_OR_RETURN(LibraryVerification found, verifyOnce(file, recomputed, changedMeanwhile));
+        // Its knowledge before the library: what another process adds in between is only more.
+        LibraryWitness witness = readWitness(file);
+        ASSIGN_OR_RETURN(LibraryVerification found,
+                         verifyOnce(file, std::move(witness), recomputed, changedMeanwhile));
         if (!changedMeanwhile || attempt == attempts)
             return found;
     }
+}
+
+Expected<LibraryVerification> verifyLibraryCopy(const QString& file, const LibraryWitness& witness)
+{
+    bool changedMeanwhile = false; // nobody else knows of it
+    return verifyOnce(file, witness, false, changedMeanwhile);
 }
 
 } // namespace gripscope

@@ -9,6 +9,8 @@
 
 namespace gripscope {
 
+struct LibraryWitness;
+
 /// Something that is not as it was written.
 struct LibraryDifference {
     QString table; ///< empty where it concerns the file
@@ -23,6 +25,11 @@ enum class WitnessState {
     Absent,  ///< it does not know this library
 };
 [[nodiscard]] QString toString(WitnessState state); ///< "matched", "behind", "absent"
+
+/// A backup that took the library's place, as its audit trail tells.
+struct RestoredBackup {
+    QString utc, person, reason, backup;
+};
 
 /// A station's chain in the ledger.
 struct LedgerChain {
@@ -45,6 +52,7 @@ struct LibraryVerification {
     qint64 furtherDifferences = 0;
     WitnessState witness = WitnessState::Absent;
     std::vector<LedgerChain> chains;
+    std::vector<RestoredBackup> restores; ///< in their order
 
     [[nodiscard]] bool whole() const { return differences.empty(); }
     void differs(const QString& table, const QString& row, const QString& what);
@@ -58,5 +66,8 @@ struct LibraryVerification {
 /// (recomputation.h). StorageOpen, StorageCorrupt where the file cannot be read at all,
 /// StorageNewer, and StorageOpen for a library from before the ledger, which has to be opened once.
 [[nodiscard]] Expected<LibraryVerification> verifyLibrary(const QString& file, bool recomputed = false);
+/// The same of a copy, by what the second place knew of its library.
+[[nodiscard]] Expected<LibraryVerification> verifyLibraryCopy(const QString& file,
+                                                              const LibraryWitness& witness);
 
 } // namespace gripscope

@@ -34,9 +34,26 @@ QString inWords(const LibraryDifference& difference)
     return parts.join(u' ');
 }
 
+namespace {
+
+/// A rollback that was meant is no fault, and no secret.
+QString restoreInWords(const LibraryVerification& verification)
+{
+    const RestoredBackup& last = verification.restores.back();
+    return Words::tr("Put back from a backup, times: %1. The last on %2 (UTC), by %3, from %4, because: %5. "
+                     "What had been stored after that backup is in the library that was kept aside.")
+        .arg(verification.restores.size())
+        .arg(last.utc, last.person.isEmpty() ? Words::tr("somebody not named") : last.person, last.backup,
+             last.reason);
+}
+
+} // namespace
+
 QString inWords(const LibraryVerification& verification)
 {
     QStringList words;
+    if (!verification.restores.empty())
+        words += restoreInWords(verification);
     if (!verification.whole()) {
         const auto count =
             static_cast<qint64>(verification.differences.size()) + verification.furtherDifferences;

@@ -100,6 +100,9 @@ EnrollmentProgress enrollmentProgress(const TypeModels& models, const QString& t
 {
     EnrollmentProgress progress;
     progress.type = type;
+    progress.falseReject = options.falseReject;
+    if (options.strangerRange())
+        progress.strangerAccept = options.strangerAccept;
     Knowledge known{0, models.scatter.degreesOfFreedom};
     if (const TypeModel* model = models.find(type)) {
         progress.squeezes = model->squeezes;
@@ -145,19 +148,24 @@ Findings inWords(const EnrollmentProgress& progress)
         return words;
     }
     words.push_back(
-        Words::say(
-            "A squeeze further than %1 sd from %2 is called unknown; with all known it would be %3 sd.")
+        Words::say("A squeeze further than %1 sd from %2 is called unknown, as %3 % of its own are; with all "
+                   "known that would be %4 sd.")
             .arg(*progress.gate, 'f', 1)
-            .arg(progress.type)
+            .arg(progress.type, shortNumber(100 * progress.falseReject))
             .arg(progress.gateLimit, 'f', 1));
-    words.push_back(Words::say("A foreign part 6 sd away passes for it %1 times (at best %2).")
+    words.push_back(Words::say("A part as near as 6 sd passes this gate %1 times (at best %2).")
                         .arg(inHundred(*progress.strangersPassing), inHundred(progress.strangersLimit)));
+    if (progress.strangerAccept)
+        words.push_back(Words::say("Of strangers of any kind, at most %1 % are named a type all the same.")
+                            .arg(shortNumber(100 * *progress.strangerAccept)));
     if (!progress.moreForMost)
-        words.push_back(Words::say("It takes more than 100 more squeezes to come near that."));
+        words.push_back(
+            Words::say("Enough for verdicts; it takes more than 100 more squeezes to come near the best."));
     else if (*progress.moreForMost > 0)
-        words.push_back(Words::say("%1 bring it near that.").arg(moreSqueezes(*progress.moreForMost)));
+        words.push_back(Words::say("Enough for verdicts; %1 would bring them near the best.")
+                            .arg(moreSqueezes(*progress.moreForMost)));
     else
-        words.push_back(Words::say("More squeezes would gain little."));
+        words.push_back(Words::say("Enough for verdicts: more squeezes would gain little."));
     return words;
 }
 

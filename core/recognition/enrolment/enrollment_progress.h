@@ -12,6 +12,10 @@ namespace gripscope {
 struct EnrollmentProgress {
     QString type;
     int squeezes = 0;
+    double falseReject = 0; ///< the rate that the gate is for
+    /// Of strangers anywhere in the instrument's range, the share that may be named a type; absent where
+    /// nothing is said of them.
+    std::optional<double> strangerAccept;
     /// Squeezes that are missing until there is a gate; 0: there is one.
     int moreForGate = 0;
     /// Where a squeeze is called unknown, in standard deviations; and where it would be if everything were

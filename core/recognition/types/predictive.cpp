@@ -88,7 +88,9 @@ public:
         } else {
             prediction.alikeCovariance = m_alike;
         }
-        const Cholesky total(prediction.covariance + spread * type.meanCovarianceLog);
+        const Eigen::Matrix3d sum = prediction.covariance + spread * type.meanCovarianceLog;
+        prediction.variance = sum.diagonal();
+        const Cholesky total(sum);
         prediction.squaredDistance = total.matrixL().solve(log - type.meanLog).squaredNorm();
         prediction.logDeterminant = 2 * std::log(total.matrixLLT().diagonal().prod());
         findDensity(prediction,

@@ -13,6 +13,7 @@ struct TypePrediction {
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of a squeeze about the true mean, S_i + C
     double degreesOfFreedom = 0;                          ///< behind it
     double effectiveSqueezes = 1; ///< as many of the squeeze's own noise give the type's mean as well
+    Eigen::Vector3d variance = Eigen::Vector3d::Zero(); ///< the diagonal of V
     /// d' V^-1 d, V = S_i + C + covariance of the mean, d from the mean.
     double squaredDistance = 0;
     double logDeterminant = 0; ///< of V

@@ -9,6 +9,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/SVD>
+#include <QHash>
 #include <QMap>
 
 #include <algorithm>
@@ -117,6 +118,9 @@ TypeModels fitTypeModels(const std::vector<TypeSqueeze>& squeezes)
 {
     const QMap<QString, std::vector<LogSqueeze>> logs = byType(squeezes);
     const std::vector<std::vector<LogSqueeze>> groups(logs.cbegin(), logs.cend());
+    QHash<QString, int> places;
+    for (const TypeSqueeze& squeeze : squeezes)
+        places.insert(squeeze.type, squeeze.place);
     TypeModels models;
     models.scatter = estimateScatter(groups);
     models.covarianceLog = models.scatter.total;
@@ -127,6 +131,8 @@ TypeModels fitTypeModels(const std::vector<TypeSqueeze>& squeezes)
         TypeModel type;
         type.name = it.key();
         type.squeezes = int(it->size());
+        const int place = places.value(it.key(), -1);
+        type.place = place >= 0 ? place : int(models.types.size());
         const TypeMean mean = estimateMean(models.scatter, *it);
         type.meanLog = mean.mean;
         type.meanCovarianceLog = mean.covariance;

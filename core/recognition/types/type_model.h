@@ -21,6 +21,7 @@ struct TypeSqueeze {
     /// Of (m, b, k), from the identification. Absent: not known (a table, the paper).
     std::optional<Eigen::Matrix3d> covariance = {};
     QString part = {}; ///< which part of the type it was; empty: a part that was squeezed once
+    int place = -1;    ///< of its type among all that ever were, by when they came; -1: not known
 };
 
 /// One type in the space of natural logarithms of m, b, k, where the scatter is relative and alike for all
@@ -30,6 +31,8 @@ struct TypeModel {
     int squeezes = 0;
     Eigen::Vector3d meanLog = Eigen::Vector3d::Zero();
     Eigen::Matrix3d meanCovarianceLog = Eigen::Matrix3d::Zero(); ///< how well the mean is known
+    int place =
+        0; ///< its squeezes' (by name where they have none): goes with it for life, as its name may not
     OwnScatter own = {}; ///< its squeezes, where the covariance shared by all types is the identity
 };
 

@@ -136,6 +136,22 @@ void Judgement::findGates()
     }
 }
 
+std::vector<GateIntervals> Judgement::gateIntervals() const
+{
+    std::vector<GateIntervals> all;
+    for (std::size_t type = 0; type < m_gates.size(); ++type) {
+        const TypePrediction& prediction = m_predictions[type];
+        GateIntervals& intervals = all.emplace_back();
+        for (std::size_t i = 0; i < intervals.size(); ++i) {
+            const auto row = static_cast<Eigen::Index>(i);
+            const double mean = prediction.meanLog(row);
+            const double reach = std::sqrt(m_gates[type] * prediction.variance(row));
+            intervals[i] = {std::exp(mean), std::exp(mean - reach), std::exp(mean + reach)};
+        }
+    }
+    return all;
+}
+
 bool Judgement::inside(std::size_t type) const
 {
     return !m_gates.empty() && m_predictions[type].squaredDistance <= m_gates[type];

@@ -68,6 +68,7 @@ public:
     Judgement(const TypeModels& models, const MassDampingStiffness& parameters,
               const std::optional<Eigen::Matrix3d>& noise, const VerdictOptions& options);
     [[nodiscard]] Verdict verdict() const;
+    [[nodiscard]] std::vector<GateIntervals> gateIntervals() const; ///< see there
 
 private:
     void findGates();

@@ -143,6 +143,16 @@ Verdict judge(const TypeModels& models, const Identification& identification, do
     return verdict;
 }
 
+std::vector<GateIntervals> gateIntervals(const TypeModels& models, const VerdictOptions& options)
+{
+    if (models.degreesOfFreedom == 0 || models.types.empty())
+        return {};
+    const Eigen::Vector3d mean = models.types.front().meanLog.array().exp();
+    const MassDampingStiffness any{mean[0], mean[1], mean[2]}; // a gate is the same from anywhere
+    const std::optional<Eigen::Matrix3d> likeEnrolled;
+    return Judgement(models, any, likeEnrolled, options).gateIntervals();
+}
+
 int leaveOneOutCorrect(const std::vector<TypeSqueeze>& squeezes, const VerdictOptions& options)
 {
     int correct = 0;

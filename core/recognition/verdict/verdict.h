@@ -10,7 +10,9 @@
 #include <QMap>
 #include <QString>
 
+#include <array>
 #include <optional>
+#include <vector>
 
 namespace gripscope {
 
@@ -85,6 +87,15 @@ struct Verdict {
 [[nodiscard]] Verdict judge(const TypeModels& models, const Identification& identification, double siScale,
                             const VerdictOptions& options = {},
                             const std::optional<CommonShift>& transfer = {});
+
+/// Of m, b and k.
+using GateIntervals = std::array<TypeInterval, 3>;
+/// Where the gate of each type ends, in order of the models and in their units, for a squeeze as well known
+/// as those enrolled: exp(mean -+ sqrt(g V_ii)) with d' V^-1 d <= g the gate of judge(), the box about that
+/// ellipsoid. A squeeze beyond it in one of m, b, k is outside the gate; one within it need not be inside.
+/// Empty where there is no gate. Takes its time like toleranceGate().
+[[nodiscard]] std::vector<GateIntervals> gateIntervals(const TypeModels& models,
+                                                       const VerdictOptions& options = {});
 
 /// Leave one out: how many of the squeezes get their own type back when the models are fitted without them.
 [[nodiscard]] int leaveOneOutCorrect(const std::vector<TypeSqueeze>& squeezes,

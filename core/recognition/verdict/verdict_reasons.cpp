@@ -122,7 +122,7 @@ Findings strangerReasons(const Verdict& verdict)
 Findings noGateReasons(const TypeModels& models)
 {
     if (models.types.empty())
-        return {Words::say("No type is enrolled yet.")};
+        return {Words::say("No type is enrolled and approved yet.")};
     const int missing = 3 - models.degreesOfFreedom;
     if (missing <= 0)
         return {

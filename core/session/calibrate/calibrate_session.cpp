@@ -26,6 +26,15 @@ std::optional<Error> notReady(ConnectSession& connection)
     return std::nullopt;
 }
 
+/// Empty where the channel's own scale is taken.
+QString correctionText(const CalibrationRecord* inForce)
+{
+    if (inForce == nullptr)
+        return u""_s;
+    const Expected<CalibrationEvaluation> evaluation = evaluateCalibration(*inForce);
+    return evaluation ? SensorCorrection(evaluation->curve).text() : u""_s;
+}
+
 } // namespace
 
 struct CalibrateSession::Private {
@@ -37,6 +46,7 @@ struct CalibrateSession::Private {
     State state = State::Idle;
     CalibrationPlan plan;
     GripperIdentity gripper;
+    QString foundCorrection; ///< in force when it was begun
     std::vector<PlannedPoint> planned;
     std::vector<TakenPoint> points;
     std::optional<Expected<CalibrationEvaluation>> evaluation;
@@ -80,9 +90,12 @@ SensorCalibration CalibrateSession::Private::calibration() const
     calibration.degree = plan.degree;
     calibration.operatorName = operatorName;
     calibration.takenUtc = begun;
+    calibration.conditions = plan.conditions;
+    calibration.foundCorrection = foundCorrection;
     calibration.points.reserve(points.size());
     for (const TakenPoint& point : points)
-        calibration.points.push_back({point.planned.load, point.reading.mean});
+        (point.planned.check ? calibration.checkPoints : calibration.points)
+            .push_back({point.planned.load, point.reading.mean});
     return calibration;
 }
 
@@ -161,9 +174,10 @@ void CalibrateSession::Private::finishReading()
 void CalibrateSession::Private::evaluate()
 {
     evaluation.reset();
-    if (static_cast<int>(points.size()) < plan.degree + 2)
+    const SensorCalibration taken = calibration();
+    if (static_cast<int>(taken.points.size()) < plan.degree + 2)
         return;
-    evaluation = evaluateCalibration(calibration());
+    evaluation = evaluateCalibration(taken);
 }
 
 CalibrateSession::CalibrateSession(ConnectSession& connection, LibraryService& library)
@@ -191,6 +205,7 @@ Expected<void> CalibrateSession::start(const CalibrationPlan& plan)
     d->plan = plan;
     d->planned = plannedPoints(plan);
     d->gripper = d->connection.identity();
+    d->foundCorrection = correctionText(d->connection.calibration().record(plan.channel));
     d->begun = QDateTime::currentDateTimeUtc();
     d->state = State::Waiting;
     return {};

@@ -50,6 +50,8 @@ struct ConnectSession::Private {
     bool armed = false; // at the last poll
     StopState stopState = StopState::None;
     std::optional<Error> disarmReason;
+    bool awaitsCalibrations = false, calibrationsTold = false; ///< the latter: since connectTo()
+    std::optional<Error> calibrationsUnread;
 
     void drain();
     void follow(LinkState link);
@@ -199,10 +201,13 @@ ConnectSession::~ConnectSession()
 
 Expected<void> ConnectSession::connectTo(const QString& address)
 {
+    // What is no address leaves the gripper that works, or is waited for, as it is.
+    Expected<std::unique_ptr<GripperPort>> port = d->factory.create(address);
+    if (!port && d->state != State::Disconnected)
+        return tl::unexpected<Error>(port.error());
     disconnect();
     d->address = address;
     d->error.reset();
-    Expected<std::unique_ptr<GripperPort>> port = d->factory.create(address);
     if (!port) {
         d->error = port.error();
         return tl::unexpected<Error>(port.error());
@@ -219,6 +224,8 @@ Expected<void> ConnectSession::connectTo(const QString& address)
     d->measuredLag_s.reset();
     d->chain = {};
     d->calibration.clear();
+    d->calibrationsTold = false;
+    d->calibrationsUnread.reset();
     d->stopState = StopState::None;
     d->state = State::Connecting;
     d->port->open();
@@ -363,6 +370,32 @@ const MeasuringChain& ConnectSession::measuringChain() const
 void ConnectSession::setCalibrations(const CalibrationsInForce& calibrations)
 {
     d->calibration.put(calibrations, d->identity);
+    d->calibrationsTold = true;
+    d->calibrationsUnread.reset();
+}
+
+void ConnectSession::awaitCalibrations(bool on)
+{
+    d->awaitsCalibrations = on;
+}
+
+void ConnectSession::tellCalibrationsUnread(const Error& reason)
+{
+    if (!d->calibrationsTold)
+        d->calibrationsUnread = reason;
+}
+
+Expected<void> ConnectSession::calibrationsTold() const
+{
+    if (!d->awaitsCalibrations || d->calibrationsTold)
+        return {};
+    if (d->calibrationsUnread)
+        return failure(ErrorCode::Usage,
+                       {Words::say("What the library knows of this gripper could not be read, so nothing is "
+                                   "squeezed; it is asked again every 2 seconds. %1")
+                            .arg(d->calibrationsUnread->describe())});
+    return failure(ErrorCode::Usage, {Words::tr("The library is still being asked what is known of this "
+                                                "gripper. Wait a moment, then squeeze again.")});
 }
 
 const ChannelCalibration& ConnectSession::calibration() const

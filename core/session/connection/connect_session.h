@@ -111,6 +111,13 @@ public:
     /// recorded, are corrected from here on.
     void setCalibrations(const CalibrationsInForce& calibrations);
     [[nodiscard]] const ChannelCalibration& calibration() const;
+    /// For an owner that has to ask for the calibrations first: after each connectTo() from now on nothing is
+    /// squeezed before setCalibrations() was called, with none of them too. Off unless told otherwise.
+    void awaitCalibrations(bool on);
+    /// They could not be read; until setCalibrations().
+    void tellCalibrationsUnread(const Error& reason);
+    /// Usage, in words for a person, while they are awaited.
+    [[nodiscard]] Expected<void> calibrationsTold() const;
     /// The device's own reading behind a corrected value.
     [[nodiscard]] double uncorrected(SensorChannel channel, double value) const;
 

@@ -175,16 +175,16 @@ Expected<void> EnrollSession::back()
     return {};
 }
 
-Expected<void> EnrollSession::approve()
+Expected<void> EnrollSession::approve(const QString& reason)
 {
     RETURN_IF_ERROR(d->waitingIn(Step::Review));
     if (acceptedCount() < leastSqueezes || !d->type)
         return notNow(tooFew(acceptedCount()));
     d->ask<void>(
-        [id = d->type->id, who = d->operatorName, name = d->typeName,
+        [id = d->type->id, who = d->operatorName, name = d->typeName, reason,
          drafts = d->keepsDrafts](Library& library) {
             return library.atOnce([&]() -> Expected<void> {
-                if (Expected<void> approved = library.approveType(id, who); !approved || !drafts)
+                if (Expected<void> approved = library.approveType(id, who, reason); !approved || !drafts)
                     return approved;
                 return library.endDraft(name, DraftEnd::Approved, who);
             });

@@ -85,11 +85,11 @@ public:
     [[nodiscard]] Expected<void> reject(const QString& reason); ///< the pending squeeze
     [[nodiscard]] Expected<void> drop(int index, const QString& reason); ///< an accepted one, later
     [[nodiscard]] Expected<void> review();                               ///< Squeeze -> Review
-    [[nodiscard]] Expected<void> back();    ///< Review -> Squeeze, Recipe -> Name
-    [[nodiscard]] Expected<void> approve(); ///< Review -> Approved
-    void restart();                         ///< a new enrolment; nothing stored is lost, and the draft stays
-    [[nodiscard]] Expected<void> undo();    ///< undoable()
-    [[nodiscard]] Expected<void> redo();    ///< redoable()
+    [[nodiscard]] Expected<void> back();                              ///< Review -> Squeeze, Recipe -> Name
+    [[nodiscard]] Expected<void> approve(const QString& reason = {}); ///< Review -> Approved
+    void restart();                      ///< a new enrolment; nothing stored is lost, and the draft stays
+    [[nodiscard]] Expected<void> undo(); ///< undoable()
+    [[nodiscard]] Expected<void> redo(); ///< redoable()
     [[nodiscard]] std::optional<Act> undoable() const; ///< nothing while work is under way
     [[nodiscard]] std::optional<Act> redoable() const;
     /// Moves everything on; never waits. True when something changed.

@@ -53,6 +53,7 @@ Expected<void> EnrollSession::accept()
     store.recipe = d->recipe;
     store.grasp = makeGrasp(squeeze->recording, squeeze->identification, squeeze->source, d->operatorName);
     store.grasp.part = squeeze->part;
+    store.grasp.draftSqueezeId = d->keptDraftId(*squeeze);
     store.graspId = squeeze->graspId;
     if (d->keepsDrafts)
         store.draft = d->decidedDraft(u"accept"_qs);

@@ -39,7 +39,7 @@ std::vector<TypeSqueeze> withOthers(const AdviceRequest& request, const std::vec
 
 VerdictOptions optionsFor(const AdviceRequest& request)
 {
-    VerdictOptions options;
+    VerdictOptions options = request.rates;
     options.siUnits = request.siUnits;
     return options;
 }
@@ -69,15 +69,17 @@ bool operator==(const AdviceRequest& one, const AdviceRequest& other)
     const bool samePending = one.pending.has_value() == other.pending.has_value() &&
                              (!one.pending || areSame(*one.pending, *other.pending));
     return samePending && one.type == other.type && one.rows == other.rows &&
-           one.pendingRow == other.pendingRow &&
+           one.pendingRow == other.pendingRow && one.rates == other.rates &&
            std::equal(one.accepted.begin(), one.accepted.end(), other.accepted.begin(), other.accepted.end(),
                       areSame);
 }
 
-AdviceRequest adviceRequest(const QString& type, const std::vector<EnrollSqueeze>& squeezes)
+AdviceRequest adviceRequest(const QString& type, const std::vector<EnrollSqueeze>& squeezes,
+                            const VerdictOptions& rates)
 {
     AdviceRequest request;
     request.type = type;
+    request.rates = rates;
     for (std::size_t row = 0; row < squeezes.size(); ++row) {
         const EnrollSqueeze& squeeze = squeezes[row];
         if (squeeze.decision == EnrollSqueeze::Decision::Rejected)

@@ -19,9 +19,11 @@ struct AdviceRequest {
     std::optional<TypeSqueeze> pending;
     int pendingRow = -1;
     bool siUnits = true;
+    VerdictOptions rates; ///< that verdicts are held to
     friend bool operator==(const AdviceRequest&, const AdviceRequest&);
 };
-[[nodiscard]] AdviceRequest adviceRequest(const QString& type, const std::vector<EnrollSqueeze>& squeezes);
+[[nodiscard]] AdviceRequest adviceRequest(const QString& type, const std::vector<EnrollSqueeze>& squeezes,
+                                          const VerdictOptions& rates);
 
 /// While squeezes come in.
 struct EnrollmentAdvice {

@@ -37,6 +37,16 @@ void InspectSession::setRates(const VerdictOptions& rates)
     d->judge.rates = rates;
 }
 
+void InspectSession::setPolicy(const JudgingPolicy& policy)
+{
+    d->policy = policy;
+}
+
+const JudgingPolicy& InspectSession::policy() const
+{
+    return d->policy;
+}
+
 void InspectSession::setIdentificationOptions(const IdentificationOptions& options)
 {
     d->judge.identification = options;
@@ -83,6 +93,28 @@ void InspectSession::reload()
     d->reload();
 }
 
+void InspectSession::setPartNumber(const QString& number)
+{
+    d->partNumber = number;
+}
+
+void InspectSession::setShiftStart(qint64 after)
+{
+    d->archive.setShiftStart(after);
+}
+
+void InspectSession::voidLast(const QString& reason)
+{
+    if (!d->result || d->result->number == 0)
+        return;
+    d->archive.voidInspection(d->result->number, reason, d->operatorName,
+                              [this, number = d->result->number](const Expected<void>& done) {
+                                  d->noticeFailure(done);
+                                  if (done && d->result && d->result->number == number)
+                                      d->result->voided = true;
+                              });
+}
+
 void InspectSession::beginBatch(const NewBatch& batch)
 {
     NewBatch asked = batch;
@@ -111,11 +143,13 @@ Expected<void> InspectSession::squeeze()
     return {};
 }
 
-Expected<void> InspectSession::judgeRecording(Recording recording, const QString& source)
+Expected<void> InspectSession::judgeRecording(Recording recording, const QString& source,
+                                              const std::optional<EarlyEnd>& earlyEnd)
 {
     RETURN_IF_ERROR(d->ready());
     ++d->squeezes;
     d->begin(State::Judging);
+    d->measuredEarlyEnd = earlyEnd;
     d->identify(std::move(recording), source);
     return {};
 }
@@ -190,6 +224,21 @@ InspectionCounts InspectSession::counts() const
     return d->archive.counts();
 }
 
+const InspectionCounts& InspectSession::shiftCounts() const
+{
+    return d->archive.shiftCounts();
+}
+
+const QString& InspectSession::expectedType() const
+{
+    return d->expectedType;
+}
+
+const QString& InspectSession::partNumber() const
+{
+    return d->partNumber;
+}
+
 const std::optional<BatchRecord>& InspectSession::batch() const
 {
     return d->archive.batch();
@@ -210,6 +259,13 @@ const std::vector<TypeRecord>& InspectSession::types() const
     return d->archive.types();
 }
 
+std::vector<TypeRecord> InspectSession::approvedTypes() const
+{
+    std::vector<TypeRecord> approved = types();
+    std::erase_if(approved, [](const TypeRecord& type) { return !type.approved; });
+    return approved;
+}
+
 bool InspectSession::storing() const
 {
     return d->archive.unstored() > 0 && !d->archive.obstacle();
@@ -220,9 +276,16 @@ std::size_t InspectSession::unstored() const
     return d->archive.unstored();
 }
 
+std::size_t InspectSession::spilled() const
+{
+    return d->archive.spilled();
+}
+
 std::optional<Error> InspectSession::lastError() const
 {
-    return d->error ? d->error : d->archive.obstacle();
+    if (d->error)
+        return d->error;
+    return d->archive.obstacle() ? d->archive.obstacle() : d->archive.spillProblem();
 }
 
 } // namespace gripscope

@@ -5,6 +5,7 @@
 #include "core/library/records/batch.h"
 #include "core/recognition/early/early_stop.h"
 #include "core/recognition/verdict/inspection_outcome.h"
+#include "core/session/inspect/judging_policy.h"
 #include "core/session/squeeze/squeeze_job.h"
 
 #include <functional>
@@ -24,9 +25,10 @@ namespace gripscope {
 /// comes late only makes the squeeze longer). Its record is identified and judged as any other, and where
 /// that says something else than the decision, the verdict is inconclusive (verdictOnEarlyEnd()).
 ///
-/// The verdict is shown as soon as it is known; storing goes on behind it (Result::keeping). What the library
-/// cannot take is tried again while the program runs, in its order; until then that is lastError(), and after
-/// mostUnstored of them there is no further squeeze.
+/// The verdict is shown as soon as it is known; storing goes on behind it (Result::keeping): first into a
+/// file that outlives this program (InspectionSpill), then into the library. What the library cannot take is
+/// tried again, in its order, by the next program too; until then that is lastError(). After mostUnstored of
+/// them, and where that file has no room, there is no further squeeze.
 class InspectSession {
 public:
     enum class State { Loading, Ready, Squeezing, Judging };
@@ -40,6 +42,8 @@ public:
     void setOperator(const QString& name);
     void setExpectedType(const QString& name); ///< empty: none
     void setRates(const VerdictOptions& rates);
+    /// From the next squeeze on. What is refused is kept like any other, not valid, with the reason.
+    void setPolicy(const JudgingPolicy& policy);
     void setIdentificationOptions(const IdentificationOptions& options);
     /// The squeezes come from another gripper than the types; nothing ends early then.
     void setTransfer(const std::optional<CommonShift>& error);
@@ -52,6 +56,13 @@ public:
     /// Called on another thread when a squeeze was judged, so that poll() need not wait for its next turn.
     void setWake(std::function<void()> wake);
     void reload(); ///< the library changed
+    /// What was scanned on the part that is squeezed next; kept with it, and forgotten once it was squeezed.
+    void setPartNumber(const QString& number);
+    /// shiftCounts() are of the inspections with a number behind this one; 0: of all.
+    void setShiftStart(qint64 after);
+    /// The inspection shown by result(), which is stored, counts no longer. Done behind; a failure is
+    /// lastError().
+    void voidLast(const QString& reason);
 
     /// Inspections that begin from now on are counted for a batch, until it is whole (then it ends by itself)
     /// or is ended. One that is under way goes on after a restart. Done behind; a failure is lastError().
@@ -59,7 +70,9 @@ public:
     void endBatch();
 
     [[nodiscard]] Expected<void> squeeze();
-    [[nodiscard]] Expected<void> judgeRecording(Recording recording, const QString& source);
+    /// `earlyEnd`: of a squeeze that is judged again, what had ended it before its time.
+    [[nodiscard]] Expected<void> judgeRecording(Recording recording, const QString& source,
+                                                const std::optional<EarlyEnd>& earlyEnd = {});
     void cancel();
     bool poll(); ///< never waits; true when something changed
 
@@ -77,11 +90,16 @@ public:
         Verdict verdict;
         InspectionOutcome outcome = InspectionOutcome::NotValid;
         QString expectedType;
-        double seconds = 0;
+        double seconds = 0; ///< lengthSeconds() of its recording
         /// Counts the squeezes of the session, so that two results are told apart before they are stored.
         std::uint64_t squeeze = 0;
         /// What ended the squeeze before its time.
         std::optional<EarlyEnd> earlyEnd = {};
+        bool refused = false;      ///< by the policy; it could have been judged
+        VerdictOptions rates = {}; ///< that the verdict is held to; others may be in force by now
+        QString partNumber = {};
+        int invalidInARow = 0; ///< with this one; 0 where it is valid
+        bool voided = false;   ///< it counts no longer
     };
     [[nodiscard]] State state() const;
     [[nodiscard]] double progress() const;
@@ -93,15 +111,22 @@ public:
     [[nodiscard]] double longestSeconds() const; ///< of the next squeeze: the recipe's
     [[nodiscard]] bool earlyEnd() const;
     [[nodiscard]] const VerdictOptions& rates() const;
+    [[nodiscard]] const JudgingPolicy& policy() const;
     [[nodiscard]] InspectionCounts counts() const; ///< of all inspections
+    [[nodiscard]] const InspectionCounts& shiftCounts() const;
+    [[nodiscard]] const QString& expectedType() const;
+    [[nodiscard]] const QString& partNumber() const; ///< of the next squeeze
     /// The batch under way, or the one that ended last while the program ran.
     [[nodiscard]] const std::optional<BatchRecord>& batch() const;
-    [[nodiscard]] bool changingBatch() const;       ///< a begin or an end is on its way into the library
-    [[nodiscard]] const TypeModels& models() const; ///< in SI where any type's units are known
-    [[nodiscard]] const std::vector<TypeRecord>& types() const;
+    [[nodiscard]] bool changingBatch() const; ///< a begin or an end is on its way into the library
+    /// Of the approved types, which alone a part can be; in SI where any type's units are known.
+    [[nodiscard]] const TypeModels& models() const;
+    [[nodiscard]] const std::vector<TypeRecord>& types() const; ///< all in use, approved or not
+    [[nodiscard]] std::vector<TypeRecord> approvedTypes() const;
     [[nodiscard]] bool
     storing() const; ///< inspections are on their way into the library, and nothing is wrong
     [[nodiscard]] std::size_t unstored() const; ///< so many are on their way, or wait
+    [[nodiscard]] std::size_t spilled() const;  ///< of these, so many are kept should the program end now
     [[nodiscard]] std::optional<Error> lastError() const;
 
 private:

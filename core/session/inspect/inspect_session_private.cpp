@@ -6,22 +6,13 @@
 #include "core/recognition/early/early_stop.h"
 #include "core/recognition/verdict/judgement.h"
 #include "core/session/enroll/enrollment_storage.h"
+#include "core/session/inspect/squeeze_judged.h"
 #include "core/signal/recording/units.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gripscope {
-
-namespace {
-
-double lengthOf(const Recording& recording)
-{
-    return recording.time_s.empty()
-               ? static_cast<double>(recording.size()) * recording.sampleTime_s
-               : recording.time_s.back() - recording.time_s.front() + recording.sampleTime_s;
-}
-
-} // namespace
 
 void InspectSession::Private::reload()
 {
@@ -29,11 +20,24 @@ void InspectSession::Private::reload()
         state = State::Loading;
     archive.load([this](const Expected<void>& done) {
         noticeFailure(done);
-        if (done && state == State::Loading) {
+        if (!done || state != State::Loading)
+            return;
+        error.reset();
+        if (!storeResults || archive.spillKnown())
             state = State::Ready;
-            error.reset();
-        }
+        else if (!archive.spillAsked())
+            openSpill();
     });
+}
+
+void InspectSession::Private::openSpill()
+{
+    archive.openSpill(
+        [this] {
+            if (state == State::Loading)
+                state = State::Ready;
+        },
+        [this](const Error& lost) { error = lost; });
 }
 
 void InspectSession::Private::noticeFailure(const Expected<void>& done)
@@ -42,7 +46,7 @@ void InspectSession::Private::noticeFailure(const Expected<void>& done)
         error = done.error();
 }
 
-Expected<void> InspectSession::Private::ready() const
+Expected<void> InspectSession::Private::ready()
 {
     switch (state) {
     case State::Ready:
@@ -53,12 +57,11 @@ Expected<void> InspectSession::Private::ready() const
     case State::Judging:
         return failure(ErrorCode::Usage, {Words::tr("The last squeeze is still being worked on.")});
     }
-    if (storeResults && archive.unstored() >= mostUnstored && archive.obstacle())
-        return failure(ErrorCode::Usage,
-                       {Words::tr("%1 inspections are not stored yet, and no more can be kept. %2")
-                            .arg(archive.unstored())
-                            .arg(archive.obstacle()->describe())});
-    return {};
+    if (!storeResults)
+        return {};
+    if (!archive.spillAsked()) // storing was not wanted before
+        openSpill();
+    return archive.roomForOneMore();
 }
 
 Recipe InspectSession::Private::wantedRecipe() const
@@ -77,14 +80,18 @@ void InspectSession::Private::begin(State next)
     watch.end();
     measuredEarlyEnd.reset();
     measuredExpectedType = expectedType;
+    measuredPolicy = policy;
     const std::optional<BatchRecord>& batch = archive.batch();
     measuredBatch = batch && !batch->ended ? batch->id : QString();
+    measuredPartNumber = std::exchange(partNumber, {});
 }
 
 void InspectSession::Private::fail(const Error& reason)
 {
     error = reason;
     state = State::Ready;
+    if (partNumber.isEmpty())
+        partNumber = measuredPartNumber; // the part has still to be squeezed
 }
 
 std::optional<EarlyStopSetup> InspectSession::Private::earlyStopSetup() const
@@ -118,6 +125,7 @@ void InspectSession::Private::followSqueeze()
     if (job.state() == SqueezeJob::State::Done) {
         if (job.endedEarly())
             measuredEarlyEnd = watch.decision();
+        job.note(toNote(SqueezeJudged{judge.rates, measuredEarlyEnd, measuredPolicy}));
         identify(job.recording(), connection.address());
     } else if (job.state() == SqueezeJob::State::Failed) {
         fail(*job.error());
@@ -142,6 +150,7 @@ void InspectSession::Private::identify(Recording recording, const QString& from)
     source = from;
     if (const Expected<void> started = judge.start(std::move(recording), archive.comparable()); !started)
         return fail(started.error());
+    judgedVersion = archive.version();
     state = State::Judging;
 }
 
@@ -154,9 +163,18 @@ void InspectSession::Private::show(InspectionJudge::Judged judged)
         found.verdict =
             verdictOnEarlyEnd(std::move(found.verdict), *found.earlyEnd,
                               static_cast<double>(found.earlyEnd->samples) * judged.recording.sampleTime_s);
+    if (Findings reasons = refusals(measuredPolicy, judged.recording, judged.identification);
+        !reasons.empty() && found.verdict.kind != VerdictKind::Invalid) {
+        found.verdict = refusedVerdict(found.verdict, std::move(reasons));
+        found.refused = true;
+    }
     found.outcome = inspectionOutcome(found.verdict.kind, found.verdict.type, measuredExpectedType);
     found.expectedType = measuredExpectedType;
-    found.seconds = lengthOf(judged.recording);
+    found.partNumber = measuredPartNumber;
+    found.rates = judged.rates;
+    invalidInARow = found.outcome == InspectionOutcome::NotValid ? invalidInARow + 1 : 0;
+    found.invalidInARow = invalidInARow;
+    found.seconds = lengthSeconds(judged.recording);
     found.squeeze = squeezes;
     found.identification = std::move(judged.identification);
     found.recording = std::move(judged.recording);
@@ -176,8 +194,13 @@ void InspectSession::Private::keep(const VerdictOptions& rates)
     inspection.expectedType = result->expectedType;
     inspection.seconds = result->seconds;
     inspection.batchId = measuredBatch;
+    inspection.libraryVersion = judgedVersion;
+    inspection.partNumber = result->partNumber;
+    inspection.grasp.program = QStringLiteral(GRIPSCOPE_VERSION); // another may store it
     inspection.id = newTimeOrderedId();
-    inspection.grasp.recorded = QDateTime::currentDateTimeUtc();
+    const QDateTime now = QDateTime::currentDateTime();
+    inspection.grasp.recorded = now.toUTC();
+    inspection.grasp.utcOffset_s = now.offsetFromUtc();
     archive.keep(inspection, [this, which = squeezes](const Expected<qint64>& number) {
         if (!number)
             error = number.error();

@@ -3,6 +3,7 @@
 
 #include "core/library/library_service.h"
 #include "core/library/records/batch.h"
+#include "core/library/spill/inspection_spill.h"
 #include "core/recognition/types/type_shift.h"
 #include "core/session/inspect/inspect_session.h"
 #include "core/session/squeeze/comparable_units.h"
@@ -62,49 +63,88 @@ public:
     /// Reads all of it again.
     void load(std::function<void(const Expected<void>&)> done);
     void setClock(SqueezeJob::Clock clock) { m_clock = std::move(clock); }
-    /// Stores an inspection, and ends its batch when that is whole by it. One after another in their order:
-    /// what the library cannot take now (a full disk, a lock, a file that was taken away) is tried again
-    /// every few seconds, and those behind it wait. `told` hears, once, the number; or why no library will
-    /// take it.
+    /// Sets room aside for what the library cannot take, and goes on with what earlier programs left there.
+    /// `done` hears that it is known whether there is room, once; without room it is tried again every few
+    /// seconds. `lost` hears what of the earlier could not be read or stored, and where it is kept.
+    void openSpill(std::function<void()> done, std::function<void(const Error&)> lost);
+    [[nodiscard]] bool spillAsked() const { return m_spillAsked; }
+    [[nodiscard]] bool spillKnown() const;
+    [[nodiscard]] const std::optional<Error>& spillProblem() const { return m_spillProblem; }
+    /// Whether one more inspection would be safe; Usage says why not.
+    [[nodiscard]] Expected<void> roomForOneMore() const;
+    /// Puts an inspection into the spill file, then stores it, and ends its batch when that is whole by it.
+    /// One after another in their order: what the library cannot take now (a full disk, a lock, a file that
+    /// was taken away) is tried again every few seconds, and those behind it wait. `told` hears, once, the
+    /// number; or why no library will take it.
     void keep(const NewInspection& inspection, std::function<void(const Expected<qint64>&)> told);
     void beginBatch(const NewBatch& batch, std::function<void(const Expected<void>&)> done);
     void endBatch(const QString& operatorName, std::function<void(const Expected<void>&)> done);
+    void voidInspection(qint64 number, const QString& reason, const QString& operatorName,
+                        std::function<void(const Expected<void>&)> done);
+    void setShiftStart(qint64 after);
     bool poll();                                                            ///< true when an answer came
     [[nodiscard]] std::size_t unstored() const { return m_waiting.size(); } ///< inspections on their way
+    [[nodiscard]] std::size_t spilled() const; ///< of these, so many would outlive this program
     [[nodiscard]] const std::optional<Error>& obstacle() const { return m_obstacle; } ///< why they wait
     [[nodiscard]] bool changingBatch() const { return m_changing > 0; } ///< its begin or end is on its way
 
     [[nodiscard]] const std::vector<TypeRecord>& types() const { return m_types; }
     [[nodiscard]] const ComparableTypes& comparable() const { return m_comparable; }
+    /// Of the library, that these types are of.
+    [[nodiscard]] qint64 version() const { return m_version; }
     [[nodiscard]] const InspectionCounts& counts() const { return m_standing.counts; }
+    [[nodiscard]] const InspectionCounts& shiftCounts() const { return m_standing.shift; }
     /// The one under way here, or the one that was ended last, until the next begins.
     [[nodiscard]] const std::optional<BatchRecord>& batch() const { return m_standing.batch; }
 
 private:
     /// How things stand after a request.
     struct Standing {
-        InspectionCounts counts;
+        InspectionCounts counts, shift;
         std::optional<BatchRecord> batch;
     };
     struct Loaded {
         std::vector<TypeRecord> types;
         ComparableTypes comparable;
         Standing standing;
+        qint64 version = 0;
     };
     struct Kept {
         qint64 number = 0;
         Standing standing;
     };
-    [[nodiscard]] static Expected<Loaded> read(Library& library);
-    [[nodiscard]] static Expected<Kept> store(Library& library, const NewInspection& inspection);
-    [[nodiscard]] static Expected<Standing> standing(Library& library,
-                                                     const Expected<std::optional<BatchRecord>>& batch);
+    // `after`: where the shift begins.
+    [[nodiscard]] static Expected<Loaded> read(Library& library, qint64 after);
+    [[nodiscard]] static Expected<Kept> store(Library& library, const NewInspection& inspection,
+                                              qint64 after);
+    [[nodiscard]] static Expected<Standing>
+    standing(Library& library, const Expected<std::optional<BatchRecord>>& batch, qint64 after);
+    enum class Spilled {
+        NotYet,
+        OnItsWay,
+        Yes,
+        Cannot, ///< it is kept by this program alone
+    };
     struct Waiting {
         NewInspection inspection;
         std::function<void(const Expected<qint64>&)> told;
+        Spilled spilled = Spilled::NotYet;
+        qint64 place = 0; ///< in the spill file, where it is there
+        bool fromBefore = false;
     };
-    void storeFirst();
+    [[nodiscard]] static Expected<Kept> storeWaiting(Library& library, InspectionSpill& spill,
+                                                     const Waiting& waiting, qint64 after);
+    [[nodiscard]] std::function<Expected<Kept>(Library&)> storing(const Waiting& waiting) const;
+    void spillNext();
+    void takeSpilled(const QString& id, const Expected<qint64>& place);
+    void tryToOpenSpill();
+    void takeOpened(Expected<InspectionSpill::Opened> opened);
+    void goOnWith(std::vector<SpilledInspection> earlier);
+    void storeNext();
     void takeStored(const Expected<Kept>& kept, std::uint64_t request);
+    /// `work` returns the batch under way, or the one that it ended.
+    void change(std::function<Expected<std::optional<BatchRecord>>(Library&)> work,
+                std::function<void(const Expected<void>&)> done);
     void changeBatch(std::function<Expected<BatchRecord>(Library&)> work,
                      std::function<void(const Expected<void>&)> done);
     void take(Standing standing, std::uint64_t request);
@@ -113,13 +153,22 @@ private:
     PendingCall m_loading;
     std::list<PendingCall> m_answers; ///< in the order in which they were asked for
     std::deque<Waiting> m_waiting;    ///< the first is being stored, or will be at m_nextTry
-    PendingCall m_storing;
+    PendingCall m_storing, m_spilling, m_openingSpill;
+    /// Shared with what was asked of the library, which says there what is stored.
+    std::shared_ptr<InspectionSpill> m_spill = std::make_shared<InspectionSpill>();
+    bool m_spillAsked = false;
+    std::function<void()> m_spillOpened; ///< told once
+    std::function<void(const Error&)> m_lost;
+    std::optional<Error> m_spillProblem; ///< why nothing more can be kept safe
+    std::optional<std::chrono::steady_clock::time_point> m_nextSpillTry;
     std::optional<std::chrono::steady_clock::time_point> m_nextTry;
     std::optional<Error> m_obstacle;
     SqueezeJob::Clock m_clock = std::chrono::steady_clock::now;
     int m_changing = 0;
+    qint64 m_shiftStart = 0;
     std::vector<TypeRecord> m_types;
     ComparableTypes m_comparable;
+    qint64 m_version = 0;
     Standing m_standing;
     std::uint64_t m_requests = 0, m_stood = 0; ///< the number of the last, and of the one m_standing is from
 };
@@ -138,18 +187,23 @@ struct InspectSession::Private {
     SqueezeForecast forecast;
     int listener = 0;
     Recipe recipe;
-    QString operatorName, expectedType;
+    QString operatorName, expectedType, partNumber;
     bool storeResults = true, endsEarly = true, forecasting = false;
 
     State state = State::Loading;
-    QString source, measuredExpectedType, measuredBatch; // as they were when the squeeze began
+    // As they were when the squeeze began.
+    QString source, measuredExpectedType, measuredBatch, measuredPartNumber;
     std::optional<EarlyEnd> measuredEarlyEnd;
+    JudgingPolicy policy, measuredPolicy;
+    qint64 judgedVersion = 0; // of the library, when the squeeze was judged
     std::uint64_t squeezes = 0;
+    int invalidInARow = 0;
     std::optional<Result> result;
     std::optional<Error> error;
 
     void reload();
-    [[nodiscard]] Expected<void> ready() const;
+    void openSpill();
+    [[nodiscard]] Expected<void> ready();
     [[nodiscard]] Recipe wantedRecipe() const;
     [[nodiscard]] std::optional<EarlyStopSetup> earlyStopSetup() const;
     void begin(State next);

@@ -3,55 +3,46 @@
 
 namespace gripscope {
 
-namespace {
-
-constexpr std::chrono::seconds retryEvery{2};
-
-/// The fault is the library's, not the inspection's.
-bool mayBeStoredLater(const Error& error)
-{
-    switch (error.code) {
-    case ErrorCode::StorageOpen:
-    case ErrorCode::StorageFailed:
-    case ErrorCode::StorageNewer:
-    case ErrorCode::StorageCorrupt:
-        return true;
-    default:
-        return false;
-    }
-}
-
-} // namespace
-
 InspectionArchive::~InspectionArchive()
 {
-    if (m_obstacle || m_waiting.empty())
-        return;
-    m_waiting.pop_front(); // it is on its way
     for (const Waiting& waiting : m_waiting)
-        static_cast<void>(m_library.run<Kept>(
-            [inspection = waiting.inspection](Library& library) { return store(library, inspection); }));
+        if (waiting.spilled == Spilled::NotYet)
+            static_cast<void>(m_spill->add(waiting.inspection)); // done before the file is closed
+    if (m_obstacle)
+        return;
+    if (m_storing.waiting())
+        m_waiting.pop_front(); // it is on its way
+    for (const Waiting& waiting : m_waiting)
+        static_cast<void>(m_library.run<Kept>(storing(waiting)));
 }
 
 Expected<InspectionArchive::Standing>
-InspectionArchive::standing(Library& library, const Expected<std::optional<BatchRecord>>& batch)
+InspectionArchive::standing(Library& library, const Expected<std::optional<BatchRecord>>& batch, qint64 after)
 {
     if (!batch)
         return tl::unexpected<Error>(batch.error());
     ASSIGN_OR_RETURN(const InspectionCounts counts, library.inspectionCounts());
-    return Standing{counts, *batch};
+    if (after <= 0)
+        return Standing{counts, counts, *batch};
+    ASSIGN_OR_RETURN(const InspectionCounts shift, library.inspectionCounts(after));
+    return Standing{counts, shift, *batch};
 }
 
-Expected<InspectionArchive::Loaded> InspectionArchive::read(Library& library)
+Expected<InspectionArchive::Loaded> InspectionArchive::read(Library& library, qint64 after)
 {
+    ASSIGN_OR_RETURN(const qint64 version, library.version());
     ASSIGN_OR_RETURN(std::vector<TypeRecord> types, library.types());
-    ASSIGN_OR_RETURN(const std::vector<TypeSqueeze> squeezes, library.enrolledSqueezes());
-    ASSIGN_OR_RETURN(Standing now, standing(library, library.batchUnderWay()));
+    ASSIGN_OR_RETURN(const std::vector<TypeSqueeze> squeezes, library.approvedSqueezes());
+    ASSIGN_OR_RETURN(const qint64 versionNow, library.version());
+    if (versionNow != version)
+        return read(library, after); // somebody changed the types meanwhile
+    ASSIGN_OR_RETURN(Standing now, standing(library, library.batchUnderWay(), after));
     ComparableTypes comparable(types, squeezes);
-    return Loaded{std::move(types), std::move(comparable), std::move(now)};
+    return Loaded{std::move(types), std::move(comparable), std::move(now), version};
 }
 
-Expected<InspectionArchive::Kept> InspectionArchive::store(Library& library, const NewInspection& inspection)
+Expected<InspectionArchive::Kept> InspectionArchive::store(Library& library, const NewInspection& inspection,
+                                                           qint64 after)
 {
     ASSIGN_OR_RETURN(const InspectionRecord added, library.addInspection(inspection));
     Expected<std::optional<BatchRecord>> batch = library.batchUnderWay();
@@ -60,7 +51,7 @@ Expected<InspectionArchive::Kept> InspectionArchive::store(Library& library, con
                          library.endBatch(inspection.batchId, inspection.grasp.operatorName));
         *batch = ended;
     }
-    return standing(library, batch).map([&](const Standing& now) { return Kept{added.number, now}; });
+    return standing(library, batch, after).map([&](const Standing& now) { return Kept{added.number, now}; });
 }
 
 void InspectionArchive::take(Standing standing, std::uint64_t request)
@@ -77,67 +68,86 @@ void InspectionArchive::take(Standing standing, std::uint64_t request)
 
 void InspectionArchive::load(std::function<void(const Expected<void>&)> done)
 {
-    m_loading = PendingCall(m_library.run<Loaded>(read),
-                            [this, request = ++m_requests, done = std::move(done)](Expected<Loaded> answer) {
-                                if (!answer)
-                                    return done(tl::unexpected<Error>(answer.error()));
-                                m_types = std::move(answer->types);
-                                m_comparable = std::move(answer->comparable);
-                                take(std::move(answer->standing), request);
-                                done({});
-                            });
+    m_loading = PendingCall(
+        m_library.run<Loaded>([after = m_shiftStart](Library& library) { return read(library, after); }),
+        [this, request = ++m_requests, done = std::move(done)](Expected<Loaded> answer) {
+            if (!answer)
+                return done(tl::unexpected<Error>(answer.error()));
+            m_types = std::move(answer->types);
+            m_comparable = std::move(answer->comparable);
+            m_version = answer->version;
+            take(std::move(answer->standing), request);
+            done({});
+        });
 }
 
-void InspectionArchive::keep(const NewInspection& inspection,
-                             std::function<void(const Expected<qint64>&)> told)
+bool InspectionArchive::poll()
 {
-    m_waiting.push_back({inspection, std::move(told)});
-    if (m_waiting.size() == 1)
-        storeFirst();
-}
-
-void InspectionArchive::storeFirst()
-{
-    m_nextTry.reset();
-    m_storing = PendingCall(
-        m_library.run<Kept>([inspection = m_waiting.front().inspection](Library& library) {
-            return store(library, inspection);
-        }),
-        [this, request = ++m_requests](const Expected<Kept>& kept) { takeStored(kept, request); });
-}
-
-void InspectionArchive::takeStored(const Expected<Kept>& kept, std::uint64_t request)
-{
-    if (!kept && mayBeStoredLater(kept.error())) {
-        m_nextTry = m_clock() + retryEvery;
-        m_obstacle = kept.error();
-        return;
+    bool changed = m_loading.poll();
+    changed = m_openingSpill.poll() || changed;
+    changed = m_spilling.poll() || changed;
+    while (!m_answers.empty() && m_answers.front().poll()) {
+        m_answers.pop_front();
+        changed = true;
     }
-    const auto told = std::move(m_waiting.front().told);
-    m_waiting.pop_front();
-    m_obstacle.reset();
-    if (kept)
-        take(kept->standing, request);
-    // Last: whoever hears it may ask for the next.
-    told(kept.map([](const Kept& stored) { return stored.number; }));
+    changed = m_storing.poll() || changed;
+    if (m_nextTry && m_clock() >= *m_nextTry)
+        m_nextTry.reset();
+    if (m_nextSpillTry && m_clock() >= *m_nextSpillTry)
+        tryToOpenSpill();
+    storeNext();
+    return changed;
 }
 
 void InspectionArchive::changeBatch(std::function<Expected<BatchRecord>(Library&)> work,
                                     std::function<void(const Expected<void>&)> done)
 {
+    change(
+        [work = std::move(work)](Library& library) {
+            return work(library).map(
+                [](const BatchRecord& batch) { return std::optional<BatchRecord>(batch); });
+        },
+        std::move(done));
+}
+
+void InspectionArchive::voidInspection(qint64 number, const QString& reason, const QString& operatorName,
+                                       std::function<void(const Expected<void>&)> done)
+{
+    change(
+        [number, reason, operatorName,
+         shown = m_standing.batch](Library& library) -> Expected<std::optional<BatchRecord>> {
+            RETURN_IF_ERROR(library.voidInspection(number, reason, operatorName));
+            ASSIGN_OR_RETURN(auto batch, library.batchUnderWay());
+            if (batch || !shown)
+                return batch;
+            return library.batch(shown->id); // one that ended may have one less now
+        },
+        std::move(done));
+}
+
+void InspectionArchive::setShiftStart(qint64 after)
+{
+    if (after == m_shiftStart)
+        return;
+    m_shiftStart = after;
+    change([](Library& library) { return library.batchUnderWay(); }, [](const Expected<void>&) {});
+}
+
+void InspectionArchive::change(std::function<Expected<std::optional<BatchRecord>>(Library&)> work,
+                               std::function<void(const Expected<void>&)> done)
+{
     ++m_changing;
-    m_answers.emplace_back(m_library.run<Standing>([work = std::move(work)](Library& library) {
-        return standing(library, work(library).map([](const BatchRecord& batch) {
-            return std::optional<BatchRecord>(batch);
-        }));
-    }),
-                           [this, request = ++m_requests, done = std::move(done)](Expected<Standing> answer) {
-                               --m_changing;
-                               if (!answer)
-                                   return done(tl::unexpected<Error>(answer.error()));
-                               take(std::move(*answer), request);
-                               done({});
-                           });
+    m_answers.emplace_back(
+        m_library.run<Standing>([work = std::move(work), after = m_shiftStart](Library& library) {
+            return standing(library, work(library), after);
+        }),
+        [this, request = ++m_requests, done = std::move(done)](Expected<Standing> answer) {
+            --m_changing;
+            if (!answer)
+                return done(tl::unexpected<Error>(answer.error()));
+            take(std::move(*answer), request);
+            done({});
+        });
 }
 
 void InspectionArchive::beginBatch(const NewBatch& batch, std::function<void(const Expected<void>&)> done)
@@ -151,23 +161,6 @@ void InspectionArchive::endBatch(const QString& operatorName, std::function<void
         changeBatch([id = m_standing.batch->id,
                      operatorName](Library& library) { return library.endBatch(id, operatorName); },
                     std::move(done));
-}
-
-bool InspectionArchive::poll()
-{
-    bool changed = m_loading.poll();
-    while (!m_answers.empty() && m_answers.front().poll()) {
-        m_answers.pop_front();
-        changed = true;
-    }
-    if (m_storing.poll()) {
-        changed = true;
-        if (!m_nextTry && !m_waiting.empty() && !m_storing.waiting())
-            storeFirst();
-    } else if (m_nextTry && m_clock() >= *m_nextTry) {
-        storeFirst();
-    }
-    return changed;
 }
 
 } // namespace gripscope

@@ -13,7 +13,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr std::size_t rowsAtOnce = 500;
+constexpr qint64 rowsAtOnce = 500;
 
 QString utc(const QDateTime& time)
 {
@@ -72,6 +72,8 @@ QJsonObject toJson(const HistoryQuery& query)
     add(u"expected"_s, query.expected);
     add(u"operator"_s, query.operatorName);
     add(u"device"_s, query.device);
+    add(u"batch"_s, query.batch);
+    add(u"validity"_s, query.validity ? toString(*query.validity) : QString());
     add(u"from_utc"_s, query.from.isValid() ? utc(query.from) : QString());
     add(u"to_utc"_s, query.to.isValid() ? utc(query.to) : QString());
     return object;
@@ -109,21 +111,38 @@ QByteArray HistoryDocument::rows(const std::vector<HistoryEntry>& entries)
     return text;
 }
 
+/// A step towards a list that is counted, since the head tells how many there are.
+Expected<void> HistoryDocument::prepare(Library& library)
+{
+    if (!m_list) {
+        ASSIGN_OR_RETURN(m_list, library.historyList(m_query));
+        if (m_list->cut) {
+            m_query.order = HistoryColumn::Time;
+            m_query.descending = true;
+            ASSIGN_OR_RETURN(m_list, library.historyList(m_query));
+        }
+    } else {
+        ASSIGN_OR_RETURN(m_list, library.historyStretch(std::move(*m_list)));
+    }
+    return {};
+}
+
 Expected<QByteArray> HistoryDocument::next(Library& library)
 {
     if (m_ended)
         return QByteArray();
-    QByteArray text;
-    if (!m_keys) {
-        ASSIGN_OR_RETURN(HistoryKeys keys, library.historyKeys(m_query));
-        m_keys = std::move(keys);
-        text = head();
+    if (!m_list || !m_list->through) {
+        RETURN_IF_ERROR(prepare(library));
+        if (!m_list->through)
+            return QByteArray();
     }
-    const std::vector<QString> part = m_keys->part(m_written, rowsAtOnce);
-    ASSIGN_OR_RETURN(const std::vector<HistoryEntry> entries, library.historyEntries(part));
+    QByteArray text = m_begun ? QByteArray() : head();
+    m_begun = true;
+    ASSIGN_OR_RETURN(const std::vector<HistoryEntry> entries,
+                     library.historyPage(*m_list, m_written, rowsAtOnce));
     text += rows(entries);
-    m_written += part.size();
-    m_ended = m_written >= m_keys->size();
+    m_written += qint64(entries.size());
+    m_ended = m_written >= m_list->rows || entries.empty();
     if (m_ended && m_format == HistoryFormat::Json)
         text += "\n]}\n";
     return text;

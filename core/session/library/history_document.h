@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/library/library.h"
-#include "core/library/records/history.h"
+#include "core/library/records/history_list.h"
 
 #include <QByteArray>
 
@@ -24,22 +24,27 @@ enum class HistoryFormat { Csv, Json };
 
 /// All that a query finds as one text, piece by piece, so that neither memory nor the library is taken by it
 /// for long. JSON: {"format": "gripscope-history", "version": 1, ..., "squeezes": [...]}, a squeeze a line.
+/// In the order asked for; where that is not by time and a list of it would be cut, all of them newest first.
 class HistoryDocument {
 public:
     HistoryDocument(HistoryQuery query, HistoryFormat format);
 
-    /// The next piece, of some hundred squeezes; empty after the last. On the library's thread.
+    /// The next piece, of some hundred squeezes; empty while they are counted, and after the last. On the
+    /// library's thread.
     [[nodiscard]] Expected<QByteArray> next(Library& library);
-    [[nodiscard]] std::size_t written() const { return m_written; }
-    [[nodiscard]] std::size_t total() const { return m_keys ? m_keys->size() : 0; }
+    [[nodiscard]] bool ended() const { return m_ended; }
+    [[nodiscard]] std::size_t written() const { return std::size_t(m_written); }
+    [[nodiscard]] std::size_t total() const { return m_list ? std::size_t(m_list->rows) : 0; }
 
 private:
     [[nodiscard]] QByteArray head() const;
     [[nodiscard]] QByteArray rows(const std::vector<HistoryEntry>& entries);
     HistoryQuery m_query;
     HistoryFormat m_format;
-    std::optional<HistoryKeys> m_keys;
-    std::size_t m_written = 0;
+    [[nodiscard]] Expected<void> prepare(Library& library);
+    std::optional<HistoryList> m_list;
+    qint64 m_written = 0;
+    bool m_begun = false;
     bool m_first = true, m_ended = false;
 };
 

@@ -30,8 +30,8 @@ public:
         std::shared_ptr<const TypeModels> models;
         double factor = 1; ///< takes m, b, k to the units of the models
     };
-    /// The models a squeeze in these units can be held against. Empty ones when nothing is enrolled,
-    /// UnitsDiffer when all that is enrolled has units that cannot be compared.
+    /// The models a squeeze in these units can be held against. Empty ones when there is nothing to be held
+    /// against, UnitsDiffer when all that there is has units that cannot be compared.
     [[nodiscard]] Expected<Choice> modelsFor(const QString& forceUnit, const QString& positionUnit) const;
     /// Those in SI where there are any, else the first others.
     [[nodiscard]] const TypeModels& main() const { return *m_main; }

@@ -4,6 +4,7 @@
 #include "core/base/words.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gripscope {
 
@@ -20,7 +21,7 @@ struct SeriesSession::Private {
     SqueezeJob job;
     PendingCall storing;
     Recipe recipe;
-    QString operatorName, serial;
+    QString operatorName, serial, reason;
     int wanted = 0, judged = 0;
     State state = State::Idle;
     std::optional<Error> error;
@@ -37,6 +38,11 @@ void SeriesSession::setOperator(const QString& name)
 {
     d->operatorName = name;
     d->job.setOperator(name);
+}
+
+void SeriesSession::setReason(const QString& why)
+{
+    d->reason = why;
 }
 
 Expected<void> SeriesSession::begin(const Recipe& recipe, int squeezes)
@@ -84,10 +90,10 @@ Expected<void> SeriesSession::storeChain(const NewMeasuringChain& measured)
             {Words::tr("Another gripper is connected than the one that was measured. Connect gripper %1, "
                        "then try again.")
                  .arg(measured.gripperSerial)});
+    NewMeasuringChain told = measured;
+    told.reason = std::exchange(d->reason, {});
     store<NewMeasuringChain>(
-        [measured](Library& library) {
-            return library.addMeasuringChain(measured).map([&] { return measured; });
-        },
+        [told](Library& library) { return library.addMeasuringChain(told).map([&] { return told; }); },
         [this](const NewMeasuringChain& kept) {
             if (d->connection.identity().serial == kept.gripperSerial)
                 d->connection.setMeasuringChain(kept.forceLag_s, kept.chain);

@@ -25,8 +25,9 @@ public:
     SeriesSession& operator=(const SeriesSession&) = delete;
 
     void setOperator(const QString& name);
-    void cancel(); ///< stops the gripper, too
-    bool poll();   ///< never waits; true when something changed
+    void setReason(const QString& why); ///< of what is accepted or removed next
+    void cancel();                      ///< stops the gripper, too
+    bool poll();                        ///< never waits; true when something changed
 
     [[nodiscard]] State state() const;
     [[nodiscard]] bool busy() const;       ///< squeezing, judging or storing

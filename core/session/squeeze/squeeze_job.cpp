@@ -89,7 +89,7 @@ Expected<void> SqueezeJob::Private::ready() const
     if (connection.state() != ConnectSession::State::Connected)
         return failure(ErrorCode::DeviceRefused,
                        {Words::tr("squeeze"), Words::tr("no gripper is connected")});
-    return {};
+    return connection.calibrationsTold(); // what is recorded uncorrected stays so
 }
 
 void SqueezeJob::Private::begin(std::size_t samples, QMap<QString, QString> provenance)
@@ -319,6 +319,12 @@ void SqueezeJob::finish(const QString& reason)
         return;
     d->finishing = reason;
     gate->finish();
+}
+
+void SqueezeJob::note(const QString& text)
+{
+    if (GripperPort* port = d->connection.port())
+        port->note(text);
 }
 
 void SqueezeJob::cancel()

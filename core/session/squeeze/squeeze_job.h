@@ -53,6 +53,8 @@ public:
     /// Nothing while nothing is squeezed, and for one that only listens.
     void finish(const QString& reason);
     void cancel(); ///< stops the gripper, too, unless it only listens
+    /// Beside the raw reports, where they are kept.
+    void note(const QString& text);
 
     [[nodiscard]] State state() const;
     [[nodiscard]] double progress() const; ///< 0 to 1

@@ -13,6 +13,8 @@ namespace gripscope {
 /// cut out of them again as it was.
 inline constexpr std::string_view squeezeBeginsNote = "squeeze begins\n";
 inline constexpr std::string_view squeezeEndedNote = "squeeze ended\n";
+/// What the squeeze before it was judged by (core/session/inspect/squeeze_judged.h).
+inline constexpr std::string_view squeezeJudgedNote = "squeeze judged\n";
 
 struct SqueezeBegins {
     SqueezeRecorder::Mode mode = SqueezeRecorder::Mode::Movement;

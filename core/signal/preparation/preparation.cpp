@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/signal/preparation/preparation.h"
 
+#include "core/math/value_lattice.h"
 #include "core/signal/preparation/preparation_parts.h"
 #include "core/signal/preparation/sample_clock.h"
 
@@ -147,14 +148,16 @@ void measureForceNoise(PreparedRecord& prepared, const Recording& recording)
     if (!deviation)
         return;
     prepared.chain.forceNoiseDeviation = *deviation;
-    prepared.steps.push_back(forceNoiseStep(rest, *deviation));
+    prepared.steps.push_back(forceNoiseStep(rest, *deviation, recording.forceUnit));
 }
 
 void notice(PreparedRecord& prepared, const Recording& recording, Window used)
 {
     if (auto step = saturationStep(recording, used))
         prepared.steps.push_back(*std::move(step));
-    if (auto step = quantizationStep(recording, used))
+    const auto positions = viewOf(recording.position, used);
+    prepared.positionStep = latticeStep(positions).value_or(0);
+    if (auto step = quantizationStep(positions, prepared.positionStep, recording.positionUnit))
         prepared.steps.push_back(*std::move(step));
 }
 
@@ -209,6 +212,7 @@ PreparedRecord prepare(const Recording& recording, const PreparationOptions& opt
     prepared.hold = recording.hold;
     prepared.forceLag_s = recording.forceLag_s;
     prepared.chain = recording.chain;
+    prepared.lagBound_s = unmeasuredLagBound_s(recording);
     if (!isUsable(recording)) {
         prepared.time_s = recording.time_s;
         prepared.force = recording.force;

@@ -67,6 +67,8 @@ struct PreparedRecord {
     /// As the recording said; the frame's share is out of `position` already. A force noise that was not
     /// stated is that of the samples before the squeeze, where there are enough of them.
     MeasuringChain chain;
+    double lagBound_s = 0;   ///< of a lag that nobody measured (unmeasuredLagBound_s()); 0: it is known
+    double positionStep = 0; ///< of the lattice that the positions came on (latticeStep()); 0: none
     std::vector<PreparationStep> steps;
 
     /// The recording's samples from the first to the last used; `eligible` those there are in the squeeze,

@@ -118,7 +118,7 @@ inline constexpr std::size_t leastRestingSamples = 20;
 
 [[nodiscard]] PreparationStep unusableStep();
 [[nodiscard]] PreparationStep contactStep(const ContactPhases& phases, Window asked);
-[[nodiscard]] PreparationStep forceNoiseStep(std::size_t samples, double deviation);
+[[nodiscard]] PreparationStep forceNoiseStep(std::size_t samples, double deviation, const QString& forceUnit);
 [[nodiscard]] PreparationStep driftStep(const SampleClock& clock, double nominal_s);
 [[nodiscard]] PreparationStep breakStep(const SampleClock& clock);
 [[nodiscard]] PreparationStep jitterStep(const SampleClock& clock, bool moved);
@@ -131,6 +131,8 @@ inline constexpr std::size_t leastRestingSamples = 20;
 [[nodiscard]] std::optional<PreparationStep> saturationStep(const Recording& recording, Window used);
 /// A position that comes in steps larger than its noise and than a ten-thousandth of its range: its errors
 /// are then neither white nor independent of the motion.
-[[nodiscard]] std::optional<PreparationStep> quantizationStep(const Recording& recording, Window used);
+/// `step` is that of their lattice, zero where there is none.
+[[nodiscard]] std::optional<PreparationStep> quantizationStep(std::span<const double> positions, double step,
+                                                              const QString& unit);
 
 } // namespace gripscope

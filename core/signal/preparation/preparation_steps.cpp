@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/words.h"
 #include "core/math/robust_statistics.h"
-#include "core/math/value_lattice.h"
 #include "core/signal/preparation/preparation_parts.h"
 #include "core/signal/preparation/sensor_faults.h"
+#include "core/signal/recording/channel_quantity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,12 +128,11 @@ PreparationStep contactLossStep(const std::vector<std::size_t>& away, std::size_
                 .arg(number(100 * share))};
 }
 
-PreparationStep forceNoiseStep(std::size_t samples, double deviation)
+PreparationStep forceNoiseStep(std::size_t samples, double deviation, const QString& forceUnit)
 {
     return {u"force_noise"_s, samples, deviation, true,
-            Words::say(
-                "the force channel's noise, %1 force units, was taken from the %2 samples before the squeeze")
-                .arg(number(deviation))
+            Words::say("the force channel's noise, %1, was taken from the %2 samples before the squeeze")
+                .arg(channelQuantity(MechanicalQuantity::Force, deviation, forceUnit))
                 .arg(samples)};
 }
 
@@ -162,21 +161,20 @@ std::optional<PreparationStep> saturationStep(const Recording& recording, Window
             .arg(found.position.look.total())};
 }
 
-std::optional<PreparationStep> quantizationStep(const Recording& recording, Window used)
+std::optional<PreparationStep> quantizationStep(std::span<const double> positions, double step,
+                                                const QString& unit)
 {
-    const auto window = std::span<const double>(recording.position).subspan(used.first, used.count);
-    const std::optional<double> step = latticeStep(window);
-    if (!step)
+    if (!(step > 0))
         return std::nullopt;
-    const auto [lowest, highest] = std::minmax_element(window.begin(), window.end());
-    const double share = *step / (*highest - *lowest);
-    if (share < finestWorthNaming || *step < noticedStep * whiteNoiseDeviation(window))
+    const auto [lowest, highest] = std::minmax_element(positions.begin(), positions.end());
+    const double share = step / (*highest - *lowest);
+    if (share < finestWorthNaming || step < noticedStep * whiteNoiseDeviation(positions))
         return std::nullopt;
-    return PreparationStep{u"quantization"_s, window.size(), *step, share < coarseStep,
+    return PreparationStep{u"quantization"_s, positions.size(), step, share < coarseStep,
                            Words::say("the position comes in steps of %1, %2 % of its range and more than "
                                       "twice its noise: m, b and k may "
                                       "be off by up to %3 %")
-                               .arg(number(*step))
+                               .arg(channelQuantity(MechanicalQuantity::Length, step, unit))
                                .arg(number(100 * share))
                                .arg(number(100 * largestShift * share))};
 }

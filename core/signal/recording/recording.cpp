@@ -13,6 +13,8 @@ namespace {
 
 /// A step longer than this many sample times means that samples are missing.
 constexpr double gapThreshold = 1.5;
+/// Of the sample time; see unmeasuredLagBound_s().
+constexpr double unmeasuredLagShare = 0.1;
 
 std::int64_t toCount(double samples)
 {
@@ -75,10 +77,28 @@ std::optional<ForceHold> forceHoldFromString(const QString& text)
     return std::nullopt;
 }
 
+bool lagIsStated(const Recording& recording)
+{
+    return recording.forceLag_s != 0 || recording.provenance.contains(forceLagSourceKey());
+}
+
+double unmeasuredLagBound_s(const Recording& recording)
+{
+    const bool known = lagIsStated(recording) || recording.chain.forceLagUncertainty_s > 0;
+    return known ? 0 : unmeasuredLagShare * recording.sampleTime_s;
+}
+
 std::vector<Gap> findGaps(const Recording& recording)
 {
     return recording.sequence.empty() ? gapsInTime(recording.time_s, recording.sampleTime_s)
                                       : gapsInSequence(recording.sequence);
+}
+
+double lengthSeconds(const Recording& recording)
+{
+    return recording.time_s.empty()
+               ? static_cast<double>(recording.size()) * recording.sampleTime_s
+               : recording.time_s.back() - recording.time_s.front() + recording.sampleTime_s;
 }
 
 Recording slice(const Recording& recording, Window window)

@@ -61,6 +61,19 @@ struct Recording {
     friend bool operator==(const Recording&, const Recording&) = default;
 };
 
+/// Provenance of a recording whose source names a `force_lag_s` of zero: known to be none, where one that
+/// does not name it knows nothing.
+[[nodiscard]] inline QString forceLagSourceKey()
+{
+    return QStringLiteral("force_lag_source");
+}
+/// Somebody said what the lag between the channels is: it is not zero, or a zero that was named.
+[[nodiscard]] bool lagIsStated(const Recording& recording);
+/// Half of the range about `forceLag_s` in which a lag lies that was neither stated nor measured: a tenth of
+/// the sample time; zero for any other. A device that reads both channels for every sample is done with both
+/// in so much. A lag of several tenths looks like the wrong force hold, which its check finds.
+[[nodiscard]] double unmeasuredLagBound_s(const Recording& recording);
+
 /// Status bits a device attaches to its samples; the values are those of the Gripscope protocol.
 enum SampleStatus : std::uint16_t {
     StatusArmed = 1 << 0,
@@ -76,6 +89,10 @@ enum SampleStatus : std::uint16_t {
 /// Gaps found from the sequence numbers, or from the time stamps where there are none. A step of time longer
 /// than 1.5 sample times is a gap of round(step / sampleTime_s) - 1 samples. O(N).
 [[nodiscard]] std::vector<Gap> findGaps(const Recording& recording);
+
+/// The length of a squeeze, wherever one is told: from its recording's first sample to the end of its last,
+/// gaps included. It begins and ends a little outside the force (see SqueezeJob).
+[[nodiscard]] double lengthSeconds(const Recording& recording);
 
 /// A recording that holds only the samples of `window`, provenance and units kept.
 [[nodiscard]] Recording slice(const Recording& recording, Window window);

@@ -18,8 +18,6 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr std::string_view formatKey = "gripscope-recording";
-/// A row of as many samples as there may be has about so many bytes.
-constexpr qint64 largestFile = 64 * static_cast<qint64>(mostSamples);
 /// A line is read whole: a fact in words is the longest there is.
 constexpr std::size_t longestLine = 65'536;
 
@@ -27,7 +25,7 @@ constexpr std::size_t longestLine = 65'536;
 class RecordingParser {
 public:
     RecordingParser(const QByteArray& text, const QString& name, const CsvReadOptions& options)
-        : m_lines(text, name), m_options(options)
+        : m_lines(text, name), m_options(options), m_decimalMark(options.format.decimalMark)
     {
         // A row of numbers has some twenty bytes; a guess too low costs a copy only.
         m_expectedRows = std::min(static_cast<std::size_t>(text.size()) / 24, mostSamples);
@@ -42,9 +40,16 @@ private:
     [[nodiscard]] tl::unexpected<Error> longLine(std::size_t bytes, std::string_view line) const;
     [[nodiscard]] tl::unexpected<Error> tooManyFacts() const;
     Expected<void> readHeader(std::string_view line);
+    [[nodiscard]] bool splitHeader(std::string_view line);
+    [[nodiscard]] bool hasColumns(const QStringList& names) const;
+    [[nodiscard]] QString forceName() const;
+    [[nodiscard]] QString positionName() const;
     Expected<std::size_t> findColumn(const QString& name) const;
+    Expected<void> findColumnsByName();
+    Expected<void> takeColumns(const CsvColumns& columns);
     Expected<void> readRow(std::string_view line);
-    Expected<double> number(std::size_t column) const;
+    Expected<void> splitRow(std::string_view line);
+    Expected<double> number(std::size_t column);
     Expected<void> settle();
     Expected<void> settleSampleTime();
 
@@ -56,13 +61,22 @@ private:
     std::vector<QByteArray> m_unquoted;
     QStringList m_columns;
     bool m_hasHeader = false;
+    std::size_t m_linesBelow = 0; ///< the header, so far
+    char m_delimiter = ',';
+    char m_decimalMark = 0; ///< not known yet
     std::size_t m_force = 0, m_position = 0;
     std::optional<std::size_t> m_time, m_sequence, m_status;
 };
 
 Expected<Recording> RecordingParser::parse()
 {
+    if (!(m_options.timeUnit_s >= shortestTimeUnit_s && m_options.timeUnit_s <= longestTimeUnit_s))
+        return failure(ErrorCode::Usage, {Words::say("the unit of time must have from %1 to %2 seconds")
+                                              .arg(shortestTimeUnit_s)
+                                              .arg(longestTimeUnit_s)});
     while (const std::optional<std::string_view> line = m_lines.next()) {
+        if (m_lines.lineNumber() <= m_options.format.skippedLines)
+            continue;
         if (line->size() > longestLine)
             return longLine(line->size(), *line);
         if (!isUtf8(*line))
@@ -73,6 +87,8 @@ Expected<Recording> RecordingParser::parse()
             done = readComment(trimmed(*line));
         else if (!m_hasHeader)
             done = readHeader(*line);
+        else if (m_linesBelow < m_options.format.linesBelow)
+            ++m_linesBelow;
         else
             done = readRow(*line);
         if (!done)
@@ -186,20 +202,84 @@ Expected<std::size_t> RecordingParser::findColumn(const QString& name) const
     return static_cast<std::size_t>(at);
 }
 
+QString RecordingParser::forceName() const
+{
+    return m_options.forceColumn.isEmpty() ? u"force"_s : m_options.forceColumn;
+}
+
+QString RecordingParser::positionName() const
+{
+    return m_options.positionColumn.isEmpty() ? u"position"_s : m_options.positionColumn;
+}
+
+bool RecordingParser::hasColumns(const QStringList& names) const
+{
+    if (m_options.columns) {
+        const std::size_t last = std::max(
+            {m_options.columns->force, m_options.columns->position, m_options.columns->time.value_or(0)});
+        return last < static_cast<std::size_t>(names.size());
+    }
+    return names.contains(forceName()) && names.contains(positionName());
+}
+
+/// By the delimiter that was given, else by the first of those in use that parts off the columns that are
+/// asked for, else by that which makes most. False: a quote is not closed.
+bool RecordingParser::splitHeader(std::string_view line)
+{
+    const CsvFormat& format = m_options.format;
+    for (const char delimiter : {',', ';', '\t'}) {
+        if ((format.delimiter != 0 && delimiter != format.delimiter) ||
+            !splitCsvLine(line, m_fields, m_unquoted, delimiter))
+            continue;
+        QStringList names;
+        for (const std::string_view field : m_fields)
+            names << (format.header ? QString::fromUtf8(field.data(), static_cast<qsizetype>(field.size()))
+                                    : QString::number(names.size() + 1));
+        const bool found = hasColumns(names);
+        if (found || names.size() > m_columns.size()) {
+            m_columns = names;
+            m_delimiter = delimiter;
+        }
+        if (found)
+            break;
+    }
+    return !m_columns.isEmpty();
+}
+
 Expected<void> RecordingParser::readHeader(std::string_view line)
 {
-    if (!splitCsvLine(line, m_fields, m_unquoted))
+    if (!splitHeader(line))
         return m_lines.bad(1, Words::say("found a quote that is not closed"),
                            Words::say("expected column names"));
-    for (const std::string_view field : m_fields)
-        m_columns << QString::fromUtf8(field.data(), static_cast<qsizetype>(field.size()));
     m_hasHeader = true;
+    RETURN_IF_ERROR(m_options.columns ? takeColumns(*m_options.columns) : findColumnsByName());
+    m_recording.force.reserve(m_expectedRows);
+    m_recording.position.reserve(m_expectedRows);
+    m_recording.time_s.reserve(m_expectedRows);
+    return m_options.format.header ? Expected<void>() : readRow(line);
+}
 
-    ASSIGN_OR_RETURN(const std::size_t force,
-                     findColumn(m_options.forceColumn.isEmpty() ? u"force"_s : m_options.forceColumn));
-    ASSIGN_OR_RETURN(
-        const std::size_t position,
-        findColumn(m_options.positionColumn.isEmpty() ? u"position"_s : m_options.positionColumn));
+Expected<void> RecordingParser::takeColumns(const CsvColumns& columns)
+{
+    if (columns.force == columns.position || columns.time == columns.force ||
+        columns.time == columns.position)
+        return failure(ErrorCode::Usage,
+                       {Words::say("force, position and time must be columns of their own")});
+    const auto count = static_cast<std::size_t>(m_columns.size());
+    const std::size_t last = std::max({columns.force, columns.position, columns.time.value_or(0)});
+    if (last >= count)
+        return m_lines.bad(count, Words::say("found %1 columns").arg(count),
+                           Words::say("expected at least %1").arg(last + 1));
+    m_force = columns.force;
+    m_position = columns.position;
+    m_time = columns.time;
+    return {};
+}
+
+Expected<void> RecordingParser::findColumnsByName()
+{
+    ASSIGN_OR_RETURN(const std::size_t force, findColumn(forceName()));
+    ASSIGN_OR_RETURN(const std::size_t position, findColumn(positionName()));
     m_force = force;
     m_position = position;
     const auto optional = [this](const QString& name, std::optional<std::size_t>& column) -> Expected<void> {
@@ -209,38 +289,54 @@ Expected<void> RecordingParser::readHeader(std::string_view line)
         column = found;
         return {};
     };
-    for (const auto& [name, column] : {std::pair{u"time_s"_s, &m_time}, std::pair{u"sequence"_s, &m_sequence},
-                                       std::pair{u"status"_s, &m_status}}) {
-        RETURN_IF_ERROR(optional(name, *column));
+    if (!m_options.timeColumn.isEmpty()) {
+        ASSIGN_OR_RETURN(const std::size_t time, findColumn(m_options.timeColumn));
+        m_time = time;
+    } else {
+        RETURN_IF_ERROR(optional(u"time_s"_s, m_time));
     }
-    m_recording.force.reserve(m_expectedRows);
-    m_recording.position.reserve(m_expectedRows);
-    m_recording.time_s.reserve(m_expectedRows);
-    return {};
+    RETURN_IF_ERROR(optional(u"sequence"_s, m_sequence));
+    return optional(u"status"_s, m_status);
 }
 
-Expected<double> RecordingParser::number(std::size_t column) const
+Expected<double> RecordingParser::number(std::size_t column)
 {
-    const std::optional<double> value = parseNumber(m_fields[column]);
+    const std::string_view field = m_fields[column];
+    if (m_decimalMark == 0)
+        if (const std::size_t at = field.find_first_of(".,"); at != std::string_view::npos)
+            m_decimalMark = field[at];
+    const bool comma = m_decimalMark == ',';
+    const std::optional<double> value = parseNumber(field, m_decimalMark);
     if (!value)
-        return m_lines.bad(column + 1, Words::say("found %1").arg(quoted(m_fields[column])),
-                           Words::say("expected a finite number"));
+        return m_lines.bad(column + 1, Words::say("found %1").arg(quoted(field)),
+                           comma ? Words::say("expected a finite number with a decimal comma")
+                                 : Words::say("expected a finite number"));
     if (!isReading(*value))
         return m_lines.bad(
-            column + 1, Words::say("found %1").arg(quoted(m_fields[column])),
+            column + 1, Words::say("found %1").arg(quoted(field)),
             Words::say("expected a number from %1 to %2").arg(-largestReading).arg(largestReading));
     return *value;
 }
 
-Expected<void> RecordingParser::readRow(std::string_view line)
+Expected<void> RecordingParser::splitRow(std::string_view line)
 {
-    if (!splitCsvLine(line, m_fields, m_unquoted))
+    if (!splitCsvLine(line, m_fields, m_unquoted, m_delimiter))
         return m_lines.bad(1, Words::say("found a quote that is not closed"),
                            Words::say("expected a row of numbers"));
-    if (m_fields.size() != static_cast<std::size_t>(m_columns.size()))
-        return m_lines.bad(std::min(m_fields.size(), static_cast<std::size_t>(m_columns.size())),
+    const auto columns = static_cast<std::size_t>(m_columns.size());
+    // Some programs end each row with one more delimiter.
+    if (m_options.columns && m_fields.size() == columns + 1 && m_fields.back().empty())
+        m_fields.pop_back();
+    if (m_fields.size() != columns)
+        return m_lines.bad(std::min(m_fields.size(), columns),
                            Words::say("found a row of %1 fields").arg(m_fields.size()),
                            Words::say("expected %1, as in the header").arg(m_columns.size()));
+    return {};
+}
+
+Expected<void> RecordingParser::readRow(std::string_view line)
+{
+    RETURN_IF_ERROR(splitRow(line));
     if (m_recording.size() >= mostSamples)
         return m_lines.bad(1, Words::say("found more than %1 samples").arg(mostSamples),
                            Words::say("expected fewer: cut the recording into parts"));
@@ -249,7 +345,12 @@ Expected<void> RecordingParser::readRow(std::string_view line)
     m_recording.force.push_back(force);
     m_recording.position.push_back(position);
     if (m_time) {
-        ASSIGN_OR_RETURN(const double time, number(*m_time));
+        ASSIGN_OR_RETURN(const double units, number(*m_time));
+        const double time = units * m_options.timeUnit_s;
+        if (!isReading(time))
+            return m_lines.bad(
+                *m_time + 1, Words::say("found the time ") + quoted(m_fields[*m_time]),
+                Words::say("expected a number from %1 to %2").arg(-largestReading).arg(largestReading));
         if (!m_recording.time_s.empty() && !(time > m_recording.time_s.back()))
             return m_lines.bad(*m_time + 1, Words::say("found the time ") + quoted(m_fields[*m_time]),
                                Words::say("expected a time later than the row before"));
@@ -278,6 +379,8 @@ Expected<void> RecordingParser::settle()
         m_recording.forceUnit = m_options.forceUnit;
     if (!m_options.positionUnit.isEmpty())
         m_recording.positionUnit = m_options.positionUnit;
+    if (m_options.hold)
+        m_recording.hold = m_options.hold;
     if (m_recording.forceUnit.isEmpty())
         m_recording.forceUnit = u"1"_s;
     if (m_recording.positionUnit.isEmpty())
@@ -309,6 +412,7 @@ Expected<void> RecordingParser::settleSampleTime()
                                Words::say("expected a second one, to tell the sample time"));
         return {};
     }
+    const QString timeName = m_columns[static_cast<qsizetype>(*m_time)].left(40);
     std::vector<double> steps(time.size() - 1);
     for (std::size_t i = 0; i < steps.size(); ++i)
         steps[i] = time[i + 1] - time[i];
@@ -316,14 +420,17 @@ Expected<void> RecordingParser::settleSampleTime()
     std::nth_element(steps.begin(), middle, steps.end());
     if (!(m_recording.sampleTime_s > 0)) {
         if (!isSampleTime(*middle))
-            return m_lines.bad(*m_time + 1, Words::say("found steps of %1 s in time_s").arg(*middle),
+            return m_lines.bad(*m_time + 1,
+                               Words::say("found steps of %1 s in %2").arg(*middle).arg(timeName),
                                Words::say("expected %1").arg(sampleTimeExpectation()));
         m_recording.sampleTime_s = *middle;
-        m_recording.provenance.insert(u"sample_time_source"_s, u"median step of time_s"_s);
+        m_recording.provenance.insert(u"sample_time_source"_s, timeName == u"time_s"
+                                                                   ? u"median step of time_s"_s
+                                                                   : u"median step of the times"_s);
     } else if (*middle < 0.5 * m_recording.sampleTime_s) {
         // Lost samples make steps longer, never shorter.
         return m_lines.bad(
-            *m_time + 1, Words::say("found steps of %1 s in time_s").arg(*middle),
+            *m_time + 1, Words::say("found steps of %1 s in %2").arg(*middle).arg(timeName),
             Words::say("expected steps of the sample time, %1 s").arg(m_recording.sampleTime_s));
     }
     return {};
@@ -339,7 +446,7 @@ Expected<Recording> parseRecordingCsv(const QByteArray& text, const QString& nam
 
 Expected<Recording> readRecordingCsv(const QString& file, const CsvReadOptions& options)
 {
-    ASSIGN_OR_RETURN(const QByteArray text, readBounded(file, largestFile));
+    ASSIGN_OR_RETURN(const QByteArray text, readBounded(file, largestRecordingFile));
     return parseRecordingCsv(text, file, options);
 }
 

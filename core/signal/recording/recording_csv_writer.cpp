@@ -38,7 +38,7 @@ void appendHead(QByteArray& text, const Recording& recording)
     appendSetting(text, QStringLiteral("position_unit"), recording.positionUnit);
     if (recording.hold)
         appendSetting(text, QStringLiteral("force_hold"), toString(*recording.hold));
-    if (recording.forceLag_s != 0 || recording.provenance.contains(forceLagSourceKey())) {
+    if (lagIsStated(recording)) {
         text += "# force_lag_s: ";
         append(text, recording.forceLag_s);
         text += '\n';

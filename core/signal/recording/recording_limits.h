@@ -17,6 +17,8 @@ inline constexpr double shortestSampleTime_s = 1e-6;
 inline constexpr double longestSampleTime_s = 1;
 /// Half an hour at 2 kHz, four minutes at 16 kHz; some 170 MB.
 inline constexpr std::size_t mostSamples = 4'000'000;
+/// Bytes: a row of as many samples as there may be has about so many.
+inline constexpr long long largestRecordingFile = 64 * static_cast<long long>(mostSamples);
 /// Of force, position and time: fourth powers and their sums are still numbers.
 inline constexpr double largestReading = 1e30;
 /// Of the position channel behind the force channel, either way.

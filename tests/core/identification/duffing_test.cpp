@@ -393,17 +393,6 @@ private slots:
             QVERIFY(std::isfinite(e.residuals.sse));
         }
     }
-
-    void lostSamplesAreNotForThisEstimator()
-    {
-        Synthetic synthetic;
-        const Recording recording = synthetic.make();
-        DuffingOptions options = duffingOptions(recording, true);
-        options.lost = {7};
-        const Estimate e = estimateDuffing(recording.force, recording.position, options);
-        QCOMPARE(toString(e.status), u"not_applicable"_s);
-        QVERIFY(!e.message.isEmpty());
-    }
 };
 
 GRIPSCOPE_TEST(DuffingTest)

@@ -25,7 +25,8 @@ HoldEvidence weigh(const Recording& recording, ForceHold declared, double lagUnc
     options.hold = declared;
     options.lag_s = recording.forceLag_s;
     const Estimate oe = estimateOutputError(recording.force, recording.position, options);
-    return weighHolds(recording.force, recording.position, options, oe, lagUncertainty_s);
+    const Estimate other = estimateOtherHold(recording.force, recording.position, options, oe);
+    return weighHolds(recording.force, options, oe, other, lagUncertainty_s);
 }
 
 /// wn T = 0.1 at 0.05 s: the holds differ in about the noise of a 92 to 96 % fit (science of 400 samples).
@@ -214,10 +215,15 @@ private slots:
     {
         OutputErrorOptions options;
         options.sampleTime_s = 0.05;
-        QVERIFY(weighHolds({}, {}, options, Estimate(), 0).verdict() == HoldVerdict::NotJudged);
+        QVERIFY(weighHolds({}, options, Estimate(), Estimate(), 0).verdict() == HoldVerdict::NotJudged);
         const std::vector<double> constant(50, 1.0);
-        QVERIFY(!weighHolds(constant, constant, options, estimateOutputError(constant, constant, options), 0)
+        const Estimate none = estimateOutputError(constant, constant, options);
+        QVERIFY(!weighHolds(constant, options, none, estimateOtherHold(constant, constant, options, none), 0)
                      .gain);
+        const Recording good = object(94, ForceHold::First, 1).make();
+        options.sampleTime_s = good.sampleTime_s;
+        const Estimate oe = estimateOutputError(good.force, good.position, options);
+        QVERIFY(!weighHolds(good.force, options, oe, Estimate(), 0).gain);
     }
     void noNoiseGivesFiniteNumbers()
     {

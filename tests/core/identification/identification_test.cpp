@@ -45,6 +45,55 @@ IdentificationOptions everyEstimator()
 class IdentificationTest : public QObject {
     Q_OBJECT
 private slots:
+    void aLagThatNobodyStatedCountsInTheBudget()
+    {
+        // 20 and 50 us at 2,000 samples a second, and nobody knows: without a line m's interval of can A is a
+        // tenth of its error. What m, b, k and their own covariance are does not change.
+        for (const double lag : {20e-6, 50e-6}) {
+            Synthetic synthetic;
+            synthetic.truth = {0.0396, 43.0, 9990.0};
+            synthetic.sampleTime_s = 5e-4;
+            synthetic.bit_s = 5e-3;
+            synthetic.peak = 10;
+            synthetic.samples = 2000;
+            synthetic.hold = ForceHold::First;
+            synthetic.fitPercent = 99;
+            synthetic.lag_s = lag;
+            Recording recording = synthetic.make();
+            recording.forceLag_s = 0;
+            const Identification stated = identify(recording);
+            QVERIFY(stated.budget.find(u"lag"_s) == nullptr);
+            recording.provenance.remove(forceLagSourceKey());
+            const Identification unknown = identify(recording);
+            QVERIFY(unknown.budget.find(u"lag"_s) != nullptr);
+            const CoverageInterval& m = unknown.budget.intervals[0];
+            QVERIFY(m.lower < synthetic.truth.m && synthetic.truth.m < m.upper);
+            QVERIFY(unknown.object()->parameters == stated.object()->parameters);
+            QVERIFY(unknown.object()->covariance == stated.object()->covariance);
+            // Once it is measured, the line is that of the measurement.
+            recording.forceLag_s = lag;
+            recording.chain.forceLagUncertainty_s = 1e-6;
+            const Identification measured = identify(recording);
+            const auto uncertaintyOf = [](const Identification& one) {
+                return one.budget.find(u"lag"_s)->standardUncertainties()(0);
+            };
+            // 1 us instead of 50 us / sqrt(3), at m that differs by some percent.
+            QVERIFY(std::abs(uncertaintyOf(unknown) / uncertaintyOf(measured) - 28.9) < 3);
+        }
+    }
+    void itTellsHowFarItIsAndIsStopped()
+    {
+        Synthetic synthetic;
+        const Recording recording = synthetic.make();
+        IdentificationOptions options;
+        options.watch = std::make_shared<WorkWatch>();
+        QCOMPARE(identify(recording, options).estimates.size(), std::size_t(2));
+        QVERIFY(options.watch->share() > 0.5 && options.watch->share() <= 1);
+        options.watch = std::make_shared<WorkWatch>();
+        options.watch->stop();
+        QVERIFY(identify(recording, options).estimates.empty());
+        QCOMPARE(options.watch->share(), 0.0);
+    }
     void outputErrorIsRecommendedAndRight()
     {
         Synthetic synthetic;

@@ -296,8 +296,6 @@ private slots:
         QCOMPARE(status(noise, {1, 2, 3}), u"not_applicable"_s);
         QCOMPARE(status(noise, constant), u"not_identifiable"_s);
         QCOMPARE(status(constant, noise), u"not_identifiable"_s);
-        options.lost = {7};
-        QCOMPARE(status(noise, noise), u"not_applicable"_s);
     }
 
     void anyNumbersGiveFiniteAnswersOrNone()

@@ -79,7 +79,7 @@ private slots:
         row(
             "position stuck all the time",
             [](Recording& r) { std::fill(r.position.begin(), r.position.end(), 0.01234); }, invalid,
-            u"stuck"_s, u"position channel is stuck: it stands at 0.01234 m in 2000 of 2000"_s);
+            u"stuck"_s, u"position channel is stuck: it stands at 12.34 mm in 2000 of 2000"_s);
         row(
             "position stuck from the middle on",
             [](Recording& r) { std::fill(r.position.begin() + 1000, r.position.end(), r.position[1000]); },

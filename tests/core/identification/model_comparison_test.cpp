@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/comparison/hold_evidence.h"
 #include "core/identification/comparison/model_comparison.h"
 #include "core/identification/duffing/duffing.h"
 #include "core/identification/result/identification_json.h"
@@ -39,7 +40,8 @@ ModelComparison compare(const Recording& recording, OutputErrorOptions options, 
         duffingOptions.sampleTime_s = recording.sampleTime_s;
         duffing = estimateDuffing(recording.force, recording.position, duffingOptions);
     }
-    return compareModels(recording.force, recording.position, options, linear, duffing);
+    return compareModels(recording.force, recording.position, options, linear,
+                         estimateOtherHold(recording.force, recording.position, options, linear), duffing);
 }
 
 } // namespace
@@ -114,9 +116,21 @@ private slots:
         QCOMPARE(found.sentence.describe(), u"An offset of the position explains this squeeze better."_s);
     }
 
+    void aModelThatHasNowhereToSettleIsLeftOut()
+    {
+        // Without the offset that there is, twenty times the travel, the stiffness runs away.
+        Synthetic synthetic = comparedCan();
+        synthetic.samples = 200;
+        synthetic.offset = 0.02;
+        const ModelComparison found = compare(synthetic.make(), {});
+        QVERIFY(found.find(u"without_offset"_s) == nullptr);
+        QVERIFY(found.find(u"delay"_s) != nullptr && found.find(u"smooth_force"_s) != nullptr);
+        QVERIFY(!found.decisive);
+    }
+
     void nothingToCompareSaysNothing()
     {
-        const ModelComparison found = compareModels({}, {}, {}, {});
+        const ModelComparison found = compareModels({}, {}, {}, {}, {});
         QVERIFY(found.ranked.empty());
         QVERIFY(found.sentence.isEmpty());
         QVERIFY(toJson(found)[u"models"_s].toArray().isEmpty());

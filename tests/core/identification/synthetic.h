@@ -39,6 +39,7 @@ struct Synthetic {
         recording.sampleTime_s = sampleTime_s;
         recording.hold = hold;
         recording.forceLag_s = lag_s;
+        recording.provenance[forceLagSourceKey()] = QStringLiteral("stated"); // it is known, also when zero
         recording.force = *makeExcitation(excitation);
         recording.position = simulate(truth, recording.force, {sampleTime_s, hold, lag_s, x0, v0, offset});
         for (std::size_t i = 0; i < samples; ++i)

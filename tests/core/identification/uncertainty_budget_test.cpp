@@ -167,6 +167,37 @@ private slots:
         VERIFY_COVERAGE(covered, budgetRuns);
     }
 
+    void aLagThatNobodyMeasuredHasALineUntilItIsMeasured()
+    {
+        // Truth: the position is sampled 50 us later than anybody said, a tenth of the sample time. The line
+        // is that of a lag known to +-50 us, all values alike.
+        Synthetic synthetic = budgetCan();
+        synthetic.lag_s = 50e-6;
+        synthetic.fitPercent = 99.9;
+        const Recording recording = synthetic.make();
+        OutputErrorOptions options = budgetOptions(synthetic);
+        options.lag_s = 0;
+        BudgetOptions unmeasured;
+        unmeasured.lagBound_s = 0.1 * synthetic.sampleTime_s;
+        const UncertaintyBudget without = budgetOf(recording, options, {});
+        QVERIFY(without.find(u"lag"_s) == nullptr);
+        const UncertaintyBudget budget = budgetOf(recording, options, {}, unmeasured);
+        const BudgetLine* const line = budget.find(u"lag"_s);
+        QVERIFY(line != nullptr && line->type == EvaluationType::B && !line->degreesOfFreedom);
+        for (std::size_t i = 0; i < 3; ++i)
+            QVERIFY(covers(budget.intervals[i], synthetic.truth.vector()(static_cast<Eigen::Index>(i))));
+        MeasuringChain chain;
+        chain.forceLagUncertainty_s = unmeasured.lagBound_s / std::sqrt(3.0);
+        const UncertaintyBudget declared = budgetOf(recording, options, chain);
+        QVERIFY((line->covariance - declared.find(u"lag"_s)->covariance).norm() <
+                1e-9 * line->covariance.norm());
+        // Measured to a tenth of that: one line, a hundredth of the variance.
+        chain.forceLagUncertainty_s /= 10;
+        const UncertaintyBudget measured = budgetOf(recording, options, chain, unmeasured);
+        QVERIFY((100 * measured.find(u"lag"_s)->covariance - line->covariance).norm() <
+                1e-9 * line->covariance.norm());
+    }
+
     void theFramesComplianceIsCovered()
     {
         // 1e5 N/m in series makes k 9.1 % too small; a rigid block measured the compliance to 10 %.

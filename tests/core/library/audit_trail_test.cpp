@@ -82,6 +82,26 @@ private slots:
         QCOMPARE(valueOf(trail.library->auditTrail().entries({{}, {}, 1, 0})).front().reason,
                  u"out of production"_s);
     }
+    void exportsAndReasonsAreTold()
+    {
+        const Trail trail;
+        valueOf(trail.library->tellExport(u"/tmp/all.csv"_s, u"csv"_s, 12));
+        AuditEntry newest = valueOf(trail.library->auditTrail().entries({{}, {}, 1, 0})).front();
+        QCOMPARE(newest.action, u"export.made"_s);
+        QCOMPARE(newest.subject, u"/tmp/all.csv"_s);
+        QVERIFY(newest.details.contains(u"\"rows\":12"_s));
+        valueOf(trail.library->approveType(trail.typeId, u"Mai"_s, u"as the drawing says"_s));
+        newest = valueOf(trail.library->auditTrail().entries({{}, {}, 1, 0})).front();
+        QCOMPARE(newest.action, u"type.approve"_s);
+        QCOMPARE(newest.reason, u"as the drawing says"_s);
+        valueOf(trail.library->auditTrail().record(Permission::ChangeSettings, u"captures.pruned"_s,
+                                                   u"folder"_s, {}, u"full"_s));
+        newest = valueOf(trail.library->auditTrail().entries({{}, {}, 1, 0})).front();
+        QCOMPARE(newest.reason, u"full"_s);
+        for (const auto& action :
+             {u"export.made"_s, u"captures.pruned"_s, u"profile.installed"_s, u"batch.begun"_s})
+            QVERIFY(actionInWords(action) != action);
+    }
     void itIsFilteredAndPaged()
     {
         const Trail trail;

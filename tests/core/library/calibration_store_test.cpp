@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_record.h"
+#include "core/library/migrations/migration.h"
+#include "core/library/sql/statement.h"
+#include "core/library/verification/library_verification.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
+
+#include <cmath>
 
 using namespace gripscope;
 using namespace gripscope::test;
@@ -24,6 +29,10 @@ SensorCalibration forceAgainstWeights(double factor = 1.02)
     calibration.note = u"after the new cable"_s;
     calibration.takenUtc = QDateTime(QDate(2026, 3, 1), QTime(7, 30), Qt::UTC);
     calibration.due = QDate(2027, 3, 1);
+    calibration.reference.due = QDate(2028, 1, 31);
+    calibration.conditions = {LoadUnit::Kilogram, 9.8123, 21.5, 0.2, DecisionRule::Simple};
+    calibration.foundCorrection = u""_s;
+    calibration.checkPoints = {{10, factor * 10}, {0, 1e-3}};
     return calibration;
 }
 
@@ -38,7 +47,11 @@ bool same(const SensorCalibration& a, const SensorCalibration& b)
            a.reference.standardUncertainty == b.reference.standardUncertainty &&
            a.reference.relativeUncertainty == b.reference.relativeUncertainty && a.degree == b.degree &&
            std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), samePoint) &&
-           a.operatorName == b.operatorName && a.note == b.note && a.takenUtc == b.takenUtc && a.due == b.due;
+           std::equal(a.checkPoints.begin(), a.checkPoints.end(), b.checkPoints.begin(), b.checkPoints.end(),
+                      samePoint) &&
+           a.reference.due == b.reference.due && a.conditions == b.conditions &&
+           a.foundCorrection == b.foundCorrection && a.operatorName == b.operatorName && a.note == b.note &&
+           a.takenUtc == b.takenUtc && a.due == b.due;
 }
 
 } // namespace
@@ -55,6 +68,86 @@ private slots:
         QCOMPARE(stored.size(), std::size_t(1));
         QVERIFY(same(stored[0], calibration));
         QVERIFY(stored[0].stored.isValid() && !stored[0].id.isEmpty());
+    }
+
+    void conditionsThatCannotBeAreNotComputedWith()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        SensorCalibration wrong = forceAgainstWeights();
+        wrong.checkPoints[1].reading = std::nan("");
+        const auto refused = library->addCalibration(wrong);
+        QVERIFY(!refused && refused.error().code == ErrorCode::Usage);
+        QVERIFY(library->addCalibration(forceAgainstWeights()));
+        for (const QString& gravity : {u"0"_s, u"-9.8"_s, u"1e300"_s}) {
+            RawDatabase(folder.file()).run(u"UPDATE calibrations SET gravity = "_s + gravity);
+            const auto read = library->calibrations(u"0001"_s, 10);
+            QVERIFY2(!read && read.error().code == ErrorCode::StorageCorrupt, qPrintable(gravity));
+        }
+    }
+    void whatWasNotStatedStaysSo()
+    {
+        const LibraryFolder folder;
+        SensorCalibration bare = forceAgainstWeights();
+        bare.reference.due = {};
+        bare.conditions = {};
+        bare.foundCorrection.reset();
+        bare.checkPoints.clear();
+        QVERIFY(folder.open()->addCalibration(bare));
+        QVERIFY(same(valueOf(folder.open()->calibrations(u"0001"_s, 1)).front(), bare));
+        bare.conditions.ambient_C = 200;
+        QCOMPARE(folder.open()->addCalibration(bare).error().code, ErrorCode::Usage);
+    }
+
+    void certificatesAreNumberedWithoutAHole()
+    {
+        const LibraryFolder folder;
+        for (int i = 0; i < 3; ++i) {
+            SensorCalibration calibration = forceAgainstWeights();
+            calibration.gripperSerial = u"000%1"_s.arg(i); // one row of numbers for all grippers and channels
+            calibration.channel = i == 1 ? SensorChannel::Position : SensorChannel::Force;
+            QVERIFY(folder.open()->addCalibration(calibration));
+            SensorCalibration refused = calibration;
+            refused.due = {};
+            QVERIFY(!folder.open()->addCalibration(refused)); // takes no number
+        }
+        const auto stored = valueOf(folder.open()->calibrations({}, 10));
+        QCOMPARE(stored.size(), std::size_t(3));
+        for (std::size_t i = 0; i < stored.size(); ++i) { // the newest first
+            QCOMPARE(stored[i].certificateNumber, qint64(3 - i));
+            QCOMPARE(stored[i].station, stationId());
+        }
+        QVERIFY(valueOf(verifyLibrary(folder.file())).whole());
+    }
+
+    void aLibraryOfTheStepBeforeGetsThem()
+    {
+        const LibraryFolder folder;
+        {
+            std::vector<Migration> before = migrations();
+            while (before.back().version >= 17)
+                before.pop_back();
+            const auto database = valueOf(Database::open(folder.file()));
+            valueOf(migrate(*database, before));
+        }
+        RawDatabase(folder.file())
+            .run(u"INSERT INTO calibrations (id, station, created_utc, gripper_serial, gripper_name, "
+                 u"channel, unit, "
+                 "reference_name, reference_certificate, reference_uncertainty, "
+                 "reference_relative_uncertainty, "
+                 "degree, points, taken_utc, due_date, operator_name, note, serial) VALUES ('old', '%1', "
+                 "'2026-01-01T00:00:00.000Z', '0001', 'Left', 'force', 'N', 'Weights', '', 0, 0, 1, "
+                 "'0 0\n10 10\n20 20', '2026-01-01T00:00:00.000Z', '2027-01-01', 'Ada', '', 1)"_s.arg(
+                     stationId()));
+        const auto library = folder.open();
+        QCOMPARE(library->schemaVersion(), migrations().back().version);
+        QVERIFY(library->addCalibration(forceAgainstWeights()));
+        const auto stored = valueOf(library->calibrations(u"0001"_s, 10));
+        QCOMPARE(stored.size(), std::size_t(2));
+        QCOMPARE(stored[0].certificateNumber, 1);
+        QCOMPARE(stored[1].certificateNumber, 0); // from before there were numbers
+        QVERIFY(!stored[1].foundCorrection && stored[1].checkPoints.empty());
+        QVERIFY(stored[1].conditions == CalibrationConditions());
     }
 
     void theNewestOfEachChannelIsInForce()

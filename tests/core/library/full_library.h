@@ -84,7 +84,8 @@ inline void fillEveryTable(Library& library)
     NewInspection inspection = anInspection();
     inspection.batchId = batch.id;
     const InspectionRecord inspected = valueOf(library.addInspection(inspection));
-    valueOf(library.addInspection(anInspection(VerdictKind::Invalid)));
+    valueOf(library.voidInspection(valueOf(library.addInspection(anInspection(VerdictKind::Invalid))).number,
+                                   u"squeezed twice"_s, u"Ada"_s));
     valueOf(library.endBatch(batch.id, u"Ada"_s));
     valueOf(library.addReidentification(inspected.graspId, anEstimate(), {}));
     valueOf(library.addMeasuringChain(aMeasuringChain()));

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/calibration_facts.h"
 #include "core/library/records/batch.h"
 #include "core/library/records/history.h"
-#include "tests/core/library/library_fixture.h"
+#include "core/session/library/history_document.h"
+#include "tests/core/library/full_library.h"
 #include "tests/core/library/many_inspections.h"
 #include "tests/support/test_registry.h"
 
+#include <QJsonArray>
 #include <QTest>
 
 using namespace gripscope;
@@ -59,7 +62,7 @@ private slots:
         QVERIFY(*first.parameters == *inspection.grasp.estimates[0].parameters);
         QCOMPARE((*first.standardErrors)(0), 1e-4);
         QCOMPARE(first.device + u'/' + first.serial + u'/' + first.firmware, u"Gripper/0001/1.2"_s);
-        QCOMPARE(*first.falseReject, inspection.rates.falseReject);
+        QCOMPARE(*first.heldTo.falseReject, inspection.rates.falseReject);
         QCOMPARE(first.estimator, u"oe"_s);
         QCOMPARE(first.program, QStringLiteral(GRIPSCOPE_VERSION));
         const HistoryEntry& second = found[1];
@@ -94,6 +97,8 @@ private slots:
         row("other type", {.outcome = InspectionOutcome::OtherType}, 5, {35, 28, 21});
         row("unknown", {.outcome = InspectionOutcome::Unknown}, 4, {40, 30, 20});
         row("not valid", {.outcome = InspectionOutcome::NotValid}, 0, {});
+        row("valid", {.validity = ValidityVerdict::Valid}, 40, {40, 39, 38});
+        row("suspect", {.validity = ValidityVerdict::Suspect}, 0, {});
         row("type", {.type = u"B"_s}, 5, {35, 28, 21});
         row("expected", {.expected = u"A"_s}, 40, {40, 39, 38});
         row("operator", {.operatorName = u"Ada"_s}, 20, {40, 38, 36});
@@ -114,7 +119,8 @@ private slots:
         QCOMPARE(numbersOf(*library, query, 0, 3), first);
         QCOMPARE(valueOf(library->historyCounts(query)).total(), count);
         QCOMPARE(valueOf(library->historyPoints(query)).points.size(), std::size_t(count));
-        QCOMPARE(query.everything(), count == 40 && !query.kind && query.expected.isEmpty());
+        QCOMPARE(query.everything(),
+                 count == 40 && !query.kind && !query.validity && query.expected.isEmpty());
     }
     void everyOrderGoesBothWays_data()
     {
@@ -141,6 +147,8 @@ private slots:
         row("device", HistoryColumn::Device, {39, 36, 33}, {38, 35, 32});
         row("estimator", HistoryColumn::Estimator, {40, 39, 38}, {40, 39, 38});
         row("program", HistoryColumn::Program, {40, 39, 38}, {40, 39, 38});
+        row("validity", HistoryColumn::Validity, {40, 39, 38}, {40, 39, 38});
+        row("library version", HistoryColumn::LibraryVersion, {40, 39, 38}, {40, 39, 38});
     }
     void everyOrderGoesBothWays()
     {
@@ -155,6 +163,128 @@ private slots:
         QCOMPARE(numbersOf(*library, query, 0, 3), down);
         query.descending = false;
         QCOMPARE(numbersOf(*library, query, 0, 3), up);
+    }
+    void whatWasInForceStaysWithTheSqueeze()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        NewInspection inspection = anInspection();
+        inspection.rates.strangerAccept = 0.02;
+        inspection.rates.confidence = 0.95;
+        inspection.rates.robust = true;
+        inspection.libraryVersion = 7;
+        const CalibrationRecord calibration{aCalibration(), u"k-1"_s, {}, {}};
+        const SensorCorrection correction(valueOf(evaluateCalibration(calibration)).curve);
+        inspection.grasp.recording->provenance[u"serial"_s] = u"0001"_s;
+        noteCalibration(inspection.grasp.recording->provenance, calibration, correction, QDate(2026, 4, 1));
+        valueOf(library->addInspection(inspection));
+        NewInspection none = anInspection(); // of no gripper, on average
+        none.grasp.recording->provenance.clear();
+        valueOf(library->addInspection(none));
+
+        const auto found = entriesOf(*library, {});
+        const HistoryEntry& first = found.at(1);
+        QVERIFY(first.heldTo == (HeldTo{0.01, 0.001, 0.02, 0.95, true}));
+        QCOMPARE(first.libraryVersion, std::optional<qint64>(7));
+        QCOMPARE(*first.forceCalibration, u"taken 2026-03-01 against Weights M1, holds until 2027-03-01"_s);
+        QCOMPARE(first.forceCalibrationId, u"k-1"_s);
+        QCOMPARE(first.positionCalibration, std::optional<QString>(u""_s)); // none was in force
+        QVERIFY(!found.at(0).forceCalibration && !found.at(0).libraryVersion);
+        QVERIFY(found.at(0).heldTo == (HeldTo{0.01, 0.001, 0.01, {}, false}));
+
+        // Another calibration today changes nothing of what was.
+        SensorCalibration today = aCalibration();
+        today.reference.name = u"Load cell 7"_s;
+        valueOf(library->addCalibration(today));
+        const HistoryInForce then = valueOf(library->historyInForce({}));
+        QCOMPARE(then.rates.size(), std::size_t(2));
+        QCOMPARE(then.calibrations.at(u"0001"_s).force.at(first.forceCalibration), 1);
+        QCOMPARE(then.calibrations.at(u"0001"_s).position.at(u""_s), 1);
+        QVERIFY(then.calibrations.at({}).force.begin()->first == std::nullopt);
+        QVERIFY(then.firstVersion == 7 && then.lastVersion == 7);
+        QCOMPARE(then.withoutVersion, 1);
+        QCOMPARE(then.programs.at(QStringLiteral(GRIPSCOPE_VERSION)), 2);
+        const QJsonObject json = toJson(first);
+        QCOMPARE(json[u"stranger_accept_rate"_s].toDouble(), 0.02);
+        QCOMPARE(json[u"confidence"_s].toDouble(), 0.95);
+        QCOMPARE(json[u"robust"_s].toBool(), true);
+        QCOMPARE(json[u"library_version"_s].toInt(), 7);
+        QCOMPARE(json[u"position_calibration"_s].toString(), u"none"_s);
+        QVERIFY(toJson(found.at(0))[u"force_calibration"_s].isNull());
+    }
+    void validityTravelsWithTheSqueeze()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        const auto add = [&](VerdictKind kind, ValidityVerdict validity, const QStringList& failed) {
+            NewInspection inspection = anInspection(kind);
+            inspection.verdict.validity.verdict = validity;
+            inspection.verdict.validity.checksFailed = failed;
+            if (validity == ValidityVerdict::Suspect)
+                inspection.verdict.validity.reasons = {u"Overdue."_s};
+            valueOf(library->addInspection(inspection));
+        };
+        add(VerdictKind::Type, ValidityVerdict::Valid, {});
+        add(VerdictKind::Type, ValidityVerdict::Suspect, {u"samples_lost"_s, u"calibration"_s});
+        add(VerdictKind::Invalid, ValidityVerdict::Invalid, {u"saturation"_s});
+        add(VerdictKind::Unknown, ValidityVerdict::Suspect, {u"calibration"_s});
+        const auto numbers = [&](ValidityVerdict validity) {
+            return numbersOf(*library, {.validity = validity});
+        };
+        QCOMPARE(numbers(ValidityVerdict::Valid), Numbers({1}));
+        QCOMPARE(numbers(ValidityVerdict::Suspect), Numbers({4, 2}));
+        QCOMPARE(numbers(ValidityVerdict::Invalid), Numbers({3}));
+        QCOMPARE(numbersOf(*library, {.order = HistoryColumn::Validity, .descending = false}),
+                 Numbers({1, 4, 2, 3}));
+        const HistoryCounts counts = valueOf(library->historyCounts({}));
+        QCOMPARE(counts.suspect, 2);
+        QCOMPARE(counts.notValid, 1);
+        const HistoryEntry second = entriesOf(*library, {}).at(2);
+        QVERIFY(second.suspect());
+        QCOMPARE(second.checksFailed, QStringList({u"samples_lost"_s, u"calibration"_s}));
+        QVERIFY2(second.reason.describe().endsWith(u"Overdue."_s), qPrintable(second.reason.describe()));
+        QCOMPARE(toJson(second)[u"validity"_s].toString(), u"suspect"_s);
+        QCOMPARE(toJson(second)[u"checks_failed"_s].toArray().size(), 2);
+        QVERIFY(toCsv({second}).contains(",suspect,samples_lost calibration,"));
+        const HistoryPoints points = valueOf(library->historyPoints(HistoryQuery{}));
+        QVERIFY(points.points.at(1).validity == ValidityVerdict::Suspect);
+        QVERIFY(points.points.at(2).validity == ValidityVerdict::Invalid);
+    }
+    void ofBeforeTheDocumentTellsTheValidity()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        valueOf(library->addInspection(anInspection()));
+        RawDatabase raw(folder.file());
+        raw.run(u"UPDATE inspections SET validity = ''"_s);
+        QVERIFY(!entriesOf(*library, {}).at(0).validity); // it does not say either
+        raw.run(u"UPDATE documents SET packed = NULL, document = "
+                "'{\"validity\":{\"checks\":[],\"verdict\":\"suspect\"}}'"_s);
+        QVERIFY(entriesOf(*library, {}).at(0).suspect());
+        QCOMPARE(numbersOf(*library, {.validity = ValidityVerdict::Suspect}), Numbers({1}));
+        QCOMPARE(valueOf(library->historyCounts({})).suspect, 1);
+    }
+    void theYieldIsOneEverywhere()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        for (const VerdictKind kind : {VerdictKind::Type, VerdictKind::Type, VerdictKind::Type,
+                                       VerdictKind::Unknown, VerdictKind::Inconclusive, VerdictKind::Invalid})
+            valueOf(library->addInspection(anInspection(kind)));
+        const Yield history = yieldOf(valueOf(library->historyCounts({})));
+        QVERIFY(history == yieldOf(valueOf(library->inspectionCounts())));
+        QVERIFY(history == (Yield{3, 4})); // what judged nothing is left out
+        QVERIFY(!Yield{}.share());
+    }
+    void theFilterOfAnExportNamesItsBatch()
+    {
+        HistoryQuery query;
+        query.batch = u"4711"_s;
+        query.validity = ValidityVerdict::Suspect;
+        const QJsonObject filter = toJson(query);
+        QCOMPARE(filter[u"batch"_s].toString(), u"4711"_s);
+        QCOMPARE(filter[u"validity"_s].toString(), u"suspect"_s);
+        QVERIFY(toJson(HistoryQuery()).isEmpty());
     }
     void massesOfUnlikeUnitsAreOrderedInSi()
     {
@@ -178,11 +308,42 @@ private slots:
         QCOMPARE(numbersOf(*library, query), Numbers({3, 1, 2, 4}));
         query.descending = false;
         QCOMPARE(numbersOf(*library, query), Numbers({2, 1, 3, 4})); // without a mass still last
-        const HistoryPoints points = valueOf(library->historyPoints({}));
+        const HistoryPoints points = valueOf(library->historyPoints(HistoryQuery{}));
         QVERIFY(points.si);
         QCOMPARE(points.points.size(), std::size_t(3));
         QVERIFY(qFuzzyCompare(points.points[1].parameters.m, 0.02));
         QVERIFY(qFuzzyCompare(points.points[1].standardErrors.m, 0.1)); // 1e-4 of those units
+    }
+    void aTypesPlaceInChartsIsItsForLife()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        const QString first = valueOf(library->addType(u"Zinc"_s, {}, u"N"_s, u"m"_s)).id;
+        const QString second = valueOf(library->addType(u"A"_s, {}, u"N"_s, u"m"_s)).id;
+        for (const QString& type : {first, second})
+            for (int i = 0; i < 2; ++i)
+                valueOf(library->addGrasp(aGrasp(type, 9990 + i)));
+        valueOf(library->approveType(second, u"Ada"_s));
+        valueOf(library->addInspection(anInspection()));
+        valueOf(library->addInspection(anInspection(VerdictKind::Type, u"Elsewhere"_s)));
+        const auto placeOf = [&](const QString& type) {
+            const HistoryPoints points = valueOf(library->historyPoints(HistoryQuery{}));
+            return points.places.at(std::size_t(points.types.indexOf(type)));
+        };
+        QCOMPARE(placeOf(u"A"_s), 1);
+        QCOMPARE(placeOf(u"Zinc"_s), 0);
+        QCOMPARE(placeOf(u"Elsewhere"_s), 2); // no type ever was called so
+        // Waiting for approval again, renamed, retired: the same type still.
+        valueOf(library->addGrasp(aGrasp(second, 9992)));
+        QCOMPARE(placeOf(u"A"_s), 1);
+        valueOf(library->renameType(second, u"Tin"_s, {u"Ada"_s, u"a better name"_s}));
+        QCOMPARE(placeOf(u"Tin"_s), 1);
+        QCOMPARE(placeOf(u"A"_s), 1); // of the inspection, which keeps the old name
+        valueOf(library->retireType(first, {u"Ada"_s, u"no longer made"_s}));
+        QCOMPARE(placeOf(u"Zinc"_s), 0);
+        // Whoever has a name now has it before one that had it once.
+        valueOf(library->addType(u"A"_s, {}, u"N"_s, u"m"_s));
+        QCOMPARE(placeOf(u"A"_s), 2);
     }
     void aBatchIsFoundByItsName()
     {

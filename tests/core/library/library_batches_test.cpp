@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/audit/audit_trail.h"
 #include "core/library/records/batch.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
@@ -79,6 +80,25 @@ private slots:
         QCOMPARE(valueOf(library->batches(10)).size(), std::size_t(2));
         QCOMPARE(library->endBatch(u"none"_s, {}).error().code, ErrorCode::NotFound);
     }
+    void theAuditTrailTellsOfBothEnds()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        const BatchRecord batch = valueOf(library->beginBatch(ofThree));
+        inspect(*library, batch.id);
+        valueOf(library->endBatch(batch.id, u"Bob"_s));
+        valueOf(library->endBatch(batch.id, u"Bob"_s)); // is no end any more
+        const auto entries = valueOf(library->auditTrail().entries({{}, u"batch."_s}));
+        QCOMPARE(entries.size(), std::size_t(2));
+        QCOMPARE(entries[1].action, u"batch.begun"_s);
+        QCOMPARE(entries[1].person, u"Ada"_s);
+        QCOMPARE(entries[1].subject, u"4711"_s);
+        QVERIFY(entries[1].details.contains(u"\"parts\":3"_s));
+        QCOMPARE(entries[0].action, u"batch.ended"_s);
+        QCOMPARE(entries[0].person, u"Bob"_s);
+        QVERIFY(entries[0].details.contains(u"\"squeezes\":1"_s));
+        QVERIFY(actionInWords(entries[0].action) != entries[0].action);
+    }
     void theHistoryNamesTheBatch()
     {
         const LibraryFolder folder;
@@ -126,6 +146,19 @@ private slots:
         const auto second = library->beginBatch({u"4712"_s, 5, {}, {}});
         QCOMPARE(second.error().code, ErrorCode::Usage);
         QVERIFY(second.error().describe().contains(u"4711"_s));
+    }
+    void theNewestIsTheOneThatBeganLastWhateverTheClockSays()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        valueOf(library->endBatch(valueOf(library->beginBatch(ofThree)).id, {}));
+        // The clock was a lifetime ahead, and is right again.
+        RawDatabase(folder.file()).run(u"UPDATE batches SET begun_utc = '2099-01-01T00:00:00.000Z'"_s);
+        NewBatch next = ofThree;
+        next.name = u"4712"_s;
+        valueOf(library->beginBatch(next));
+        QCOMPARE(valueOf(library->batches(2)).front().name, u"4712"_s);
+        QCOMPARE(valueOf(library->batchUnderWay())->name, u"4712"_s);
     }
     void anotherStationsBatchIsNotOurs()
     {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/sql/database.h"
 #include "tests/core/library/child_process.h"
+#include "tests/core/library/full_disk.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
 
-#include <sys/resource.h>
 #include <thread>
 
 using namespace gripscope;
@@ -72,29 +72,6 @@ private:
     pid_t m_process = -1;
 };
 
-/// No file of this process grows beyond `bytes`: what a full disk looks like.
-class FullDisk {
-public:
-    explicit FullDisk(rlim_t bytes)
-    {
-        getrlimit(RLIMIT_FSIZE, &m_before);
-        m_handler = std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit{bytes, m_before.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FullDisk()
-    {
-        setrlimit(RLIMIT_FSIZE, &m_before);
-        std::signal(SIGXFSZ, m_handler);
-    }
-    FullDisk(const FullDisk&) = delete;
-    FullDisk& operator=(const FullDisk&) = delete;
-
-private:
-    rlimit m_before{};
-    void (*m_handler)(int) = nullptr;
-};
-
 } // namespace
 
 class LibraryCrashTest : public QObject {
@@ -133,7 +110,10 @@ private slots:
             const auto transaction = valueOf(Transaction::begin(*database, u"test"_s));
             for (int i = 0; i < 500; ++i)
                 valueOf(database->execute(
-                    u"INSERT INTO grasps SELECT 'half%1', station, recorded_utc, type_id, operator_name, "
+                    u"INSERT INTO grasps (id, station, recorded_utc, type_id, operator_name, source, "
+                    u"force_unit, "
+                    u"position_unit, part, library_version, device_name, device_serial, firmware) "
+                    u"SELECT 'half%1', station, recorded_utc, type_id, operator_name, "
                     u"source, "
                     "force_unit, position_unit, part, library_version, device_name, device_serial, firmware "
                     "FROM "

@@ -88,6 +88,34 @@ private slots:
         valueOf(library->addGrasp(aGrasp(type.id)));
         QCOMPARE(valueOf(library->draft(u"Cola"_s))->squeezes, 1);
     }
+    void aRecordingThatADraftHasIsNotStoredAgain()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        const QString typeId = valueOf(library->addType(u"Cola"_s, {}, u"N"_s, u"m"_s)).id;
+        const DraftSqueeze squeeze{newTimeOrderedId(), u"Cola"_s, awkwardRecording(), u"virtual:"_s, u"3"_s};
+        valueOf(library->addDraftSqueeze(squeeze));
+        NewGrasp same = aGrasp(typeId), other = aGrasp(typeId), unknown = aGrasp(typeId);
+        same.draftSqueezeId = other.draftSqueezeId = squeeze.id;
+        other.recording = awkwardRecording(400);
+        unknown.draftSqueezeId = u"none"_s;
+        const QString shared = valueOf(library->addGrasp(same)).id;
+        const QString own = valueOf(library->addGrasp(other)).id;
+        const QString whole = valueOf(library->addGrasp(unknown)).id;
+        RawDatabase raw(folder.file());
+        const auto bytesAt = [&](const QString& id) {
+            return raw.run(u"SELECT LENGTH(packed) FROM recordings WHERE grasp_id = '%1'"_s.arg(id)).toInt();
+        };
+        QCOMPARE(bytesAt(shared), 0);
+        QVERIFY(bytesAt(own) > 0 && bytesAt(whole) > 0);
+        QCOMPARE(valueOf(library->recording(shared)), *same.recording);
+        QCOMPARE(valueOf(library->recording(own)), *other.recording);
+        QCOMPARE(valueOf(library->recording(whole)), *unknown.recording);
+        QVERIFY(valueOf(library->grasp(shared))->hasRecording);
+        // What it shares is what it says.
+        raw.run(u"UPDATE draft_squeezes SET packed = X'00000004'"_s);
+        QCOMPARE(library->recording(shared).error().code, ErrorCode::StorageCorrupt);
+    }
     void aSqueezeThatNobodyDecidedOnComesBackBitForBit()
     {
         const LibraryFolder folder;

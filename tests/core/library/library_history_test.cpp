@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/records/history.h"
+#include "core/library/records/yield.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/many_inspections.h"
 #include "tests/support/test_registry.h"
@@ -89,11 +91,24 @@ private slots:
         add(VerdictKind::Invalid, u"A"_s, u"A"_s);
         const InspectionCounts counts = valueOf(library->inspectionCounts());
         QCOMPARE(counts.total, 6);
-        QCOMPARE(counts.asExpected, 2); // with nothing expected every type is as expected
+        QCOMPARE(counts.asExpected, 2); // a known type counts there with nothing expected
+        QCOMPARE(counts.knownType, 1);  // and is told apart
         QCOMPARE(counts.otherType, 1);
         QCOMPARE(counts.unknown, 1);
         QCOMPARE(counts.inconclusive, 1);
         QCOMPARE(counts.invalid, 1);
+        add(VerdictKind::Unknown, u"A"_s, {});
+        add(VerdictKind::Inconclusive, u"A"_s, {});
+        const InspectionCounts now = valueOf(library->inspectionCounts());
+        QCOMPARE(now.knownType, 1);
+        QCOMPARE(now.unasked, 2);
+        const HistoryCounts history = valueOf(library->historyCounts({}));
+        QCOMPARE(history.knownType, 1);
+        QCOMPARE(history.unasked, 2);
+        QVERIFY(yieldOf(history) == yieldOf(now));
+        valueOf(library->voidInspection(3, u"twice"_s, u"Ada"_s));
+        QCOMPARE(valueOf(library->inspectionCounts()).knownType, 0);
+        QCOMPARE(valueOf(library->historyCounts({})).unasked, 1);
     }
     void newestComeFirstPageByPage()
     {
@@ -122,6 +137,36 @@ private slots:
         QCOMPARE(valueOf(library->inspectionCounts()).total, 100'000);
         QCOMPARE(valueOf(library->inspectionCounts()).unknown, 10'000);
         QCOMPARE(valueOf(library->addInspection(anInspection())).number, 100'001);
+    }
+    void countingAllIsCountingThoseSinceTheLastTally()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        addManyInspections(folder.file(), 5000);
+        valueOf(library->addInspection(anInspection(VerdictKind::Unknown))); // 5001, which makes a tally
+        valueOf(library->addInspection(anInspection()));
+        valueOf(library->addInspection(anInspection(VerdictKind::Invalid)));
+        RawDatabase raw(folder.file());
+        QCOMPARE(raw.column(u"SELECT DISTINCT up_to FROM inspection_tallies"_s), QStringList{u"5001"_s});
+        QCOMPARE(raw.run(u"SELECT SUM(n) FROM inspection_tallies"_s).toLongLong(), 5001);
+        const InspectionCounts counts = valueOf(library->inspectionCounts());
+        QCOMPARE(counts.total, 5003);
+        QCOMPARE(counts.unknown, 500 + 1);
+        QCOMPARE(counts.invalid, 1);
+        QCOMPARE(counts.otherType, 5000 / 7 - 5000 / 70); // every seventh, unless it is a tenth
+        QCOMPARE(counts.expected[u"A"_s].squeezes, 5002);
+        // The next, in time.
+        raw.run(u"UPDATE inspections SET number = number + 100000 WHERE number > 5001"_s);
+        valueOf(library->addInspection(anInspection()));
+        QCOMPARE(raw.run(u"SELECT MAX(up_to) FROM inspection_tallies"_s).toLongLong(), 105004);
+        QCOMPARE(valueOf(library->inspectionCounts()).total, 5004);
+        // Those before the tally are not looked at: it holds them, whatever the rows say now.
+        raw.run(u"UPDATE inspections SET verdict = 'invalid' WHERE number <= 100"_s);
+        QCOMPARE(valueOf(library->inspectionCounts()).invalid, 1);
+        for (const QString& step :
+             raw.column(u"EXPLAIN QUERY PLAN SELECT verdict FROM inspections WHERE number > (SELECT "
+                        "COALESCE(MAX(up_to), 0) FROM inspection_tallies)"_s))
+            QVERIFY2(step.contains(u"INDEX"_s) || step.contains(u"SUBQUERY"_s), qPrintable(step));
     }
     void theQueriesOfAPageScanNoTable()
     {

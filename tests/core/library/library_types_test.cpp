@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/audit/audit_trail.h"
 #include "core/library/sql/database.h"
+#include "core/recognition/types/type_model.h"
 #include "tests/core/library/child_process.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
 
+#include <QMap>
 #include <QTest>
 
 using namespace gripscope;
@@ -52,6 +55,28 @@ struct TwoTypes {
 class LibraryTypesTest : public QObject {
     Q_OBJECT
 private slots:
+    void aTypesPlaceIsForLife()
+    {
+        TwoTypes f;
+        QCOMPARE(f.a.place, 0);
+        QCOMPARE(f.b.place, 1);
+        const TypeRecord early = f.enrolled(u"0 before A"_s, 15000); // by its name it would come first
+        QCOMPARE(early.place, 2);
+        valueOf(f.library->renameType(f.b.id, u"00"_s, typesBecause));
+        QVERIFY(f.library->retireType(f.a.id, typesBecause));
+        QVERIFY(f.library->reinstateType(f.a.id, typesBecause));
+        const TypeRecord last = f.enrolled(u"1"_s, 18000);
+        QVERIFY(f.library->retireType(early.id, typesBecause)); // its place stays taken
+        QMap<QString, int> places;
+        for (const TypeRecord& type : valueOf(f.library->types()))
+            places[type.name] = type.place;
+        QCOMPARE(places, (QMap<QString, int>{{u"A"_s, 0}, {u"00"_s, 1}, {u"1"_s, 3}}));
+        QCOMPARE(last.place, 3);
+        const TypeModels models = fitTypeModels(valueOf(f.library->enrolledSqueezes()));
+        QVERIFY(models.find(u"00"_s) && models.find(u"1"_s));
+        QCOMPARE(models.find(u"00"_s)->place, 1);
+        QCOMPARE(models.find(u"1"_s)->place, 3);
+    }
     void aRenamedTypeKeepsItsSqueezesAndItsApproval()
     {
         TwoTypes f;
@@ -70,6 +95,38 @@ private slots:
         QCOMPARE(change.reason, u"asked by quality"_s);
         QCOMPARE(change.version, valueOf(f.library->version()));
         QCOMPARE(inWords(change), u"A was renamed Cola."_s);
+    }
+    void otherSqueezesVoidTheApproval()
+    {
+        TwoTypes f;
+        const auto judged = [&] {
+            QStringList types;
+            for (const TypeSqueeze& squeeze : valueOf(f.library->approvedSqueezes()))
+                if (!types.contains(squeeze.type))
+                    types += squeeze.type;
+            return types;
+        };
+        const auto isApproved = [&] { return valueOf(f.library->findType(u"A"_s))->approved; };
+        QCOMPARE(judged(), QStringList({u"A"_s, u"B"_s}));
+        const GraspRecord added = valueOf(f.library->addGrasp(aGrasp(f.a.id)));
+        QVERIFY(!isApproved());
+        QCOMPARE(judged(), QStringList({u"B"_s}));
+        QCOMPARE(valueOf(f.library->enrolledSqueezes()).size(), std::size_t(7));
+        QCOMPARE(f.newest().version, valueOf(f.library->version()));
+        QCOMPARE(inWords(f.newest()), u"A was enrolled with 1 squeeze more. Its approval is void."_s);
+        valueOf(f.library->addGrasp(aGrasp(f.a.id))); // it is void already
+        QCOMPARE(inWords(f.newest()), u"A was enrolled with 1 squeeze more."_s);
+        valueOf(f.library->approveType(f.a.id, u"Ada"_s));
+        QCOMPARE(judged(), QStringList({u"A"_s, u"B"_s}));
+        valueOf(f.library->dropGrasp(added.id, u"slipped"_s, u"Ada"_s));
+        QVERIFY(!isApproved());
+        QCOMPARE(inWords(f.newest()), u"1 squeeze of A was dropped. Its approval is void."_s);
+        valueOf(f.library->approveType(f.a.id, u"Ada"_s));
+        valueOf(f.library->undropGrasp(added.id, u"Ada"_s));
+        QVERIFY(!isApproved());
+        const AuditEntry entry = valueOf(f.library->auditTrail().entries({{}, {}, 1, 0})).front();
+        QCOMPARE(entry.action, u"type.undrop"_s);
+        QVERIFY2(entry.details.contains(u"approval_void"_s), qPrintable(entry.details));
     }
     void aNameThatIsFreeAgainCanBeUsed()
     {

@@ -86,6 +86,7 @@ private slots:
             QCOMPARE(summary(*story.library, qint64(version)), story.summaries[version]);
         QCOMPARE(story.summaries[0], u""_s);
         QCOMPARE(story.summaries[6], u"A:approved:4"_s);
+        QCOMPARE(story.summaries[7], u"A:enrolled:3"_s); // other squeezes than were approved
         QCOMPARE(story.summaries[9], u"A:enrolled:2 B:enrolled:1"_s);
         QCOMPARE(story.summaries.back(), u"B:enrolled:3"_s);
     }

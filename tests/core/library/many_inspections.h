@@ -25,7 +25,10 @@ inline void addManyInspections(const QString& file, int count)
         u"INSERT INTO estimates (id, station, created_utc, grasp_id, rank, estimator, status, message, program, m, b, k, var_m, cov_mb, cov_mk, var_b, cov_bk, var_k, simulation_fit_percent, iterations) "_s +
         numbers +
         u"SELECT printf('e%09d', i), '', '', printf('g%09d', i), 0, 'oe', 'converged', '', '0.1', 0.04 + i / 1e7, 43, i, 1e-8, 0, 0, 0.01, 0, 100, 95, 1 FROM n"_s);
-    raw.run(u"INSERT INTO inspections "_s + numbers + u"SELECT printf('i%09d', i), '', "_s + time +
+    raw.run(u"INSERT INTO inspections (id, station, inspected_utc, number, grasp_id, expected_type, verdict, "
+            "type_name, nearest, posterior, distance, gate, samples_used, false_reject, wrong_type, seconds, "
+            "operator_name, posteriors, reasons, batch_id, validity) "_s +
+            numbers + u"SELECT printf('i%09d', i), '', "_s + time +
             u", i, printf('g%09d', i), 'A', CASE WHEN i % 10 = 0 THEN 'unknown' ELSE 'type' END, "
             "CASE WHEN i % 10 = 0 THEN '' WHEN i % 7 = 0 THEN 'B' ELSE 'A' END, 'A', 1 - i / 1e6, 1, 14, "
             "500, 0.01, "

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/sensor_calibration.h"
 #include "core/library/audit/audit_trail.h"
 #include "core/library/people/people_register.h"
+#include "tests/core/library/full_library.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/people_fixture.h"
 #include "tests/support/test_registry.h"
@@ -20,22 +20,6 @@ using Change = std::function<Expected<void>(Library&)>;
 QString typeA(Library& library)
 {
     return valueOf(library.findType(u"A"_s))->id;
-}
-
-SensorCalibration aCalibration()
-{
-    SensorCalibration calibration;
-    calibration.gripperSerial = u"0001"_s;
-    calibration.gripperName = u"Gripper"_s;
-    calibration.channel = SensorChannel::Force;
-    calibration.unit = u"N"_s;
-    calibration.reference = {u"weights"_s, u"K-1"_s, 0.01, 0};
-    calibration.degree = 1;
-    calibration.takenUtc = QDateTime::currentDateTimeUtc();
-    calibration.due = QDate::currentDate().addYears(1);
-    for (const double load : {0.0, 10.0, 20.0, 30.0, 20.0, 10.0, 0.0})
-        calibration.points.push_back({load, load * 1.01 + 0.002});
-    return calibration;
 }
 
 } // namespace
@@ -87,6 +71,9 @@ private slots:
         QTest::newRow("who may arm") << Change([](Library& l) {
             return l.people().setArming(ArmingPolicy::Supervisors);
         }) << u"policy.arming"_s;
+        QTest::newRow("who may approve")
+            << Change([](Library& l) { return l.people().setApproval(ApprovalPolicy::SecondPerson); })
+            << u"policy.approval"_s;
         QTest::newRow("person") << Change([](Library& l) {
             return l.people().add(u"Ada"_s, Role::Operator, Secret(pin)).map(ignoreValue);
         }) << u"person.added"_s;
@@ -171,6 +158,78 @@ private slots:
         valueOf(library->people().setArming(ArmingPolicy::SignedIn)); // the newest is in force
         library->actAs(olli);
         valueOf(arm());
+    }
+    void aSecondPersonApprovesWhereThePolicySaysSo()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        const People people(*library);
+        const Acting sam = people.supervisor(*library);
+        library->actAs(sam);
+        const QString idOfAda =
+            valueOf(library->people().add(u"Ada"_s, Role::Supervisor, Secret(u"1357924680"_s))).id;
+        const Acting ada{{}, valueOf(library->people().signIn(idOfAda, Secret(u"1357924680"_s))), {}};
+        QVERIFY(valueOf(library->people().approval()) == ApprovalPolicy::OnePerson);
+        const auto enroll = [&](const QString& type, const QString& operatorName) {
+            const QString id = valueOf(library->addType(type, {}, u"N"_s, u"m"_s, operatorName)).id;
+            NewGrasp grasp = aGrasp(id);
+            grasp.operatorName = operatorName;
+            valueOf(library->addGrasp(grasp));
+            return id;
+        };
+        valueOf(library->approveType(enroll(u"One"_s, u"Sam"_s), u"Sam"_s)); // no policy yet
+        valueOf(library->people().setApproval(ApprovalPolicy::SecondPerson));
+        const QString own = enroll(u"Two"_s, u" sam "_s);
+        const QString hidden = enroll(u"Three"_s, u"somebody"_s); // Sam had signed in all the same
+        library->actAs(people.operatorOf(*library));
+        const QString ollis = enroll(u"Four"_s, u"Olli"_s);
+        library->actAs(sam);
+        for (const QString& id : {own, hidden}) {
+            const auto refused = library->approveType(id, u"Sam"_s);
+            QVERIFY(!refused);
+            QVERIFY2(refused.error().describe().contains(u"second person"_s),
+                     qPrintable(refused.error().describe()));
+            QVERIFY(valueOf(library->approvedSqueezes()).size() == 1);
+        }
+        valueOf(library->approveType(ollis, u"Sam"_s));
+        library->actAs(ada);
+        valueOf(library->approveType(own, u"Ada"_s));
+        valueOf(library->approveType(hidden, u"Ada"_s));
+        QCOMPARE(valueOf(library->approvedSqueezes()).size(), std::size_t(4));
+        QCOMPARE(valueOf(library->auditTrail().entries({{}, {}, 1, 0})).front().person, u"Ada"_s);
+        // A version that is put back approves as well: what Sam enrolled is for Ada there, too.
+        const qint64 approved = valueOf(library->version());
+        valueOf(library->retireType(own, {{}, u"a test"_s}));
+        library->actAs(sam);
+        const auto back = library->restoreVersion(approved, {{}, u"it was right"_s});
+        QVERIFY(!back && back.error().describe().contains(u"second person"_s));
+        QCOMPARE(valueOf(library->approvedSqueezes()).size(), std::size_t(3));
+        library->actAs(ada);
+        valueOf(library->restoreVersion(approved, {{}, u"it was right"_s}));
+        QCOMPARE(valueOf(library->approvedSqueezes()).size(), std::size_t(4));
+    }
+    void policiesRolesAndRecipesAreToldWithTheirReason()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        const People people(*library);
+        library->actAs(people.supervisor(*library));
+        const auto reason = [&](const QString& action) {
+            const AuditEntry entry = valueOf(library->auditTrail().entries({{}, {}, 1, 0})).front();
+            return entry.action == action ? entry.reason : u"another entry"_s;
+        };
+        valueOf(library->people().setArming(ArmingPolicy::Supervisors, u"an accident"_s));
+        QCOMPARE(reason(u"policy.arming"_s), u"an accident"_s);
+        valueOf(library->people().setApproval(ApprovalPolicy::SecondPerson, u"the customer"_s));
+        QCOMPARE(reason(u"policy.approval"_s), u"the customer"_s);
+        const QString olli = valueOf(library->people().named(u"Olli"_s)).id;
+        valueOf(library->people().setRole(olli, Role::Supervisor, u"the night shift"_s));
+        QCOMPARE(reason(u"person.role"_s), u"the night shift"_s);
+        const QString type = valueOf(library->addType(u"A"_s, {}, u"N"_s, u"m"_s, {})).id;
+        Recipe firmer;
+        firmer.maxForce_N = 50;
+        valueOf(library->reviseType(type, firmer, {u"Sam"_s, u"a firmer part"_s}));
+        QCOMPARE(reason(u"type.recipe"_s), u"a firmer part"_s);
     }
     void examplesThatAreThereNeedNobodyAndNewOnesASupervisor()
     {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_record.h"
+#include "core/library/audit/audit_trail.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
@@ -63,6 +64,22 @@ private slots:
         QVERIFY(library->addReferenceObject(spring(5000)));
         QVERIFY(static_cast<const ReferenceObject&>(inUse(*library).reference) == spring(5000));
         QVERIFY(!valueOf(library->calibrationsInForce(u"0002"_s)).reference);
+    }
+
+    void theAuditTrailTellsOfChecks()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        QVERIFY(library->addReferenceObject(spring()));
+        const auto newest = [&] { return valueOf(library->auditTrail().entries({{}, {}, 1, 0})).front(); };
+        QVERIFY(library->addReferenceCheck(check(*library, CheckVerdict::Failed)));
+        QCOMPARE(newest().action, u"calibration.checked"_s);
+        QCOMPARE(newest().subject, u"0001"_s);
+        QCOMPARE(newest().person, u"Mai"_s);
+        QCOMPARE(detailsInWords(newest()), u"reference: Spring S-12; squeezes: 4; verdict: failed"_s);
+        QVERIFY(actionInWords(newest().action) != newest().action);
+        QVERIFY(library->addReferenceCheck(check(*library, CheckVerdict::NotValid)));
+        QCOMPARE(newest().reason, u"squeeze 1: 12 samples are missing"_s);
     }
 
     void checksAreKeptWithWhatTheyWereMadeOn()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/clustering/feature_scaling.h"
 #include "core/clustering/kmeans.h"
+#include "core/clustering/nearest_in_block.h"
 #include "core/math/gaussian.h"
 #include "core/recognition/types/paper_appendix.h"
 #include "core/research/paper_reproduction.h"
@@ -114,6 +115,26 @@ std::vector<int> byAppearance(const std::vector<int>& labels)
 class KmeansTest : public QObject {
     Q_OBJECT
 private slots:
+    void nearestIsTheSameOnEveryProcessor()
+    {
+        GaussianNoise draw(3);
+        for (const Eigen::Index features : {1, 2, 3, 5}) {
+            std::vector<double> columns(std::size_t(features * blockItems));
+            for (double& x : columns)
+                x = draw();
+            ItemRows centroids(6, features);
+            for (double& x : centroids.reshaped())
+                x = draw();
+            centroids.row(4) = centroids.row(1); // of equals the lowest number
+            std::vector<double> found(std::size_t(blockItems), -1), plain(std::size_t(blockItems), -2);
+            findNearest(columns.data(), features, centroids, found.data());
+            detail::findNearestOneByOne(columns.data(), features, centroids, plain.data());
+            QCOMPARE(found, plain);
+            QVERIFY(std::count(found.begin(), found.end(), 1.0) > 0);
+            QCOMPARE(std::count(found.begin(), found.end(), 4.0), 0);
+        }
+    }
+
     void reachesTheOptimumOnTheAppendix_data()
     {
         QTest::addColumn<FeatureScaling>("scaling");

@@ -55,10 +55,45 @@ private slots:
     }
     void aRowThatAlwaysSaysInconclusiveFailsItsLimits()
     {
-        StudyLimit decided{u"decided"_s, 0, 0, 0.9, {}};
-        QVERIFY(!decided.met());
-        StudyLimit unknown{u"unknown / stated"_s, 0, 0, 0.8, 1.2};
-        QVERIFY(!unknown.met());
+        RecognitionStudyOptions options;
+        options.runs = 20;
+        options.threads = 1;
+        for (const ScenarioKind kind : {ScenarioKind::KnownParts, ScenarioKind::Neighbours}) {
+            RecognitionScenario scenario;
+            scenario.kind = kind;
+            scenario.squeezes = 1; // no scatter is known: nothing is ever named or refused
+            scenario.options.siUnits = false;
+            scenario.options.wrongType = 0.01;
+            const RecognitionRow row = studyRow(scenario, options);
+            QCOMPARE(row.tally.shares[u"inconclusive"_s].share, 1.0);
+            QVERIFY(!row.limits.empty());
+            bool met = true;
+            for (const StudyLimit& limit : row.limits)
+                met = met && limit.met();
+            QVERIFY2(!met, qPrintable(scenario.name()));
+        }
+    }
+    void whatIsNamedStandsBesideBothOracles()
+    {
+        RecognitionStudyOptions options;
+        options.runs = 20;
+        options.threads = 1;
+        RecognitionScenario scenario;
+        scenario.kind = ScenarioKind::Neighbours;
+        scenario.options.siUnits = false;
+        scenario.options.wrongType = 0.01;
+        for (const bool unlike : {false, true}) {
+            scenario.unlikeScatter = unlike;
+            const RecognitionRow row = studyRow(scenario, options);
+            const StudyLimit& shown = row.limits.back();
+            QCOMPARE(shown.figure, u"decided / oracle_rate's"_s);
+            QVERIFY(shown.met() && shown.value > 0.5 && shown.value < 1.2);
+            // Who names as many as the rate allows is mistaken that often, and names more than the other.
+            const auto share = [&](const QString& name) { return row.tally.shares[name]; };
+            QVERIFY(std::abs(share(u"oracle_rate_wrong"_s).share - 0.01) <
+                    4 * share(u"oracle_rate_wrong"_s).standardError + 1e-3);
+            QVERIFY(share(u"oracle_rate"_s).share > share(u"oracle_posterior"_s).share);
+        }
     }
     void neighboursKeepTheirRateWhereScatterIsUnlike()
     {

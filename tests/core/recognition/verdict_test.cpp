@@ -5,6 +5,7 @@
 #include "tests/core/recognition/gaussian_types.h"
 #include "tests/support/test_registry.h"
 
+#include <Eigen/Cholesky>
 #include <QTest>
 
 #include <cmath>
@@ -205,13 +206,58 @@ private slots:
         QVERIFY(verdict.kind == VerdictKind::Inconclusive);
         QVERIFY(verdict.nearest.isEmpty());
         QVERIFY(verdict.posterior.isEmpty());
-        QCOMPARE(described(verdict.reasons), QStringList({u"No type is enrolled yet."_s}));
+        QCOMPARE(described(verdict.reasons), QStringList({u"No type is enrolled and approved yet."_s}));
     }
     void oneTypeIsNamedOrRefused()
     {
         const TypeModels models = fitTypeModels(cross(u"A"_s, 10000));
         QVERIFY(judge(models, {0.04, 40, 10000}).kind == VerdictKind::Type);
         QVERIFY(judge(models, {0.04, 40, 15000}).kind == VerdictKind::Unknown);
+    }
+    void gateIntervalsAreTheBoxAboutTheGate_data()
+    {
+        QTest::addColumn<bool>("robust");
+        QTest::newRow("on average") << false;
+        QTest::newRow("with a confidence, robust") << true;
+    }
+    void gateIntervalsAreTheBoxAboutTheGate()
+    {
+        QFETCH(bool, robust);
+        VerdictOptions options;
+        options.robust = robust;
+        if (robust)
+            options.confidence = 0.95;
+        std::vector<TypeSqueeze> ofA = paperSqueezesInSi();
+        std::erase_if(ofA, [](const TypeSqueeze& squeeze) { return squeeze.type != u"A"_s; });
+        const TypeModels models = fitTypeModels(ofA);
+        const Eigen::Vector3d mean = models.types[0].meanLog;
+        const Eigen::Matrix3d factor = models.covarianceLog.llt().matrixL();
+        // Out from the mean, in many directions, to where judge() has its gate.
+        Eigen::Vector3d reached = Eigen::Vector3d::Zero();
+        constexpr int directions = 2000;
+        for (int i = 0; i < directions; ++i) {
+            const double up = 1 - (2 * i + 1.0) / directions, turn = i * 2.399963229728653; // golden angle
+            const double out = std::sqrt(1 - up * up);
+            const Eigen::Vector3d step =
+                0.1 * factor * Eigen::Vector3d(out * std::cos(turn), out * std::sin(turn), up);
+            const Eigen::Vector3d p = (mean + step).array().exp();
+            const Verdict verdict = judge(models, {p[0], p[1], p[2]}, options);
+            reached = reached.cwiseMax(std::sqrt(*verdict.gate / *verdict.distance) * step);
+        }
+        const std::vector<GateIntervals> gates = gateIntervals(models, options);
+        QCOMPARE(gates.size(), std::size_t(1));
+        for (int i = 0; i < 3; ++i) {
+            const TypeInterval& gate = gates[0][std::size_t(i)];
+            const double reach = std::log(gate.high / gate.mean);
+            QVERIFY(std::abs(std::log(gate.mean) - mean[i]) < 1e-12);
+            QVERIFY(std::abs(std::log(gate.mean / gate.low) - reach) < 1e-12);
+            // 2,000 directions come within 0.05 rad of any: cos of it is 0.9988.
+            QVERIFY2(reached[i] < reach * (1 + 1e-9) && reached[i] > 0.998 * reach,
+                     qPrintable(u"%1, %2"_s.arg(reached[i]).arg(reach)));
+        }
+        QVERIFY(gateIntervals({}, options).empty());
+        ofA.resize(2); // too few for a gate
+        QVERIFY(gateIntervals(fitTypeModels(ofA), options).empty());
     }
     void parametersThatCannotBeAreInvalid()
     {

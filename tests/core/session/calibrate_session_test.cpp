@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_facts.h"
+#include "core/calibration/conformity.h"
 #include "core/identification/identification.h"
 #include "core/session/calibrate/calibrate_session.h"
 #include "core/session/squeeze/squeeze_job.h"
@@ -127,6 +128,35 @@ private slots:
         QVERIFY(std::abs(seen[0].force - 17) < 0.05);
         QVERIFY(std::abs(m_connection->session.uncorrected(SensorChannel::Force, 17) - readingOf(17)) < 2e-3);
         QCOMPARE(seen[0].position, 1e-3);
+    }
+
+    void asFoundAndTheCheckAfterwardsAreKept()
+    {
+        QVERIFY(m_session->start(plan()));
+        QVERIFY(takeAll() && m_session->accept(QDate(2030, 1, 31), {}) && until(State::Stored));
+        QCOMPARE(stored().force->foundCorrection, std::optional(u""_s)); // the channel's own scale
+        QVERIFY(stored().force->checkPoints.empty());
+
+        CalibrationPlan again = plan();
+        again.runs = 1;
+        again.checkAfter = true;
+        again.conditions.ambient_C = 21.5;
+        QVERIFY(m_session->start(again));
+        QCOMPARE(m_session->planned().size(), std::size_t(13)); // 4 up, 3 down, and as a check 3 up, 3 down
+        QVERIFY(takeAll());
+        const int freedom = (*m_session->evaluation())->curve.degreesOfFreedom();
+        QCOMPARE(freedom, 5); // of seven points: those of the check are not fitted
+        QVERIFY(m_session->accept(QDate(2030, 1, 31), {}) && until(State::Stored));
+        const CalibrationRecord kept = *stored().force;
+        QCOMPARE(kept.points.size(), std::size_t(7));
+        QCOMPARE(kept.checkPoints.size(), std::size_t(6));
+        QCOMPARE(kept.conditions.ambient_C, std::optional(21.5));
+        QCOMPARE(kept.certificateNumber, qint64(2));
+        // The first calibration was in force: as found, its loads are right where the bare readings are 1.1 N
+        // off.
+        const std::optional<LoadErrors> found = errorsAsFound(kept);
+        QVERIFY(found);
+        QVERIFY2(found->largest < 5e-3, qPrintable(QString::number(found->largest)));
     }
 
     void aSecondCalibrationIsOfTheDeviceNotOfTheFirst()

@@ -298,6 +298,20 @@ private slots:
         QCOMPARE(session.state(), ConnectState::Disconnected);
         QCOMPARE(session.lastError()->code, ErrorCode::Usage);
     }
+    void anAddressThatMakesNoPortLeavesTheGripperThatWorks()
+    {
+        ArmedConnection connection;
+        QVERIFY(connection.open());
+        connection.factory.refuses = Error{ErrorCode::Usage, {QStringLiteral("no such address")}};
+        const Expected<void> done = connection.session.connectTo(QStringLiteral("nonsense:"));
+        QVERIFY(!done);
+        QCOMPARE(done.error().code, ErrorCode::Usage);
+        connection.session.poll();
+        QCOMPARE(connection.session.state(), ConnectState::Connected);
+        QVERIFY(connection.session.armed());
+        QCOMPARE(connection.gripper().closed, 0);
+        QCOMPARE(connection.session.address(), QStringLiteral("fake:"));
+    }
     void whatDidNotObeyStopIsNotArmedUntilItWasConnectedAnew()
     {
         ArmedConnection connection;

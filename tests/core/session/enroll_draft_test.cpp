@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/library/child_process.h"
+#include "tests/core/library/raw_database.h"
 #include "tests/core/session/enrollment_run.h"
 #include "tests/core/session/session_recordings.h"
 #include "tests/support/test_registry.h"
@@ -242,6 +243,27 @@ private slots:
         const auto grasps =
             run.ask<std::vector<GraspRecord>>([typeId](Library& l) { return l.grasps(typeId); });
         QCOMPARE(grasps.size(), std::size_t(2)); // counted again, not stored again
+    }
+    void aRecordingIsStoredOnce()
+    {
+        {
+            Run run(file());
+            QVERIFY(run.begin(u"Can"_s));
+            QVERIFY(run.add(1) && run.accept() && run.add(2) && run.accept());
+            const QString typeId = run.types()[0].id;
+            const auto grasps =
+                run.ask<std::vector<GraspRecord>>([typeId](Library& l) { return l.grasps(typeId); });
+            QCOMPARE(grasps.size(), std::size_t(2));
+            for (std::size_t i = 0; i < grasps.size(); ++i) {
+                const QString id = grasps[i].id;
+                QCOMPARE(run.ask<Recording>([id](Library& l) { return l.recording(id); }),
+                         squeezeOf(canA, i + 1));
+            }
+        }
+        RawDatabase raw(file());
+        QCOMPARE(raw.count(u"draft_squeezes"_s), 2);
+        QCOMPARE(raw.count(u"recordings"_s), 2);
+        QCOMPARE(raw.run(u"SELECT SUM(LENGTH(packed)) FROM recordings"_s).toLongLong(), 0);
     }
     void everythingBackToTheNameAndForthAgain()
     {

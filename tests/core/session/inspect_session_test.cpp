@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/records/history.h"
+#include "tests/core/library/raw_database.h"
 #include "tests/core/session/inspection_run.h"
 #include "tests/support/test_registry.h"
 
@@ -80,6 +82,31 @@ private slots:
                 .get();
         QCOMPARE(stored->at(0).type, QStringLiteral("A"));
         QCOMPARE(stored->at(0).operatorName, QStringLiteral("Ada"));
+    }
+    void whatWasInForceIsStoredWithIt()
+    {
+        Run run(m_file);
+        QVERIFY(run.connection.open());
+        QVERIFY(run.ready());
+        VerdictOptions rates;
+        rates.strangerAccept = 0.05;
+        rates.confidence = 0.95;
+        run.inspection.setRates(rates);
+        QVERIFY(run.inspection.squeeze());
+        QVERIFY(run.ready());
+        const auto stored = run.library
+                                .run<std::vector<HistoryEntry>>([](Library& l) {
+                                    return l.historyEntries({l.inspections({})->at(0).graspId});
+                                })
+                                .get();
+        const auto version = run.library.run<qint64>([](Library& l) { return l.version(); }).get();
+        const HistoryEntry& entry = stored->at(0);
+        QCOMPARE(entry.libraryVersion, std::optional<qint64>(*version));
+        QVERIFY(*version > 0);
+        QCOMPARE(entry.program, QStringLiteral(GRIPSCOPE_VERSION));
+        QVERIFY(entry.validity && !entry.heldTo.robust.value_or(true));
+        QVERIFY(entry.positionCalibration && entry.positionCalibration->isEmpty()); // none was in force
+        QVERIFY(entry.heldTo == (HeldTo{0.01, 0.001, 0.05, 0.95, false}));
     }
     void whatAnInspectionSays_data()
     {
@@ -219,15 +246,49 @@ private slots:
         QVERIFY(run.ready());
         const Recording recording = squeezeOf(strangeCan, 1);
         const NewGrasp grasp = makeGrasp(recording, identify(recording), QStringLiteral("file.csv"), {});
-        QVERIFY(run.library
-                    .run<StoredSqueeze>([grasp](Library& l) {
-                        return storeSqueeze(l, {QStringLiteral("new"), {}, grasp});
-                    })
-                    .get());
+        const Expected<StoredSqueeze> stored =
+            run.library
+                .run<StoredSqueeze>([grasp](Library& l) {
+                    return storeSqueeze(l, {QStringLiteral("new"), {}, grasp});
+                })
+                .get();
+        QVERIFY(stored.has_value());
         run.inspection.reload();
         QVERIFY(run.ready());
         QCOMPARE(run.inspection.types().size(), std::size_t(3));
+        // It waits for approval, and no part is held against it.
+        QVERIFY(!run.inspection.models().find(QStringLiteral("new")));
+        QCOMPARE(run.inspection.approvedTypes().size(), std::size_t(2));
+        QVERIFY(run.library.run<void>([id = stored->type.id](Library& l) { return l.approveType(id, {}); })
+                    .get());
+        run.inspection.reload();
+        QVERIFY(run.ready());
         QVERIFY(run.inspection.models().find(QStringLiteral("new")));
+        QCOMPARE(run.inspection.approvedTypes().size(), std::size_t(3));
+    }
+    void anUnfinishedTypeTakesNoPartInAVerdict()
+    {
+        // One squeeze of a part just like A, left for later: whether it is A stays as plain as before.
+        const Recording part = squeezeOf(canA, 77);
+        const auto verdictNow = [&] {
+            Run run(m_file);
+            run.inspection.setStoring(false);
+            if (!run.ready() || !run.inspection.judgeRecording(part, QStringLiteral("part")) || !run.ready())
+                return Verdict{};
+            return run.inspection.result()->verdict;
+        };
+        const Verdict before = verdictNow();
+        QCOMPARE(before.type, QStringLiteral("A"));
+        {
+            std::unique_ptr<Library> library = std::move(*Library::open(m_file));
+            const Recording recording = scatteredSqueezeOf(canA, 99);
+            const NewGrasp grasp = makeGrasp(recording, identify(recording), QStringLiteral("file.csv"), {});
+            QVERIFY(storeSqueeze(*library, {QStringLiteral("Long one"), {}, grasp}).has_value());
+        }
+        const Verdict after = verdictNow();
+        QCOMPARE(after.type, QStringLiteral("A"));
+        QCOMPARE(after.posterior, before.posterior);
+        QCOMPARE(after.gate, before.gate);
     }
     void theExpectedTypesRecipeIsUsed()
     {
@@ -304,14 +365,25 @@ private slots:
         QVERIFY(run.inspection.batch()->ended);
         QVERIFY(!run.inspection.batch()->whole());
     }
+    void whatTheLibraryCannotTakeNowIsMarkedAndStoredLater_data()
+    {
+        QTest::addColumn<bool>("locked");
+        QTest::newRow("file away, and back") << false;
+        QTest::newRow("locked by another program, and released") << true;
+    }
     void whatTheLibraryCannotTakeNowIsMarkedAndStoredLater()
     {
+        QFETCH(bool, locked);
         auto now = std::chrono::steady_clock::time_point() + std::chrono::hours(1);
         Run run(m_file);
         run.inspection.setClock([&now] { return now; });
         QVERIFY(run.ready());
         const QString away = m_file + QStringLiteral(".away");
-        QVERIFY(QFile::rename(m_file, away));
+        RawDatabase other(locked ? m_file : away + QStringLiteral(".none"));
+        if (locked)
+            other.run(QStringLiteral("BEGIN IMMEDIATE"));
+        else
+            QVERIFY(QFile::rename(m_file, away));
         const auto judged = [&](int seed) {
             QVERIFY(run.inspection.judgeRecording(squeezeOf(canA, seed), QStringLiteral("file.csv")));
             QVERIFY(run.until([&] { return run.inspection.result() && !run.inspection.storing(); }));
@@ -329,7 +401,10 @@ private slots:
             return ++polls > 50;
         }));
         QCOMPARE(run.inspection.unstored(), std::size_t(3));
-        QVERIFY(QFile::rename(away, m_file));
+        if (locked)
+            other.run(QStringLiteral("ROLLBACK"));
+        else
+            QVERIFY(QFile::rename(away, m_file));
         QVERIFY(run.until([&] {
             now += std::chrono::seconds(1);
             return run.inspection.unstored() == 0;

@@ -36,18 +36,23 @@ struct InspectionRun {
     }
 };
 
-/// Types with so many squeezes each, enrolled without a session.
+/// Types with so many squeezes each, enrolled and approved without a session.
 inline void enrolTypes(const QString& file,
                        const std::vector<std::pair<QString, MassDampingStiffness>>& types,
                        std::uint64_t squeezes)
 {
     std::unique_ptr<Library> library = std::move(*Library::open(file));
-    for (const auto& type : types)
+    for (const auto& type : types) {
+        QString typeId;
         for (std::uint64_t seed = 1; seed <= squeezes; ++seed) {
             const Recording recording = scatteredSqueezeOf(type.second, seed);
             const NewGrasp grasp = makeGrasp(recording, identify(recording), QStringLiteral("file.csv"), {});
-            QVERIFY(storeSqueeze(*library, {type.first, {}, grasp}));
+            const Expected<StoredSqueeze> stored = storeSqueeze(*library, {type.first, {}, grasp});
+            QVERIFY(stored.has_value());
+            typeId = stored->type.id;
         }
+        QVERIFY(library->approveType(typeId, {}));
+    }
 }
 
 } // namespace gripscope::test

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/inspect/squeeze_judged.h"
 #include "core/session/squeeze/squeeze_notes.h"
 #include "core/signal/recording/recording_csv.h"
 #include "tests/support/test_registry.h"
@@ -77,6 +78,36 @@ private slots:
         QFETCH(QString, note);
         QVERIFY(!squeezeBegins(note));
         QVERIFY(!squeezeEnded(note));
+    }
+    void whatASqueezeWasJudgedByComesBackToTheBit()
+    {
+        SqueezeJudged judged;
+        judged.rates.falseReject = 0.1 / 3;
+        judged.rates.wrongType = 1e-6;
+        judged.rates.strangerAccept = 0.007;
+        judged.rates.confidence = 0.95;
+        judged.rates.robust = true;
+        judged.earlyEnd = EarlyEnd{VerdictKind::Type, QStringLiteral("can: a\nb"), 0.999, 321};
+        const auto back = squeezeJudged(toNote(judged));
+        QVERIFY(back && back->rates == judged.rates && back->earlyEnd);
+        QCOMPARE(back->earlyEnd->samples, std::size_t(321));
+        QCOMPARE(back->earlyEnd->posterior, 0.999);
+        QCOMPARE(back->earlyEnd->type, QStringLiteral("can: a b")); // a name has no line's end
+        QVERIFY(back->policy == JudgingPolicy());                   // as notes of before have it
+        for (const JudgingPolicy& policy :
+             {JudgingPolicy{true, 0, false}, JudgingPolicy{false, 0.1 / 3, true},
+              JudgingPolicy{true, 0.02, true}}) {
+            judged.policy = policy;
+            QVERIFY(squeezeJudged(toNote(judged))->policy == policy);
+        }
+        judged.earlyEnd.reset();
+        judged.rates.confidence.reset();
+        const auto plain = squeezeJudged(toNote(judged));
+        QVERIFY(plain && plain->rates == judged.rates && !plain->earlyEnd);
+        for (const QString& bad : {QStringLiteral("squeeze ended\n"), QStringLiteral("squeeze judged\n"),
+                                   toNote(judged).replace(QStringLiteral("0.007"), QStringLiteral("7")),
+                                   toNote(judged).replace(QStringLiteral("wrong_type"), QStringLiteral("x"))})
+            QVERIFY(!squeezeJudged(bad));
     }
 };
 

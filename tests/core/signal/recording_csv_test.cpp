@@ -51,9 +51,12 @@ private slots:
         const auto silent = parseRecordingCsv(rows, u"x.csv"_s);
         QVERIFY(silent && !silent->provenance.contains(forceLagSourceKey()));
         QVERIFY(!toCsv(*silent).contains("force_lag_s"));
+        QVERIFY(!lagIsStated(*silent));
+        QVERIFY(std::abs(unmeasuredLagBound_s(*silent) - 0.01) < 1e-12); // a tenth of 0.1 s
         const auto stated = parseRecordingCsv("# force_lag_s: 0\n" + rows, u"x.csv"_s);
         QVERIFY(stated && stated->provenance.contains(forceLagSourceKey()));
         QVERIFY(toCsv(*stated).contains("# force_lag_s: 0\n"));
+        QVERIFY(lagIsStated(*stated) && unmeasuredLagBound_s(*stated) == 0);
         QVERIFY(*parseRecordingCsv(toCsv(*stated), u"x.csv"_s) == *stated);
     }
     void everythingReadsBackToTheSameBits()
@@ -191,7 +194,7 @@ private slots:
         row("long row", "u,y\n1,2,3\n", u"x.csv:2:2", u"3 fields");
         row("other columns", "a,b\n1,2\n", u"x.csv:1:1", u"a, b");
         row("column twice", "u,y,u\n1,2,3\n", u"x.csv:1:3", u"twice");
-        row("semicolons", "u;y\n1;2\n", u"x.csv:1:1", u"u;y");
+        row("semicolons", "u;y\n1;2\n1;zwei\n", u"x.csv:3:2", u"zwei");
         row("open quote", "u,y\n\"1,2\n", u"x.csv:2:1", u"quote");
         row("time stands", "u,y,time_s\n1,2,0\n1,2,1\n1,2,1\n", u"x.csv:4:3", u"later");
         row("time runs back", "time_s,u,y\n1,1,2\n0,1,2\n", u"x.csv:3:1", u"later");

@@ -191,6 +191,7 @@ private slots:
         MockedSystem system;
         const auto threads = [] { return QDir(u"/proc/self/task"_qs).entryList(QDir::AllDirs).size(); };
         qsizetype alone = 0;
+        QTest::qWait(500); // the watcher of the test before ends
         for (int i = 0; i < 20; ++i) {
             {
                 const HidWatcher watcher;

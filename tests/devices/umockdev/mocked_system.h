@@ -20,6 +20,7 @@
 #include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
+#include <utility>
 
 #pragma push_macro("signals") // GLib has members of that name
 #undef signals
@@ -142,10 +143,16 @@ private:
         made.seed = seed;
         return made;
     }
-    static std::uint64_t now_us()
+    /// What the watchdog counts by: the computer's time, of which one turn takes 5 ms at most. A busy
+    /// computer keeps the program and its heartbeats from the processor together with this device.
+    std::uint64_t now_us()
     {
-        return static_cast<std::uint64_t>(
-            std::chrono::duration_cast<std::chrono::microseconds>(Clock::now().time_since_epoch()).count());
+        const Clock::time_point now = Clock::now();
+        const auto step =
+            std::min<Clock::duration>(now - std::exchange(m_turned, now), std::chrono::milliseconds(5));
+        m_time_us +=
+            static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(step).count());
+        return m_time_us;
     }
 
     void openTerminal(const QString& node)
@@ -279,6 +286,8 @@ private:
     std::size_t m_commandSize = 0;
     std::uint64_t m_takenBefore = 0;
     std::optional<Clock::time_point> m_written;
+    Clock::time_point m_turned = Clock::now();
+    std::uint64_t m_time_us = 1'000'000; ///< of the device
 };
 
 } // namespace gripscope::test

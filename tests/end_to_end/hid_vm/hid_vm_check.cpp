@@ -38,10 +38,10 @@ public:
     {
         const auto virtualAddress =
             std::get<VirtualAddress>(*parseDeviceAddress(u"virtual:?seed=%1"_qs.arg(seed) + faults));
-        const std::shared_ptr<VirtualTransport> transport = *VirtualTransport::make(virtualAddress);
-        if (!transport->open())
+        m_sender = *VirtualTransport::make(virtualAddress);
+        if (!m_sender->open())
             qFatal("the virtual gripper does not open");
-        auto gripper = UhidGripper::create(transport);
+        auto gripper = UhidGripper::create(m_sender);
         if (!gripper)
             qFatal("%s", qPrintable(gripper.error().describe()));
         m_gripper = std::move(*gripper);
@@ -55,8 +55,11 @@ public:
             m_thread.join();
         m_gripper.reset();
     }
+    /// What it put on the wire so far.
+    [[nodiscard]] FaultCounts sent() const { return m_sender->faultCounts(); }
 
 private:
+    std::shared_ptr<VirtualTransport> m_sender;
     std::atomic<bool> m_ending{false};
     std::unique_ptr<UhidGripper> m_gripper;
     std::thread m_thread;
@@ -348,9 +351,13 @@ void unpluggedAtAnyMoment(int times)
         const bool gone = gripper.pollUntil([&] { return gripper.port->state() == LinkState::Lost; });
         gripper.port->drain(gripper.samples);
         const LinkCounters counters = gripper.port->counters();
-        const bool accounted = gripper.samples.empty() ||
-                               counters.samples + counters.lostSamples ==
-                                   gripper.samples.back().sequence - gripper.samples.front().sequence + 1;
+        // Counted where they were sent, less what went before the first that came and after the last.
+        const FaultCounts sent = plugged.sent();
+        const bool accounted =
+            gripper.samples.empty() ||
+            (sent.first && counters.samples + counters.lostSamples ==
+                               sent.samples - (gripper.samples.front().sequence - *sent.first) -
+                                   (sent.last - gripper.samples.back().sequence));
         good += began && gone && accounted && counters.samples == gripper.samples.size() ? 1 : 0;
         samples += counters.samples;
         lost += counters.lostSamples;

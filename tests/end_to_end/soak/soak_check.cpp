@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One gripper after another for as many minutes as asked (soak.sh), each with faults of its own: every sample
 // is received or counted as lost, memory stays where it is, no thread is left behind. Exits with 1 when not.
+#include "devices/acquisition/device_port.h"
+#include "devices/virtual/virtual_transport.h"
 #include "tests/devices/port_helpers.h"
 
 #include <QCoreApplication>
@@ -73,7 +75,12 @@ struct Drained {
 
 void runLink(std::mt19937& engine, Totals& totals)
 {
-    OpenPort gripper(u"virtual:?seed=%1%2"_qs.arg(engine() % 1000).arg(drawFaults(engine)));
+    const QString address = u"virtual:?seed=%1%2"_qs.arg(engine() % 1000).arg(drawFaults(engine));
+    const std::shared_ptr<VirtualTransport> sender =
+        *VirtualTransport::make(std::get<VirtualAddress>(*parseDeviceAddress(address)));
+    OpenPort gripper(std::make_unique<DevicePort>(
+        address, [sender] { return sender; }, SampleQueue::defaultCapacity, &GripscopeDecoder::make,
+        limitsForABusyProgram()));
     Drained drained;
     const auto end = Clock::now() + std::chrono::milliseconds(2000 + engine() % 4000);
     bool squeezed = false;
@@ -90,7 +97,10 @@ void runLink(std::mt19937& engine, Totals& totals)
     gripper.port->close();
     drained.take(*gripper.port);
     const LinkCounters counters = gripper.port->counters();
-    const std::uint64_t range = drained.first ? *drained.last - *drained.first + 1 : 0;
+    // What the sender put on the wire, less what went before the first that came and after the last.
+    const FaultCounts sent = sender->faultCounts();
+    const std::uint64_t range =
+        drained.first ? sent.samples - (*drained.first - *sent.first) - (sent.last - *drained.last) : 0;
     const std::uint64_t known = drained.count + counters.lostSamples;
     ++totals.links;
     totals.squeezes += squeezed ? 1 : 0;

@@ -67,6 +67,21 @@ private slots:
         }
         QVERIFY2(others.isEmpty(), qPrintable(others.join(u' ')));
     }
+    /// The least window: one that a message had made higher is not how the page looks.
+    void everyKeptOneHasTheLeastSize_data() { thePagesLookAsTheyDid_data(); }
+    void everyKeptOneHasTheLeastSize()
+    {
+        QFETCH(QString, theme);
+        QFETCH(QString, language);
+        const QDir folder(kept(theme, language));
+        const QStringList names = folder.entryList({u"*.png"_s}, QDir::Files);
+        QCOMPARE(names.size(), 7);
+        QStringList others;
+        for (const QString& name : names)
+            if (const QSize size = QImage(folder.filePath(name)).size(); size != QSize(1024, 640))
+                others << u"%1: %2 x %3"_s.arg(name).arg(size.width()).arg(size.height());
+        QVERIFY2(others.isEmpty(), qPrintable(others.join(u", "_s)));
+    }
     void whatMovedOrWentIsTold()
     {
         for (const QString& name : QDir(kept(u"light"_s)).entryList({u"*.png"_s}, QDir::Files)) {

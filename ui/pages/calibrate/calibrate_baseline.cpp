@@ -8,6 +8,7 @@
 #include "ui/pages/fit/fit_page_table.h"
 #include "ui/pages/shared/enroll_recipe_form.h"
 #include "ui/pages/shared/guided_squeezes.h"
+#include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
 
 #include <QGridLayout>
@@ -167,16 +168,27 @@ void CalibrateBaseline::showInUse()
 
 void CalibrateBaseline::remove()
 {
-    d->session.setOperator(d->bench.operatorName());
-    if (const Expected<void> answer = d->session.remove(); !answer)
-        d->bench.messages().report(answer.error().describe());
-    d->guide->refresh();
+    askWhy(this, d->remove->text(), [this](const QString& reason) {
+        authorize(d->bench, this, Permission::AcceptCalibrations, [this, reason] {
+            d->session.setOperator(d->bench.operatorName());
+            d->session.setReason(reason);
+            if (const Expected<void> answer = d->session.remove(); !answer)
+                d->bench.messages().report(answer.error().describe());
+            d->guide->refresh();
+        });
+    });
 }
 
 void CalibrateBaseline::act()
 {
     if (d->guide->button()->isEnabled())
         d->guide->act();
+}
+
+bool CalibrateBaseline::underWay() const
+{
+    return d->session.busy() ||
+           (d->session.state() == SeriesSession::State::Measured && d->session.baseline() && isVisible());
 }
 
 void CalibrateBaseline::leave()

@@ -5,10 +5,12 @@
 #include "ui/format/reference_words.h"
 #include "ui/models/calibration_models.h"
 #include "ui/pages/calibrate/calibrate_parts.h"
+#include "ui/pages/fit/fit_page_export.h"
 #include "ui/pages/fit/fit_page_table.h"
 #include "ui/pages/shared/guided_squeezes.h"
 #include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/row_list.h"
 
 #include <QGridLayout>
 #include <QStackedWidget>
@@ -146,12 +148,13 @@ QWidget* CalibrateCheck::makeHistory()
     auto* inside = new QVBoxLayout(shown);
     setSpacing(inside, 0, 8);
     d->plot = new CheckTrendPlot(shown);
+    (new FitExporter(d->bench, this))->addFigure(d->plot); // its context menu
     d->model = new ReferenceCheckModel(this);
     d->table = makeCalibrationTable(*d->model, shown);
     d->table->setObjectName("checkList");
     d->table->setAccessibleName(tr("Checks"));
-    inside->addWidget(d->plot, 1);
-    inside->addWidget(d->table, 1);
+    inside->addWidget(d->plot, 3);
+    inside->addWidget(d->table, 2);
     d->history->addWidget(empty);
     d->history->addWidget(shown);
     column->addWidget(d->history, 1);
@@ -177,6 +180,11 @@ void CalibrateCheck::act()
 {
     if (d->guide->button()->isEnabled())
         d->guide->act();
+}
+
+bool CalibrateCheck::underWay() const
+{
+    return d->session.busy();
 }
 
 void CalibrateCheck::leave()
@@ -212,6 +220,7 @@ void CalibrateCheck::showChecks(std::vector<ReferenceCheckRecord> checks)
 {
     d->plot->setChecks(checks, QDateTime::currentDateTimeUtc());
     d->model->setChecks(std::move(checks));
+    fitHeightToRows(d->table, mostRowsBesidePlot);
     using Column = ReferenceCheckModel::Column;
     for (const Column column : {Column::Mass, Column::Damping, Column::Stiffness})
         d->table->setColumnHidden(int(column), !d->model->says(column));
@@ -249,21 +258,28 @@ void CalibrateCheck::keepReference(const ReferenceObject& reference)
 {
     ReferenceObject stated = reference;
     stated.operatorName = d->bench.operatorName();
-    authorize(d->bench, this, Permission::AcceptCalibrations, [this, stated] {
-        d->bench.background().ask<CalibrationsInForce>(
-            this,
-            [stated](Library& library) {
-                return library.addReferenceObject(stated).and_then(
-                    [&] { return library.calibrationsInForce(stated.gripperSerial); });
-            },
-            [this, stated](const Expected<CalibrationsInForce>& standing) {
-                if (!standing)
-                    return d->bench.messages().report(standing.error().describe());
-                if (serial() == stated.gripperSerial)
-                    d->bench.connection().setCalibrations(*standing);
-                d->bench.tellCalibrationChanged();
-            });
+    askWhy(this, tr("Use this object"), [this, stated](const QString& reason) {
+        authorize(d->bench, this, Permission::AcceptCalibrations,
+                  [this, stated, reason] { storeReference(stated, reason); });
     });
+}
+
+void CalibrateCheck::storeReference(const ReferenceObject& stated, const QString& reason)
+{
+    d->bench.background().ask<CalibrationsInForce>(
+        this,
+        [stated, reason](Library& library) {
+            return library.addReferenceObject(stated, reason).and_then([&] {
+                return library.calibrationsInForce(stated.gripperSerial);
+            });
+        },
+        [this, stated](const Expected<CalibrationsInForce>& standing) {
+            if (!standing)
+                return d->bench.messages().report(standing.error().describe());
+            if (serial() == stated.gripperSerial)
+                d->bench.connection().setCalibrations(*standing);
+            d->bench.tellCalibrationChanged();
+        });
 }
 
 } // namespace gripscope

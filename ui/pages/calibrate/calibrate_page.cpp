@@ -27,6 +27,10 @@ SensorCalibration exampleCalibration()
     calibration.operatorName = u"Mai"_s;
     calibration.takenUtc = QDateTime::currentDateTimeUtc();
     calibration.due = calibration.takenUtc.date().addYears(1);
+    calibration.reference.due = calibration.due.addYears(1);
+    calibration.conditions.ambient_C = 21.5;
+    calibration.conditions.tolerance = 0.2;
+    calibration.foundCorrection = u""_s;
     CalibrationPlan plan;
     plan.runs = 3;
     GaussianNoise noise(4);
@@ -147,6 +151,11 @@ void CalibratePage::setActive(bool active)
     show(d->tabs->currentIndex());
     if (active)
         setFocus();
+}
+
+bool CalibratePage::underWay() const
+{
+    return d->sensors->underWay() || d->check->underWay() || d->baseline->underWay();
 }
 
 void CalibratePage::keyPressEvent(QKeyEvent* event)

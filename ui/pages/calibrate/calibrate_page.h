@@ -28,6 +28,7 @@ public:
     [[nodiscard]] QString title() const override;
     [[nodiscard]] QString iconName() const override;
     void setActive(bool active) override;
+    [[nodiscard]] bool underWay() const override;
     void prepareTour() override;
     [[nodiscard]] bool tourReady() const override;
 

@@ -24,6 +24,9 @@ struct CalibrationRecord;
 class QuantityBox;
 class Workbench;
 
+/// Of what was done before; a plot has the rest of the place.
+inline constexpr int mostRowsBesidePlot = 5;
+
 /// A table of a calibration: whole rows, no grid, the last column takes what is left.
 [[nodiscard]] QTableView* makeCalibrationTable(QAbstractItemModel& model, QWidget* parent);
 
@@ -35,8 +38,9 @@ public:
     ~CalibrateSensors() override;
 
     void setActive(bool active);
-    void act();  ///< what Space does
-    void undo(); ///< what Backspace does
+    void act();                          ///< what Space does
+    void undo();                         ///< what Backspace does
+    [[nodiscard]] bool underWay() const; ///< points were taken that are not accepted yet
     void reload();
     [[nodiscard]] bool loaded() const; ///< there are calibrations to be seen
 
@@ -54,6 +58,7 @@ private:
     void showStatus();
     void showSelected();
     void saveCertificate();
+    void writeCertificateTo(const QString& file, const CalibrationRecord& record);
     [[nodiscard]] const CalibrationRecord* selected() const;
 
     struct Private;
@@ -71,6 +76,7 @@ public:
     void setActive(bool active);
     void act(); ///< what Space does
     void leave();
+    [[nodiscard]] bool underWay() const;
     /// Asks for the checks of the gripper anew.
     void reload();
     [[nodiscard]] bool loaded() const; ///< there are checks to be seen
@@ -82,6 +88,7 @@ private:
     void showChecks(std::vector<ReferenceCheckRecord> checks);
     void editReference();
     void keepReference(const ReferenceObject& reference);
+    void storeReference(const ReferenceObject& stated, const QString& reason);
     [[nodiscard]] QString serial() const;
 
     struct Private;
@@ -125,6 +132,8 @@ public:
 
     void act(); ///< what Space does
     void leave();
+    /// Squeezes are, or a person looks at what they found and has not taken it yet.
+    [[nodiscard]] bool underWay() const;
 
 private:
     QWidget* makeMeasuring();

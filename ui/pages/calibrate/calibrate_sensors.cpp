@@ -7,6 +7,7 @@
 #include "ui/models/calibration_models.h"
 #include "ui/pages/calibrate/calibrate_parts.h"
 #include "ui/pages/calibrate/calibrate_taking.h"
+#include "ui/pages/fit/fit_page_export.h"
 #include "ui/reports/reports.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/row_list.h"
@@ -162,12 +163,13 @@ QWidget* CalibrateSensors::makeHistory()
     d->table->setObjectName("calibrationList");
     d->table->setAccessibleName(tr("Calibrations"));
     d->plot = new CalibrationPlot(shown);
+    (new FitExporter(d->bench, this))->addFigure(d->plot); // its context menu
     d->chosen = makeLabel({}, "caption", shown);
     d->chosen->setWordWrap(true);
     d->certificate = makeButton(tr("Certificate…"), u"document-save"_s, "", shown);
     d->certificate->setObjectName("certificateButton");
-    inside->addWidget(d->table, 1);
-    inside->addWidget(d->plot, 1);
+    inside->addWidget(d->table, 2);
+    inside->addWidget(d->plot, 3);
     auto* row = new QHBoxLayout;
     row->setSpacing(16);
     row->addWidget(d->chosen, 1);
@@ -222,18 +224,34 @@ void CalibrateSensors::saveCertificate()
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(u"pdf"_s);
     dialog->selectFile(proposal);
-    connect(dialog, &QFileDialog::fileSelected, this, [this, record = *record](const QString& file) {
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this, record = *record](const QString& file) { writeCertificateTo(file, record); });
+    dialog->open();
+}
+
+void CalibrateSensors::writeCertificateTo(const QString& file, const CalibrationRecord& record)
+{
+    const auto write = [this, record, file] {
         d->bench.background().compute<Expected<void>>(
             this,
-            [record, picture = residualPicture(record), file] {
-                return writeCertificate(record, picture, file);
-            },
-            [this](const Expected<void>& done) {
-                if (!done)
+            [record, picture = residualPicture(record), letterhead = letterheadSource(d->bench.settings()),
+             file] { return writeCertificate(record, picture, letterhead, file); },
+            [this, file](const Expected<void>& done) {
+                if (done)
+                    d->bench.messages().tell(tr("Certificate written to %1").arg(file));
+                else
                     d->bench.messages().report(done.error().describe());
             });
-    });
-    dialog->open();
+    };
+    // First into the audit trail, as every export: no certificate goes out that is not in it.
+    d->bench.background().ask<void>(
+        this, [file](Library& library) { return library.tellExport(file, u"certificate"_s, 1); },
+        [this, write](const Expected<void>& entered) {
+            if (entered)
+                write();
+            else
+                d->bench.messages().report(entered.error().describe());
+        });
 }
 
 void CalibrateSensors::setActive(bool active)
@@ -241,6 +259,11 @@ void CalibrateSensors::setActive(bool active)
     d->active = active;
     if (active && d->stale)
         reload();
+}
+
+bool CalibrateSensors::underWay() const
+{
+    return d->stack->currentIndex() == 1;
 }
 
 bool CalibrateSensors::loaded() const
@@ -256,6 +279,7 @@ void CalibrateSensors::reload()
             if (!rows)
                 return d->bench.messages().report(rows.error().describe());
             d->list->setRows(std::move(*rows));
+            fitHeightToRows(d->table, mostRowsBesidePlot);
             d->history->setCurrentIndex(loaded() ? 1 : 0);
             if (loaded())
                 d->table->selectRow(0);

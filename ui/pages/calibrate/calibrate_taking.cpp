@@ -9,6 +9,7 @@
 #include "ui/format/number_format.h"
 #include "ui/models/calibration_models.h"
 #include "ui/pages/calibrate/calibrate_parts.h"
+#include "ui/pages/fit/fit_page_export.h"
 #include "ui/pages/fit/fit_page_table.h"
 #include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
@@ -51,6 +52,7 @@ QWidget* CalibrateTaking::makePlots()
     auto* column = new QVBoxLayout(card);
     setSpacing(column, 8, 8);
     m_plot = new CalibrationPlot(card);
+    (new FitExporter(*m_workbench, this))->addFigure(m_plot); // its context menu
     m_model = new CalibrationPointsModel(this);
     m_table = makeCalibrationTable(*m_model, card);
     m_table->setObjectName("calibrationPoints");
@@ -205,12 +207,18 @@ void CalibrateTaking::undo()
 
 void CalibrateTaking::accept()
 {
-    authorize(*m_workbench, this, Permission::AcceptCalibrations, [this] {
-        m_session->setOperator(m_workbench->operatorName());
-        if (const Expected<void> begun = m_session->accept(m_due->date(), m_note->text().trimmed()); !begun)
-            m_workbench->messages().report(begun.error().describe());
-        refresh();
-    });
+    const auto acceptBecause = [this](const QString& note) {
+        authorize(*m_workbench, this, Permission::AcceptCalibrations, [this, note] {
+            m_session->setOperator(m_workbench->operatorName());
+            if (const Expected<void> begun = m_session->accept(m_due->date(), note); !begun)
+                m_workbench->messages().report(begun.error().describe());
+            refresh();
+        });
+    };
+    if (const QString note = m_note->text().trimmed(); !note.isEmpty())
+        acceptBecause(note);
+    else
+        askWhy(this, tr("Accept the calibration"), acceptBecause);
 }
 
 void CalibrateTaking::takeOrAccept()
@@ -244,8 +252,12 @@ void CalibrateTaking::showPoints()
     const SensorCalibration calibration = m_session->calibration();
     const auto& evaluation = m_session->evaluation();
     const bool known = evaluation && *evaluation;
-    m_model->setPoints(calibration.unit, m_session->planned(), m_session->points(),
-                       known ? (*evaluation)->residuals : std::vector<double>());
+    std::vector<double> residuals = known ? (*evaluation)->residuals : std::vector<double>();
+    for (const CalibrationPoint& point : calibration.checkPoints) // which come last
+        if (known)
+            residuals.push_back(point.reading - (*evaluation)->curve.readingAt(point.load));
+    m_model->setPoints(calibration.unit, m_session->planned(), m_session->points(), std::move(residuals),
+                       known ? (*evaluation)->expandedUncertainty : 0);
     if (known)
         m_plot->setCalibration(calibration, **evaluation);
     else
@@ -261,8 +273,8 @@ void CalibrateTaking::showNext()
     m_take->setText(reading ? tr("Cancel") : tr("Take it (Space)"));
     if (!next)
         return;
-    m_step->setText(
-        tr("Point %1 of %2").arg(m_session->points().size() + 1).arg(m_session->planned().size()));
+    const QString step = next->check ? tr("Check afterwards: point %1 of %2") : tr("Point %1 of %2");
+    m_step->setText(step.arg(m_session->points().size() + 1).arg(m_session->planned().size()));
     showLoad(*next);
     m_way->setText(instruction(*next, m_session->plan()));
 }
@@ -270,7 +282,10 @@ void CalibrateTaking::showNext()
 void CalibrateTaking::showLoad(const PlannedPoint& next)
 {
     const CalibrationPlan& plan = m_session->plan();
-    const ChannelScale scale = channelScale(m_session->calibration().unit, plan.loads.back());
+    const QString unit = m_session->calibration().unit;
+    const auto mass = massPerLoad(plan.conditions.loadUnit, plan.conditions.gravity, unit);
+    const ChannelScale scale =
+        mass ? ChannelScale{mass->unit, mass->factor} : channelScale(unit, plan.loads.back());
     m_perChannel = scale.factor;
     m_load->setText(QLocale().toString(scale.factor * next.load, 'g', 6) + QChar(QChar::Nbsp) + scale.unit);
     m_shownBox->setVisible(plan.loadsAreRead);

@@ -4,8 +4,11 @@
 #include "core/base/display_units.h"
 #include "core/calibration/calibration_plan.h"
 #include "core/session/calibrate/calibrate_session.h"
+#include "ui/pages/calibrate/certificate_dialog.h"
 
 #include <QWidget>
+
+#include <optional>
 
 class QCheckBox;
 class QComboBox;
@@ -24,6 +27,8 @@ namespace gripscope {
 
 class CalibrationPlot;
 class CalibrationPointsModel;
+class QuantityBox;
+class QuantityListEdit;
 class Workbench;
 
 /// What a calibration is to be: the channel, the loads, how often, against what. Says at once what is wrong.
@@ -40,27 +45,34 @@ private:
     void build();
     void proposeLoads();
     void validate();
-    /// Loads as they are typed, newtons or millimetres; nothing when it is not a list of numbers.
-    [[nodiscard]] std::optional<std::vector<double>> typedLoads() const;
-    enum class Way { Weights, LoadCell, GaugeBlocks };
+    void askInUnit();
+    void takeGravity();
+    enum class Way { Weights, LoadCell, GaugeBlocks, Kilograms, Pounds };
     [[nodiscard]] Way way() const;
     [[nodiscard]] SensorChannel channel() const;
-    /// N or mm, or what the person reads in their place.
+    [[nodiscard]] LoadUnit loadUnit() const;
+    void askForDetails();
+    [[nodiscard]] CalibrationPlan withDetails(CalibrationPlan plan) const;
+    /// N or mm, or what the person reads in their place; that of the masses.
     [[nodiscard]] ShownUnit typedUnit() const;
-    [[nodiscard]] double perTyped() const; ///< channel's units in a typed one
+    [[nodiscard]] double siPerChannel() const;
     [[nodiscard]] QString problem() const;
 
     Workbench* m_workbench;
     QComboBox* m_channel;
-    QLineEdit* m_loads;
+    QLabel* m_loadsName = nullptr;
+    QuantityListEdit* m_loads;
     QSpinBox* m_runs;
     QCheckBox* m_descending;
     QSpinBox* m_degree;
     QLineEdit* m_reference;
     QLineEdit* m_certificate;
-    QDoubleSpinBox* m_uncertainty;
+    QuantityBox* m_uncertainty;
+    QString m_askedIn; ///< the unit of the fields
     QLabel* m_summary;
     QPushButton* m_begin;
+    CertificateDetails m_details;
+    SensorChannel m_detailsOf = SensorChannel::Force; ///< the channel of the tolerance in them
 };
 
 /// A calibration under way: which load comes next, what the channel says, the points so far with what is left

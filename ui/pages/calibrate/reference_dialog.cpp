@@ -43,6 +43,7 @@ ReferenceDialog::ReferenceDialog(const ReferenceObject& reference, QWidget* pare
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("referenceDialog");
+    setManualPage(u"calibrate"_s);
     setWindowTitle(tr("Reference object"));
     build();
     show(reference);

@@ -78,11 +78,12 @@ void EnrollCheck::fillRow(const HeldOutConfusion& confusion, int row, bool stron
         auto* item = new QTableWidgetItem(texts[column]);
         item->setTextAlignment(Qt::AlignVCenter | (column == Name ? Qt::AlignLeft : Qt::AlignRight));
         item->setFont(Theme::font(metrics::fontBase, strong));
+        item->setToolTip(texts[column]); // a long name ends in dots
         m_table->setItem(row, column, item);
     }
 }
 
-void EnrollCheck::show(const HeldOutConfusion& confusion, const QString& type)
+void EnrollCheck::show(const HeldOutConfusion& confusion, const QString& type, const VerdictOptions& rates)
 {
     m_table->setRowCount(static_cast<int>(confusion.types.size()));
     for (int row = 0; row < m_table->rowCount(); ++row)
@@ -92,8 +93,8 @@ void EnrollCheck::show(const HeldOutConfusion& confusion, const QString& type)
         return;
     }
     m_words->setText(tr("Each squeeze judged by all the others. Another type: %1 Unknown: %2")
-                         .arg(inWords(confusion.wrongType, VerdictOptions{}.wrongType).describe(),
-                              inWords(confusion.unknown, VerdictOptions{}.falseReject).describe()));
+                         .arg(inWords(confusion.wrongType, rates.wrongType).describe(),
+                              inWords(confusion.unknown, rates.falseReject).describe()));
     const int own = static_cast<int>(confusion.types.indexOf(type));
     if (own >= 0)
         m_table->scrollToItem(m_table->item(own, 0));

@@ -8,8 +8,6 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include <algorithm>
-
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
@@ -23,9 +21,9 @@ QString reached(const EnrollmentDraft& draft)
     if (draft.step == EnrollmentDraft::Step::Review)
         return EnrollDrafts::tr("%n squeeze(s), ready for approval.", nullptr, draft.squeezes);
     const QString words = draft.pendingId.isEmpty()
-                              ? EnrollDrafts::tr("%1 of %2 squeezes.")
-                              : EnrollDrafts::tr("%1 of %2 squeezes, and one to decide on.");
-    return words.arg(draft.squeezes).arg(std::max(draft.squeezes, int{EnrollSession::suggestedSqueezes}));
+                              ? EnrollDrafts::tr("Squeezes so far: %1.")
+                              : EnrollDrafts::tr("Squeezes so far: %1, and one to decide on.");
+    return words.arg(draft.squeezes);
 }
 
 } // namespace
@@ -103,6 +101,7 @@ QWidget* EnrollDrafts::makeRow(const EnrollmentDraft& draft)
     auto* words = new QVBoxLayout;
     words->setSpacing(0);
     auto* name = new ElidedLabel(draft.name, box);
+    name->setObjectName("draftName");
     setRole(name, "strong");
     words->addWidget(name);
     auto* state = new ElidedLabel(inWords(draft), box);

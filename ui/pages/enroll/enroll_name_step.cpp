@@ -85,7 +85,7 @@ QWidget* EnrollNameStep::makeForm(QWidget* parent)
     column->addWidget(m_picture);
     m_next = makeButton(tr("Continue (Enter)"), {}, "primary", form);
     m_next->setObjectName("nameNext");
-    QPushButton* types = makeButton(tr("Enrolled types…"), {}, "quiet", form);
+    QPushButton* types = makeButton(tr("Enrolled types…"), {}, "", form);
     types->setObjectName("enrolledTypesButton");
     types->setToolTip(tr("Rename, merge, split or retire types; undo changes"));
     auto* row = new QHBoxLayout;

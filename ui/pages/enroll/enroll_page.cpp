@@ -128,6 +128,7 @@ QWidget* EnrollPage::makeRecipeStep()
     QVBoxLayout* column = makeFormCard(step);
     column->addWidget(makeLabel(tr("How is it squeezed?"), "heading", step));
     d->recipeHint = makeLabel({}, "second", step);
+    d->recipeHint->setObjectName("recipeHint");
     d->recipeHint->setWordWrap(true);
     column->addWidget(d->recipeHint);
     d->recipe = new EnrollRecipeForm(workbench(), step);
@@ -209,10 +210,14 @@ void EnrollPage::showRecipe()
         if (type.name == session.typeName())
             known = &type;
     d->recipeHint->setText(
-        known ? tr("%1 is known: its recipe stays as it is, so that all its squeezes can be compared.")
-                    .arg(session.typeName())
-              : tr("A preload, and on it a push and a release that follow one another at random. The crush "
-                   "limit is the most that this part bears: no squeeze of this type goes above it."));
+        known && known->approved ? tr("%1 is approved. With the first squeeze that is added its approval is "
+                                      "void: its parts are not "
+                                      "recognised until it is approved again. Its recipe stays as it is.")
+                                       .arg(session.typeName())
+        : known ? tr("%1 is known: its recipe stays as it is, so that all its squeezes can be compared.")
+                      .arg(session.typeName())
+                : tr("A preload, and on it a push and a release that follow one another at random. The crush "
+                     "limit is the most that this part bears: no squeeze of this type goes above it."));
     if (d->recipeOf == session.typeName() && !known)
         return; // what was typed stays
     d->recipeOf = session.typeName();

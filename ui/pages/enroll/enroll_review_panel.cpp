@@ -3,12 +3,17 @@
 
 #include "core/base/words.h"
 #include "core/math/distributions.h"
+#include "core/recognition/types/gates.h"
+#include "core/recognition/types/predictive.h"
 #include "core/session/squeeze/comparable_units.h"
 #include "ui/charts/type_map.h"
+#include "ui/context/sign_in.h"
 #include "ui/context/workbench.h"
 #include "ui/format/number_format.h"
 #include "ui/format/parameter_text.h"
 #include "ui/format/shown_unit.h"
+#include "ui/pages/enroll/trial_dialog.h"
+#include "ui/pages/fit/fit_page_export.h"
 #include "ui/pages/part_picture.h"
 #include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
@@ -17,21 +22,41 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSet>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 using namespace Qt::StringLiterals;
 
 namespace gripscope {
 
-TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels& models, const QString& name)
+namespace {
+
+/// Squared, as verdicts have it; the tolerance gate where a confidence is asked for.
+std::optional<double> reviewedGate(const TypeModels& models, const TypeModel& own,
+                                   const VerdictOptions& rates)
+{
+    const double degrees = predictType(models, own, own.meanLog, {}, {rates.robust}).degreesOfFreedom;
+    return rates.confidence ? toleranceGate(own.squeezes, degrees, rates.falseReject, *rates.confidence)
+                            : falseRejectGate(own.squeezes, degrees, rates.falseReject);
+}
+
+} // namespace
+
+TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels& models, const QString& name,
+                      const VerdictOptions& rates)
 {
     TypeReview review;
+    review.falseReject = rates.falseReject;
     review.models = models;
+    std::copy_if(squeezes.begin(), squeezes.end(), std::back_inserter(review.squeezesOfAll),
+                 [&models](const TypeSqueeze& squeeze) { return models.find(squeeze.type) != nullptr; });
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     Eigen::Vector3d squares = Eigen::Vector3d::Zero();
     for (const TypeSqueeze& squeeze : squeezes)
@@ -65,15 +90,14 @@ TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels
             review.nearest = other.name;
         }
     }
-    if (const std::optional<double> gate =
-            falseRejectGate(own->squeezes, models.degreesOfFreedom, VerdictOptions{}.falseReject))
+    if (const std::optional<double> gate = reviewedGate(models, *own, rates))
         review.gateSd = std::sqrt(*gate);
     return review;
 }
 
 namespace {
 
-Expected<TypeReview> loadReview(Library& library, const QString& name)
+Expected<TypeReview> loadReview(Library& library, const QString& name, const VerdictOptions& rates)
 {
     ASSIGN_OR_RETURN(const std::vector<TypeRecord> types, library.types());
     ASSIGN_OR_RETURN(const std::vector<TypeSqueeze> squeezes, library.enrolledSqueezes());
@@ -82,7 +106,7 @@ Expected<TypeReview> loadReview(Library& library, const QString& name)
             continue;
         ASSIGN_OR_RETURN(const ComparableTypes::Choice choice,
                          ComparableTypes(types, squeezes).modelsFor(type.forceUnit, type.positionUnit));
-        TypeReview review = reviewType(squeezes, *choice.models, name);
+        TypeReview review = reviewType(squeezes, *choice.models, name, rates);
         review.forceUnit = type.forceUnit;
         review.positionUnit = type.positionUnit;
         return review;
@@ -119,6 +143,10 @@ QStringList summaryLines(const EnrollSession& session)
                 .arg(forceText(recipe.maxForce_N), lengthText(recipe.maxTravel_m))};
 }
 
+namespace {
+constexpr int leastFacts = 368;
+}
+
 QWidget* EnrollReviewPanel::makeFacts(QWidget* parent)
 {
     auto* card = new QWidget(parent);
@@ -135,15 +163,15 @@ QWidget* EnrollReviewPanel::makeFacts(QWidget* parent)
     facts->addLayout(what);
     facts->addSpacing(8);
     auto* grid = new QGridLayout;
-    grid->setHorizontalSpacing(24);
+    grid->setHorizontalSpacing(16);
     grid->setVerticalSpacing(8);
     grid->addWidget(makeLabel(tr("Mean (95 %)"), "caption", card), 0, 1, Qt::AlignRight);
     grid->addWidget(makeLabel(tr("Spread (1 sd)"), "caption", card), 0, 2, Qt::AlignRight);
     const QString names[] = {tr("moving mass m"), tr("damping b"), tr("stiffness k")};
     for (int i = 0; i < 3; ++i) {
         const int row = 3 - i;
-        m_mean[i] = makeLabel({}, "number", card);
-        m_spread[i] = makeLabel({}, "number", card);
+        m_mean[i] = makeLabel({}, "strong", card);
+        m_spread[i] = makeLabel({}, "strong", card);
         grid->addWidget(makeLabel(names[i], "", card), row, 0);
         grid->addWidget(m_mean[i], row, 1, Qt::AlignRight);
         grid->addWidget(m_spread[i], row, 2, Qt::AlignRight);
@@ -165,8 +193,10 @@ QWidget* EnrollReviewPanel::makeFacts(QWidget* parent)
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFixedWidth(368);
+    scroll->setFixedWidth(leastFacts);
     scroll->setWidget(card);
+    scroll->setObjectName("reviewFacts");
+    m_facts = scroll;
     return scroll;
 }
 
@@ -181,6 +211,8 @@ EnrollReviewPanel::EnrollReviewPanel(Workbench& workbench, QWidget* parent)
     auto* body = new QHBoxLayout;
     body->setSpacing(24);
     m_map = new TypeMap(card);
+    m_map->setFocusPolicy(Qt::TabFocus);
+    (new FitExporter(*m_workbench, this))->addFigure(m_map); // its context menu
     m_check = new EnrollCheck(card);
     auto* views = new QTabWidget(card);
     views->setStyleSheet(u"QTabWidget > QStackedWidget { background: transparent; }"_s); // the card's
@@ -194,23 +226,41 @@ EnrollReviewPanel::EnrollReviewPanel(Workbench& workbench, QWidget* parent)
     back->setObjectName("reviewBack");
     m_approve = makeButton(tr("Approve"), u"dialog-ok-apply"_s, "primary", card);
     m_approve->setObjectName("approveButton");
+    QPushButton* trial = makeButton(tr("Try a squeeze…"), {}, "", card);
+    trial->setObjectName("trialOfType");
     row->addWidget(back);
     row->addStretch(1);
+    row->addWidget(trial);
     row->addWidget(m_approve);
     column->addLayout(row);
     auto* outer = new QVBoxLayout(this);
     setSpacing(outer, 0, 0);
     outer->addWidget(card);
     setFocusProxy(m_approve);
+    connect(m_workbench, &Workbench::ratesChanged, this, [this] {
+        if (m_workbench->enrollment().step() == EnrollSession::Step::Review)
+            load();
+    });
     const auto tell = [this](const Expected<void>& done) {
         if (!done)
             m_workbench->messages().report(done.error().describe());
         emit changed();
     };
     connect(back, &QPushButton::clicked, this, [this, tell] { tell(m_workbench->enrollment().back()); });
+    connect(trial, &QPushButton::clicked, this, [this] {
+        const EnrollSession& session = m_workbench->enrollment();
+        (new TrialDialog(*m_workbench, session.typeName(), session.recipe(), this))->open();
+    });
     connect(m_approve, &QPushButton::clicked, this, [this, tell] {
-        authorize(*m_workbench, this, Permission::ApproveTypes,
-                  [this, tell] { tell(m_workbench->enrollment().approve()); });
+        const auto approve = [this, tell](const QString& reason) {
+            authorize(*m_workbench, this, Permission::ApproveTypes,
+                      [this, tell, reason] { tell(m_workbench->enrollment().approve(reason)); });
+        };
+        // Where nobody signs, what was just looked through is reason enough.
+        if (m_workbench->signIn().inForce())
+            askWhy(this, m_approve->text(), approve);
+        else
+            approve({});
     });
 }
 
@@ -221,7 +271,10 @@ void EnrollReviewPanel::load()
     m_picture->setPicture(m_workbench->enrollment().picture());
     m_summary->setText(summaryLines(m_workbench->enrollment()).join(u'\n'));
     m_workbench->background().ask<TypeReview>(
-        this, [name](Library& library) { return loadReview(library, name); },
+        this,
+        [name, rates = m_workbench->rates().rates](Library& library) {
+            return loadReview(library, name, rates);
+        },
         [this](const Expected<TypeReview>& review) {
             if (review)
                 show(*review);
@@ -235,13 +288,14 @@ void EnrollReviewPanel::loadCheck()
 {
     using Squeezes = std::vector<TypeSqueeze>;
     const EnrollSession& session = m_workbench->enrollment();
-    const AdviceRequest request = adviceRequest(session.typeName(), session.squeezes());
+    const AdviceRequest request =
+        adviceRequest(session.typeName(), session.squeezes(), m_workbench->rates().rates);
     m_check->clear();
     m_sentences->clear();
     const auto finish = [this, request](const EnrollmentReview& review) {
         if (request.type != m_workbench->enrollment().typeName())
             return;
-        m_check->show(review.confusion, request.type);
+        m_check->show(review.confusion, request.type, request.rates);
         m_sentences->setText(reviewSentences(review).join(u"\n"_s));
     };
     m_workbench->background().ask<Squeezes>(
@@ -252,6 +306,15 @@ void EnrollReviewPanel::loadCheck()
             m_workbench->background().compute<EnrollmentReview>(
                 this, [request, squeezes = *library] { return reviewEnrollment(request, squeezes); }, finish);
         });
+}
+
+/// Numbers with long units are as wide as they are: the facts cannot be scrolled to the side.
+void EnrollReviewPanel::fitFacts()
+{
+    for (QLabel* label : m_facts->findChildren<QLabel*>())
+        label->ensurePolished();
+    const int needed = m_facts->widget()->minimumSizeHint().width();
+    m_facts->setFixedWidth(std::max(leastFacts, needed + m_facts->verticalScrollBar()->sizeHint().width()));
 }
 
 void EnrollReviewPanel::show(const TypeReview& review)
@@ -272,6 +335,7 @@ void EnrollReviewPanel::show(const TypeReview& review)
         m_mean[i]->setText(means[i]);
         m_spread[i]->setText(review.spreadPercent ? formatPercent((*review.spreadPercent)[i]) : u"–"_s);
     }
+    fitFacts();
     if (!review.nearestSd)
         m_distance->setText(
             tr("It is the only type that it can be compared with; enroll others to see how far they are."));
@@ -285,12 +349,14 @@ void EnrollReviewPanel::show(const TypeReview& review)
         m_distance->setText(tr("The nearest other type is %1, %2 sd away.")
                                 .arg(review.nearest)
                                 .arg(*review.nearestSd, 0, 'f', 1));
-    m_gate->setText(review.gateSd ? tr("A squeeze further than %1 sd from the type is called unknown (1 % of "
+    m_gate->setText(review.gateSd ? tr("A squeeze further than %1 sd from the type is called unknown (%2 of "
                                        "its own squeezes are).")
                                         .arg(*review.gateSd, 0, 'f', 1)
+                                        .arg(formatPercent(100 * review.falseReject))
                                   : tr("Too few squeezes for a gate yet: every verdict on this type stays "
                                        "inconclusive. Add some."));
     m_map->setTypes(review.models);
+    m_map->setSqueezes(review.squeezesOfAll, m_workbench->enrollment().typeName());
 }
 
 } // namespace gripscope

@@ -8,10 +8,12 @@
 #include <QWidget>
 
 #include <optional>
+#include <vector>
 
 class QGridLayout;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QTableWidget;
 
 namespace gripscope {
@@ -29,7 +31,7 @@ class EnrollCheck : public QWidget {
 public:
     explicit EnrollCheck(QWidget* parent = nullptr);
     /// The row of `type` stands out.
-    void show(const HeldOutConfusion& confusion, const QString& type);
+    void show(const HeldOutConfusion& confusion, const QString& type, const VerdictOptions& rates);
     void clear();
 
 private:
@@ -47,13 +49,15 @@ struct TypeReview {
     MassDampingStiffness mean;                    ///< of the accepted squeezes, in the type's units
     std::optional<Eigen::Vector3d> spreadPercent; ///< standard deviation over mean, m, b, k
     QString forceUnit, positionUnit;
-    TypeModels models;               ///< of all types it can be compared with
-    QString nearest;                 ///< other type
-    std::optional<double> nearestSd; ///< how far, in standard deviations
-    std::optional<double> gateSd;    ///< where a squeeze is called unknown at 1 %
+    TypeModels models;                      ///< of all types it can be compared with
+    std::vector<TypeSqueeze> squeezesOfAll; ///< of these types, in the units of the models
+    QString nearest;                        ///< other type
+    std::optional<double> nearestSd;        ///< how far, in standard deviations
+    std::optional<double> gateSd;           ///< where a squeeze is called unknown at the false-reject rate
+    double falseReject = 0;
 };
 [[nodiscard]] TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels& models,
-                                    const QString& name);
+                                    const QString& name, const VerdictOptions& rates);
 
 /// What was enrolled and how, a line each: squeezes and parts, recipe, crush limit.
 [[nodiscard]] QStringList summaryLines(const EnrollSession& session);
@@ -72,10 +76,12 @@ signals:
 private:
     void show(const TypeReview& review);
     QWidget* makeFacts(QWidget* parent);
+    void fitFacts();
     void loadCheck();
     Workbench* m_workbench;
     PartPictureView* m_picture;
     QLabel *m_title, *m_summary, *m_mean[3], *m_spread[3], *m_distance, *m_gate, *m_sentences;
+    QScrollArea* m_facts = nullptr;
     TypeMap* m_map;
     EnrollCheck* m_check;
     QPushButton* m_approve;

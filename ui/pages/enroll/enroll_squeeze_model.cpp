@@ -44,7 +44,7 @@ EnrollAdvisor::EnrollAdvisor(Workbench& workbench, QObject* parent) : QObject(pa
 void EnrollAdvisor::follow()
 {
     const EnrollSession& session = m_workbench->enrollment();
-    AdviceRequest request = adviceRequest(session.typeName(), session.squeezes());
+    AdviceRequest request = adviceRequest(session.typeName(), session.squeezes(), m_workbench->rates().rates);
     if (request == m_request)
         return;
     m_request = std::move(request);
@@ -117,7 +117,7 @@ EnrollSqueezeModel::Row EnrollSqueezeModel::makeRow(const EnrollSqueeze& squeeze
     return row;
 }
 
-void EnrollSqueezeModel::refresh(const std::vector<EnrollSqueeze>& squeezes,
+bool EnrollSqueezeModel::refresh(const std::vector<EnrollSqueeze>& squeezes,
                                  const std::map<int, QString>& outliers)
 {
     std::vector<Row> rows;
@@ -128,7 +128,7 @@ void EnrollSqueezeModel::refresh(const std::vector<EnrollSqueeze>& squeezes,
         if (row >= 0 && static_cast<std::size_t>(row) < rows.size())
             rows[static_cast<std::size_t>(row)].outlier = reason;
     if (rows == m_rows)
-        return;
+        return false;
     if (rows.size() > m_rows.size() && std::equal(m_rows.begin(), m_rows.end(), rows.begin())) {
         beginInsertRows({}, static_cast<int>(m_rows.size()), static_cast<int>(rows.size()) - 1);
         m_rows = std::move(rows);
@@ -142,6 +142,7 @@ void EnrollSqueezeModel::refresh(const std::vector<EnrollSqueeze>& squeezes,
         m_rows = std::move(rows);
         endResetModel();
     }
+    return true;
 }
 
 bool EnrollSqueezeModel::isAccepted(int row) const

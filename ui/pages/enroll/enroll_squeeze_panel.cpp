@@ -13,6 +13,7 @@
 #include "ui/windows/question.h"
 
 #include <QCheckBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -24,6 +25,21 @@ using namespace Qt::StringLiterals;
 
 namespace gripscope {
 
+namespace {
+
+/// How many squeezes an enrolment is to have, as inWords() says it: those that bring its verdicts near the
+/// best there is, ten where that takes more; never fewer than there must be.
+int squeezesWanted(const EnrollmentProgress& progress)
+{
+    const int needed = std::max(int{EnrollSession::leastSqueezes}, progress.squeezes + progress.moreForGate);
+    const int suggested = EnrollSession::suggestedSqueezes;
+    const int nearTheBest =
+        progress.moreForMost ? std::min(suggested, progress.squeezes + *progress.moreForMost) : suggested;
+    return std::max(needed, nearTheBest);
+}
+
+} // namespace
+
 EnrollSqueezePanel::EnrollSqueezePanel(Workbench& workbench, QWidget* parent)
     : QWidget(parent), m_workbench(&workbench), m_advisor(workbench)
 {
@@ -32,6 +48,7 @@ EnrollSqueezePanel::EnrollSqueezePanel(Workbench& workbench, QWidget* parent)
     row->addWidget(makeSide());
     row->addWidget(makeTable(), 1);
     connect(&m_advisor, &EnrollAdvisor::changed, this, &EnrollSqueezePanel::refresh);
+    connect(m_workbench, &Workbench::ratesChanged, this, &EnrollSqueezePanel::refresh);
 }
 
 QWidget* EnrollSqueezePanel::makeSide()
@@ -138,8 +155,8 @@ QWidget* EnrollSqueezePanel::makeTable()
     m_table->setAccessibleName(tr("Squeezes of this type"));
     m_table->setModel(&m_model);
     setUpRowList(m_table, 38);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed); // see spreadColumns()
+    m_table->viewport()->installEventFilter(this);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &EnrollSqueezePanel::refresh);
@@ -184,7 +201,8 @@ void EnrollSqueezePanel::refresh()
     const int accepted = session.acceptedCount();
     m_title->setText(tr("Squeezes of %1").arg(session.typeName()));
     m_picture->setPicture(session.picture());
-    m_ring->setCount(accepted, std::max(accepted, static_cast<int>(EnrollSession::suggestedSqueezes)));
+    const bool enough = accepted >= m_wanted;
+    m_ring->setCount(accepted, std::max(accepted, m_wanted));
     m_ring->setRunning(activity == Activity::Squeezing ? session.progress() : -1);
     const bool connected = connection.state() == ConnectSession::State::Connected;
     const bool ready = connected && (connection.armed() || !connection.identity().commandable);
@@ -197,7 +215,7 @@ void EnrollSqueezePanel::refresh()
         m_hint->setText(u"%1. %2."_s.arg(missingWords(connection).headline, missingWords(connection).detail));
     else if (!ready)
         m_hint->setText(tr("Place a part of this type, hands clear, then arm."));
-    else if (accepted >= EnrollSession::suggestedSqueezes)
+    else if (enough)
         m_hint->setText(tr("Enough squeezes: review them now."));
     else
         m_hint->setText(tr("Turn or change the part between squeezes, so that the type's spread is seen."));
@@ -212,7 +230,7 @@ void EnrollSqueezePanel::refresh()
         accepted >= EnrollSession::leastSqueezes
             ? QString()
             : tr("A type needs at least %1 accepted squeezes").arg(EnrollSession::leastSqueezes));
-    const char* look = accepted >= EnrollSession::suggestedSqueezes ? "primary" : "";
+    const char* look = enough ? "primary" : "";
     if (m_review->property("role").toString() != QLatin1String(look))
         setRole(m_review, look);
     acceptByItself();
@@ -234,14 +252,26 @@ void EnrollSqueezePanel::refreshAdvice()
         m_part->setText(session.part());
     const std::optional<EnrollmentAdvice>& advice = m_advisor.advice();
     std::map<int, QString> outliers;
+    if (session.squeezes().empty())
+        m_wanted = EnrollSession::suggestedSqueezes; // of the enrolment before
     if (advice) {
+        m_wanted = squeezesWanted(advice->progress);
         m_advice->setText(described(inWords(advice->progress)).join(u' '));
         for (const auto& [row, outlier] : advice->outliers)
             outliers.emplace(row, outlier.reason.describe());
     }
     m_advice->setVisible(session.acceptedCount() > 0 && !m_advice->text().isEmpty());
-    m_model.refresh(session.squeezes(), outliers);
+    const bool changed = m_model.refresh(session.squeezes(), outliers);
     m_table->setColumnHidden(static_cast<int>(EnrollSqueezeModel::Column::Part), !m_model.hasParts());
+    if (changed)
+        spreadColumns(m_table);
+}
+
+bool EnrollSqueezePanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize && watched == m_table->viewport())
+        spreadColumns(m_table);
+    return QWidget::eventFilter(watched, event);
 }
 
 int EnrollSqueezePanel::rowToDrop() const
@@ -318,17 +348,15 @@ void EnrollSqueezePanel::refreshLast()
     if (squeezes.empty()) {
         m_lastTitle->setText(tr("No squeeze yet"));
         m_lastNumbers->hide();
-        m_lastWords->setText(tr("At least %1 are needed, %2 are better.")
-                                 .arg(EnrollSession::leastSqueezes)
-                                 .arg(EnrollSession::suggestedSqueezes));
+        m_lastWords->setText(tr("At least %1 are needed, 4 for the first type of a library; the ring is full "
+                                "when more would gain little.")
+                                 .arg(EnrollSession::leastSqueezes));
         return;
     }
     const EnrollSqueeze& last = squeezes.back();
     m_accept->setEnabled(last.reason.isEmpty());
     const Estimate* best = last.identification.best();
-    const QString fit =
-        best && best->fit.simulationPercent ? formatPercent(*best->fit.simulationPercent) : u"–"_s;
-    m_lastTitle->setText(tr("Squeeze %1: fit %2, %3").arg(squeezes.size()).arg(fit, validityWord(last)));
+    m_lastTitle->setText(tr("Squeeze %1: %2").arg(squeezes.size()).arg(validityWord(last)));
     m_lastNumbers->setVisible(best != nullptr);
     if (best) {
         const ParameterTexts texts =

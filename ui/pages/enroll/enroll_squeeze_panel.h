@@ -68,9 +68,9 @@ public:
     enum class Column { Number, Part, Stiffness, Damping, Mass, Fit, Verdict, Count };
     using RowTableModel::RowTableModel;
 
-    /// Takes over what the session holds; cheap when nothing changed.
+    /// Takes over what the session holds; cheap when nothing changed, which it says by false.
     /// `outliers`: by row, why the squeeze does not go with the others.
-    void refresh(const std::vector<EnrollSqueeze>& squeezes, const std::map<int, QString>& outliers = {});
+    bool refresh(const std::vector<EnrollSqueeze>& squeezes, const std::map<int, QString>& outliers = {});
     [[nodiscard]] bool isAccepted(int row) const;
     [[nodiscard]] bool hasParts() const; ///< some squeeze says which part it was of
 
@@ -116,6 +116,9 @@ public:
 signals:
     void changed();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     QWidget* makeSide();
     QWidget* makeLast(QWidget* parent);
@@ -145,6 +148,7 @@ private:
     QPushButton *m_squeeze, *m_arm, *m_accept, *m_reject, *m_drop, *m_review;
     QTableView* m_table;
     bool m_ready = false;
+    int m_wanted = EnrollSession::suggestedSqueezes; ///< by the ring; as the advice says
     int m_ownSqueeze = -1; ///< row of the squeeze that may be accepted by itself; -1: none
     EnrollSession::Activity m_shown = EnrollSession::Activity::Waiting;
 };

@@ -181,9 +181,11 @@ void EnrolledTypesDialog::split()
 
 void EnrolledTypesDialog::approve()
 {
-    changeSupervised([id = selectedType()->id, who = m_workbench->operatorName()](
-                         Library& library) { return library.approveType(id, who); },
-                     Permission::ApproveTypes);
+    askWhy(this, m_approve->text(), [this, id = selectedType()->id](const QString& reason) {
+        changeSupervised([id, reason, who = m_workbench->operatorName()](
+                             Library& library) { return library.approveType(id, who, reason); },
+                         Permission::ApproveTypes);
+    });
 }
 
 void EnrolledTypesDialog::retire()

@@ -53,6 +53,7 @@ EnrolledTypesDialog::EnrolledTypesDialog(Workbench& workbench, QWidget* parent)
     : Dialog(parent), m_workbench(&workbench)
 {
     setObjectName("enrolledTypesDialog");
+    setManualPage(u"enroll"_s);
     setWindowTitle(tr("Enrolled types"));
     setAttribute(Qt::WA_DeleteOnClose);
     auto* tabs = new QTabWidget(this);

@@ -27,6 +27,7 @@ TypeChangeForm::TypeChangeForm(const QString& title, const QString& consequence,
       m_accept(makeButton(verb, {}, "primary", this))
 {
     setObjectName("typeChangeForm");
+    setManualPage(u"enroll"_s);
     setWindowTitle(title);
     setAttribute(Qt::WA_DeleteOnClose);
     auto* column = new QVBoxLayout(this);

@@ -1,34 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/fit/fit_page.h"
 
+#include "core/base/work_watch.h"
 #include "core/identification/estimators/estimator_table.h"
 #include "core/identification/result/identification_json.h"
-#include "core/signal/recording/recording_csv.h"
 #include "ui/charts/fit_plots.h"
 #include "ui/charts/region_plot.h"
 #include "ui/context/workbench.h"
+#include "ui/imports/recording_opener.h"
+#include "ui/pages/fit/fit_page_bode.h"
 #include "ui/pages/fit/fit_page_export.h"
 #include "ui/pages/fit/fit_page_squeezes.h"
 #include "ui/pages/fit/fit_page_summary.h"
 #include "ui/pages/fit/fit_page_validation.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/elided_label.h"
+#include "ui/widgets/tool_button.h"
 #include "ui/windows/file_dialog.h"
 
-#include <QClipboard>
 #include <QDragEnterEvent>
 #include <QFileInfo>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QJsonDocument>
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QUrl>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <memory>
+#include <utility>
 
 namespace gripscope {
 
@@ -36,16 +42,24 @@ using namespace Qt::StringLiterals;
 
 struct FitPage::Private {
     std::optional<FitSubject> subject;
-    int generation = 0; ///< answers for an older subject are dropped
-    bool identifying = false;
+    int generation = 0;                     ///< answers for an older subject are dropped
+    std::shared_ptr<WorkWatch> identifying; ///< by every estimator; null: it is done
+
+    Estimator shown = Estimator::OutputError;  ///< whose model is in the plots
+    std::optional<EmpiricalResponse> measured; ///< the subject's; none yet
 
     QStackedWidget* stack = nullptr;
+    QStackedWidget* views = nullptr; ///< over time, or the Bode plot
     FitPlots* plots = nullptr;
+    BodePlots* bode = nullptr;
     FitSummary* summary = nullptr;
     FitExporter* exporter = nullptr;
     ValidationChooser* chooser = nullptr;
-    QLabel* state = nullptr;
+    RecordingOpener* opener = nullptr;
+    ElidedLabel* state = nullptr;
+    QToolButton* back = nullptr;
     QPushButton* all = nullptr;
+    QPushButton* bodeShown = nullptr;
     QPushButton* copy = nullptr;
     QPushButton* save = nullptr;
 };
@@ -61,9 +75,10 @@ std::vector<Estimator> everyEstimator()
     return result;
 }
 
-Identification identifyByAll(const Recording& recording)
+Identification identifyByAll(const Recording& recording, std::shared_ptr<WorkWatch> watch = {})
 {
     IdentificationOptions options;
+    options.watch = std::move(watch);
     options.estimators = everyEstimator();
     return identify(recording, options);
 }
@@ -73,12 +88,19 @@ Identification identifyByAll(const Recording& recording)
 FitPage::FitPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d(std::make_unique<Private>())
 {
     setAcceptDrops(true);
+    d->opener = new RecordingOpener(bench, this);
+    d->state = new ElidedLabel;
     d->plots = new FitPlots;
     d->summary = new FitSummary;
     auto* plotCard = makeCard();
     auto* plotLayout = new QHBoxLayout(plotCard);
     plotLayout->setContentsMargins(1, 1, 1, metrics::step);
-    plotLayout->addWidget(d->plots);
+    d->bode = new BodePlots;
+    d->views = new QStackedWidget;
+    d->views->setStyleSheet(u"QStackedWidget { background: transparent; }"_s); // the card's
+    d->views->addWidget(d->plots);
+    d->views->addWidget(d->bode);
+    plotLayout->addWidget(d->views);
     auto* summaryCard = makeCard();
     auto* summaryLayout = new QHBoxLayout(summaryCard);
     summaryLayout->setContentsMargins(1, 1, 1, 1);
@@ -87,7 +109,7 @@ FitPage::FitPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d(std
     auto* line = new QHBoxLayout(halves);
     setSpacing(line, 0, 2 * metrics::step);
     line->addWidget(plotCard, 64);
-    summaryCard->setMinimumWidth(404); // what the table of estimators needs
+    summaryCard->setMinimumWidth(408); // what the table of estimators needs, with thick lines too
     prepareExport();
     prepareValidation();
     line->addWidget(summaryCard, 36);
@@ -135,6 +157,7 @@ void FitPage::prepareExport()
     d->exporter->add(d->plots->residuals());
     d->exporter->add(d->plots->autocorrelations());
     d->exporter->add(d->plots->crossCorrelations());
+    d->exporter->addStack(d->bode);
     d->exporter->add(d->summary->regionPlot());
     d->exporter->add(d->summary->validation()->plot());
     d->exporter->setNumbers([this] {
@@ -143,17 +166,17 @@ void FitPage::prepareExport()
         return QJsonDocument(toJson(d->subject->identification, d->subject->recording, d->subject->title))
             .toJson();
     });
-    connect(d->exporter, &FitExporter::told, this,
-            [this](const QString& words) { d->state->setText(words); });
+    connect(d->exporter, &FitExporter::told, d->state, &ElidedLabel::setFullText);
 }
 
 void FitPage::prepareValidation()
 {
     d->chooser = new ValidationChooser(workbench(), d->summary->validation()->choices(), this);
-    connect(d->chooser, &ValidationChooser::started, this, [this] { d->state->setText(tr("validating…")); });
-    connect(d->chooser, &ValidationChooser::failed, this, [this] { d->state->clear(); });
+    connect(d->chooser, &ValidationChooser::started, this,
+            [this] { d->state->setFullText(tr("validating…")); });
+    connect(d->chooser, &ValidationChooser::failed, this, [this] { d->state->setFullText({}); });
     connect(d->chooser, &ValidationChooser::validated, this, [this](const Validation& validation) {
-        d->state->clear();
+        d->state->setFullText({});
         d->subject->identification.validation = validation;
         d->summary->showValidation(validation);
     });
@@ -167,25 +190,72 @@ QWidget* FitPage::buildBar()
     auto* open = makeButton(tr("Open recording…"), u"document-open"_s);
     open->setToolTip(tr("Read a recording (CSV) and identify it"));
     d->all = makeButton(tr("Identify again"), u"view-refresh"_s);
+    d->all->setObjectName("identifyAgain");
     d->all->setToolTip(tr("Run every estimator on this squeeze"));
-    d->copy = makeButton(tr("Copy numbers"), u"edit-copy"_s);
-    d->copy->setToolTip(tr("Copy every number, tab-separated, with full precision"));
+    d->copy = makeButton(tr("Copy numbers") + u" \u25BE"_s, u"edit-copy"_s);
+    d->copy->setAccessibleName(tr("Copy numbers"));
+    d->copy->setToolTip(tr("Copy the results rounded for a text, for LaTeX or as a table, or every number"));
+    d->copy->setMenu(makeCopyMenu(
+        d->copy, [this]() -> const FitSubject& { return *d->subject; },
+        [this] { d->state->setFullText(tr("copied")); }));
     d->save = makeButton(tr("Export") + u" \u25BE"_s, u"document-export"_s);
     d->save->setAccessibleName(tr("Export"));
     d->save->setToolTip(tr("Save plots (PNG, SVG), their data (CSV) and all numbers (JSON)"));
     auto* menu = new QMenu(d->save);
     d->exporter->fill(menu);
     d->save->setMenu(menu);
-    d->state = makeLabel({}, "second");
+    d->bodeShown = makeButton(tr("Bode"));
+    d->bodeShown->setObjectName("bodeShown");
+    d->bodeShown->setCheckable(true);
+    d->bodeShown->setAccessibleName(tr("Bode plot"));
+    d->bodeShown->setToolTip(tr("Magnitude and phase of measurement and model over frequency"));
+    connect(d->bodeShown, &QPushButton::toggled, this,
+            [this](bool on) { d->views->setCurrentWidget(on ? static_cast<QWidget*>(d->bode) : d->plots); });
+    d->state->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    setRole(d->state, "second");
+    buildBack();
+    line->addWidget(d->back);
     line->addWidget(open);
     line->addWidget(d->all);
+    line->addWidget(d->bodeShown);
     line->addWidget(d->copy);
     line->addWidget(d->save);
-    line->addWidget(d->state, 1, Qt::AlignRight | Qt::AlignVCenter);
+    line->addWidget(d->state, 1);
     connect(open, &QPushButton::clicked, this, [this] { chooseFile(); });
-    connect(d->all, &QPushButton::clicked, this, [this] { runAllEstimators(); });
-    connect(d->copy, &QPushButton::clicked, this, [this] { copyNumbers(); });
+    connect(d->all, &QPushButton::clicked, this,
+            [this] { d->identifying ? stopIdentifying() : runAllEstimators(); });
+    connect(&workbench(), &Workbench::ticked, this, [this] {
+        if (d->identifying)
+            d->state->setFullText(identifyingWords());
+    });
     return bar;
+}
+
+void FitPage::buildBack()
+{
+    d->back = makeToolButton({}, u"go-previous"_s, {});
+    d->back->setObjectName("fitBack");
+    d->back->setMinimumSize(metrics::touchTarget, metrics::touchTarget);
+    const auto go = [this] {
+        if (d->subject && !d->subject->backTo.isEmpty())
+            workbench().navigator().showPage(d->subject->backTo);
+    };
+    connect(d->back, &QToolButton::clicked, this, go);
+    auto* shortcut = new QShortcut(QKeySequence(Qt::ALT | Qt::Key_Left), this);
+    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(shortcut, &QShortcut::activated, this, go);
+    showBack();
+}
+
+void FitPage::showBack()
+{
+    const QString to = d->subject ? d->subject->backTo : QString();
+    const QString words = to == u"types"     ? tr("Back to Types (Alt+Left)")
+                          : to == u"inspect" ? tr("Back to Inspect (Alt+Left)")
+                                             : tr("Back to History (Alt+Left)");
+    d->back->setAccessibleName(words);
+    d->back->setToolTip(words);
+    d->back->setVisible(!to.isEmpty());
 }
 
 QWidget* FitPage::buildEmpty()
@@ -218,17 +288,22 @@ void FitPage::takeSubject()
     const auto& subject = workbench().navigator().fitSubject();
     if (!subject) {
         d->stack->setCurrentIndex(0);
-        d->all->setEnabled(false);
+        d->all->setEnabled(d->identifying != nullptr);
         d->copy->setEnabled(false);
+        d->bodeShown->setEnabled(false);
         d->save->setEnabled(false);
         return;
     }
     // The same one again: what was found since, by every estimator, stays.
-    if (d->subject && d->subject->title == subject->title && d->subject->recording == subject->recording)
+    if (d->subject && d->subject->title == subject->title && d->subject->recording == subject->recording) {
+        d->subject->backTo = subject->backTo;
+        showBack();
         return;
+    }
+    stopIdentifying();
     d->subject = subject;
+    d->measured.reset();
     ++d->generation;
-    d->identifying = false;
     showSubject();
     if (d->subject->identification.estimates.size() < estimatorTable().size())
         runAllEstimators();
@@ -238,33 +313,67 @@ void FitPage::runAllEstimators()
 {
     if (!d->subject || d->identifying)
         return;
-    d->identifying = true;
-    d->all->setEnabled(false);
-    d->state->setText(tr("identifying…"));
     const int generation = d->generation;
+    const std::shared_ptr<WorkWatch> watch = beginIdentifying();
     workbench().background().compute<Identification>(
-        this, [recording = d->subject->recording] { return identifyByAll(recording); },
-        [this, generation](Identification found) {
-            if (generation != d->generation)
+        this, [recording = d->subject->recording, watch] { return identifyByAll(recording, watch); },
+        [this, generation, watch](Identification found) {
+            if (generation != d->generation || watch->stopped())
                 return;
-            d->identifying = false;
+            stopIdentifying();
             d->subject->identification = std::move(found);
             showSubject();
         });
+}
+
+std::shared_ptr<WorkWatch> FitPage::beginIdentifying()
+{
+    stopIdentifying();
+    d->identifying = std::make_shared<WorkWatch>();
+    d->all->setEnabled(true);
+    nameButton(tr("Cancel"));
+    d->state->setFullText(identifyingWords());
+    return d->identifying;
+}
+
+void FitPage::nameButton(const QString& words)
+{
+    d->all->setText(words);
+    d->all->setAccessibleName(words);
+}
+
+void FitPage::stopIdentifying()
+{
+    if (!d->identifying)
+        return;
+    d->identifying->stop();
+    d->identifying.reset();
+    d->all->setEnabled(d->subject.has_value());
+    nameButton(tr("Identify again"));
+    d->state->setFullText({});
+}
+
+QString FitPage::identifyingWords() const
+{
+    return tr("identifying… %1 %").arg(static_cast<int>(100 * d->identifying->share()));
 }
 
 void FitPage::showSubject()
 {
     const FitSubject& subject = *d->subject;
     d->stack->setCurrentIndex(1);
-    d->all->setEnabled(!d->identifying);
+    d->all->setEnabled(true);
     d->copy->setEnabled(true);
+    d->bodeShown->setEnabled(true);
     d->save->setEnabled(true);
     d->exporter->setSubject(subject.title);
     d->chooser->setSubject(d->subject);
-    d->state->setText(d->identifying ? tr("identifying…") : QString());
-    d->summary->show(subject.title, subject.identification, subject.recording.forceUnit,
-                     subject.recording.positionUnit);
+    showBack();
+    if (!d->measured)
+        measureResponse();
+    d->state->setFullText(d->identifying ? identifyingWords() : QString());
+    d->summary->show(subject.title, subject.identification, lengthSeconds(subject.recording),
+                     subject.recording.forceUnit, subject.recording.positionUnit);
     const Estimate* best = subject.identification.best();
     showPlots(best ? best->estimator : subject.identification.recommended);
 }
@@ -273,14 +382,33 @@ void FitPage::showPlots(Estimator estimator)
 {
     if (!d->subject)
         return;
+    d->shown = estimator;
     d->plots->show(d->subject->identification, estimator, d->subject->recording.forceUnit,
                    d->subject->recording.positionUnit);
+    d->bode->show(bodeContent(*d->subject, estimator, d->measured));
+}
+
+void FitPage::measureResponse()
+{
+    const Identification& found = d->subject->identification;
+    workbench().background().compute<EmpiricalResponse>(
+        this,
+        [force = found.force, position = found.position, lost = found.lost,
+         sampleTime_s = found.sampleTime_s] {
+            return empiricalResponse(force, position, sampleTime_s, lost);
+        },
+        [this, generation = d->generation](EmpiricalResponse measured) {
+            if (generation != d->generation)
+                return;
+            d->measured = std::move(measured);
+            d->bode->show(bodeContent(*d->subject, d->shown, d->measured));
+        });
 }
 
 void FitPage::chooseFile()
 {
-    auto* dialog =
-        new FileDialog(this, tr("Open recording"), QString(), tr("Recordings (*.csv);;All files (*)"));
+    auto* dialog = new FileDialog(this, tr("Open recording"), QString(),
+                                  tr("Recordings (*.csv *.tsv *.txt);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { openRecording(file); });
     dialog->open();
@@ -288,26 +416,23 @@ void FitPage::chooseFile()
 
 void FitPage::openRecording(const QString& file)
 {
-    d->state->setText(tr("reading %1…").arg(QFileInfo(file).fileName()));
-    const auto work = [file]() -> Expected<FitSubject> {
-        ASSIGN_OR_RETURN(Recording recording, readRecordingCsv(file));
-        Identification identification = identifyByAll(recording);
-        return FitSubject{QFileInfo(file).fileName(), std::move(recording), std::move(identification)};
+    const QString name = QFileInfo(file).fileName();
+    d->state->setFullText(tr("reading %1…").arg(name));
+    const auto identifyIt = [this, name](const Recording& recording) {
+        const std::shared_ptr<WorkWatch> watch = beginIdentifying();
+        workbench().background().compute<FitSubject>(
+            this,
+            [name, recording, watch] {
+                return FitSubject{name, recording, identifyByAll(recording, watch)};
+            },
+            [this, watch](FitSubject subject) {
+                if (watch->stopped())
+                    return;
+                stopIdentifying();
+                workbench().navigator().setFitSubject(std::move(subject));
+            });
     };
-    workbench().background().compute<Expected<FitSubject>>(this, work, [this](Expected<FitSubject> subject) {
-        d->state->clear();
-        if (subject)
-            workbench().navigator().setFitSubject(std::move(*subject));
-        else
-            workbench().messages().report(subject.error().describe());
-    });
-}
-
-void FitPage::copyNumbers()
-{
-    QGuiApplication::clipboard()->setText(fitNumbers(
-        d->subject->identification, d->subject->recording.forceUnit, d->subject->recording.positionUnit));
-    d->state->setText(tr("copied"));
+    d->opener->open(file, identifyIt, [this] { d->state->setFullText({}); });
 }
 
 void FitPage::dragEnterEvent(QDragEnterEvent* event)

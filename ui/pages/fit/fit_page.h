@@ -4,10 +4,14 @@
 #include "core/identification/identification.h"
 #include "ui/pages/page.h"
 
+#include <functional>
 #include <memory>
+
+class QMenu;
 
 namespace gripscope {
 
+class WorkWatch;
 struct FitSubject;
 
 /// One squeeze in full: measured against model, residuals and their tests, the estimate and its checks.
@@ -34,14 +38,25 @@ protected:
 private:
     [[nodiscard]] QWidget* buildBar();
     [[nodiscard]] QWidget* buildEmpty();
+    void buildBack();
+    void showBack(); ///< where the squeeze was chosen on another page
     void prepareExport();
     void prepareValidation();
     void chooseFile();
-    void copyNumbers();
+    /// Copies the numbers of `subject`, as it is then, in one of several forms, and tells `copied`
+    /// (fit_page_numbers.cpp).
+    [[nodiscard]] static QMenu* makeCopyMenu(QWidget* parent, std::function<const FitSubject&()> subject,
+                                             std::function<void()> copied);
     void takeSubject();
     void runAllEstimators();
+    /// By every estimator: the button cancels it from now on.
+    [[nodiscard]] std::shared_ptr<WorkWatch> beginIdentifying();
+    void stopIdentifying();
+    [[nodiscard]] QString identifyingWords() const; ///< and how far
+    void nameButton(const QString& words);          ///< that identifies, or stops that
     void showSubject();
     void showPlots(Estimator estimator);
+    void measureResponse(); ///< in the pool
     void takeTourSqueeze();
 
     struct Private;

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/fit/fit_page_export.h"
 
+#include "ui/charts/plot_frame.h"
+#include "ui/charts/plot_stack.h"
 #include "ui/context/workbench.h"
 #include "ui/windows/file_dialog.h"
 
+#include <QActionGroup>
 #include <QClipboard>
 #include <QDir>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QMetaMethod>
 #include <QSaveFile>
+
+#include <algorithm>
 
 namespace gripscope {
 
@@ -47,9 +53,16 @@ FitExporter::FitExporter(Workbench& workbench, QWidget* page)
 {
 }
 
-void FitExporter::addPlot(QWidget* widget, ExportablePlot* plot)
+void FitExporter::addStack(PlotStack* stack)
 {
-    m_entries.push_back({widget, plot});
+    addPlot(stack, stack);
+    for (PlotFrame* plot : stack->plots())
+        addPlot(plot, stack, true);
+}
+
+void FitExporter::addPlot(QWidget* widget, ExportablePlot* plot, bool part)
+{
+    m_entries.push_back({widget, plot, part});
     widget->setContextMenuPolicy(Qt::CustomContextMenu);
     widget->installEventFilter(this);
     connect(widget, &QWidget::customContextMenuRequested, this,
@@ -79,7 +92,10 @@ void FitExporter::popUp(QWidget* widget, ExportablePlot* plot, QPoint at)
     auto* menu = new QMenu(widget);
     menu->setObjectName(u"plotMenu"_s);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    fillForPlot(menu, plot);
+    const bool widths = std::any_of(m_entries.begin(), m_entries.end(), [widget](const Entry& entry) {
+        return entry.widget == widget && entry.widths;
+    });
+    widths ? fillFigure(menu, plot) : fillForPlot(menu, plot);
     menu->popup(widget->mapToGlobal(at));
 }
 
@@ -90,16 +106,32 @@ void FitExporter::fill(QMenu* menu)
         askForFile(baseName(tr("numbers")), u"json"_s, tr("JSON (*.json)"),
                    [this](const QString& file) { saveNumbers(file); });
     });
+    fillWidths(menu->addMenu(tr("Width of pictures")));
     menu->addSeparator();
     for (const Entry& entry : m_entries)
-        fillForPlot(menu->addMenu(entry.plot->plotName()), entry.plot);
+        if (!entry.part)
+            fillForPlot(menu->addMenu(entry.plot->plotName()), entry.plot);
+}
+
+void FitExporter::fillWidths(QMenu* menu)
+{
+    auto* group = new QActionGroup(menu);
+    const auto add = [&](const QString& words, FigureWidth width) {
+        QAction* action = menu->addAction(words, this, [this, width] { setFigureWidth(width); });
+        action->setCheckable(true);
+        action->setChecked(width == m_width);
+        group->addAction(action);
+    };
+    add(tr("As on the screen"), FigureWidth::Screen);
+    add(tr("One journal column (85 mm)"), FigureWidth::OneColumn);
+    add(tr("Two journal columns (175 mm)"), FigureWidth::TwoColumns);
 }
 
 void FitExporter::fillForPlot(QMenu* menu, ExportablePlot* plot)
 {
     menu->addAction(tr("Copy picture"), this, [this, plot] {
         copyPicture(plot);
-        emit told(tr("picture copied"));
+        tell(tr("picture copied"), tr("Picture copied"));
     });
     const auto save = [&](const QString& text, PlotFormat format, const QString& filter) {
         menu->addAction(text, this, [this, plot, format, filter] {
@@ -112,16 +144,23 @@ void FitExporter::fillForPlot(QMenu* menu, ExportablePlot* plot)
     save(tr("Save data as CSV…"), PlotFormat::Csv, tr("CSV (*.csv)"));
 }
 
+void FitExporter::fillFigure(QMenu* menu, ExportablePlot* plot)
+{
+    fillForPlot(menu, plot);
+    fillWidths(menu->addMenu(tr("Width of pictures")));
+}
+
 void FitExporter::copyPicture(ExportablePlot* plot)
 {
     QGuiApplication::clipboard()->setImage(toImage(*plot));
 }
 
-FitExporter::Job FitExporter::jobFor(ExportablePlot* plot, PlotFormat format, const QString& file)
+FitExporter::Job FitExporter::jobFor(ExportablePlot* plot, PlotFormat format, const QString& file) const
 {
+    const FigureLayout layout(*plot, m_width);
     switch (format) {
     case PlotFormat::Png:
-        return {file, [image = toImage(*plot)] { return toPng(image); }};
+        return {file, [image = toImage(*plot, figureScale(m_width))] { return toPng(image); }};
     case PlotFormat::Svg:
         return {file, [svg = toSvg(*plot)] { return svg; }};
     case PlotFormat::Csv:
@@ -147,9 +186,12 @@ void FitExporter::saveAll(const QString& folder)
         return to.filePath(u"%1.%2"_s.arg(baseName(name), suffix));
     };
     std::vector<Job> jobs;
-    for (const Entry& entry : m_entries)
+    for (const Entry& entry : m_entries) {
+        if (entry.part)
+            continue;
         for (const PlotFormat format : {PlotFormat::Png, PlotFormat::Svg, PlotFormat::Csv})
             jobs.push_back(jobFor(entry.plot, format, path(entry.plot->fileName(), suffixOf(format))));
+    }
     jobs.push_back({path(u"numbers"_s, u"json"_s), [json = m_numbers()] { return json; }});
     write(std::move(jobs));
 }
@@ -190,24 +232,38 @@ void FitExporter::write(std::vector<Job> jobs)
 {
     ++m_pending;
     emit told(tr("saving…"));
-    const QString first = QFileInfo(jobs.front().file).fileName();
+    const QFileInfo first(jobs.front().file);
+    const auto count = int(jobs.size());
     const QString success =
-        jobs.size() == 1 ? tr("saved %1").arg(first) : tr("saved %n file(s)", nullptr, int(jobs.size()));
+        count == 1 ? tr("saved %1").arg(first.fileName()) : tr("saved %n file(s)", nullptr, count);
+    const QString message = count == 1 ? tr("Saved as %1").arg(QDir::toNativeSeparators(first.filePath()))
+                                       : tr("Saved in %1").arg(QDir::toNativeSeparators(first.path()));
     const auto work = [jobs = std::move(jobs)]() -> QString {
         for (const Job& job : jobs)
             if (const QString problem = writeFile(job.file, job.make()); !problem.isEmpty())
                 return u"%1: %2"_s.arg(QDir::toNativeSeparators(job.file), problem);
         return {};
     };
-    m_workbench->background().compute<QString>(this, work, [this, success](const QString& problem) {
+    m_workbench->background().compute<QString>(this, work, [this, success, message](const QString& problem) {
         --m_pending;
-        emit told(problem.isEmpty() ? success : QString());
-        if (!problem.isEmpty())
-            m_workbench->messages().report(
-                tr("Not saved: %1. Choose a folder that you may write to and that has room, "
-                   "then save again.")
-                    .arg(problem));
+        if (problem.isEmpty()) {
+            tell(success, message);
+            return;
+        }
+        emit told({});
+        m_workbench->messages().report(
+            tr("Not saved: %1. Choose a folder that you may write to and that has room, "
+               "then save again.")
+                .arg(problem));
     });
+}
+
+void FitExporter::tell(const QString& words, const QString& message)
+{
+    if (isSignalConnected(QMetaMethod::fromSignal(&FitExporter::told)))
+        emit told(words);
+    else
+        m_workbench->messages().tell(message);
 }
 
 } // namespace gripscope

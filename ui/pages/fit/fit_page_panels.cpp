@@ -87,7 +87,7 @@ ModelPanel::ModelPanel(QWidget* parent)
         tr("A lower criterion explains the squeeze better for the parameters it spends. Less than 10 "
            "apart, nothing is decided."));
     m_table->setAccessibleName(tr("Models against each other"));
-    m_table->setStyleSheet(QStringLiteral("QTableView::item { padding: 0 5px; }"));
+    m_table->setStyleSheet(QStringLiteral("QTableView::item { padding: 0 2px; }"));
     addCopyAction(m_table, [this] { return m_model->toTsv(); });
     column->addWidget(m_sentence);
     column->addWidget(m_table);
@@ -147,6 +147,7 @@ void CheckSignLabel::setSign(CheckSign sign)
 {
     m_sign = sign;
     setAccessibleName(sign == CheckSign::Pass      ? tr("passed")
+                      : sign == CheckSign::Noted   ? tr("noted")
                       : sign == CheckSign::Warning ? tr("suspect")
                                                    : tr("failed"));
     update();
@@ -157,11 +158,15 @@ void CheckSignLabel::paintEvent(QPaintEvent*)
     const ThemeTokens& tokens = Theme::instance().tokens();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QColor color = m_sign == CheckSign::Pass ? tokens.secondText : tokens.notValid;
+    const bool quiet = m_sign == CheckSign::Pass || m_sign == CheckSign::Noted;
+    const QColor color = quiet ? tokens.secondText : tokens.notValid;
     painter.setPen(QPen(color, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     switch (m_sign) {
     case CheckSign::Pass:
         painter.drawPolyline(QPolygonF{QPointF(4, 10.5), QPointF(8.5, 15), QPointF(16, 5.5)});
+        break;
+    case CheckSign::Noted:
+        painter.drawLine(QPointF(5, 10), QPointF(15, 10));
         break;
     case CheckSign::Warning:
         painter.drawPolygon(QPolygonF{QPointF(10, 3), QPointF(18, 16.5), QPointF(2, 16.5)});
@@ -236,9 +241,10 @@ void CheckList::setFindings(const Validity& validity, const std::vector<Preparat
     for (const bool ok : {false, true})
         for (const ValidityCheck& check : validity.checks)
             if (check.ok == ok)
-                m_rows->addWidget(findingRow(ok               ? CheckSign::Pass
-                                             : check.decisive ? CheckSign::Fail
-                                                              : CheckSign::Warning,
+                m_rows->addWidget(findingRow(ok && check.noted ? CheckSign::Noted
+                                             : ok              ? CheckSign::Pass
+                                             : check.decisive  ? CheckSign::Fail
+                                                               : CheckSign::Warning,
                                              checkName(check.id), check.message.describe()));
     if (!preparation.empty()) {
         auto* head = makeLabel(tr("Before the estimate"), "strong");

@@ -10,21 +10,22 @@ using namespace Qt::StringLiterals;
 
 namespace gripscope {
 
-void openStoredSqueeze(Workbench& workbench, QObject* context, const QString& graspId, const QString& title)
+void openStoredSqueeze(Workbench& workbench, QObject* context, const QString& graspId, const QString& title,
+                       const QString& backTo)
 {
     Workbench* bench = &workbench;
     workbench.background().ask<Recording>(
         context, [graspId](Library& library) { return library.recording(graspId); },
-        [bench, context, title](Expected<Recording> recording) {
+        [bench, context, title, backTo](Expected<Recording> recording) {
             if (!recording) {
                 bench->messages().report(recording.error().describe());
                 return;
             }
             bench->background().compute<FitSubject>(
                 context,
-                [recording = std::move(*recording), title]() -> FitSubject {
+                [recording = std::move(*recording), title, backTo]() -> FitSubject {
                     Identification identification = identify(recording);
-                    return {title, recording, std::move(identification)};
+                    return {title, recording, std::move(identification), backTo};
                 },
                 [bench](FitSubject subject) { bench->navigator().showInFit(std::move(subject)); });
         });

@@ -13,8 +13,10 @@ namespace gripscope {
 class Workbench;
 
 /// Fetches the recording of a stored squeeze, identifies it anew in the pool and brings it up on the Fit
-/// page. Errors go to the message bar. Nothing happens once `context` is gone.
-void openStoredSqueeze(Workbench& workbench, QObject* context, const QString& graspId, const QString& title);
+/// page, from where a person gets back to the page `backTo`. Errors go to the message bar. Nothing happens
+/// once `context` is gone.
+void openStoredSqueeze(Workbench& workbench, QObject* context, const QString& graspId, const QString& title,
+                       const QString& backTo);
 
 /// A simulated squeeze of an object in SI (2 kHz, one second, PRBS of 20 +- 10 N, position noise of 5 um),
 /// for pages that have to show something before there is a gripper. Its provenance says that it is simulated.

@@ -96,7 +96,9 @@ QWidget* FitSummary::buildHead()
     column->setContentsMargins(2 * metrics::step, 12, 2 * metrics::step, metrics::insideControl);
     column->setSpacing(metrics::insideControl);
     setRole(m_title, "heading");
+    m_title->setObjectName("fitTitle");
     setRole(m_facts, "caption");
+    m_facts->setObjectName("fitFacts");
     auto* line = new QHBoxLayout;
     line->setSpacing(metrics::step);
     line->addWidget(m_title, 1);
@@ -163,18 +165,17 @@ void FitSummary::showValidation(const Validation& validation)
     m_models->validation()->setValidation(validation, m_positionUnit);
 }
 
-void FitSummary::show(const QString& title, const Identification& identification, const QString& forceUnit,
-                      const QString& positionUnit)
+void FitSummary::show(const QString& title, const Identification& identification, double length_s,
+                      const QString& forceUnit, const QString& positionUnit)
 {
     m_identification = identification;
     m_forceUnit = forceUnit;
     m_positionUnit = positionUnit;
     m_title->setFullText(title);
-    const double seconds = identification.sampleTime_s * double(identification.time_s.size());
     const QString hold = identification.hold == ForceHold::Zero ? tr("force held") : tr("force linear");
-    const QString facts = tr("%1 samples · %2 · %3 between samples")
-                              .arg(formatCount(qint64(identification.time_s.size())),
-                                   formatNumber(seconds, std::nullopt, u"s"_s).valueWithUnit(), hold);
+    const QString facts =
+        tr("length %1 · %2 samples · %3 between samples")
+            .arg(formatLength(length_s), formatCount(qint64(identification.time_s.size())), hold);
     m_facts->setFullText(facts);
     m_verdict->setVerdict(identification.validity.verdict);
     showBest();

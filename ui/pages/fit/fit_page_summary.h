@@ -44,8 +44,9 @@ private:
     QLabel* m_note;
 };
 
-/// A tick, a warning or a cross, drawn; told apart by shape, and named for a screen reader.
-enum class CheckSign { Pass, Warning, Fail };
+/// A tick, a dash (nothing was judged), a warning or a cross, drawn; told apart by shape, and named for a
+/// screen reader.
+enum class CheckSign { Pass, Noted, Warning, Fail };
 
 class CheckSignLabel : public QWidget {
     Q_OBJECT
@@ -160,8 +161,8 @@ class FitSummary : public QWidget {
 public:
     explicit FitSummary(QWidget* parent = nullptr);
 
-    void show(const QString& title, const Identification& identification, const QString& forceUnit,
-              const QString& positionUnit);
+    void show(const QString& title, const Identification& identification, double length_s,
+              const QString& forceUnit, const QString& positionUnit);
     using QWidget::show;
     [[nodiscard]] EstimateTableModel* table() const;
     [[nodiscard]] RegionPlot* regionPlot() const { return m_region; }

@@ -3,12 +3,11 @@
 
 #include "core/identification/identification.h"
 #include "core/identification/validation/validation.h"
-#include "core/signal/recording/recording_csv.h"
-#include "ui/charts/fit_plots.h"
+#include "ui/charts/channel_curve.h"
 #include "ui/context/workbench.h"
-#include "ui/format/channel_scale.h"
 #include "ui/format/date_text.h"
 #include "ui/format/validation_words.h"
+#include "ui/imports/recording_opener.h"
 #include "ui/pages/fit/fit_page_table.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
@@ -31,11 +30,11 @@ namespace gripscope {
 
 namespace {
 
-std::shared_ptr<std::vector<double>> scaled(const std::vector<double>& values, double factor, double shift)
+std::shared_ptr<std::vector<double>> sinceTheFirst(const std::vector<double>& times)
 {
-    auto result = std::make_shared<std::vector<double>>(values);
-    for (double& value : *result)
-        value = (value - shift) * factor;
+    auto result = std::make_shared<std::vector<double>>(times);
+    for (double& time : *result)
+        time -= times.front();
     return result;
 }
 
@@ -48,7 +47,9 @@ ValidationPanel::ValidationPanel(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     setSpacing(column, 0, metrics::step);
     auto* line = new QHBoxLayout;
-    line->addWidget(makeLabel(tr("On data it was not found from"), "strong"), 1);
+    auto* title = makeLabel(tr("On data it was not found from"), "strong");
+    title->setWordWrap(true); // beside the button, in every language
+    line->addWidget(title, 1);
     auto* button = makeButton(tr("Validate with") + u" \u25BE"_s);
     button->setAccessibleName(tr("Validate with"));
     button->setToolTip(tr("Hold this estimate against another squeeze: its start and offset are fitted anew, "
@@ -81,15 +82,14 @@ void ValidationPanel::setValidation(const Validation& validation, const QString&
     double largest = 0;
     for (const double y : validation.position)
         largest = std::max(largest, std::abs(y));
-    const ChannelScale scale = channelScale(positionUnit, largest);
-    const auto time = scaled(validation.time_s, 1, validation.time_s.front());
-    m_plot->setTitle(scale.title(tr("Position")));
-    m_plot->setCurves({{tr("measured"), CurveRole::MeasuredPosition, time,
-                        scaled(validation.position, scale.factor, 0), scale.title(tr("Measured position"))},
-                       {tr("model from elsewhere"), CurveRole::Model, time,
-                        scaled(validation.simulated, scale.factor, 0), scale.title(tr("Model"))}});
-    m_plot->setWhole({0, std::max(time->back(), 1e-9)});
-    m_plot->showWhole();
+    const ChannelScales scales(positionUnit, largest);
+    const auto time = sinceTheFirst(validation.time_s);
+    m_plot->setTitle(scales.shown.title(tr("Position")));
+    m_plot->setCurves({channelCurve(tr("measured"), CurveRole::MeasuredPosition, time, validation.position,
+                                    scales, tr("Measured position")),
+                       channelCurve(tr("model from elsewhere"), CurveRole::Model, time, validation.simulated,
+                                    scales, tr("Model"))});
+    m_plot->setDuration(time->back());
     m_plot->fitVertical();
 }
 
@@ -134,7 +134,8 @@ Expected<std::vector<StoredChoices>> storedChoices(Library& library)
 } // namespace
 
 ValidationChooser::ValidationChooser(Workbench& workbench, QMenu* menu, QWidget* page)
-    : QObject(page), m_workbench(&workbench), m_menu(menu), m_page(page)
+    : QObject(page), m_workbench(&workbench), m_menu(menu), m_page(page),
+      m_opener(new RecordingOpener(workbench, page))
 {
     connect(menu, &QMenu::aboutToShow, this, [this] { fillMenu(); });
 }
@@ -178,7 +179,7 @@ void ValidationChooser::addStored()
 void ValidationChooser::chooseFile()
 {
     auto* dialog = new FileDialog(m_page, tr("Validate with a recording"), QString(),
-                                  tr("Recordings (*.csv);;All files (*)"));
+                                  tr("Recordings (*.csv *.tsv *.txt);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { useFile(file); });
     dialog->open();
@@ -187,10 +188,15 @@ void ValidationChooser::chooseFile()
 void ValidationChooser::useFile(const QString& file)
 {
     emit started();
-    m_workbench->background().compute<Expected<Recording>>(
-        this, [file] { return readRecordingCsv(file); },
-        [this, name = QFileInfo(file).fileName(), generation = m_generation](Expected<Recording> other) {
+    const int generation = m_generation;
+    m_opener->open(
+        file,
+        [this, name = QFileInfo(file).fileName(), generation](Recording other) {
             hold(std::move(other), name, generation);
+        },
+        [this, generation] {
+            if (generation == m_generation)
+                emit failed();
         });
 }
 

@@ -17,6 +17,7 @@ class QMenu;
 namespace gripscope {
 
 struct FitSubject;
+class RecordingOpener;
 class TimePlot;
 class Workbench;
 
@@ -66,6 +67,7 @@ private:
     Workbench* m_workbench;
     QMenu* m_menu;
     QWidget* m_page;
+    RecordingOpener* m_opener;
     std::optional<Estimate> m_estimate;
     Recording m_recording;
     int m_generation = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/format/date_text.h"
 #include "ui/format/history_words.h"
-#include "ui/format/outcome_words.h"
 #include "ui/pages/history/history_parts.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
@@ -20,24 +19,26 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int panelWidth = 304;
-constexpr int nameWidth = 88;
+constexpr int nameWidth = 96;
 
 /// The sign of an outcome, in the colours in force when it is painted.
 class OutcomeSign : public QWidget {
 public:
-    explicit OutcomeSign(InspectionOutcome outcome) : m_outcome(outcome) { setFixedSize(24, 24); }
+    OutcomeSign(InspectionOutcome outcome, bool suspect) : m_outcome(outcome), m_suspect(suspect)
+    {
+        setFixedSize(24, 24);
+    }
 
 protected:
     void paintEvent(QPaintEvent*) override
     {
         QPainter painter(this);
-        painter.setRenderHint(QPainter::Antialiasing);
-        paintOutcomeSign(painter, QRectF(rect()).adjusted(1, 1, -1, -1), m_outcome,
-                         Theme::instance().outcomeColor(m_outcome));
+        paintJudgedSign(painter, QRectF(rect()).adjusted(1, 1, -1, -1), m_outcome, m_suspect);
     }
 
 private:
     InspectionOutcome m_outcome;
+    bool m_suspect;
 };
 
 /// A source may be one long word: it breaks where its parts meet, or the panel would be cut at its side.
@@ -130,8 +131,8 @@ void HistoryDetails::addOutcome(QVBoxLayout* column, const HistoryEntry& entry)
     if (const auto outcome = entry.outcome()) {
         auto* line = new QHBoxLayout;
         line->setSpacing(metrics::step);
-        line->addWidget(new OutcomeSign(*outcome));
-        const QString word = outcomeWord(*outcome);
+        line->addWidget(new OutcomeSign(*outcome, entry.suspect()));
+        const QString word = HistoryWords::outcome(entry);
         line->addWidget(wrapped(entry.type.isEmpty() ? word : u"%1 · %2"_s.arg(entry.type, word), "strong"),
                         1);
         column->addLayout(line);
@@ -153,7 +154,8 @@ void HistoryDetails::addEstimates(QVBoxLayout* column, const SqueezeDetails& det
             HistoryWords::parameters(estimate, details.entry.forceUnit, details.entry.positionUnit);
         if (estimate.simulationFitPercent)
             facts.push_back(
-                {tr("Fit"), QLocale().toString(*estimate.simulationFitPercent, 'f', 1) + QChar::Nbsp + u'%'});
+                {tr("Simulation fit"),
+                 QLocale().toString(*estimate.simulationFitPercent, 'f', 1) + QChar::Nbsp + u'%'});
         if (estimate.again) {
             facts.push_back({tr("How"), HistoryWords::how(*estimate.again), false});
             facts.push_back({tr("By"), estimate.again->operatorName, false});

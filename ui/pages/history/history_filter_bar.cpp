@@ -51,7 +51,8 @@ HistoryFilterBar::HistoryFilterBar(QWidget* parent) : QWidget(parent)
     m_typing.setInterval(250ms);
     connect(&m_typing, &QTimer::timeout, this, &HistoryFilterBar::changed);
     connect(m_text, &QLineEdit::textChanged, this, [this] { m_typing.start(); });
-    for (QComboBox* box : {m_kind, m_outcome, m_type, m_expected, m_operator, m_device, m_batch, m_period})
+    for (QComboBox* box :
+         {m_kind, m_outcome, m_validity, m_type, m_expected, m_operator, m_device, m_batch, m_period})
         connect(box, &QComboBox::currentIndexChanged, this, [this] {
             showPeriod();
             refreshMore();
@@ -92,14 +93,19 @@ QWidget* HistoryFilterBar::buildFirst()
     for (const InspectionOutcome outcome :
          {InspectionOutcome::AsExpected, InspectionOutcome::OtherType, InspectionOutcome::Unknown,
           InspectionOutcome::Inconclusive, InspectionOutcome::NotValid})
-        m_outcome->addItem(outcomeWord(outcome), int(outcome));
+        m_outcome->addItem(outcomeFilterWord(outcome), int(outcome));
+    m_validity = makeBox(tr("Any validity"), tr("Validity of the measurement"), "historyValidity");
+    for (const ValidityVerdict validity :
+         {ValidityVerdict::Valid, ValidityVerdict::Suspect, ValidityVerdict::Invalid})
+        m_validity->addItem(HistoryWords::validity(validity), int(validity));
     m_type = makeBox(tr("All types"), tr("Type named, or enrolled in"), "historyType");
     m_more = makeButton(tr("More filters"), u"view-filter"_s);
     m_more->setObjectName("historyMore");
     m_more->setCheckable(true);
     line->addWidget(m_text, 1);
-    for (QWidget* widget : {static_cast<QWidget*>(m_kind), static_cast<QWidget*>(m_outcome),
-                            static_cast<QWidget*>(m_type), static_cast<QWidget*>(m_more)})
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_kind), static_cast<QWidget*>(m_outcome), static_cast<QWidget*>(m_validity),
+          static_cast<QWidget*>(m_type), static_cast<QWidget*>(m_more)})
         line->addWidget(widget);
     connect(m_more, &QPushButton::toggled, this, [this](bool on) { m_second->setVisible(on); });
     return bar;
@@ -108,8 +114,14 @@ QWidget* HistoryFilterBar::buildFirst()
 QWidget* HistoryFilterBar::buildSecond()
 {
     auto* bar = new QWidget;
-    auto* line = new QHBoxLayout(bar);
-    setSpacing(line, 0, metrics::step);
+    auto* lines = new QVBoxLayout(bar);
+    setSpacing(lines, 0, metrics::step);
+    auto* line = new QHBoxLayout;
+    line->setSpacing(metrics::step);
+    auto* days = new QHBoxLayout; // below: the least window has no room for them beside the others
+    days->setSpacing(metrics::step);
+    lines->addLayout(line);
+    lines->addLayout(days);
     m_expected = makeBox(tr("Any expected"), tr("Expected type"), "historyExpected");
     m_operator = makeBox(tr("All operators"), tr("Operator"), "historyOperator");
     m_device = makeBox(tr("All grippers"), tr("Gripper"), "historyDevice");
@@ -131,11 +143,13 @@ QWidget* HistoryFilterBar::buildSecond()
     m_clear->setObjectName("historyClear");
     for (QWidget* widget :
          {static_cast<QWidget*>(m_expected), static_cast<QWidget*>(m_operator),
-          static_cast<QWidget*>(m_device), static_cast<QWidget*>(m_batch), static_cast<QWidget*>(m_period),
-          static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_to)})
+          static_cast<QWidget*>(m_device), static_cast<QWidget*>(m_batch), static_cast<QWidget*>(m_period)})
         line->addWidget(widget);
     line->addStretch();
     line->addWidget(m_clear);
+    days->addStretch();
+    days->addWidget(m_from);
+    days->addWidget(m_to);
     connect(m_clear, &QPushButton::clicked, this, &HistoryFilterBar::clear);
     return bar;
 }
@@ -166,6 +180,8 @@ HistoryQuery HistoryFilterBar::query() const
                          : SqueezeKind::Enrollment;
     if (m_outcome->currentIndex() > 0)
         query.outcome = InspectionOutcome(m_outcome->currentData().toInt());
+    if (m_validity->currentIndex() > 0)
+        query.validity = ValidityVerdict(m_validity->currentData().toInt());
     query.type = m_type->currentData().toString();
     query.expected = m_expected->currentData().toString();
     query.operatorName = m_operator->currentData().toString();
@@ -206,7 +222,7 @@ void HistoryFilterBar::clear()
         const QSignalBlocker quiet(this);
         m_text->clear();
         for (QComboBox* box :
-             {m_kind, m_outcome, m_type, m_expected, m_operator, m_device, m_batch, m_period})
+             {m_kind, m_outcome, m_validity, m_type, m_expected, m_operator, m_device, m_batch, m_period})
             box->setCurrentIndex(0);
         m_typing.stop();
     }

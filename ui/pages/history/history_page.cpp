@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/history/history_page.h"
-
+#include "ui/charts/overlay_plots.h"
+#include "ui/charts/trend_plot.h"
 #include "ui/context/workbench.h"
 #include "ui/format/history_words.h"
 #include "ui/format/number_format.h"
+#include "ui/pages/fit/fit_page_export.h"
 #include "ui/pages/fit/fit_page_squeezes.h"
+#include "ui/pages/fit/overlay_dialog.h"
+#include "ui/pages/history/history_page_private.h"
 #include "ui/pages/history/history_parts.h"
 #include "ui/pages/types/reidentify_dialog.h"
 #include "ui/theme/theme.h"
@@ -14,9 +17,11 @@
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
+#include <QHash>
 #include <QMenu>
 #include <QStackedWidget>
 
+#include <algorithm>
 #include <utility>
 
 namespace gripscope {
@@ -25,70 +30,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr std::size_t mostPagesWaiting = 3; ///< while the list is scrolled fast, only the last are fetched
-
-/// What one visit to the library brings back.
-struct HistoryStart {
-    HistoryCounts counts;
-    bool empty = false; ///< the whole library
-    HistoryChoices choices;
-    HistoryKeys keys;
-    std::vector<HistoryEntry> first;
-};
-
-template <typename T>
-bool take(Expected<T> found, T& into, std::optional<Error>& error)
-{
-    if (found)
-        into = std::move(*found);
-    else
-        error = found.error();
-    return found.has_value();
-}
-
-Expected<HistoryStart> fetchStart(Library& library, const HistoryQuery& query)
-{
-    HistoryStart start;
-    std::optional<Error> error;
-    const bool read =
-        take(library.historyCounts(query), start.counts, error) &&
-        take(library.historyChoices(), start.choices, error) &&
-        take(library.historyKeys(query), start.keys, error) &&
-        take(library.historyEntries(start.keys.part(0, HistoryModel::pageSize)), start.first, error);
-    if (!read)
-        return tl::unexpected<Error>(*error);
-    start.empty = start.keys.empty() && start.choices.operators.isEmpty() && query.everything();
-    return start;
-}
-
 enum Shown { ListShown, ChartsShown, EmptyShown };
 
 } // namespace
-
-struct HistoryPage::Private {
-    HistoryModel* model = nullptr;
-    HistoryTable* table = nullptr;
-    HistoryCharts* charts = nullptr;
-    HistoryDetails* details = nullptr;
-    HistoryFilterBar* filters = nullptr;
-    HistoryWork* work = nullptr;
-    QStackedWidget* stack = nullptr;
-    QPushButton *list = nullptr, *trend = nullptr, *open = nullptr, *again = nullptr, *save = nullptr,
-                *columns = nullptr;
-    QAction* recordings = nullptr;
-    ElidedLabel* counts = nullptr;
-    QLabel *emptyTitle = nullptr, *emptyText = nullptr;
-    HistoryColumn order = HistoryColumn::Time;
-    bool descending = true;
-    std::vector<int> waiting; ///< pages that were asked for, the last first to be fetched
-    bool fetching = false;
-    int generation = 0; ///< of the list; answers to an older one do not count
-    int pointsGeneration = -1;
-    QString detailed; ///< whose details are shown or on their way
-    bool stale = true, loading = false;
-    bool choosesFirst = false; ///< of the next list
-    ExampleInspections* examples = nullptr;
-};
 
 HistoryPage::HistoryPage(Workbench& bench, QWidget* parent)
     : Page(bench, parent), d(std::make_unique<Private>())
@@ -119,11 +63,14 @@ HistoryPage::HistoryPage(Workbench& bench, QWidget* parent)
         fetchPage();
     });
     connect(d->work, &HistoryWork::busyChanged, this, &HistoryPage::refreshActions);
-    connect(&bench, &Workbench::libraryChanged, this, [this] {
+    const auto outdated = [this] {
         d->stale = true;
         if (isVisible())
             reload();
-    });
+    };
+    connect(&bench, &Workbench::libraryChanged, this, outdated);
+    connect(&bench, &Workbench::ratesChanged, this, outdated);    // gates are drawn in the charts
+    (new FitExporter(bench, this))->addFigure(d->charts->view()); // its context menu
     refreshActions();
 }
 
@@ -164,7 +111,6 @@ QWidget* HistoryPage::buildActions()
     line->addStretch();
     d->open = makeButton(tr("Open in Fit"), u"labplot-xy-fit-curve"_s);
     d->open->setObjectName("historyOpen");
-    d->open->setToolTip(tr("Identify the recording of the chosen squeeze again and look at it (Enter)"));
     d->again = makeButton(tr("Identify again…"), u"view-refresh"_s);
     d->again->setObjectName("historyAgain");
     d->again->setToolTip(tr("The selected squeezes with another estimator"));
@@ -177,7 +123,8 @@ QWidget* HistoryPage::buildActions()
         showContent();
         loadPoints();
     });
-    connect(d->open, &QPushButton::clicked, this, &HistoryPage::openCurrent);
+    connect(d->open, &QPushButton::clicked, this,
+            [this] { d->table->severalSelected() ? overlaySelected() : openCurrent(); });
     connect(d->again, &QPushButton::clicked, this, &HistoryPage::identifyAgain);
     return bar;
 }
@@ -207,7 +154,7 @@ QWidget* HistoryPage::buildContent()
         loadDetails();
     });
     connect(d->table, &QTableView::activated, this, &HistoryPage::openCurrent);
-    connect(d->charts, &HistoryCharts::chosen, d->table, &HistoryTable::select);
+    connect(d->charts, &HistoryCharts::chosen, this, &HistoryPage::choose);
     return content;
 }
 
@@ -256,106 +203,6 @@ HistoryQuery HistoryPage::query() const
     return query;
 }
 
-void HistoryPage::reload()
-{
-    const int generation = ++d->generation;
-    d->stale = false;
-    d->loading = true;
-    workbench().background().ask<HistoryStart>(
-        this, [wanted = query()](Library& library) { return fetchStart(library, wanted); },
-        [this, generation](Expected<HistoryStart> start) {
-            if (generation != d->generation)
-                return;
-            d->loading = false;
-            if (!start) {
-                workbench().messages().report(start.error().describe());
-                return;
-            }
-            d->waiting.clear();
-            d->filters->setChoices(start->choices);
-            const QString summary = HistoryWords::summary(start->counts);
-            d->counts->setFullText(summary);
-            d->counts->setVisible(!summary.isEmpty());
-            d->emptyTitle->setText(start->empty ? tr("No squeezes yet") : tr("Nothing matches the filters"));
-            d->emptyText->setText(
-                start->empty
-                    ? tr("Squeeze a part on the Inspect page, or enroll a type: every squeeze is kept here.")
-                    : tr("Clear the search and the filters to see every squeeze."));
-            d->detailed.clear();
-            d->table->restart(std::move(start->keys), std::move(start->first));
-            if (std::exchange(d->choosesFirst, false))
-                d->table->selectRow(0);
-            showContent();
-            loadPoints();
-        });
-}
-
-void HistoryPage::fetchPage()
-{
-    if (d->fetching || d->waiting.empty())
-        return;
-    while (d->waiting.size() > mostPagesWaiting) {
-        d->model->forgetRequest(d->waiting.front());
-        d->waiting.erase(d->waiting.begin());
-    }
-    const int page = d->waiting.back();
-    d->waiting.pop_back();
-    d->fetching = true;
-    workbench().background().ask<std::vector<HistoryEntry>>(
-        this, [keys = d->model->pageKeys(page)](Library& library) { return library.historyEntries(keys); },
-        [this, page, generation = d->generation](Expected<std::vector<HistoryEntry>> entries) {
-            d->fetching = false;
-            if (!entries)
-                workbench().messages().report(entries.error().describe());
-            if (generation == d->generation)
-                d->model->setPage(page, entries.value_or(std::vector<HistoryEntry>{}));
-            fetchPage();
-        });
-}
-
-void HistoryPage::loadPoints()
-{
-    if (!d->trend->isChecked() || d->pointsGeneration == d->generation)
-        return;
-    d->pointsGeneration = d->generation;
-    workbench().background().ask<HistoryPoints>(
-        this, [wanted = query()](Library& library) { return library.historyPoints(wanted); },
-        [this, generation = d->generation](Expected<HistoryPoints> points) {
-            if (generation != d->generation)
-                return;
-            if (!points) {
-                workbench().messages().report(points.error().describe());
-                return;
-            }
-            d->charts->setPoints(std::make_shared<HistoryPoints>(std::move(*points)),
-                                 workbench().inspection().models());
-            d->charts->select(d->table->currentKey());
-        });
-}
-
-void HistoryPage::loadDetails()
-{
-    const QString key = d->table->currentKey();
-    d->charts->select(key);
-    if (key == d->detailed && !key.isEmpty())
-        return;
-    d->detailed = key;
-    if (key.isEmpty()) {
-        d->details->clear();
-        return;
-    }
-    workbench().background().ask<SqueezeDetails>(
-        this, [key](Library& library) { return library.squeezeDetails(key); },
-        [this, key](Expected<SqueezeDetails> details) {
-            if (key != d->detailed)
-                return; // another one was chosen meanwhile
-            if (details)
-                d->details->show(*details);
-            else
-                workbench().messages().report(details.error().describe());
-        });
-}
-
 void HistoryPage::showContent()
 {
     const bool any = d->model->rowCount() > 0;
@@ -368,6 +215,13 @@ void HistoryPage::refreshActions()
 {
     const bool any = d->model->rowCount() > 0;
     const bool selected = d->table && d->table->selectionModel()->hasSelection();
+    // Of several there is no one to open: they are laid over each other.
+    const bool several = d->table && d->table->severalSelected();
+    d->open->setText(several ? tr("Overlay") : tr("Open in Fit"));
+    d->open->setAccessibleName(d->open->text());
+    d->open->setToolTip(
+        several ? tr("Force and position of the selected squeezes over each other")
+                : tr("Identify the recording of the chosen squeeze again and look at it (Enter)"));
     d->open->setEnabled(d->table && d->table->currentIndex().isValid());
     d->again->setEnabled(selected);
     d->save->setEnabled(any && !d->work->busy());
@@ -380,14 +234,66 @@ void HistoryPage::openCurrent()
 {
     const QModelIndex current = d->table->currentIndex();
     if (const HistoryEntry* entry = current.isValid() ? d->model->entry(current.row()) : nullptr)
-        openStoredSqueeze(workbench(), this, entry->graspId, HistoryWords::title(*entry));
+        openStoredSqueeze(workbench(), this, entry->graspId, HistoryWords::title(*entry), id());
+}
+
+void HistoryPage::overlaySelected()
+{
+    withSelected([this](const std::vector<QString>& keys) {
+        std::vector<OverlayDialog::Chosen> chosen;
+        for (std::size_t i = 0; i < std::min(keys.size(), OverlayPlots::most); ++i) {
+            const HistoryEntry* entry = d->model->entry(d->model->rowOf(keys[i]));
+            // One that was never in view has no words yet.
+            chosen.push_back({keys[i], entry ? HistoryWords::title(*entry) : tr("Squeeze %1").arg(i + 1)});
+        }
+        if (!chosen.empty())
+            (new OverlayDialog(workbench(), std::move(chosen), keys.size(), this))->open();
+    });
+}
+
+/// Calls `then` with the keys of what is selected, at once where they are known.
+void HistoryPage::withSelected(std::function<void(std::vector<QString>)> then)
+{
+    if (std::optional<std::vector<QString>> keys = d->table->selectedKeys()) {
+        then(std::move(*keys));
+        return;
+    }
+    constexpr auto most = qint64(HistoryList::mostCollected);
+    if (d->table->selectedCount() > most) {
+        workbench().messages().report(
+            tr("More than %1 squeezes are selected. Select fewer, and the others after them.")
+                .arg(formatCount(most)));
+        return;
+    }
+    workbench().background().ask<std::vector<QString>>(
+        this,
+        [list = d->shown,
+         rows = d->table->selectedRows()](Library& library) -> Expected<std::vector<QString>> {
+            std::vector<QString> keys;
+            for (const auto& [top, bottom] : rows) {
+                ASSIGN_OR_RETURN(const auto part, library.historyKeys(*list, top, bottom - top + 1));
+                keys.insert(keys.end(), part.begin(), part.end());
+            }
+            return keys;
+        },
+        [this, then = std::move(then)](Expected<std::vector<QString>> keys) {
+            if (keys)
+                then(std::move(*keys));
+            else
+                workbench().messages().report(keys.error().describe());
+        });
 }
 
 void HistoryPage::identifyAgain()
 {
-    std::vector<QString> keys = d->table->selectedKeys();
-    if (keys.empty())
-        return;
+    withSelected([this](std::vector<QString> keys) {
+        if (!keys.empty())
+            openIdentifyAgain(std::move(keys));
+    });
+}
+
+void HistoryPage::openIdentifyAgain(std::vector<QString> keys)
+{
     auto* dialog = new ReidentifyDialog(workbench(), std::move(keys), this);
     connect(dialog, &ReidentifyDialog::kept, this, [this] {
         d->detailed.clear(); // its estimates are read again
@@ -426,8 +332,10 @@ void HistoryPage::exportTo(const QString& file, HistoryFormat format)
 
 void HistoryPage::exportRecordingsTo(const QString& folder)
 {
-    d->work->run(recordingExport(d->table->selectedKeys(), folder), tr("Writing recordings"),
-                 tr("Recordings written to %1").arg(folder));
+    withSelected([this, folder](std::vector<QString> keys) {
+        d->work->run(recordingExport(std::move(keys), folder), tr("Writing recordings"),
+                     tr("Recordings written to %1").arg(folder));
+    });
 }
 
 void HistoryPage::reportTo(const QString& file)

@@ -5,7 +5,9 @@
 #include "ui/models/history_model.h"
 #include "ui/pages/page.h"
 
+#include <functional>
 #include <memory>
+#include <vector>
 
 namespace gripscope {
 
@@ -38,13 +40,20 @@ private:
     void buildExportMenu();
     [[nodiscard]] HistoryQuery query() const;
     void reload();
+    void countOn();
+    void showCounts();
     void fetchPage();
     void loadPoints();
+    void showPoints(std::shared_ptr<const HistoryPoints> points);
     void loadDetails();
+    void choose(const QString& key);
+    void withSelected(std::function<void(std::vector<QString>)> then);
     void showContent();
     void refreshActions();
     void openCurrent();
+    void overlaySelected();
     void identifyAgain();
+    void openIdentifyAgain(std::vector<QString> keys);
     void chooseFile(const QString& title, const QString& filter, const QString& suffix,
                     void (HistoryPage::*write)(const QString&));
     void exportCsv(const QString& file) { exportTo(file, HistoryFormat::Csv); }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/library/records/history.h"
+#include "core/library/records/history_list.h"
 #include "core/recognition/types/type_model.h"
+#include "core/recognition/verdict/verdict.h"
 #include "core/session/library/history_document.h"
 #include "core/signal/recording/recording.h"
 #include "ui/context/stepped_work.h"
@@ -10,6 +11,7 @@
 #include "ui/models/history_model.h"
 
 #include <QFrame>
+#include <QHash>
 #include <QStringList>
 #include <QTableView>
 #include <QTimer>
@@ -56,7 +58,8 @@ private:
     void refreshMore();
 
     QLineEdit* m_text;
-    QComboBox *m_kind, *m_outcome, *m_type, *m_expected, *m_operator, *m_device, *m_batch, *m_period;
+    QComboBox *m_kind, *m_outcome, *m_validity, *m_type, *m_expected, *m_operator, *m_device, *m_batch,
+        *m_period;
     QDateEdit *m_from, *m_to;
     QPushButton *m_more, *m_clear;
     QWidget* m_second;
@@ -72,11 +75,20 @@ public:
 
     /// Tick marks that show and hide columns.
     [[nodiscard]] QMenu* columnsMenu() const { return m_columns; }
-    [[nodiscard]] std::vector<QString> selectedKeys() const; ///< in the order of the list
-    [[nodiscard]] QString currentKey() const;                ///< empty: none
-    void select(const QString& key);                         ///< alone, and brings it into view
-    /// Starts the model anew; what was selected and is still there stays so.
-    void restart(HistoryKeys keys, std::vector<HistoryEntry> first);
+    /// First and last row of each stretch that is selected, in the order of the list.
+    [[nodiscard]] std::vector<std::pair<int, int>> selectedRows() const;
+    [[nodiscard]] qint64 selectedCount() const;
+    /// In the order of the list; nothing where the model does not know all of them, or they are too many.
+    [[nodiscard]] std::optional<std::vector<QString>> selectedKeys() const;
+    [[nodiscard]] bool severalSelected() const;
+    [[nodiscard]] QString currentKey() const; ///< empty: none, or not known yet
+    void select(int row);                     ///< alone, and brings it into view
+    /// Of the current key and those that are selected, where they are few and known.
+    [[nodiscard]] QHash<QString, int> rowsToKeep() const;
+    /// Starts the model anew; what was selected and is still there stays so. `rows`: where the kept keys are
+    /// in a list that does not know them all.
+    void restart(std::shared_ptr<const HistoryList> list, std::vector<HistoryEntry> first,
+                 const QHash<QString, int>& rows);
 
 signals:
     void chosen(); ///< another current row, another selection
@@ -90,7 +102,7 @@ private:
     void buildColumnsMenu();
     [[nodiscard]] int titleWidth(int column) const;
     void fitColumns();
-    void reselect(const std::vector<QString>& keys, const QString& current);
+    void reselect(const std::vector<QString>& keys, const QString& current, const QHash<QString, int>& rows);
 
     HistoryModel* m_model;
     QMenu* m_columns;
@@ -104,7 +116,9 @@ class HistoryCharts : public QWidget {
 public:
     explicit HistoryCharts(QWidget* parent = nullptr);
 
-    void setPoints(std::shared_ptr<const HistoryPoints> points, const TypeModels& models);
+    /// `gates`: of gateIntervals().
+    void setPoints(std::shared_ptr<const HistoryPoints> points, const TypeModels& models,
+                   std::vector<GateIntervals> gates);
     void select(const QString& key);
     [[nodiscard]] TrendView* view() const { return m_view; }
 
@@ -114,12 +128,15 @@ signals:
 private:
     class Legend;
     void refresh();
+    void refreshNote();
 
     std::shared_ptr<const HistoryPoints> m_points;
     TypeModels m_models;
+    std::vector<GateIntervals> m_gates;
     TrendView* m_view;
     Legend* m_legend;
     QPushButton *m_byTime, *m_byPlace;
+    QLabel* m_note;
 };
 
 /// All that is known of the squeeze that is chosen.
@@ -171,7 +188,7 @@ private:
 [[nodiscard]] SteppedWork::Step historyExport(const HistoryQuery& query, HistoryFormat format,
                                               const QString& file);
 /// Steps that write the recordings of these squeezes as CSV files into `folder`; those that have none are
-/// left out. A file that is there already is replaced.
+/// left out. One whose name is taken gets a number behind it.
 [[nodiscard]] SteppedWork::Step recordingExport(std::vector<QString> graspIds, const QString& folder);
 /// "inspection_000412.csv", "enrolment_Can_G1B2.csv": the end of the key tells squeezes of a type apart.
 [[nodiscard]] QString recordingFileName(const HistoryEntry& entry);

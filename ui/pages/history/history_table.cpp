@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/trend_figure.h"
 #include "ui/charts/trend_plot.h"
+#include "ui/format/number_format.h"
+#include "ui/format/outcome_words.h"
 #include "ui/models/history_model.h"
 #include "ui/pages/history/history_parts.h"
 #include "ui/pages/page_state.h"
@@ -24,12 +27,12 @@ using TableColumn = HistoryModel::Column;
 namespace {
 
 /// A selection of more rows than these is not carried over to the next list: finding each takes its time.
-constexpr std::size_t mostKept = 200;
+constexpr qint64 mostKept = 200;
 
 const std::initializer_list<TableColumn> firstColumns{
-    TableColumn::Number,    TableColumn::Time,     TableColumn::Outcome,
-    TableColumn::Type,      TableColumn::Mass,     TableColumn::Damping,
-    TableColumn::Stiffness, TableColumn::Operator, TableColumn::Device};
+    TableColumn::Number,   TableColumn::Time,  TableColumn::Outcome, TableColumn::Validity,
+    TableColumn::Type,     TableColumn::Mass,  TableColumn::Damping, TableColumn::Stiffness,
+    TableColumn::Operator, TableColumn::Device};
 
 } // namespace
 
@@ -104,26 +107,74 @@ int HistoryTable::titleWidth(int column) const
     return wide + padding + (horizontalHeader()->sortIndicatorSection() == column ? sign : 0);
 }
 
+namespace {
+
+/// Every outcome has its room: the first part may be inspected after the columns were fitted.
+int widestOutcome(const QFontMetrics& font)
+{
+    constexpr int signAndAir = 48;
+    int wide = 0;
+    for (const InspectionOutcome outcome :
+         {InspectionOutcome::AsExpected, InspectionOutcome::OtherType, InspectionOutcome::Unknown,
+          InspectionOutcome::Inconclusive, InspectionOutcome::NotValid})
+        for (const bool expected : {true, false})
+            wide = std::max(wide, font.horizontalAdvance(outcomeWord(outcome, false, expected)));
+    return wide + signAndAir;
+}
+
+} // namespace
+
 void HistoryTable::fitColumns()
 {
     // By the rows in view: all of them would be asked for otherwise.
     for (int column = 0; column < int(historyColumns().size()); ++column)
         if (!isColumnHidden(column))
-            setColumnWidth(column, std::max(sizeHintForColumn(column), titleWidth(column)));
+            setColumnWidth(
+                column,
+                std::max({sizeHintForColumn(column), titleWidth(column),
+                          TableColumn(column) == TableColumn::Outcome ? widestOutcome(fontMetrics()) : 0}));
 }
 
-std::vector<QString> HistoryTable::selectedKeys() const
+std::vector<std::pair<int, int>> HistoryTable::selectedRows() const
 {
-    std::vector<int> rows;
+    std::vector<std::pair<int, int>> stretches;
     for (const QItemSelectionRange& range : selectionModel()->selection())
-        for (int row = range.top(); row <= range.bottom(); ++row)
-            rows.push_back(row);
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+        stretches.emplace_back(range.top(), range.bottom());
+    std::sort(stretches.begin(), stretches.end());
+    std::vector<std::pair<int, int>> apart; // a row can be in two of them
+    for (const auto& [top, bottom] : stretches)
+        if (!apart.empty() && top <= apart.back().second)
+            apart.back().second = std::max(apart.back().second, bottom);
+        else
+            apart.emplace_back(top, bottom);
+    return apart;
+}
+
+qint64 HistoryTable::selectedCount() const
+{
+    qint64 count = 0;
+    for (const auto& [top, bottom] : selectedRows())
+        count += bottom - top + 1;
+    return count;
+}
+
+std::optional<std::vector<QString>> HistoryTable::selectedKeys() const
+{
+    if (selectedCount() > qint64(HistoryList::mostCollected))
+        return {};
     std::vector<QString> keys;
-    for (const int row : rows)
-        keys.push_back(m_model->key(row));
+    for (const auto& [top, bottom] : selectedRows())
+        for (int row = top; row <= bottom; ++row) {
+            keys.push_back(m_model->key(row));
+            if (keys.back().isEmpty())
+                return {};
+        }
     return keys;
+}
+
+bool HistoryTable::severalSelected() const
+{
+    return selectedCount() > 1;
 }
 
 QString HistoryTable::currentKey() const
@@ -132,25 +183,41 @@ QString HistoryTable::currentKey() const
     return current.isValid() ? m_model->key(current.row()) : QString();
 }
 
-void HistoryTable::select(const QString& key)
+void HistoryTable::select(int row)
 {
-    const int row = m_model->rowOf(key);
-    if (row < 0)
+    if (row < 0 || row >= m_model->rowCount())
         return;
     selectRow(row);
     scrollTo(m_model->index(row, 0), PositionAtCenter);
 }
 
-void HistoryTable::restart(HistoryKeys keys, std::vector<HistoryEntry> first)
+QHash<QString, int> HistoryTable::rowsToKeep() const
 {
-    std::vector<QString> selected = selectedKeys();
-    if (selected.size() > mostKept)
-        selected.clear();
+    QHash<QString, int> rows;
+    const auto keep = [&](int row) {
+        if (const QString key = m_model->key(row); !key.isEmpty())
+            rows.insert(key, row);
+    };
+    if (selectedCount() <= mostKept)
+        for (const auto& [top, bottom] : selectedRows())
+            for (int row = top; row <= bottom; ++row)
+                keep(row);
+    if (currentIndex().isValid())
+        keep(currentIndex().row());
+    return rows;
+}
+
+void HistoryTable::restart(std::shared_ptr<const HistoryList> list, std::vector<HistoryEntry> first,
+                           const QHash<QString, int>& rows)
+{
+    std::vector<QString> selected;
+    if (selectedCount() <= mostKept)
+        selected = selectedKeys().value_or(std::vector<QString>{});
     const QString current = currentKey();
     const int scrolled = verticalScrollBar()->value();
     m_restarting = true;
-    m_model->restart(std::move(keys), std::move(first));
-    reselect(selected, current);
+    m_model->restart(std::move(list), std::move(first));
+    reselect(selected, current, rows);
     m_restarting = false;
     if (!m_fitted && m_model->rowCount() > 0) {
         fitColumns();
@@ -160,14 +227,19 @@ void HistoryTable::restart(HistoryKeys keys, std::vector<HistoryEntry> first)
     emit chosen();
 }
 
-void HistoryTable::reselect(const std::vector<QString>& keys, const QString& current)
+void HistoryTable::reselect(const std::vector<QString>& keys, const QString& current,
+                            const QHash<QString, int>& rows)
 {
+    const auto rowOf = [&](const QString& key) {
+        const auto known = rows.constFind(key);
+        return known != rows.constEnd() && *known < m_model->rowCount() ? *known : m_model->rowOf(key);
+    };
     QItemSelection selection;
     for (const QString& key : keys)
-        if (const int row = m_model->rowOf(key); row >= 0)
+        if (const int row = rowOf(key); row >= 0)
             selection.select(m_model->index(row, 0), m_model->index(row, int(historyColumns().size()) - 1));
     selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
-    if (const int row = current.isEmpty() ? -1 : m_model->rowOf(current); row >= 0)
+    if (const int row = current.isEmpty() ? -1 : rowOf(current); row >= 0)
         selectionModel()->setCurrentIndex(m_model->index(row, 0), QItemSelectionModel::NoUpdate);
 }
 
@@ -204,7 +276,7 @@ protected:
 
 HistoryCharts::HistoryCharts(QWidget* parent)
     : QWidget(parent), m_view(new TrendView), m_legend(new Legend), m_byTime(makeButton(tr("Over time"))),
-      m_byPlace(makeButton(tr("One after another")))
+      m_byPlace(makeButton(tr("One after another"))), m_note(makeLabel({}, "second"))
 {
     auto* column = new QVBoxLayout(this);
     setSpacing(column, metrics::step, metrics::insideControl);
@@ -221,12 +293,9 @@ HistoryCharts::HistoryCharts(QWidget* parent)
     m_byPlace->setObjectName("historyByPlace");
     column->addLayout(line);
     column->addWidget(m_view, 1);
-    QLabel* note =
-        makeLabel(tr("Bands: where 95 % of the squeezes of an enrolled type lie. Bars: 95 % intervals "
-                     "of the squeeze. Drag to zoom, double click to see everything."),
-                  "second");
-    note->setWordWrap(true);
-    column->addWidget(note);
+    m_note->setWordWrap(true);
+    column->addWidget(m_note);
+    refreshNote();
     connect(m_byTime, &QPushButton::toggled, this, [this] { refresh(); });
     connect(m_view, &TrendView::pointChosen, this, [this](qsizetype place) {
         if (m_points && std::size_t(place) < m_points->keys.size())
@@ -235,18 +304,35 @@ HistoryCharts::HistoryCharts(QWidget* parent)
     connect(&Theme::instance(), &Theme::changed, m_legend, qOverload<>(&QWidget::update));
 }
 
-void HistoryCharts::setPoints(std::shared_ptr<const HistoryPoints> points, const TypeModels& models)
+void HistoryCharts::setPoints(std::shared_ptr<const HistoryPoints> points, const TypeModels& models,
+                              std::vector<GateIntervals> gates)
 {
     m_points = std::move(points);
     m_models = models;
+    m_gates = std::move(gates);
     refresh();
+    refreshNote();
+}
+
+void HistoryCharts::refreshNote()
+{
+    QString note = tr("Bands: where 95 % of the squeezes of an enrolled type lie. Bars: 95 % intervals "
+                      "of the squeeze. Drag to zoom, double click to see everything.");
+    if (m_view->content().gated())
+        note = trendGateNote() + u' ' + note;
+    if (m_points && m_points->oneIn > 1)
+        note = tr("One inspection in %1 is drawn, by its number: a single outlier may be missing. Narrow the "
+                  "dates to see every one.")
+                   .arg(formatCount(m_points->oneIn)) +
+               u' ' + note;
+    m_note->setText(note);
 }
 
 void HistoryCharts::refresh()
 {
     if (!m_points)
         return;
-    m_view->setContent(trendContent(m_points, m_models, m_byTime->isChecked()));
+    m_view->setContent(trendContent(m_points, m_models, m_byTime->isChecked(), m_gates));
     m_legend->content = &m_view->content();
     m_legend->update();
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/work_watch.h"
 #include "core/recognition/types/paper_appendix.h"
 #include "core/signal/recording/recording_csv.h"
 #include "ui/context/workbench.h"
@@ -13,6 +14,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QPointer>
 #include <QProgressBar>
 #include <QRegularExpression>
 #include <QSaveFile>
@@ -73,7 +75,7 @@ void HistoryWork::run(SteppedWork::Step step, const QString& doing, const QStrin
     connect(work, &SteppedWork::ended, this, [this, done](bool complete) {
         end();
         if (complete)
-            m_workbench->messages().report(done);
+            m_workbench->messages().tell(done);
     });
     work->start();
 }
@@ -83,24 +85,53 @@ void HistoryWork::writeReport(const HistoryQuery& query, const QString& file)
     if (m_busy)
         return;
     begin(tr("Writing %1").arg(QFileInfo(file).fileName()));
-    m_cancel->setVisible(false); // one step, of some seconds at the most
+    m_cancel->setVisible(true);
+    auto watch = std::make_shared<WorkWatch>();
+    auto* cancelling = new QObject(this); // as long as there is something to cancel
+    connect(m_cancel, &QPushButton::clicked, cancelling, [this, watch, cancelling] {
+        watch->stop();
+        cancelling->deleteLater();
+        end();
+    });
+    const auto finish = [this, cancelling = QPointer<QObject>(cancelling)] {
+        delete cancelling;
+        end();
+    };
     m_workbench->background().ask<HistoryReport>(
-        this, [query](Library& library) { return readHistoryReport(library, query); },
-        [this, file](Expected<HistoryReport> report) {
+        this,
+        [query, file, watch](Library& library) -> Expected<HistoryReport> {
+            if (watch->stopped())
+                return failure(ErrorCode::Cancelled, {});
+            ASSIGN_OR_RETURN(HistoryReport report, readHistoryReport(library, query));
+            if (watch->stopped()) // nothing leaves the library
+                return failure(ErrorCode::Cancelled, {});
+            RETURN_IF_ERROR(numberHistoryReport(library, report, file));
+            return report;
+        },
+        [this, file, watch, finish](Expected<HistoryReport> report) {
+            if (watch->stopped())
+                return;
             if (!report) {
-                end();
+                finish();
                 m_workbench->messages().report(report.error().describe());
                 return;
             }
             report->models = m_workbench->inspection().models();
+            report->rates = m_workbench->rates().rates;
             report->operatorName = m_workbench->operatorName();
+            report->letterhead = letterheadSource(m_workbench->settings());
             report->made = QDateTime::currentDateTimeUtc();
             m_workbench->background().compute<Expected<void>>(
-                this, [read = std::move(*report), file] { return writeHistoryReport(read, file); },
-                [this, file](Expected<void> written) {
-                    end();
-                    m_workbench->messages().report(written ? tr("Report written to %1").arg(file)
-                                                           : written.error().describe());
+                this,
+                [read = std::move(*report), file, watch] { return writeHistoryReport(read, file, watch); },
+                [this, file, watch, finish](Expected<void> written) {
+                    if (watch->stopped())
+                        return;
+                    finish();
+                    if (written)
+                        m_workbench->messages().tell(tr("Report written to %1").arg(file));
+                    else
+                        m_workbench->messages().report(written.error().describe());
                 });
         });
 }
@@ -170,11 +201,12 @@ namespace {
 
 /// A file that is being written; without commit() nothing of it stays.
 struct WholeFile {
-    WholeFile(const HistoryQuery& query, HistoryFormat format, const QString& name)
-        : document(query, format), file(name)
+    WholeFile(const HistoryQuery& query, HistoryFormat as, const QString& name)
+        : document(query, as), format(as == HistoryFormat::Csv ? u"csv"_s : u"json"_s), file(name)
     {
     }
     HistoryDocument document;
+    QString format;
     QSaveFile file;
 };
 
@@ -191,10 +223,16 @@ SteppedWork::Step historyExport(const HistoryQuery& query, HistoryFormat format,
         if (!out.isOpen() && !out.open(QIODevice::WriteOnly))
             return failed();
         ASSIGN_OR_RETURN(const QByteArray piece, writing->document.next(library));
-        if (out.write(piece) != piece.size() || (piece.isEmpty() && !out.commit()))
+        if (out.write(piece) != piece.size())
             return failed();
+        if (writing->document.ended()) { // what cannot be told does not leave the library
+            RETURN_IF_ERROR(library.tellExport(out.fileName(), writing->format,
+                                               static_cast<qint64>(writing->document.written())));
+            if (!out.commit())
+                return failed();
+        }
         return SteppedWork::Progress{writing->document.written(), writing->document.total(),
-                                     !piece.isEmpty()};
+                                     !writing->document.ended()};
     };
 }
 
@@ -208,6 +246,22 @@ QString recordingFileName(const HistoryEntry& entry)
     return u"enrolment_%1_%2.csv"_s.arg(type, entry.graspId.right(8));
 }
 
+namespace {
+
+/// The name, or where that is taken "inspection_000412_2.csv": what lies there is not ours to replace.
+QString freeFile(const QString& folder, const QString& name)
+{
+    const QDir place(folder);
+    const QFileInfo wanted(name);
+    QString file = place.filePath(name);
+    for (int number = 2; QFileInfo::exists(file); ++number)
+        file = place.filePath(
+            u"%1_%2.%3"_s.arg(wanted.completeBaseName(), QString::number(number), wanted.suffix()));
+    return file;
+}
+
+} // namespace
+
 SteppedWork::Step recordingExport(std::vector<QString> graspIds, const QString& folder)
 {
     struct Writing {
@@ -219,6 +273,9 @@ SteppedWork::Step recordingExport(std::vector<QString> graspIds, const QString& 
         const SteppedWork::Progress nothing{0, 0, false};
         if (writing->next >= writing->ids.size())
             return nothing;
+        if (writing->next == 0) // what cannot be told does not leave the library
+            RETURN_IF_ERROR(
+                library.tellExport(folder, u"recordings"_s, static_cast<qint64>(writing->ids.size())));
         const QString id = writing->ids[writing->next++];
         ASSIGN_OR_RETURN(const auto entries, library.historyEntries({id}));
         const auto recording = library.recording(id);
@@ -226,7 +283,7 @@ SteppedWork::Step recordingExport(std::vector<QString> graspIds, const QString& 
             return tl::unexpected<Error>(recording.error());
         if (recording && !entries.empty())
             RETURN_IF_ERROR(
-                writeRecordingCsv(*recording, QDir(folder).filePath(recordingFileName(entries.front()))));
+                writeRecordingCsv(*recording, freeFile(folder, recordingFileName(entries.front()))));
         return SteppedWork::Progress{writing->next, writing->ids.size(), writing->next < writing->ids.size()};
     };
 }

@@ -6,9 +6,12 @@
 #include "ui/format/yield_text.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/elided_label.h"
+#include "ui/widgets/fitted_label.h"
 #include "ui/windows/question.h"
+#include "ui/windows/scan_reader.h"
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QSpinBox>
@@ -64,7 +67,9 @@ BatchDialog::BatchDialog(const QString& expectedType, QWidget* parent)
     column->addWidget(makeLabel(tr("Begin a batch"), "heading", this));
     column->addWidget(makeLabel(tr("Name or number"), "caption", this));
     column->addWidget(m_name);
-    column->addWidget(makeLabel(tr("Parts wanted, as expected"), "caption", this));
+    column->addWidget(makeLabel(expectedType.isEmpty() ? tr("Parts wanted, of a known type")
+                                                       : tr("Parts wanted, as expected"),
+                                "caption", this));
     column->addWidget(m_target);
     column->addSpacing(8);
     column->addWidget(counts);
@@ -74,6 +79,7 @@ BatchDialog::BatchDialog(const QString& expectedType, QWidget* parent)
     connect(m_accept, &QPushButton::clicked, this, &QDialog::accept);
     connect(m_name, &QLineEdit::textChanged, this, &BatchDialog::refresh);
     connect(m_name, &QLineEdit::returnPressed, this, [this] {
+        m_sinceName.start();
         m_target->setFocus();
         m_target->selectAll();
     });
@@ -87,6 +93,24 @@ NewBatch BatchDialog::batch() const
     return {m_name->text().trimmed(), m_target->value(), m_expectedType, {}};
 }
 
+void BatchDialog::keyPressEvent(QKeyEvent* event)
+{
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (enter && m_target->hasFocus())
+        return takeEnter();
+    Dialog::keyPressEvent(event);
+}
+
+/// In the number of parts it begins the batch, but not the second Enter with which some scanners end the
+/// name.
+void BatchDialog::takeEnter()
+{
+    if (m_sinceName.isValid() && m_sinceName.elapsed() <= ScanReader::longestGap_ms)
+        return;
+    if (m_accept->isEnabled())
+        accept();
+}
+
 void BatchDialog::refresh()
 {
     m_accept->setEnabled(!batch().name.isEmpty());
@@ -98,7 +122,7 @@ InspectBatch::InspectBatch(Workbench& workbench, QWidget* parent)
     m_name = new ElidedLabel({}, m_progress);
     m_name->setObjectName("batchName");
     setRole(m_name, "strong");
-    m_count = makeLabel({}, "number", m_progress);
+    m_count = new FittedLabel(48, m_progress);
     m_count->setObjectName("batchCount");
     m_bar = new QProgressBar(m_progress);
     m_bar->setTextVisible(false);
@@ -133,6 +157,11 @@ InspectBatch::InspectBatch(Workbench& workbench, QWidget* parent)
     column->addWidget(m_begin);
     connect(&workbench, &Workbench::inspectionChanged, this, &InspectBatch::refresh);
     refresh();
+}
+
+void InspectBatch::setCountHeight(int pixels)
+{
+    m_count->setFixedHeight(pixels);
 }
 
 void InspectBatch::refresh()

@@ -4,6 +4,7 @@
 #include "core/library/records/batch.h"
 #include "ui/windows/dialog.h"
 
+#include <QElapsedTimer>
 #include <QWidget>
 
 class QLabel;
@@ -15,6 +16,7 @@ class QSpinBox;
 namespace gripscope {
 
 class ElidedLabel;
+class FittedLabel;
 class Workbench;
 
 /// Asks for the name and size of the next batch, and says what counts towards it.
@@ -25,9 +27,14 @@ public:
     explicit BatchDialog(const QString& expectedType, QWidget* parent = nullptr);
     [[nodiscard]] NewBatch batch() const;
 
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
 private:
     void refresh();
+    void takeEnter();
     QString m_expectedType;
+    QElapsedTimer m_sinceName; ///< since Enter ended the name
     QLineEdit* m_name;
     QSpinBox* m_target;
     QPushButton* m_accept;
@@ -39,6 +46,7 @@ class InspectBatch : public QWidget {
 public:
     explicit InspectBatch(Workbench& workbench, QWidget* parent = nullptr);
     void setExpected(const QString& type) { m_expected = type; } ///< of the next batch
+    void setCountHeight(int pixels);                             ///< of how far it is, read from afar
 
 signals:
     void whole(); ///< the last part that was wanted has just been counted
@@ -54,7 +62,8 @@ private:
     Workbench* m_workbench;
     QWidget* m_progress;
     ElidedLabel* m_name;
-    QLabel *m_count, *m_yield;
+    FittedLabel* m_count;
+    QLabel* m_yield;
     QProgressBar* m_bar;
     QPushButton *m_begin, *m_end;
     QString m_expected;

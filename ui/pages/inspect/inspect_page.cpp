@@ -2,20 +2,21 @@
 #include "ui/pages/inspect/inspect_page.h"
 
 #include "core/base/words.h"
-#include "core/session/connection/device_button.h"
+#include "ui/charts/type_map.h"
 #include "ui/context/workbench.h"
 #include "ui/format/outcome_words.h"
 #include "ui/format/shown_unit.h"
+#include "ui/pages/fit/fit_page_export.h"
+#include "ui/pages/inspect/inspect_automatic.h"
 #include "ui/pages/inspect/inspect_batch.h"
-#include "ui/pages/inspect/inspect_parts.h"
+#include "ui/pages/inspect/inspect_page_private.h"
 #include "ui/pages/shared/example_types_button.h"
-#include "ui/pages/tour_script.h"
-#include "ui/people/authorize.h"
 #include "ui/settings/values/settings.h"
 #include "ui/sound/sound_player.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/elided_label.h"
+#include "ui/widgets/fitted_label.h"
 #include "ui/widgets/inspection_widgets.h"
 #include "ui/widgets/outcome_view.h"
 #include "ui/windows/scan_reader.h"
@@ -26,6 +27,7 @@
 #include <QFocusEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -34,45 +36,23 @@ using namespace Qt::StringLiterals;
 
 namespace gripscope {
 
-struct InspectPage::Private {
-    TypeChooser* expected = nullptr;
-    ElidedLabel* recipe = nullptr;
-    VerdictPanel* verdict = nullptr;
-    InspectReason* reason = nullptr;
-    InspectMeasurement* measurement = nullptr;
-    QString expectedNow;
-    QStringList shownTypes; ///< names and how many squeezes
-    QPushButton *squeeze = nullptr, *arm = nullptr;
-    InspectSummary* summary = nullptr;
-    ScanReader* scans = nullptr;
-    SoundPlayer* sounds = nullptr;
-    int listener = 0;
-    ButtonWatch button;
-    bool buttonPressed = false;
-    std::optional<InspectHint> notice; ///< of a code or a button; until something else happens
-    bool active = false;
-    std::optional<std::uint64_t> past; ///< the squeeze whose verdict is no longer about the part in the jaws
-    qint64 shownNumber = 0;
-    std::uint64_t heard = 0; ///< the squeeze whose verdict was heard
-    InspectSession::State shownState = InspectSession::State::Loading;
-    TourScript tour;
-};
-
 InspectPage::InspectPage(Workbench& bench, QWidget* parent)
     : Page(bench, parent), d(std::make_unique<Private>())
 {
+    d->expectedNow = bench.inspection().expectedType(); // of the window before this one
     auto* left = new QVBoxLayout;
     left->setSpacing(12);
     buildTop(left);
     buildVerdict(left);
     d->measurement = new InspectMeasurement(this);
+    (new FitExporter(bench, this))->addFigure(d->measurement->findChild<TypeMap*>());
     left->addWidget(d->measurement, 4);
     buildActions(left);
     d->summary = new InspectSummary(bench, this);
     auto* row = new QHBoxLayout(this);
     setSpacing(row, 16, 16);
-    row->addLayout(left, 1);
-    row->addWidget(d->summary);
+    row->addLayout(left, 76);
+    row->addWidget(d->summary, 24); // within the bounds that it has itself
     setFocusPolicy(Qt::StrongFocus);
     d->sounds = new SoundPlayer(this);
     d->sounds->setObjectName("inspectSounds");
@@ -81,6 +61,10 @@ InspectPage::InspectPage(Workbench& bench, QWidget* parent)
     connect(&bench, &Workbench::connectionChanged, this, &InspectPage::refresh);
     connect(&bench, &Workbench::ratesChanged, this, &InspectPage::refresh);
     connect(&StopStanding::of(bench), &StopStanding::changed, this, &InspectPage::refresh);
+    connect(&bench.settings(), &Settings::changed, this, [this](const QString& key) {
+        if (key != QLatin1String(setting::expectedType.key))
+            refresh();
+    });
     connect(&bench, &Workbench::ticked, this, &InspectPage::followTick);
     refresh();
 }
@@ -93,7 +77,7 @@ InspectPage::~InspectPage()
 void InspectPage::listenToPeople()
 {
     d->scans = new ScanReader(this);
-    connect(d->scans, &ScanReader::scanned, d->expected, &TypeChooser::choose);
+    connect(d->scans, &ScanReader::scanned, this, &InspectPage::takeScan);
     connect(d->scans, &ScanReader::spacePressed, this, [this] {
         if (d->squeeze->isEnabled())
             squeeze();
@@ -107,10 +91,16 @@ void InspectPage::listenToPeople()
         d->notice.reset();
     });
     connect(&d->summary->batch(), &InspectBatch::expects, this, [this](const QString& type) {
-        d->expected->setTypes(workbench().inspection().types()); // it may be told before this page knows them
+        d->expected->setTypes(
+            workbench().inspection().approvedTypes()); // it may be told before this page knows them
         d->expected->choose(type);
     });
     connect(&d->summary->batch(), &InspectBatch::whole, this, [this] { play(Sound::BatchWhole); });
+    d->automatic = new InspectAutomatic(workbench(), this);
+    connect(d->automatic, &InspectAutomatic::changed, this, &InspectPage::refresh);
+    connect(d->automatic, &InspectAutomatic::due, this, [this] { (void)startSqueeze(); });
+    // Whoever has switched verdicts off is warned all the same.
+    connect(d->automatic, &InspectAutomatic::beat, this, [this] { d->sounds->play(Sound::Countdown); });
 }
 
 void InspectPage::followTick()
@@ -120,19 +110,7 @@ void InspectPage::followTick()
         takeButton();
     if (d->active && d->shownState != workbench().inspection().state())
         refresh();
-}
-
-void InspectPage::takeButton()
-{
-    const bool attended = isVisible() && !window()->isMinimized() && !WindowGuard::asking();
-    const bool busy =
-        workbench().squeezing() || workbench().inspection().state() != InspectSession::State::Ready;
-    if (!attended || busy) // one press, one squeeze: a press during it is not kept
-        return;
-    if (d->squeeze->isEnabled())
-        return squeeze();
-    d->notice = buttonHint();
-    refresh();
+    followAutomatic();
 }
 
 QString InspectPage::id() const
@@ -157,7 +135,6 @@ void InspectPage::buildTop(QBoxLayout* column)
     auto* label = makeLabel(tr("Expected"), "strong", this);
     d->expected = new TypeChooser(this);
     d->expected->setObjectName("expectedCombo");
-    d->expected->setMinimumWidth(200);
     label->setBuddy(d->expected);
     connect(d->expected, &TypeChooser::chosen, this, &InspectPage::expect);
     connect(d->expected, &TypeChooser::notFound, this, [this](const QString& text) {
@@ -171,6 +148,16 @@ void InspectPage::buildTop(QBoxLayout* column)
     setRole(d->recipe, "second");
     row->addWidget(label);
     row->addWidget(d->expected);
+    d->part = new QLineEdit(this);
+    d->part->setObjectName("partNumberField");
+    d->part->setPlaceholderText(tr("part number"));
+    d->part->setAccessibleName(tr("Number of the next part"));
+    d->part->setToolTip(tr("Scan it anywhere on this page, or type it: kept with the next squeeze"));
+    d->part->setMaxLength(longestPartNumber);
+    d->part->setFixedWidth(112);
+    connect(d->part, &QLineEdit::textEdited, this,
+            [this](const QString& text) { workbench().inspection().setPartNumber(text.trimmed()); });
+    connect(d->part, &QLineEdit::returnPressed, this, &InspectPage::focusSqueeze);
     row->addWidget(d->recipe, 1);
     QPushButton* rates = makeButton(tr("Rates…"), {}, "quiet", this);
     rates->setObjectName("ratesButton");
@@ -185,12 +172,27 @@ void InspectPage::buildTop(QBoxLayout* column)
 
 void InspectPage::buildVerdict(QBoxLayout* column)
 {
+    d->over = new FittedLabel(56, this);
+    d->over->setObjectName("batchCompleteLabel");
+    d->over->hide();
+    column->addWidget(d->over);
     d->verdict = new VerdictPanel(this);
     d->verdict->setObjectName("verdictPanel");
     d->verdict->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     column->addWidget(d->verdict, 3);
     d->reason = new InspectReason(this);
-    column->addWidget(d->reason);
+    d->voidLast = makeButton(tr("Void…"), {}, "quiet", this);
+    d->voidLast->setObjectName("voidButton");
+    d->voidLast->setAccessibleName(tr("Void the last squeeze"));
+    d->voidLast->setToolTip(
+        tr("Squeezed twice, or nothing in the jaws: the last squeeze then counts nowhere"));
+    d->voidLast->setFocusPolicy(Qt::TabFocus); // a click must not take Space from the squeeze
+    connect(d->voidLast, &QPushButton::clicked, this, &InspectPage::askToVoid);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(12);
+    row->addWidget(d->reason, 1);
+    row->addWidget(d->voidLast, 0, Qt::AlignTop);
+    column->addLayout(row);
 }
 
 void InspectPage::buildActions(QBoxLayout* column)
@@ -207,7 +209,12 @@ void InspectPage::buildActions(QBoxLayout* column)
     connect(d->arm, &QPushButton::clicked, this, [this] { workbench().arm(); });
     row->addWidget(new ExampleTypesButton(workbench(), this));
     row->addWidget(d->arm, 2);
+    row->addWidget(d->part); // here, since the row above has no room for it in every language
     row->addWidget(d->squeeze, 3);
+    d->automaticWords = new ElidedLabel({}, this);
+    d->automaticWords->setObjectName("automaticLabel");
+    setRole(d->automaticWords, "caption");
+    column->addWidget(d->automaticWords);
     column->addLayout(row);
 }
 
@@ -215,6 +222,7 @@ void InspectPage::setActive(bool active)
 {
     d->active = active;
     d->scans->setActive(active);
+    d->automatic->setActive(active);
     workbench().inspection().setForecasting(active);
     if (!active)
         return;
@@ -225,6 +233,8 @@ void InspectPage::setActive(bool active)
 
 void InspectPage::focusSqueeze()
 {
+    if (!d->active) // the keys are another page's, and Space would squeeze from there
+        return;
     if (d->squeeze->isEnabled())
         d->squeeze->setFocus();
     else if (d->arm->isVisible() && d->arm->isEnabled())
@@ -244,7 +254,9 @@ void InspectPage::expect(const QString& type)
 {
     const bool isNew = type != d->expectedNow;
     d->expectedNow = type;
+    d->recalled = true; // of what was before, nothing is to come back
     workbench().inspection().setExpectedType(type);
+    workbench().settings().set(setting::expectedType, type);
     d->summary->setExpected(type);
     d->notice.reset();
     if (isNew && workbench().inspection().result())
@@ -255,12 +267,24 @@ void InspectPage::expect(const QString& type)
 
 void InspectPage::squeeze()
 {
+    if (d->active && startSqueeze())
+        d->automatic->squeezedByHand();
+}
+
+bool InspectPage::startSqueeze()
+{
     if (workbench().busyWithSqueeze())
-        return;
+        return false;
+    if (batchIsOver()) {
+        askToGoOn();
+        return false;
+    }
     d->notice.reset();
-    if (const Expected<void> started = workbench().inspection().squeeze(); !started)
+    const Expected<void> started = workbench().inspection().squeeze();
+    if (!started)
         workbench().messages().report(started.error().describe());
     refresh();
+    return started.has_value();
 }
 
 void InspectPage::refresh()
@@ -268,17 +292,19 @@ void InspectPage::refresh()
     d->shownState = workbench().inspection().state();
     refreshExpected();
     refreshActions();
+    refreshPart();
     refreshVerdict();
-    d->reason->showRates(workbench().rates().rates);
 }
 
 void InspectPage::refreshExpected()
 {
-    const std::vector<TypeRecord>& types = workbench().inspection().types();
+    const std::vector<TypeRecord> types = workbench().inspection().approvedTypes();
     d->expected->setTypes(types);
+    if (!d->recalled && !types.empty() && workbench().inspection().state() != InspectSession::State::Loading)
+        recallExpected();
     if (d->expected->expected() != d->expectedNow &&
         workbench().inspection().state() != InspectSession::State::Loading)
-        return expect(d->expected->expected()); // the type that was expected is gone
+        return forgetExpected();
     QStringList enrolled;
     Recipe recipe;
     for (const TypeRecord& type : types) {
@@ -291,7 +317,13 @@ void InspectPage::refreshExpected()
         d->measurement->setTypes(workbench().inspection().models());
     }
     // The time first: it is what is looked for, and the rest gives way where there is no room.
-    d->recipe->setParts({timeText(), recipe.name, pushText(recipe.bias_N, recipe.peak_N)}, u" · "_s);
+    const InspectSession& session = workbench().inspection();
+    QStringList parts{timeText(), recipe.name, pushText(recipe.bias_N, recipe.peak_N)};
+    if (const auto& forecast = session.forecast(); session.earlyEnd() && forecast) {
+        parts[0] = tr("at most %1 s").arg(Words::number(session.longestSeconds(), 'g', 3));
+        parts.prepend(tr("about %1 s").arg(Words::number(forecast->mean_s, 'g', 2)));
+    }
+    d->recipe->setParts(parts, u" · "_s);
 }
 
 void InspectPage::refreshActions()
@@ -302,8 +334,8 @@ void InspectPage::refreshActions()
     const bool ready = workbench().inspection().state() == InspectSession::State::Ready;
     const bool wasEnabled = d->squeeze->isEnabled();
     const bool keysAreOurs = isOurs(window()->focusWidget());
-    const bool typing = d->expected->hasFocus();
-    const bool anyTypes = !workbench().inspection().types().empty();
+    const bool typing = d->expected->hasFocus() || d->part->hasFocus();
+    const bool anyTypes = !workbench().inspection().approvedTypes().empty();
     d->arm->setVisible(anyTypes && !(connected && (connection.armed() || !commandable)));
     d->arm->setEnabled(connected);
     d->squeeze->setVisible(anyTypes); // there is nothing yet that a part could be
@@ -339,7 +371,8 @@ QString InspectPage::squeezeText(bool commandable) const
     const auto& result = workbench().inspection().result();
     const bool again = result && (result->outcome == InspectionOutcome::NotValid ||
                                   result->outcome == InspectionOutcome::Inconclusive);
-    return again ? tr("Squeeze again (Space)") : tr("Squeeze (Space)");
+    return again && !callsSupervisor(*result, callAfter()) ? tr("Squeeze again (Space)")
+                                                           : tr("Squeeze (Space)");
 }
 
 void InspectPage::refreshVerdict()
@@ -347,11 +380,17 @@ void InspectPage::refreshVerdict()
     InspectSession& session = workbench().inspection();
     const bool running = session.state() == InspectSession::State::Squeezing;
     d->verdict->setProgress(running ? session.progress() : -1);
+    d->automaticWords->setVisible(d->automatic->wanted());
+    d->automaticWords->setFullText(d->automatic->words());
     const auto& result = session.result();
-    if (d->notice) {
+    if (d->automatic->counting()) {
+        if (result)
+            d->past = result->squeeze; // another part is in the jaws
+        d->automatic->show(*d->verdict);
+    } else if (d->notice) {
         d->verdict->showHint(d->notice->headline, d->notice->words);
     } else if (result && !isPast(*result)) {
-        const VerdictWords words = verdictWords(*result);
+        const VerdictWords words = verdictWords(*result, callAfter());
         d->verdict->showOutcome(result->outcome, words.headline, words.outcome, isSuspect(*result));
     } else {
         const InspectHint hint =
@@ -361,8 +400,9 @@ void InspectPage::refreshVerdict()
     // What was found of the last part is not said beside something else.
     static const std::optional<InspectSession::Result> none;
     const std::optional<InspectSession::Result>& shown =
-        d->notice || (result && isPast(*result)) ? none : result;
+        d->automatic->counting() || d->notice || (result && isPast(*result)) ? none : result;
     d->reason->showResult(shown ? &*shown : nullptr);
+    d->reason->showRates(shown ? shown->rates : workbench().rates().rates);
     d->measurement->showResult(shown);
     if (result && !StopStanding::of(workbench()).notObeyed())
         tellResult(*result);
@@ -375,8 +415,9 @@ bool InspectPage::isPast(const InspectSession::Result& result)
     const InspectSession::State state = workbench().inspection().state();
     const bool squeezing =
         state == InspectSession::State::Squeezing || state == InspectSession::State::Judging;
-    if (squeezing || standing.stopped() || standing.notObeyed() ||
-        workbench().connection().state() == ConnectSession::State::Lost)
+    const ConnectSession::State link = workbench().connection().state();
+    const bool away = link == ConnectSession::State::Lost || link == ConnectSession::State::Disconnected;
+    if (squeezing || result.voided || standing.stopped() || standing.notObeyed() || away)
         d->past = result.squeeze;
     return d->past == result.squeeze;
 }
@@ -399,17 +440,6 @@ void InspectPage::tellResult(const InspectSession::Result& result)
     d->shownNumber = result.number;
 }
 
-void InspectPage::editRates()
-{
-    const StoredRates now = workbench().rates();
-    auto* dialog = new RatesDialog(now.rates, now.earlyEnd, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog] {
-        changeRates(workbench(), this, {dialog->rates(), dialog->earlyEnd()});
-    });
-    dialog->open();
-}
-
 QString InspectPage::timeText() const
 {
     const InspectSession& session = workbench().inspection();
@@ -420,25 +450,6 @@ QString InspectPage::timeText() const
     if (!forecast)
         return tr("at most %1 s").arg(longest);
     return tr("about %1 s, at most %2 s").arg(Words::number(forecast->mean_s, 'g', 2), longest);
-}
-
-void InspectPage::prepareTour()
-{
-    // The batch of the picture, then parts for it.
-    d->tour.add(
-        [this] {
-            d->expected->choose(u"A"_s);
-            workbench().inspection().beginBatch({u"4711"_s, 400, u"A"_s, {}});
-        },
-        [this] { return workbench().inspection().batch().has_value(); });
-    addInspections(
-        d->tour, workbench(), [this] { d->expected->choose(u"A"_s); }, [this] { squeeze(); });
-    d->tour.start(workbench());
-}
-
-bool InspectPage::tourReady() const
-{
-    return d->tour.done();
 }
 
 } // namespace gripscope

@@ -39,8 +39,23 @@ private:
     void expect(const QString& type);
     void focusSqueeze();
     [[nodiscard]] bool isOurs(const QWidget* focused) const; ///< the keys go where Space squeezes
-    void squeeze();
+    void squeeze();                                          ///< a person asked for it
+    [[nodiscard]] bool startSqueeze();                       ///< whoever asked for it
+    void followAutomatic();
+    [[nodiscard]] bool attended() const; ///< in view, and nothing asks
+    /// A batch is complete, and nobody has said yet that parts go on without one.
+    [[nodiscard]] bool batchIsOver() const;
+    void askToGoOn();
+    void askToVoid();
+    void takeScan(const QString& text); ///< a type's code, or the part's own number
     void refresh();
+    void refreshPart();
+    void refreshBatchEnd();
+    /// Once: as it was when the program, or this window, ended; one that lacks its approval, with that.
+    void recallExpected();
+    void forgetExpected();
+    [[nodiscard]] bool isInUse(const QString& type) const; ///< approved or not
+    [[nodiscard]] int callAfter() const; ///< so many invalid squeezes in a row, then a supervisor
     void refreshExpected();
     void refreshActions();
     void refreshVerdict();

@@ -53,9 +53,17 @@ InspectHint inspectHint(Workbench& workbench, const QString& time)
         return {missingWords(connection).headline, missingWords(connection).detail};
     if (session.types().empty())
         return {Hint::tr("No types yet"), Hint::tr("Enroll at least one type (Ctrl+3), then inspect parts")};
+    if (session.approvedTypes().empty())
+        return {Hint::tr("No approved type"),
+                Hint::tr("A type is recognised once it is approved: finish its enrolment (Ctrl+3), or ask a "
+                         "supervisor to approve it")};
     if (StopStanding::of(workbench).stopped())
         return {Hint::tr("Stopped"),
                 Hint::tr("The gripper is not armed. Place the part, hands clear, then arm it")};
+    // It stands here too, for whoever has put the message away.
+    if (const std::optional<Error>& reason = StopStanding::of(workbench).disarmReason();
+        reason && !connection.armed())
+        return {Hint::tr("Disarmed"), reason->describe()};
     if (!connection.armed() && connection.identity().commandable)
         return {Hint::tr("Not armed"), Hint::tr("Place the part, hands clear, then arm the gripper")};
     return {Hint::tr("Ready"), Hint::tr("Place the part, then squeeze: %1").arg(time)};
@@ -171,12 +179,13 @@ void InspectMeasurement::showObject(const InspectSession::Result& result, const 
 }
 
 InspectReason::InspectReason(QWidget* parent)
-    : QWidget(parent), m_facts(new ElidedLabel({}, this)), m_rates(new ElidedLabel({}, this)),
+    : QWidget(parent), m_facts(new ElidedLabel({}, this)), m_rates(makeLabel({}, "caption", this)),
       m_reason(makeLabel({}, "", this))
 {
     setRole(m_facts, "strong");
-    setRole(m_rates, "caption");
+    m_facts->setObjectName("factsLabel");
     m_rates->setObjectName("ratesLabel");
+    m_rates->setWordWrap(true); // what a verdict is held to is never half of it
     m_reason->setObjectName("reasonLabel");
     m_reason->setWordWrap(true);
     m_reason->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -205,11 +214,9 @@ QStringList factsOf(const InspectSession::Result& result)
                          .arg(Words::number(std::sqrt(*verdict.distance), 'f', 1), of,
                               Words::number(std::sqrt(*verdict.gate), 'f', 1));
     }
-    if (result.earlyEnd)
-        facts << InspectReason::tr("decided after %1 s")
-                     .arg(Words::number(static_cast<double>(result.earlyEnd->samples) *
-                                            result.recording.sampleTime_s,
-                                        'g', 2));
+    facts << (result.earlyEnd ? InspectReason::tr("length %1, ended when it was decided")
+                              : InspectReason::tr("length %1"))
+                 .arg(formatLength(result.seconds));
     return facts;
 }
 
@@ -234,12 +241,11 @@ void InspectReason::showResult(const InspectSession::Result* result)
 
 void InspectReason::showRates(const VerdictOptions& rates)
 {
-    m_rates->setFullText(tr("Held to: false-reject %1 (%2), wrong-type %3, stranger-accept %4")
-                             .arg(formatRate(rates.falseReject),
-                                  rates.confidence
-                                      ? tr("with %1 confidence").arg(formatRate(*rates.confidence))
-                                      : tr("on average"),
-                                  formatRate(rates.wrongType), formatRate(rates.strangerAccept)));
+    m_rates->setText(tr("Held to: false-reject %1 (%2), wrong-type %3, stranger-accept %4")
+                         .arg(formatRate(rates.falseReject),
+                              rates.confidence ? tr("with %1 confidence").arg(formatRate(*rates.confidence))
+                                               : tr("on average"),
+                              formatRate(rates.wrongType), formatRate(rates.strangerAccept)));
 }
 
 SoundButton::SoundButton(Settings& settings, QWidget* parent) : QPushButton(parent), m_settings(&settings)

@@ -12,6 +12,7 @@
 
 #include <functional>
 
+class QBoxLayout;
 class QCheckBox;
 class QDoubleSpinBox;
 class QFormLayout;
@@ -21,6 +22,7 @@ class QRadioButton;
 namespace gripscope {
 
 class ElidedLabel;
+class FittedLabel;
 class InspectBatch;
 class InspectionList;
 class Settings;
@@ -70,12 +72,12 @@ public:
     void showRates(const VerdictOptions& rates);
 
 private:
-    ElidedLabel *m_facts, *m_rates;
-    QLabel* m_reason;
+    ElidedLabel* m_facts;
+    QLabel *m_rates, *m_reason;
 };
 
-/// The side of the Inspect page: how many parts, how many as expected, the last of them one by one, and their
-/// strip.
+/// The side of the Inspect page: the batch; how many parts of the shift, in all and by type, were as
+/// expected; the last of them one by one, and their strip.
 class InspectSummary : public QWidget {
     Q_OBJECT
 public:
@@ -85,14 +87,26 @@ public:
     void setExpected(const QString& type);
     [[nodiscard]] InspectBatch& batch() const { return *m_batch; }
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void buildHead(QBoxLayout* column, QWidget* card);
     void refreshCounts();
+    void refreshTypes(const InspectionCounts& shift);
     void refreshEvidence(const InspectionCounts& counts);
+    void takeShift();  ///< where it began, from the settings
+    void beginShift(); ///< behind the last inspection
+    void askForShift();
     void reload();
     void open(const QString& graspId, qint64 number);
     Workbench* m_workbench;
     QString m_expected;
-    QLabel *m_total, *m_share, *m_split, *m_shown, *m_empty;
+    qint64 m_shift = 0; ///< the inspection behind which it began
+    FittedLabel* m_good;
+    ElidedLabel* m_types;
+    QLabel *m_period, *m_share, *m_split, *m_shown, *m_empty;
+    QPushButton* m_newShift;
     InspectBatch* m_batch;
     InspectionList* m_list;
     YieldStrip* m_strip;

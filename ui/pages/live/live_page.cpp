@@ -6,6 +6,7 @@
 #include "ui/context/workbench.h"
 #include "ui/format/shown_unit.h"
 #include "ui/models/live_marker_model.h"
+#include "ui/pages/fit/fit_page_export.h"
 #include "ui/pages/live/live_cards.h"
 #include "ui/pages/live/live_pause.h"
 #include "ui/pages/live/live_recording.h"
@@ -67,6 +68,9 @@ LivePage::LivePage(Workbench& bench, QWidget* parent) : Page(bench, parent), d(s
         if (!d->pause->held())
             d->link->notePainted();
     });
+    auto* exporter = new FitExporter(bench, this);
+    for (StripChart* chart : {&d->force->chart(), &d->position->chart()})
+        exporter->addFigure(chart); // its context menu
     column->addWidget(d->link);
     buildPause(column);
     buildToolbar(toolbar);

@@ -92,24 +92,28 @@ void LivePause::setHeld(bool on)
 void LivePause::setSpan(double seconds)
 {
     m_view.setSpan(seconds);
+    keepCursorsInView();
     refreshView();
 }
 
 void LivePause::zoom(double factor, double share)
 {
     m_view.zoom(factor, share);
+    keepCursorsInView();
     refreshView();
 }
 
 void LivePause::pan(double share)
 {
     m_view.pan(share);
+    keepCursorsInView();
     refreshView();
 }
 
 void LivePause::reset()
 {
     m_view.reset();
+    keepCursorsInView();
     refreshView();
 }
 
@@ -132,8 +136,27 @@ void LivePause::stepCursor(int cursor, int columns)
 
 void LivePause::bringCursors()
 {
-    m_cursors_s = {m_view.from_s() + m_view.seconds() / 4, m_view.from_s() + 3 * m_view.seconds() / 4};
+    placeCursors();
     refreshView();
+}
+
+void LivePause::placeCursors()
+{
+    m_cursors_s = {m_view.from_s() + m_view.seconds() / 4, m_view.from_s() + 3 * m_view.seconds() / 4};
+}
+
+/// One that the view has left waits at its edge, where it can be taken; both would stand on each other there.
+void LivePause::keepCursorsInView()
+{
+    const auto outside = [this](double time_s) {
+        return time_s < m_view.from_s() || time_s > m_view.until_s();
+    };
+    if (!held())
+        return;
+    if (outside(m_cursors_s[0]) && outside(m_cursors_s[1]))
+        return placeCursors();
+    for (double& time_s : m_cursors_s)
+        time_s = std::clamp(time_s, m_view.from_s(), m_view.until_s());
 }
 
 LiveMarker LivePause::marker() const

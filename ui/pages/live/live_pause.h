@@ -110,6 +110,8 @@ signals:
 private:
     void connectCharts();
     void connectPanel();
+    void placeCursors();
+    void keepCursorsInView();
     void refreshMarks();
     void refreshReadout();
     void refreshView();

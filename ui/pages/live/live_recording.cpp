@@ -157,7 +157,7 @@ void LiveSave::write(const Recording& recording, double shown_s, const QString& 
                        "longer kept sample by sample.")
                         .arg(name, Words::number(saved_s, 'f', 2)));
             else
-                m_workbench->messages().report(
+                m_workbench->messages().tell(
                     tr("Saved as %1: %2 s.").arg(name, Words::number(saved_s, 'f', 2)));
         });
 }

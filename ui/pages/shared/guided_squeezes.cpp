@@ -83,11 +83,14 @@ void GuidedSqueezes::act()
     if (m_session->busy()) {
         m_session->cancel();
     } else if (mayUse()) {
-        authorize(*m_workbench, this, Permission::AcceptCalibrations, [this] {
-            if (const Expected<void> accepted = m_script.accept(); !accepted)
-                m_workbench->messages().report(accepted.error().describe());
-            refresh();
-            emit changed();
+        askWhy(this, m_script.use, [this](const QString& reason) {
+            authorize(*m_workbench, this, Permission::AcceptCalibrations, [this, reason] {
+                m_session->setReason(reason);
+                if (const Expected<void> accepted = m_script.accept(); !accepted)
+                    m_workbench->messages().report(accepted.error().describe());
+                refresh();
+                emit changed();
+            });
         });
     } else if (!m_workbench->connection().armed()) {
         m_workbench->arm();
@@ -150,8 +153,20 @@ void GuidedSqueezes::refresh()
     m_outcome->setText(outcome());
     m_outcome->setVisible(!m_outcome->text().isEmpty());
     m_act->setText(buttonText());
-    m_act->setEnabled(m_session->busy() ? m_session->state() != SeriesState::Storing
-                                        : mayUse() || (ready && !hindered));
+    enableAct(m_session->busy() ? m_session->state() != SeriesState::Storing
+                                : mayUse() || (ready && !hindered));
+}
+
+/// Disabling the focused button hands the focus on, to anything: a Space that was meant here would press
+/// that.
+void GuidedSqueezes::enableAct(bool on)
+{
+    const QWidget* focused = window()->focusWidget();
+    if (!on && focused == m_act)
+        setFocus();
+    m_act->setEnabled(on);
+    if (on && focused == this)
+        m_act->setFocus();
 }
 
 void GuidedSqueezes::leave()

@@ -47,6 +47,7 @@ signals:
 
 private:
     void build();
+    void enableAct(bool on);
     void claim(bool on); ///< tells the window that a squeeze is under way
     [[nodiscard]] QString outcome() const;
     [[nodiscard]] QString buttonText() const;

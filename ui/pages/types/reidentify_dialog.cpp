@@ -60,6 +60,7 @@ ReidentifyDialog::ReidentifyDialog(Workbench& workbench, std::vector<QString> gr
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("reidentifyDialog");
+    setManualPage(u"history"_s);
     setWindowTitle(tr("Identify again"));
     auto* column = new QVBoxLayout(this);
     setSpacing(column, 3 * metrics::step, 2 * metrics::step);

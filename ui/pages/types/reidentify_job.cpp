@@ -219,7 +219,7 @@ QVariant ReidentifyModel::head(int column, int role) const
     case ReidentifyColumn::Stiffness:
         return tr("k: stored, now");
     case ReidentifyColumn::Fit:
-        return tr("Fit");
+        return tr("Simulation fit");
     }
     return {};
 }

@@ -3,8 +3,11 @@
 
 #include "core/base/work_watch.h"
 #include "core/signal/recording/units.h"
+#include "ui/charts/heat_map.h"
+#include "ui/context/navigator.h"
 #include "ui/context/workbench.h"
 #include "ui/models/space_clustering.h"
+#include "ui/pages/fit/fit_page_export.h"
 #include "ui/pages/fit/fit_page_squeezes.h"
 #include "ui/pages/shared/example_types_button.h"
 #include "ui/pages/types/types_page_clusters.h"
@@ -67,6 +70,7 @@ struct TypesPage::Private {
     qint64 highlightNumber = 0;
 
     SceneToolBar* tools = nullptr;
+    FitExporter* exporter = nullptr;
     QStackedWidget* stack = nullptr;
     SceneView* view = nullptr;
     StepBar* steps = nullptr;
@@ -80,7 +84,7 @@ TypesPage::TypesPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d
     auto* sideLayout = new QHBoxLayout(sideCard);
     sideLayout->setContentsMargins(1, 1, 1, 1);
     sideLayout->addWidget(d->side);
-    sideCard->setMinimumWidth(268);
+    sideCard->setMinimumWidth(292);
     auto* line = new QHBoxLayout(this);
     setSpacing(line, 2 * metrics::step, 2 * metrics::step);
     line->addWidget(buildSceneCard(), 75);
@@ -88,6 +92,7 @@ TypesPage::TypesPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d
 
     connect(d->side, &TypesSide::visibilityChanged, this, [this] { refresh(); });
     connect(d->side, &TypesSide::openAsked, this, [this] { openPicked(); });
+    connect(d->side, &TypesSide::manageAsked, &bench.navigator(), &Navigator::manageTypes);
     connect(clusters(), &ClustersPanel::asked, this, [this] { cluster(); });
     connect(clusters(), &ClustersPanel::cancelled, this, [this] { stop(d->clusteringWatch); });
     connect(clusters(), &ClustersPanel::scalingChanged, this, [this] { dropAdvice(); });
@@ -97,6 +102,8 @@ TypesPage::TypesPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d
     d->view->setTips([this](const QString& id) { return tipOf(id); });
     connect(d->steps, &StepBar::changed, this, [this] { refresh(); });
     connect(d->tools, &SceneToolBar::paperAsked, this, [this](bool paper) { showPaper(paper); });
+    for (HeatMap* map : findChildren<HeatMap*>())
+        d->exporter->addFigure(map); // its context menu
     connect(d->tools, &SceneToolBar::failed, this,
             [&bench](const QString& why) { bench.messages().report(why); });
     connect(&bench, &Workbench::inspectionChanged, this, [this] { takeInspection(); });
@@ -149,7 +156,8 @@ QWidget* TypesPage::buildSceneCard()
     auto* column = new QVBoxLayout(card);
     column->setContentsMargins(2, 12, 2, 12);
     column->setSpacing(metrics::step);
-    d->tools = new SceneToolBar(d->view);
+    d->exporter = new FitExporter(workbench(), this);
+    d->tools = new SceneToolBar(d->view, d->exporter);
     d->steps = new StepBar;
     column->addWidget(d->tools);
     column->addWidget(d->stack, 1);
@@ -370,7 +378,7 @@ QString TypesPage::tipOf(const QString& id) const
 void TypesPage::openPicked()
 {
     if (const SpaceSqueeze* squeeze = d->space->find(d->view->pickedId()))
-        openStoredSqueeze(workbench(), this, squeeze->id, squeezeName(*d->space, *squeeze));
+        openStoredSqueeze(workbench(), this, squeeze->id, squeezeName(*d->space, *squeeze), id());
 }
 
 void TypesPage::prepareTour()

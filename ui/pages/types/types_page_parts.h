@@ -18,6 +18,7 @@ class QToolButton;
 namespace gripscope {
 
 class ClustersPanel;
+class FitExporter;
 class SceneView;
 
 /// The right quarter of the Types page: legend with counts and visibility, the point picked, how far the
@@ -36,7 +37,8 @@ public:
 
 signals:
     void visibilityChanged();
-    void openAsked(); ///< the picked squeeze on the Fit page
+    void openAsked();   ///< the picked squeeze on the Fit page
+    void manageAsked(); ///< what can be done to the enrolled types
 
 private:
     [[nodiscard]] QWidget* buildTypes();
@@ -45,6 +47,7 @@ private:
     void refreshLegend();
 
     QStringList m_types;
+    std::vector<int> m_signs; ///< one a type
     bool m_showsClusters = true;
     std::vector<QCheckBox*> m_checks;
     ClustersPanel* m_clusters;
@@ -97,7 +100,8 @@ private:
 class SceneToolBar : public QWidget {
     Q_OBJECT
 public:
-    explicit SceneToolBar(SceneView* view, QWidget* parent = nullptr);
+    /// `exporter` saves the view as a figure, and its numbers.
+    SceneToolBar(SceneView* view, FitExporter* exporter, QWidget* parent = nullptr);
 
     void setPaper(bool paper);
 
@@ -106,7 +110,7 @@ signals:
     void failed(const QString& message); ///< the picture could not be written
 
 private:
-    void savePicture();
+    void savePicture(); ///< as it is rendered
 
     SceneView* m_view;
     QComboBox* m_source;

@@ -69,7 +69,7 @@ QWidget* TypesSide::buildTypes()
     auto* part = new QWidget;
     auto* column = new QVBoxLayout(part);
     setSpacing(column, 0, metrics::step);
-    m_legend->setVerticalSpacing(0);
+    m_legend->setVerticalSpacing(metrics::step); // a finger finds one, not its neighbour
     m_legend->setHorizontalSpacing(metrics::step);
     m_legend->setColumnStretch(0, 1);
     auto* head = new QHBoxLayout;
@@ -77,6 +77,11 @@ QWidget* TypesSide::buildTypes()
     head->addWidget(makeLabel(tr("squeezes"), "caption"), 0, Qt::AlignBottom);
     column->addLayout(head);
     column->addLayout(m_legend);
+    QPushButton* manage = makeButton(tr("Manage types…"));
+    manage->setObjectName("manageTypesButton");
+    manage->setToolTip(tr("Rename, merge, split or retire types; undo changes"));
+    connect(manage, &QPushButton::clicked, this, &TypesSide::manageAsked);
+    column->addWidget(manage, 0, Qt::AlignLeft);
     column->addWidget(m_spread);
     column->addWidget(m_highlight);
     return part;
@@ -120,6 +125,7 @@ void TypesSide::setSpace(const TypeSpace& space)
     const bool sameTypes = space.types == m_types;
     const std::vector<bool> before = visibility();
     m_types = space.types;
+    m_signs = space.signs;
     while (QLayoutItem* item = m_legend->takeAt(0)) {
         delete item->widget();
         delete item;
@@ -155,7 +161,7 @@ void TypesSide::setSpace(const TypeSpace& space)
 void TypesSide::refreshLegend()
 {
     for (std::size_t i = 0; i < m_checks.size(); ++i) {
-        m_checks[i]->setIcon(typeIcon(int(i), devicePixelRatioF()));
+        m_checks[i]->setIcon(typeIcon(m_signs[i], devicePixelRatioF()));
         m_checks[i]->setIconSize({listSignSize, listSignSize});
     }
 }

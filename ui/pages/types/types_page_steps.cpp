@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
+#include "ui/pages/fit/fit_page_export.h"
 #include "ui/pages/types/types_page_parts.h"
 #include "ui/scene/scene_view.h"
 #include "ui/theme/theme.h"
@@ -13,6 +14,7 @@
 #include <QComboBox>
 #include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QSlider>
 
 using namespace Qt::StringLiterals;
@@ -141,7 +143,7 @@ void StepBar::refresh()
                                   : tr("step %1 of %2").arg(step()).arg(last));
 }
 
-SceneToolBar::SceneToolBar(SceneView* view, QWidget* parent)
+SceneToolBar::SceneToolBar(SceneView* view, FitExporter* exporter, QWidget* parent)
     : QWidget(parent), m_view(view), m_source(new QComboBox)
 {
     auto* line = new QHBoxLayout(this);
@@ -163,6 +165,7 @@ SceneToolBar::SceneToolBar(SceneView* view, QWidget* parent)
             connect(button, &QToolButton::clicked, m_view, [this, where] { m_view->lookAlong(where); });
             line->addWidget(button);
         };
+        line->addWidget(makeLabel(tr("View along"), "second"));
         look(u"m"_s, {}, tr("Look along the mass axis (M)"), SceneDirection::AlongMass);
         look(u"b"_s, {}, tr("Look along the damping axis (B)"), SceneDirection::AlongDamping);
         look(u"k"_s, {}, tr("Look along the stiffness axis (K)"), SceneDirection::AlongStiffness);
@@ -180,7 +183,13 @@ SceneToolBar::SceneToolBar(SceneView* view, QWidget* parent)
     auto* save = makeToolButton({}, u"document-save"_s, tr("Save the picture…"));
     connect(copy, &QToolButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setImage(m_view->picture()); });
-    connect(save, &QToolButton::clicked, this, [this] { savePicture(); });
+    auto* menu = new QMenu(save);
+    menu->addAction(tr("Picture as it is rendered, as PNG…"), this, [this] { savePicture(); });
+    menu->addSeparator();
+    exporter->fillFigure(menu, view);
+    save->setMenu(menu);
+    save->setPopupMode(QToolButton::InstantPopup);
+    save->setObjectName("saveScene");
     line->addWidget(copy);
     line->addWidget(save);
 }

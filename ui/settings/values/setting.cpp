@@ -29,8 +29,9 @@ QString settingWord(const char* text)
 
 QString withUnit(double value, const Setting& setting)
 {
-    return Words::number(value * setting.factor, 'g', 8) + QChar(QChar::Nbsp) +
-           QString::fromLatin1(setting.unit);
+    const QString number = Words::number(value * setting.factor, 'g', 8);
+    const QString unit = QString::fromUtf8(setting.unit);
+    return unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit;
 }
 
 std::optional<QVariant> asSwitch(const QVariant& value)
@@ -105,6 +106,7 @@ QString Setting::shownValue(const QVariant& value) const
                                                   : withUnit(value.toDouble(), *this);
     case SettingKind::Text:
     case SettingKind::Folder:
+    case SettingKind::Picture:
         return value.toString().isEmpty() ? SettingWords::tr("empty") : value.toString();
     }
     return value.toString();
@@ -124,6 +126,7 @@ std::optional<QVariant> Setting::accepted(const QVariant& value) const
         return asNumber(value, *this);
     case SettingKind::Text:
     case SettingKind::Folder:
+    case SettingKind::Picture:
         return asText(value);
     }
     return {};
@@ -147,6 +150,7 @@ QString Setting::expected() const
     }
     case SettingKind::Text:
     case SettingKind::Folder:
+    case SettingKind::Picture:
         return SettingWords::tr("a text of up to %1 letters").arg(longestText);
     }
     return {};
@@ -175,6 +179,8 @@ QString settingGroupName(SettingGroup group)
         return SettingWords::tr("At the start");
     case SettingGroup::People:
         return SettingWords::tr("People");
+    case SettingGroup::Reports:
+        return SettingWords::tr("Reports and certificates");
     }
     return {};
 }

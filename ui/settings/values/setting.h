@@ -9,8 +9,8 @@
 
 namespace gripscope {
 
-enum class SettingKind { Switch, Choice, Number, Text, Folder };
-enum class SettingGroup { Appearance, Inspecting, Rates, Sessions, Start, People };
+enum class SettingKind { Switch, Choice, Number, Text, Folder, Picture };
+enum class SettingGroup { Appearance, Inspecting, Rates, Sessions, Start, People, Reports };
 enum class SettingApplies { AtOnce, NextConnection, NextStart };
 
 /// One of what a Choice may be: its stored word and what a person reads.
@@ -36,10 +36,11 @@ struct Setting {
     // Of numbers: limits as stored; `factor` leads to the unit that is shown.
     double least = 0, most = 0, factor = 1;
     int decimals = 0;
-    const char* unit = "";                   ///< the same in every language
+    const char* unit = "";                   ///< in UTF-8; the same in every language
     const char* zeroMeans = nullptr;         ///< to be translated: shown in place of 0
     std::vector<SettingChoice> choices = {}; ///< of a Choice
     bool choicesAreNames = false;            ///< or numbers: the same in every language
+    bool needsReason = false;                ///< asked for where verdicts or squeezes depend on it
 
     [[nodiscard]] QString shownName() const;
     [[nodiscard]] QString shownExplanation() const;                ///< and when it takes effect
@@ -61,11 +62,19 @@ struct SettingKey {
 };
 
 namespace setting {
-inline constexpr SettingKey<QString> theme{"theme"};       ///< light, dark, contrast
-inline constexpr SettingKey<QString> language{"language"}; ///< en, de
-inline constexpr SettingKey<QString> scale{"scale"};       ///< 100, 125, 150, 200 (percent)
+inline constexpr SettingKey<QString> theme{"theme"};             ///< light, dark, contrast
+inline constexpr SettingKey<QString> language{"language"};       ///< en, de
+inline constexpr SettingKey<QString> scale{"scale"};             ///< 100, 125, 150, 200 (percent)
+inline constexpr SettingKey<QString> forceUnit{"units/force"};   ///< one of forceUnitChoices
+inline constexpr SettingKey<QString> lengthUnit{"units/length"}; ///< one of lengthUnitChoices
 inline constexpr SettingKey<double> disarmMinutes{"inspecting/disarmMinutes"};
-inline constexpr SettingKey<bool> stopExplained{"start/stopExplained"}; ///< and read
+inline constexpr SettingKey<double> invalidInARow{"inspecting/invalidInARow"};
+inline constexpr SettingKey<bool> partNumbers{"inspecting/partNumbers"};
+inline constexpr SettingKey<bool> automaticSqueeze{"inspecting/automaticSqueeze"};
+inline constexpr SettingKey<double> touchTimes{"inspecting/touchTimes"};      ///< the noise of the idle force
+inline constexpr SettingKey<QString> expectedType{"inspecting/expectedType"}; ///< by name
+inline constexpr SettingKey<QString> shiftStart{"inspecting/shiftStart"};     ///< see shift_start.h
+inline constexpr SettingKey<bool> stopExplained{"start/stopExplained"};       ///< and read
 inline constexpr SettingKey<bool> soundOnVerdict{"soundOnVerdict"};
 inline constexpr SettingKey<double> falseReject{"rates/falseReject"};       ///< share
 inline constexpr SettingKey<double> wrongType{"rates/wrongType"};           ///< share
@@ -73,6 +82,9 @@ inline constexpr SettingKey<double> strangerAccept{"rates/strangerAccept"}; ///<
 inline constexpr SettingKey<double> confidence{"rates/confidence"};         ///< 0: on average
 inline constexpr SettingKey<bool> robust{"rates/robust"};
 inline constexpr SettingKey<bool> earlyEnd{"rates/earlyEnd"};
+inline constexpr SettingKey<bool> refuseOverdue{"inspecting/refuseOverdue"};
+inline constexpr SettingKey<double> mostLostShare{"inspecting/mostLostShare"}; ///< 0: no limit
+inline constexpr SettingKey<bool> onlySignedIn{"inspecting/onlySignedIn"};
 inline constexpr SettingKey<bool> keepSessions{"captures/keep"};
 inline constexpr SettingKey<QString> captureFolder{"captures/folder"}; ///< empty: the usual one
 inline constexpr SettingKey<double> captureMegabytes{"captures/megabytes"};
@@ -80,7 +92,11 @@ inline constexpr SettingKey<QString> connectAtStart{"start/connect"}; ///< last,
 inline constexpr SettingKey<bool> examplesAtStart{"start/examples"};
 inline constexpr SettingKey<QString> lastGripper{"gripper"}; ///< an address
 inline constexpr SettingKey<QString> operatorName{"operator"};
-inline constexpr SettingKey<double> idleMinutes{"people/idleMinutes"}; ///< 0: never
+inline constexpr SettingKey<QString> company{"reports/company"};
+inline constexpr SettingKey<QString> companyAddress{"reports/address"}; ///< lines parted by semicolons
+inline constexpr SettingKey<QString> companyLogo{"reports/logo"};       ///< a file
+inline constexpr SettingKey<double> gravity{"reports/gravity"};         ///< local, m/s²
+inline constexpr SettingKey<double> idleMinutes{"people/idleMinutes"};  ///< 0: never
 } // namespace setting
 
 } // namespace gripscope

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/display_units.h"
+#include "core/calibration/conditions.h"
 #include "core/recognition/verdict/verdict.h"
 #include "devices/replay/capture_writer.h"
 #include "ui/settings/values/setting.h"
@@ -39,7 +41,21 @@ Setting rate(const char* key, double fallback, const char* name, const char* exp
     made.factor = 100;
     made.decimals = 3;
     made.unit = percentUnit;
-    made.needsSupervisor = true;
+    made.needsSupervisor = made.needsReason = true;
+    return made;
+}
+
+/// A unit reads alike in every language.
+template <typename Unit, std::size_t N>
+Setting unitChoice(const char* key, const std::array<UnitChoice<Unit>, N>& units, const char* name,
+                   const char* explanation)
+{
+    std::vector<SettingChoice> choices;
+    for (const UnitChoice<Unit>& one : units)
+        choices.push_back({one.name, one.name});
+    Setting made =
+        choice(key, units.front().name, SettingGroup::Appearance, name, explanation, std::move(choices));
+    made.choicesAreNames = true;
     return made;
 }
 
@@ -63,7 +79,39 @@ std::vector<Setting> appearance()
                    {{"light", QT_TRANSLATE_NOOP("gripscope::Setting", "Light")},
                     {"dark", QT_TRANSLATE_NOOP("gripscope::Setting", "Dark")},
                     {"contrast", QT_TRANSLATE_NOOP("gripscope::Setting", "High contrast")}}),
-            language, scale};
+            language, scale,
+            unitChoice(setting::forceUnit.key, forceUnitChoices,
+                       QT_TRANSLATE_NOOP("gripscope::Setting", "Unit of force"),
+                       QT_TRANSLATE_NOOP("gripscope::Setting",
+                                         "On the screen and in reports; damping and stiffness follow, and "
+                                         "masses are in lb with lbf.")),
+            unitChoice(setting::lengthUnit.key, lengthUnitChoices,
+                       QT_TRANSLATE_NOOP("gripscope::Setting", "Unit of length"),
+                       QT_TRANSLATE_NOOP("gripscope::Setting",
+                                         "On the screen and in reports; CSV and JSON files stay in the units "
+                                         "that they were recorded in."))};
+}
+
+std::vector<Setting> automaticSqueeze()
+{
+    Setting automatic = toggle(
+        setting::automaticSqueeze.key, false, SettingGroup::Inspecting,
+        QT_TRANSLATE_NOOP("gripscope::Setting", "Squeeze by itself when a part arrives"),
+        QT_TRANSLATE_NOOP("gripscope::Setting",
+                          "Only armed, on the Inspect page, 2 s after the force has changed last, with "
+                          "a countdown that is seen and heard."));
+    Setting touch{setting::touchTimes.key,
+                  SettingKind::Number,
+                  8.0,
+                  SettingGroup::Inspecting,
+                  QT_TRANSLATE_NOOP("gripscope::Setting", "A part has arrived"),
+                  QT_TRANSLATE_NOOP("gripscope::Setting",
+                                    "When the force rises by so many times its own noise at rest.")};
+    touch.least = 5;
+    touch.most = 100;
+    for (Setting* one : {&automatic, &touch})
+        one->needsSupervisor = one->needsReason = true;
+    return {automatic, touch};
 }
 
 std::vector<Setting> inspecting()
@@ -75,7 +123,7 @@ std::vector<Setting> inspecting()
                            QT_TRANSLATE_NOOP("gripscope::Setting", "End a squeeze as soon as it is decided"),
                            QT_TRANSLATE_NOOP("gripscope::Setting",
                                              "Parts that are clear take less time; the rates still hold."));
-    early.needsSupervisor = true;
+    early.needsSupervisor = early.needsReason = true;
     Setting disarm{setting::disarmMinutes.key,
                    SettingKind::Number,
                    5.0,
@@ -87,7 +135,53 @@ std::vector<Setting> inspecting()
     disarm.most = 60;
     disarm.unit = "min";
     disarm.needsSupervisor = true;
-    return {sound, early, disarm};
+    Setting overdue =
+        toggle(setting::refuseOverdue.key, false, SettingGroup::Inspecting,
+               QT_TRANSLATE_NOOP("gripscope::Setting", "Refuse to judge when a calibration is overdue"),
+               QT_TRANSLATE_NOOP("gripscope::Setting", "Otherwise such a measurement is suspect."));
+    Setting lost{setting::mostLostShare.key,
+                 SettingKind::Number,
+                 0.0,
+                 SettingGroup::Inspecting,
+                 QT_TRANSLATE_NOOP("gripscope::Setting", "Refuse to judge when more samples are lost"),
+                 QT_TRANSLATE_NOOP("gripscope::Setting",
+                                   "Share of a squeeze's samples. Otherwise such a measurement is suspect.")};
+    lost.most = 0.2;
+    lost.factor = 100;
+    lost.decimals = 2;
+    lost.unit = percentUnit;
+    lost.zeroMeans = QT_TRANSLATE_NOOP("gripscope::Setting", "never");
+    Setting person =
+        toggle(setting::onlySignedIn.key, false, SettingGroup::Inspecting,
+               QT_TRANSLATE_NOOP("gripscope::Setting", "Refuse to judge when nobody is signed in"),
+               QT_TRANSLATE_NOOP("gripscope::Setting", "Where the library has people."));
+    for (Setting* policy : {&overdue, &lost, &person})
+        policy->needsSupervisor = policy->needsReason = true;
+    Setting invalid{
+        setting::invalidInARow.key,
+        SettingKind::Number,
+        3.0,
+        SettingGroup::Inspecting,
+        QT_TRANSLATE_NOOP("gripscope::Setting", "Call the supervisor"),
+        QT_TRANSLATE_NOOP("gripscope::Setting", "After so many squeezes in a row that were not valid.")};
+    invalid.least = 1;
+    invalid.most = 20;
+    invalid.needsSupervisor = true;
+    const Setting parts =
+        toggle(setting::partNumbers.key, false, SettingGroup::Inspecting,
+               QT_TRANSLATE_NOOP("gripscope::Setting", "Part numbers"),
+               QT_TRANSLATE_NOOP("gripscope::Setting",
+                                 "A scanned code that is no type's is the number of the next part."));
+    Setting expected = text(setting::expectedType.key, SettingKind::Text, SettingGroup::Inspecting,
+                            QT_TRANSLATE_NOOP("gripscope::Setting", "Expected type"), "");
+    Setting shift = text(setting::shiftStart.key, SettingKind::Text, SettingGroup::Inspecting,
+                         QT_TRANSLATE_NOOP("gripscope::Setting", "Begin of the shift"), "");
+    for (Setting* one : {&expected, &shift})
+        one->shown = one->portable = false;
+    std::vector<Setting> all{sound, early, disarm, invalid, parts, overdue, lost, person, expected, shift};
+    const std::vector<Setting> automatic = automaticSqueeze();
+    all.insert(all.begin() + 3, automatic.begin(), automatic.end()); // behind when it is disarmed
+    return all;
 }
 
 std::vector<Setting> rates()
@@ -99,13 +193,13 @@ std::vector<Setting> rates()
                QT_TRANSLATE_NOOP("gripscope::Setting", "With confidence for this library, gates are wider."),
                {{"0", QT_TRANSLATE_NOOP("gripscope::Setting", "on average over libraries")},
                 {"0.95", QT_TRANSLATE_NOOP("gripscope::Setting", "with 95 % confidence")}});
-    confidence.needsSupervisor = true;
+    confidence.needsSupervisor = confidence.needsReason = true;
     Setting robust =
         toggle(setting::robust.key, usual.robust, SettingGroup::Rates,
                QT_TRANSLATE_NOOP("gripscope::Setting", "Types spread unlike"),
                QT_TRANSLATE_NOOP("gripscope::Setting",
                                  "Or have wild squeezes among them: allows for both by wider gates."));
-    robust.needsSupervisor = true;
+    robust.needsSupervisor = robust.needsReason = true;
     return {rate(setting::falseReject.key, usual.falseReject,
                  QT_TRANSLATE_NOOP("gripscope::Setting", "False-reject rate"),
                  QT_TRANSLATE_NOOP("gripscope::Setting",
@@ -140,9 +234,10 @@ std::vector<Setting> sessions()
     bound.least = 100;
     bound.most = 1e6;
     bound.unit = "MB";
-    keep.needsSupervisor = true; // what is not kept cannot be replayed
-    for (Setting* one : {&keep, &folder, &bound})
+    for (Setting* one : {&keep, &folder, &bound}) {
+        one->needsSupervisor = true; // what is not kept cannot be replayed
         one->applies = SettingApplies::NextConnection;
+    }
     return {keep, folder, bound};
 }
 
@@ -181,13 +276,45 @@ std::vector<Setting> start()
     return {connect, examples, last, person, explained, idle};
 }
 
+std::vector<Setting> reports()
+{
+    Setting company =
+        text(setting::company.key, SettingKind::Text, SettingGroup::Reports,
+             QT_TRANSLATE_NOOP("gripscope::Setting", "Company"),
+             QT_TRANSLATE_NOOP("gripscope::Setting", "At the head of reports and certificates."));
+    Setting address =
+        text(setting::companyAddress.key, SettingKind::Text, SettingGroup::Reports,
+             QT_TRANSLATE_NOOP("gripscope::Setting", "Address"),
+             QT_TRANSLATE_NOOP("gripscope::Setting", "Below the name; a semicolon begins a new line."));
+    Setting logo =
+        text(setting::companyLogo.key, SettingKind::Picture, SettingGroup::Reports,
+             QT_TRANSLATE_NOOP("gripscope::Setting", "Logo"),
+             QT_TRANSLATE_NOOP("gripscope::Setting", "A PNG or SVG file of up to 2 MB. Empty: none."));
+    logo.portable = false; // a file of this computer
+    Setting gravity{setting::gravity.key,
+                    SettingKind::Number,
+                    standardGravity,
+                    SettingGroup::Reports,
+                    QT_TRANSLATE_NOOP("gripscope::Setting", "Local gravity"),
+                    QT_TRANSLATE_NOOP("gripscope::Setting",
+                                      "By which reference masses in kg or lb are taken for forces.")};
+    gravity.least = leastGravity;
+    gravity.most = mostGravity;
+    gravity.decimals = 5;
+    gravity.unit = "m/s\u00B2";
+    for (Setting* one : {&company, &address, &logo, &gravity})
+        one->needsSupervisor = true; // they stand on certificates
+    return {company, address, logo, gravity};
+}
+
 } // namespace
 
 const std::vector<Setting>& allSettings()
 {
     static const std::vector<Setting> all = [] {
         std::vector<Setting> made;
-        for (const std::vector<Setting>& group : {appearance(), inspecting(), rates(), sessions(), start()})
+        for (const std::vector<Setting>& group :
+             {appearance(), inspecting(), rates(), sessions(), start(), reports()})
             made.insert(made.end(), group.begin(), group.end());
         return made;
     }();

@@ -13,6 +13,8 @@ namespace gripscope {
 namespace {
 
 const QString windowKey = QStringLiteral("window/state");
+const QString importKey = QStringLiteral("import/layouts");
+const QString librariesKey = QStringLiteral("library/recent");
 
 } // namespace
 
@@ -21,7 +23,8 @@ struct Settings::Private {
     std::unique_ptr<QSettings> store; ///< none: kept nowhere
     QVariantMap stored;               ///< accepted ones only
     QVariantMap overrides;            ///< for this run
-    QByteArray window;
+    QByteArray window, imports;
+    QStringList libraries;
     QStringList problems, damaged; ///< sentences and keys
 };
 
@@ -151,6 +154,30 @@ void Settings::setWindowState(const QByteArray& state)
     if (d->store)
         d->store->setValue(windowKey, state);
     d->window = state;
+}
+
+QByteArray Settings::importLayouts() const
+{
+    return d->store ? d->store->value(importKey).toByteArray() : d->imports;
+}
+
+void Settings::setImportLayouts(const QByteArray& layouts)
+{
+    if (d->store)
+        d->store->setValue(importKey, layouts);
+    d->imports = layouts;
+}
+
+QStringList Settings::recentLibraries() const
+{
+    return d->store ? d->store->value(librariesKey).toStringList() : d->libraries;
+}
+
+void Settings::setRecentLibraries(const QStringList& files)
+{
+    if (d->store)
+        d->store->setValue(librariesKey, files);
+    d->libraries = files;
 }
 
 } // namespace gripscope

@@ -53,6 +53,13 @@ public:
     /// exported.
     [[nodiscard]] QByteArray windowState() const;
     void setWindowState(const QByteArray& state);
+    /// What was said of tables of other programs (ui/imports/import_layouts.h); no setting either.
+    [[nodiscard]] QByteArray importLayouts() const;
+    void setImportLayouts(const QByteArray& layouts);
+
+    /// Files that were opened (ui/library/recent_libraries.h); no setting either.
+    [[nodiscard]] QStringList recentLibraries() const;
+    void setRecentLibraries(const QStringList& files);
 
 signals:
     void changed(const QString& key); ///< the value in force is another one

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/identification_csv.h"
+
+#include "core/base/csv.h"
+#include "core/math/normal_interval.h"
+#include "core/signal/recording/units.h"
+
+#include <QStringList>
+
+namespace gripscope::cli {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const QStringList& csvColumns()
+{
+    static const QStringList columns{
+        u"file"_qs,     u"estimator"_qs, u"status"_qs, u"recommended"_qs, u"m"_qs,
+        u"m_95"_qs,     u"m_unit"_qs,    u"b"_qs,      u"b_95"_qs,        u"b_unit"_qs,
+        u"k"_qs,        u"k_95"_qs,      u"k_unit"_qs, u"intervals"_qs,   u"simulation_percent"_qs,
+        u"validity"_qs, u"error"_qs};
+    return columns;
+}
+
+QString csvRow(QStringList cells)
+{
+    for (QString& cell : cells)
+        cell = csvCell(cell);
+    return cells.join(u',');
+}
+
+/// m, b and k with half their intervals, and what these count.
+struct CsvNumbers {
+    std::optional<double> values[3], halves[3];
+    QString intervals;
+};
+
+CsvNumbers csvNumbers(const Identification& identification, const Estimate& estimate)
+{
+    CsvNumbers numbers;
+    const UncertaintyBudget& budget = identification.budget;
+    const bool whole = &estimate == identification.best() && budget.parameters.has_value();
+    const auto& parameters = whole ? budget.parameters : estimate.parameters;
+    if (!parameters)
+        return numbers;
+    const Eigen::Vector3d values = parameters->vector();
+    const std::optional<Eigen::Vector3d> errors = estimate.standardErrors();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        numbers.values[i] = values[at];
+        if (whole)
+            numbers.halves[i] = (budget.intervals[i].upper - budget.intervals[i].lower) / 2;
+        else if (errors)
+            numbers.halves[i] = normal95 * (*errors)[at];
+    }
+    if (whole)
+        numbers.intervals = u"budget"_qs;
+    else if (errors)
+        numbers.intervals = u"noise"_qs;
+    return numbers;
+}
+
+} // namespace
+
+QString identificationCsvHeader()
+{
+    return csvColumns().join(u',');
+}
+
+QString identificationCsv(const Identification& identification, const Recording& recording,
+                          const QString& file)
+{
+    const ParameterUnits units = parameterUnits(recording.forceUnit, recording.positionUnit);
+    const QString unit[] = {units.m, units.b, units.k};
+    QStringList rows;
+    for (const Estimate& estimate : identification.estimates) {
+        const CsvNumbers numbers = csvNumbers(identification, estimate);
+        QStringList cells{file, toString(estimate.estimator), toString(estimate.status),
+                          &estimate == identification.best() ? u"yes"_qs : u"no"_qs};
+        for (std::size_t i = 0; i < 3; ++i)
+            cells << exactText(numbers.values[i]) << exactText(numbers.halves[i]) << unit[i];
+        cells << numbers.intervals << exactText(estimate.fit.simulationPercent)
+              << toString(identification.validity.verdict) << QString();
+        rows << csvRow(cells);
+    }
+    return rows.join(u'\n');
+}
+
+QString identificationCsv(const QString& file, const Error& error)
+{
+    QStringList cells(csvColumns().size(), QString());
+    cells.front() = file;
+    cells.back() = error.describe();
+    return csvRow(cells);
+}
+
+} // namespace gripscope::cli

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/format/result_text.h"
+
+#include "core/base/csv.h"
+#include "core/identification/uncertainty/derived_quantities.h"
+#include "core/math/normal_interval.h"
+#include "core/signal/recording/units.h"
+#include "ui/format/estimate_words.h"
+#include "ui/format/number_format.h"
+#include "ui/format/shown_budget.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <array>
+#include <cmath>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct ResultWords {
+    Q_DECLARE_TR_FUNCTIONS(gripscope::ResultText)
+};
+
+/// Difference of the parts above and below the value, as a share of half the interval, up to which ± tells
+/// the truth.
+constexpr double askewForPaper = 0.1;
+
+struct Symbol {
+    const char16_t *id, *symbol, *latex;
+};
+constexpr std::array symbols{Symbol{u"natural_frequency", u"f0", u"f_0"},
+                             Symbol{u"damping_ratio", u"zeta", u"\\zeta"},
+                             Symbol{u"damped_frequency", u"fd", u"f_\\mathrm{d}"},
+                             Symbol{u"decay_time", u"tau", u"\\tau"},
+                             Symbol{u"time_constant", u"tau", u"\\tau"},
+                             Symbol{u"time_constant_slow", u"tau_slow", u"\\tau_\\mathrm{slow}"},
+                             Symbol{u"time_constant_fast", u"tau_fast", u"\\tau_\\mathrm{fast}"}};
+
+void addDerived(std::vector<ReportedResult>& results, const UncertaintyBudget& budget)
+{
+    for (const DerivedQuantity& one : derivedFrom(budget)) {
+        if (!one.value)
+            continue;
+        ReportedResult result{one.name.english(),
+                              one.id,
+                              u"\\mathrm{?}"_s,
+                              *one.value,
+                              one.interval.lower,
+                              one.interval.upper,
+                              one.interval.onlyUpperBound,
+                              one.unit};
+        for (const Symbol& symbol : symbols)
+            if (one.id == QStringView(symbol.id)) {
+                result.symbol = QString::fromUtf16(symbol.symbol);
+                result.latex = QString::fromUtf16(symbol.latex);
+            }
+        results.push_back(std::move(result));
+    }
+}
+
+bool hasInterval(const ReportedResult& result)
+{
+    return std::isfinite(result.upper - result.lower) && result.upper > result.lower;
+}
+
+bool isAskew(const ReportedResult& result)
+{
+    const double above = result.upper - result.value;
+    const double below = result.value - result.lower;
+    return std::abs(above - below) > askewForPaper * (above + below) / 2;
+}
+
+/// A number of roundedForReport() as it is read in this language.
+QString localNumber(QString number)
+{
+    return number.replace(u'.', QLocale().decimalPoint()).replace(u'-', QChar(0x2212));
+}
+
+QString reportedText(const ReportedResult& result)
+{
+    const RoundedNumber number = roundedForReport(result.value, result.lower, result.upper, result.unit);
+    const QString unit = number.unit.isEmpty() ? QString() : QChar(QChar::Nbsp) + number.unit;
+    const QString name = result.symbol;
+    if (!hasInterval(result))
+        return ResultWords::tr("%1 = %2 (no interval)").arg(name, localNumber(number.value) + unit);
+    if (result.onlyUpperBound)
+        return ResultWords::tr("%1: at most %2").arg(name, localNumber(number.upper) + unit);
+    if (isAskew(result))
+        return ResultWords::tr("%1 = %2 (%3 to %4)")
+            .arg(name, localNumber(number.value) + unit, localNumber(number.lower),
+                 localNumber(number.upper));
+    return u"%1 = %2 ± %3%4"_s.arg(name, localNumber(number.value), localNumber(number.half), unit);
+}
+
+/// A unit within \mathrm: "N s^2/mm" is N\,s^{2}/mm. What means something to LaTeX is none in a unit.
+QString latexUnit(const QString& unit)
+{
+    QString text;
+    for (qsizetype i = 0; i < unit.size(); ++i) {
+        const QChar letter = unit[i];
+        if (letter == u' ' || letter == QChar(0x00B7) || letter == QChar(QChar::Nbsp))
+            text += u"\\,"_s;
+        else if (letter == QChar(0x00B5) || letter == QChar(0x03BC))
+            text += u"\\mu "_s;
+        else if (letter == QChar(0x00B2) || letter == QChar(0x00B3))
+            text += letter == QChar(0x00B2) ? u"^{2}"_s : u"^{3}"_s;
+        else if (letter == u'^' && i + 1 < unit.size() && unit[i + 1].isDigit())
+            text += u"^{%1}"_s.arg(unit[++i]);
+        else if (letter.isLetterOrNumber() || letter == u'/' || letter == u'-')
+            text += letter;
+        else if (letter == QChar(0x00B0))
+            text += u"^\\circ "_s;
+    }
+    return text;
+}
+
+QString latexOf(const ReportedResult& result)
+{
+    const RoundedNumber number = roundedForReport(result.value, result.lower, result.upper, result.unit);
+    const QString unit = number.unit.isEmpty() ? QString() : u"\\,\\mathrm{%1}"_s.arg(latexUnit(number.unit));
+    if (!hasInterval(result))
+        return u"$%1 = %2%3$"_s.arg(result.latex, number.value, unit);
+    if (result.onlyUpperBound)
+        return u"$%1 \\le %2%3$"_s.arg(result.latex, number.upper, unit);
+    if (isAskew(result)) {
+        // From the rounded ones, so that who adds them comes to the bounds that are shown elsewhere.
+        const double value = number.value.toDouble();
+        const qsizetype point = number.half.indexOf(u'.');
+        const int places = point < 0 ? 0 : int(number.half.size() - point - 1);
+        const QString above = QString::number(number.upper.toDouble() - value, 'f', places);
+        const QString below = QString::number(value - number.lower.toDouble(), 'f', places);
+        return u"$%1 = %2^{+%3}_{-%4}%5$"_s.arg(result.latex, number.value, above, below, unit);
+    }
+    const QString range = u"%1 \\pm %2"_s.arg(number.value, number.half);
+    return unit.isEmpty() ? u"$%1 = %2$"_s.arg(result.latex, range)
+                          : u"$%1 = (%2)%3$"_s.arg(result.latex, range, unit);
+}
+
+QString validityText(const Identification& identification)
+{
+    switch (identification.validity.verdict) {
+    case ValidityVerdict::Valid:
+        return ResultWords::tr("The measurement is valid.");
+    case ValidityVerdict::Suspect:
+        return ResultWords::tr("The measurement is suspect.");
+    case ValidityVerdict::Invalid:
+        break;
+    }
+    return ResultWords::tr("The measurement is not valid.");
+}
+
+} // namespace
+
+std::vector<ReportedResult> reportedResults(const Identification& identification, const QString& forceUnit,
+                                            const QString& positionUnit)
+{
+    std::vector<ReportedResult> results;
+    const Estimate* best = identification.best();
+    if (best == nullptr || !best->parameters)
+        return results;
+    const UncertaintyBudget* budget = shownBudget(identification);
+    const double factor = siFactor(forceUnit, positionUnit).value_or(1);
+    const ParameterUnits units = comparableUnits(forceUnit, positionUnit);
+    const Eigen::Vector3d values = (budget ? *budget->parameters : *best->parameters).vector();
+    const std::optional<Eigen::Vector3d> errors = best->standardErrors();
+    const std::array names{u"mass"_s, u"damping"_s, u"stiffness"_s};
+    const std::array letters{u"m"_s, u"b"_s, u"k"_s};
+    const std::array unit{units.m, units.b, units.k};
+    for (int i = 0; i < 3; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        ReportedResult result{names[at],          letters[at],        letters[at], values[i] * factor,
+                              values[i] * factor, values[i] * factor, false,       unit[at]};
+        if (budget) {
+            const CoverageInterval& interval = budget->intervals[at];
+            result.lower = interval.lower * factor;
+            result.upper = interval.upper * factor;
+            result.onlyUpperBound = interval.onlyUpperBound;
+        } else if (errors) {
+            result.lower -= normal95 * (*errors)[i] * factor;
+            result.upper += normal95 * (*errors)[i] * factor;
+        }
+        results.push_back(std::move(result));
+    }
+    if (budget)
+        addDerived(results, *budget);
+    return results;
+}
+
+QString resultsAsText(const Identification& identification, const QString& title, const QString& forceUnit,
+                      const QString& positionUnit)
+{
+    QStringList lines;
+    if (const Estimate* best = identification.best())
+        lines << ResultWords::tr("%1, %2, 95 % intervals").arg(title, estimatorName(best->estimator));
+    for (const ReportedResult& result : reportedResults(identification, forceUnit, positionUnit))
+        lines << reportedText(result);
+    lines << validityText(identification);
+    return lines.join(u'\n') + u'\n';
+}
+
+QString resultsAsLatex(const Identification& identification, const QString& title, const QString& forceUnit,
+                       const QString& positionUnit)
+{
+    QStringList lines;
+    if (const Estimate* best = identification.best())
+        // A line end within the title would end the comment.
+        lines << u"% %1, estimator %2, 95 % intervals, measurement %3"_s.arg(
+            factText(title), toString(best->estimator), toString(identification.validity.verdict));
+    for (const ReportedResult& result : reportedResults(identification, forceUnit, positionUnit))
+        lines << latexOf(result) + u" % "_s + result.name;
+    return lines.join(u'\n') + u'\n';
+}
+
+QString resultsAsCsv(const Identification& identification, const QString& forceUnit,
+                     const QString& positionUnit)
+{
+    QString text = u"quantity,value,half_width_95,lower_95,upper_95,unit,validity\n"_s;
+    const QString validity = toString(identification.validity.verdict);
+    for (const ReportedResult& result : reportedResults(identification, forceUnit, positionUnit)) {
+        const bool interval = hasInterval(result);
+        QStringList cells{result.symbol, exactText(result.value)};
+        cells << (interval ? exactText((result.upper - result.lower) / 2) : QString())
+              << (interval ? exactText(result.lower) : QString())
+              << (interval ? exactText(result.upper) : QString()) << result.unit << validity;
+        for (QString& cell : cells)
+            cell = csvCell(cell);
+        text += cells.join(u',') + u'\n';
+    }
+    return text;
+}
+
+} // namespace gripscope
