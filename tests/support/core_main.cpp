@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/own_home.h"
 #include "tests/support/test_registry.h"
 
 #include <QCoreApplication>
-#include <QStandardPaths>
 
 #ifdef __SANITIZE_THREAD__
 // Qt Test has a thread of its own that watches the time; Debian's Qt is built without the sanitizer, which
@@ -15,7 +15,7 @@ extern "C" const char* __tsan_default_suppressions()
 
 int main(int argc, char** argv)
 {
+    const gripscope::test::OwnHome home;
     QCoreApplication application(argc, argv);
-    QStandardPaths::setTestModeEnabled(true);
     return gripscope::test::runTests(argc, argv);
 }

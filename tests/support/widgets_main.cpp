@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/own_home.h"
 #include "tests/support/test_registry.h"
 
 #include <QApplication>
-#include <QStandardPaths>
 
 int main(int argc, char** argv)
 {
+    const gripscope::test::OwnHome home;
     QApplication application(argc, argv);
-    QStandardPaths::setTestModeEnabled(true);
     return gripscope::test::runTests(argc, argv);
 }

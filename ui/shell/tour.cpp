@@ -9,8 +9,8 @@
 #include "ui/widgets/message_bar.h"
 
 #include <QCoreApplication>
+#include <QDeadlineTimer>
 #include <QDir>
-#include <QElapsedTimer>
 #include <QEventLoop>
 #include <QPixmap>
 #include <QTemporaryDir>
@@ -28,15 +28,13 @@ namespace {
 constexpr int longestAnswer_ms = 30000; ///< of the library
 constexpr int settle_ms = 250;          ///< for what is still being drawn when a page says it is ready
 
-/// Lets the program live until `reached`, or for `most_ms`.
-bool waitFor(const std::function<bool()>& reached, int most_ms)
+/// Lets the program live until `reached`, or until the deadline.
+bool waitFor(const std::function<bool()>& reached, const QDeadlineTimer& deadline)
 {
-    QElapsedTimer clock;
-    clock.start();
     QEventLoop loop;
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, &loop, [&] {
-        if (reached() || clock.elapsed() > most_ms)
+        if (reached() || deadline.hasExpired())
             loop.quit();
     });
     timer.start(10);
@@ -46,7 +44,7 @@ bool waitFor(const std::function<bool()>& reached, int most_ms)
 
 void pause(int milliseconds)
 {
-    (void)waitFor([] { return false; }, milliseconds);
+    (void)waitFor([] { return false; }, QDeadlineTimer(milliseconds));
 }
 
 void complain(const QString& what)
@@ -66,22 +64,20 @@ bool loadExamples(Workbench& bench)
             if (!done)
                 complain(done.error().describe());
         });
-    const bool inTime = waitFor([&answered] { return answered; }, longestAnswer_ms);
+    const bool inTime = waitFor([&answered] { return answered; }, QDeadlineTimer(longestAnswer_ms));
     bench.tellLibraryChanged();
     return inTime && loaded;
 }
 
 /// A page in a telling state. False: it never came to one.
-bool prepare(MainWindow& window, int index, std::chrono::milliseconds patience)
+bool prepare(MainWindow& window, int index, const QDeadlineTimer& deadline)
 {
     Page* page = window.pages()[static_cast<std::size_t>(index)];
     window.showPage(index);
     page->prepareTour();
-    const bool good = waitFor([page] { return page->tourReady(); }, static_cast<int>(patience.count()));
+    const bool good = waitFor([page] { return page->tourReady(); }, deadline);
     if (!good)
-        complain(u"the page %1 was not ready after %2 s (%3)"_s.arg(page->id())
-                     .arg(static_cast<double>(patience.count()) / 1000)
-                     .arg(window.message()));
+        complain(u"the page %1 was not ready in time (%2)"_s.arg(page->id(), window.message()));
     pause(settle_ms);
     window.showPage(index); // a squeeze may have opened another page
     return good;
@@ -104,10 +100,11 @@ bool takeMessagesAway(MainWindow& window)
 bool visit(MainWindow& window, int index, const QDir& folder, const TourOptions& options)
 {
     Page* page = window.pages()[static_cast<std::size_t>(index)];
-    bool good = prepare(window, index, options.patience);
+    const QDeadlineTimer deadline(options.patience);
+    bool good = prepare(window, index, deadline);
     constexpr int tries = 3;
-    for (int i = 1; takeMessagesAway(window) && i < tries; ++i)
-        good = prepare(window, index, options.patience);
+    for (int i = 1; takeMessagesAway(window) && i < tries && !deadline.hasExpired(); ++i)
+        good = prepare(window, index, deadline);
     if (!good)
         return false;
     pause(settle_ms); // the page has the room of the messages again
@@ -148,11 +145,12 @@ int runTour(const TourOptions& options)
         const PassingLibrary library(temporary.filePath(u"tour.gripscope"_s));
         Workbench bench(library.file());
         bench.setOperatorName(u"Mai"_s);
-        LinkLimits unhurried; // nobody sits before it
+        LinkLimits unhurried; // nobody sits before it, and no finger is between virtual jaws
         unhurried.aliveFor = std::chrono::seconds(60);
+        unhurried.freshFor = unhurried.reportPeriod = std::chrono::seconds(1);
         bench.setLinkLimits(unhurried);
         good = loadExamples(bench);
-        bench.connectTo(u"virtual:"_s);
+        bench.connectTo(options.gripper);
         MainWindow window(bench);
         window.resize(options.size);
         window.show();

@@ -51,6 +51,7 @@ private slots:
         options.theme = *themeKindFromString(theme);
         options.language = language;
         options.size = {1024, 640};
+        options.patience = test::patience;
         QCOMPARE(runTour(options), 0);
         Theme::instance().apply(ThemeKind::Light);
         QVERIFY(applyLanguage(u"en"_s));
