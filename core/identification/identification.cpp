@@ -27,16 +27,16 @@ namespace {
 /// A Duffing search takes some microseconds a sample and iteration: a second for this many.
 constexpr std::size_t longestCubic = 100'000;
 
-/// The disagreement between windows of the record as `estimator` sees them, output error on each with its own
-/// lost samples. `whole` is the estimate from all of it.
+/// The disagreement between windows of the record, each with its own lost samples, by output error or what
+/// has the further terms of `whole`. `whole` is the estimate from all of it.
 ModelDiscrepancy windowDiscrepancy(const PreparedRecord& record, const EstimatorTask& task,
                                    const Estimate& whole)
 {
     EstimatorTask each = task;
     each.freeInitialState = true;
     // Windows of a repeating force need not hold whole periods.
-    const Estimator estimator =
-        whole.estimator == Estimator::Duffing ? Estimator::Duffing : Estimator::OutputError;
+    const bool further = whole.motion || whole.estimator == Estimator::Duffing;
+    const Estimator estimator = further ? whole.estimator : Estimator::OutputError;
     return modelDiscrepancy(record.force.size(), record.sampleTime_s, whole, [&](Window window) {
         return runEstimator(estimator, windowOf(record, window), each);
     });
@@ -84,15 +84,133 @@ std::optional<Estimate> cubicOf(const Identification& identification, const Prep
     return cubic;
 }
 
+/// First-order gain (twice the logarithm of the likelihood) from which on a further term is searched for: a
+/// third of what makes a model decisively better.
+constexpr double worthSearching = 6;
+
+/// A motion with further terms: the one that was asked for; else it is tried as a cubic spring is.
+std::optional<Estimate> motionOf(Estimator estimator, const Identification& identification,
+                                 const PreparedRecord& record, const EstimatorTask& task)
+{
+    std::optional<Estimate> motion;
+    if (const Estimate* const found = identification.find(estimator))
+        motion = *found;
+    else if (hasLinear(identification) && record.lost.empty() && record.force.size() <= longestCubic) {
+        const Estimate& linear = *identification.find(Estimator::OutputError);
+        MotionOptions options = motionOptions(estimator, record, task);
+        options.start = linear.parameters;
+        options.startNuisance = linear.nuisance;
+        if (expectedGain(record.force, record.position, options) >= worthSearching)
+            motion = estimateMotion(record.force, record.position, options);
+    }
+    if (motion && (motion->status != EstimateStatus::Converged || !motion->parameters))
+        motion.reset();
+    return motion;
+}
+
+/// Twice the gain in the logarithm of the likelihood under white noise, as a first look.
+double gainOver(const Estimate& linear, const std::optional<Estimate>& other)
+{
+    if (!other || !(other->residuals.sse > 0) || !(linear.residuals.sse > 0))
+        return 0;
+    return static_cast<double>(linear.residual.size()) *
+           std::log(linear.residuals.sse / other->residuals.sse);
+}
+
+/// What is tried besides output error: each further term alone, side by side, and the two that help most
+/// together where each helps much.
+struct FurtherTerms {
+    std::optional<Estimate> cubic, friction, relaxing, together;
+
+    void findPart(std::int64_t part, const Identification& identification, const PreparedRecord& record,
+                  const EstimatorTask& task)
+    {
+        if (part == 0)
+            cubic = cubicOf(identification, record, task);
+        else if (part == 1)
+            friction = motionOf(Estimator::Friction, identification, record, task);
+        else
+            relaxing = motionOf(Estimator::Zener, identification, record, task);
+    }
+    void findTogether(const Identification& identification, const PreparedRecord& record,
+                      const EstimatorTask& task)
+    {
+        const Estimate* const linear = identification.find(Estimator::OutputError);
+        if (linear == nullptr)
+            return;
+        constexpr double much = 2 * decisiveDelta;
+        const double byCubic = gainOver(*linear, cubic);
+        const double byFriction = gainOver(*linear, friction);
+        const double byRelaxing = gainOver(*linear, relaxing);
+        const double least = std::min({byCubic, byFriction, byRelaxing});
+        if ((byCubic > much) + (byFriction > much) + (byRelaxing > much) < 2)
+            return;
+        const Estimator both = least == byCubic      ? Estimator::FrictionZener
+                               : least == byRelaxing ? Estimator::FrictionDuffing
+                                                     : Estimator::ZenerDuffing;
+        together = motionOf(both, identification, record, task);
+    }
+    [[nodiscard]] std::vector<Estimate> motions() const
+    {
+        std::vector<Estimate> all;
+        for (const auto& one : {friction, relaxing, together})
+            if (one)
+                all.push_back(*one);
+        return all;
+    }
+};
+
 /// Output error of the record against other models. Empty without a converged output-error estimate.
 ModelComparison comparisonOf(const Identification& identification, const PreparedRecord& record,
                              const EstimatorTask& task, const Estimate& otherHold,
-                             const std::optional<Estimate>& cubic)
+                             const FurtherTerms& further)
 {
     if (!hasLinear(identification))
         return {};
     return compareModels(record.force, record.position, outputErrorOptions(record, task),
-                         *identification.find(Estimator::OutputError), otherHold, cubic);
+                         *identification.find(Estimator::OutputError), otherHold, further.cubic,
+                         further.motions());
+}
+
+/// The motion with further terms that explains the record decisively better, if one does.
+const Estimate* betterMotion(const ModelComparison& comparison)
+{
+    if (!comparison.decisive || comparison.ranked.empty())
+        return nullptr;
+    const Estimate& best = comparison.ranked.front().estimate;
+    return best.motion ? &best : nullptr;
+}
+
+/// "friction of 0.4 N explains this squeeze; without it k would read 4 % high".
+void nameFurtherTerms(Identification& data, const QString& forceUnit)
+{
+    const Estimate* const motion = betterMotion(data.comparison);
+    const Estimate* const linear = data.find(Estimator::OutputError);
+    if (motion == nullptr || linear == nullptr || !linear->parameters)
+        return;
+    const double shift = 100 * (linear->parameters->k / motion->parameters->k - 1);
+    const MotionValues& values = motion->motion->values;
+    const MotionTerms& terms = motion->motion->terms;
+    Findings parts;
+    if (terms.friction)
+        parts.push_back(Words::say("friction of %1 %2")
+                            .arg(Finding::number(values[MotionParameter::Friction], 'g', 2))
+                            .arg(forceUnit));
+    if (terms.relaxation)
+        parts.push_back(
+            Words::say("a part that goes on yielding by %1 % over %2 s")
+                .arg(Finding::number(
+                    100 * values[MotionParameter::Relaxing] / values[MotionParameter::Stiffness], 'g', 2))
+                .arg(Finding::number(values[MotionParameter::RelaxationTime], 'g', 2)));
+    if (terms.cubic)
+        parts.push_back(Words::say("a spring that is not straight"));
+    const Finding what = parts.size() == 2 ? Words::say("%1 with %2").arg(parts[0], parts[1])
+                                           : Finding::joined(parts, QString());
+    data.comparison.sentence =
+        (shift >= 0 ? Words::say("%1 explains this squeeze; without it k would read %2 % high.")
+                    : Words::say("%1 explains this squeeze; without it k would read %2 % low."))
+            .arg(what.capitalized())
+            .arg(Finding::number(std::abs(shift), 'g', 2));
 }
 
 /// What keeps every estimator from starting, or nothing.
@@ -149,6 +267,17 @@ Estimator reconsidered(const Identification& data)
         checkFailed(data.validity.checks, QStringLiteral("feedback")))
         return Estimator::Periodic;
     return cubicIsBetter(data) ? Estimator::Duffing : data.recommended;
+}
+
+/// A motion that explains the squeeze decisively better is the one to believe, asked for or not.
+void takeBetterMotion(Identification& data)
+{
+    const Estimate* const motion = betterMotion(data.comparison);
+    if (motion == nullptr || data.recommended != Estimator::OutputError)
+        return;
+    if (data.find(motion->estimator) == nullptr)
+        data.estimates.push_back(*motion);
+    data.recommended = motion->estimator;
 }
 
 /// Without the empty gripper nothing may be left: then there is no object to speak of.
@@ -237,19 +366,21 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     result.recommended = recommend(result.estimates);
     const Estimate* const outputError = result.find(Estimator::OutputError);
     const bool assessed = options.assess && !obstacle;
-    std::optional<Estimate> cubic;
+    FurtherTerms further;
     Estimate otherHold;
     // Side by side: somebody waits for the verdict.
-    shareAmongThreads(2, 0, [&](std::int64_t part) {
-        if (part == 0 && outputError != nullptr && !obstacle) {
+    shareAmongThreads(4, 0, [&](std::int64_t part) {
+        if (part == 3 && outputError != nullptr && !obstacle) {
             const OutputErrorOptions declared = outputErrorOptions(record, task);
             otherHold = estimateOtherHold(record.force, record.position, declared, *outputError);
             result.holdEvidence = weighHolds(record.force, declared, *outputError, otherHold,
                                              recording.chain.forceLagUncertainty_s);
-        } else if (part == 1 && assessed) {
-            cubic = cubicOf(result, record, task);
+        } else if (part < 3 && assessed) {
+            further.findPart(part, result, record, task);
         }
     });
+    if (assessed)
+        further.findTogether(result, record, task);
     result.summedHold = combine(std::array{options.earlierHold, result.holdEvidence});
     result.preparation = record.steps;
     result.time_s = record.time_s;
@@ -257,7 +388,9 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     result.position = record.position;
     result.lost = record.lost;
     if (assessed)
-        result.comparison = comparisonOf(result, record, task, otherHold, cubic);
+        result.comparison = comparisonOf(result, record, task, otherHold, further);
+    nameFurtherTerms(result, recording.forceUnit);
+    takeBetterMotion(result);
     result.validity.checks = checkValidity(result, recording, options);
     if (const Estimator better = reconsidered(result); better != result.recommended) {
         result.recommended = better;

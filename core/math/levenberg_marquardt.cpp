@@ -78,16 +78,14 @@ bool LevenbergMarquardt::runsAway()
 /// No step lowers the cost any more: rounding, the end of a valley, or a runaway.
 void LevenbergMarquardt::stall()
 {
-    // The step still to go, in standard errors, that is good enough where rounding lets it come no nearer.
-    constexpr double nearEnough = 1e-4;
-    const Eigen::Vector3d step = logarithmsOf(dampedStep(0));
+    const Logarithms step = logarithmsOf(dampedStep(0));
     Eigen::Index index = 0;
     const double longest = step.cwiseAbs().maxCoeff(&index);
     if (std::isfinite(longest) && longest > search::runaway) {
         m_end.outcome = SearchOutcome::Boundary;
         m_end.boundaryIndex = static_cast<int>(index);
         m_end.boundaryAtZero = step(index) < 0;
-    } else if (toGo() < nearEnough * residualDeviation() || cost() < search::rounding * m_size ||
+    } else if (toGo() < nearEnough() * residualDeviation() || cost() < search::rounding * m_size ||
                longest < 1e-10) {
         m_end.outcome = SearchOutcome::Converged;
     }

@@ -37,12 +37,12 @@ enum class SearchOutcome {
 struct SearchEnd {
     SearchOutcome outcome = SearchOutcome::NotConverged;
     int iterations = 0;
-    int boundaryIndex = 0; ///< of the parameter at the boundary, 0 to 2
+    int boundaryIndex = 0; ///< of the logarithm at the boundary
     bool boundaryAtZero = true;
 };
 
-/// Levenberg-Marquardt (More 1978, with Marquardt's scaling) for three positive parameters, searched in their
-/// logarithms, and up to four other unknowns: a step d solves
+/// Levenberg-Marquardt (More 1978, with Marquardt's scaling) for positive parameters, searched in their
+/// logarithms, and other unknowns: a step d solves
 ///     min |R d - c|^2 + damping |D d|^2,
 /// R the triangle of the sensitivities, c the residuals in its coordinates, D the largest norms that R's
 /// columns have had. The damping falls tenfold after a step that lowers the cost (the sum of squared
@@ -58,7 +58,8 @@ public:
     virtual ~LevenbergMarquardt() = default;
 
 protected:
-    using Step = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 7, 1>;
+    using Step = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 14, 1>;
+    using Logarithms = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 10, 1>;
 
     /// `size`: the sum of squares of what is measured.
     LevenbergMarquardt(double size, double arrived) : m_size(size), m_arrived(arrived) {}
@@ -72,9 +73,11 @@ protected:
     [[nodiscard]] virtual double degreesOfFreedom() const = 0;
     [[nodiscard]] virtual double toGo() const = 0; ///< |c|: the step to go, in units of the residuals
     [[nodiscard]] virtual Step dampedStep(double damping) const = 0;
-    [[nodiscard]] virtual Eigen::Vector3d logarithmsOf(const Step& step) const { return step; }
-    /// Standard errors of the three logarithms for residuals of deviation 1.
-    [[nodiscard]] virtual Eigen::Vector3d logarithmDeviations() const = 0;
+    [[nodiscard]] virtual Logarithms logarithmsOf(const Step& step) const { return step; }
+    /// Standard errors of the logarithms for residuals of deviation 1.
+    [[nodiscard]] virtual Logarithms logarithmDeviations() const = 0;
+    /// The step still to go, in standard errors, that is good enough where the search comes no nearer.
+    [[nodiscard]] virtual double nearEnough() const { return 1e-4; }
     /// Takes the step, cut where it is too long, if that lowers the cost.
     virtual bool accept(const Step& step) = 0;
     /// A better linearisation at the same point; false where there is none.

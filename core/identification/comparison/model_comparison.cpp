@@ -116,10 +116,32 @@ ComparedModel delayed(const std::vector<double>& force, const std::vector<double
     return best;
 }
 
+/// What a motion with further terms is called in the sentence that it explains a squeeze better.
+Finding wordsOf(const MotionTerms& terms)
+{
+    Findings parts;
+    if (terms.friction)
+        parts.push_back(Words::say("friction"));
+    if (terms.relaxation)
+        parts.push_back(Words::say("a part that goes on yielding"));
+    if (terms.cubic)
+        parts.push_back(Words::say("a spring that is not straight"));
+    return parts.size() == 2 ? Words::say("%1 with %2").arg(parts[0], parts[1])
+                             : Finding::joined(parts, u", "_s);
+}
+
+/// The unknowns that it has beyond those of mass, spring and damper.
+int extraUnknowns(const MotionEstimate& motion, bool freeInitialState)
+{
+    const auto own = static_cast<int>(motion.terms.parameters().size());
+    return own - 3 + (motion.terms.relaxation && freeInitialState ? 1 : 0);
+}
+
 /// Side by side: somebody waits for the verdict that rests on them.
 std::vector<ComparedModel> candidates(const std::vector<double>& force, const std::vector<double>& position,
                                       const OutputErrorOptions& options, const Estimate& linear,
-                                      const Estimate& otherHold, const std::optional<Estimate>& cubic)
+                                      const Estimate& otherHold, const std::optional<Estimate>& cubic,
+                                      const std::vector<Estimate>& motions)
 {
     std::vector<ComparedModel> models;
     models.push_back(modelOf(u"linear"_s, Words::say("mass, spring and damper"), linear));
@@ -129,6 +151,10 @@ std::vector<ComparedModel> candidates(const std::vector<double>& force, const st
             u"cubic_spring"_s,
             stiffens ? Words::say("a stiffening spring") : Words::say("a softening spring"), *cubic, 1));
     }
+    for (const Estimate& motion : motions)
+        if (motion.motion && motion.parameters)
+            models.push_back(modelOf(toString(motion.estimator), wordsOf(motion.motion->terms), motion,
+                                     extraUnknowns(*motion.motion, options.freeInitialState)));
     const bool straight = options.hold == ForceHold::First;
     models.push_back(modelOf(u"other_hold"_s,
                              straight ? Words::say("a force that is held from sample to sample")
@@ -200,14 +226,15 @@ const ComparedModel* ModelComparison::find(const QString& id) const
 
 ModelComparison compareModels(const std::vector<double>& force, const std::vector<double>& position,
                               const OutputErrorOptions& options, const Estimate& linear,
-                              const Estimate& otherHold, const std::optional<Estimate>& cubic)
+                              const Estimate& otherHold, const std::optional<Estimate>& cubic,
+                              const std::vector<Estimate>& motions)
 {
     ModelComparison comparison;
     comparison.criterion = u"BIC"_s;
     if (linear.status != EstimateStatus::Converged || !linear.parameters ||
         linear.residual.size() != force.size() || force.size() != position.size())
         return comparison;
-    for (ComparedModel& model : candidates(force, position, options, linear, otherHold, cubic)) {
+    for (ComparedModel& model : candidates(force, position, options, linear, otherHold, cubic, motions)) {
         if (!judge(model, options)) {
             if (model.id == u"linear"_s)
                 return comparison;

@@ -13,7 +13,8 @@
 namespace gripscope {
 
 /// One model of the squeeze among others. `id`: linear (as asked for), cubic_spring, without_offset,
-/// with_offset, delay, other_hold, smooth_force.
+/// with_offset, delay, other_hold, smooth_force, or the name of an estimator with further terms (friction,
+/// zener, friction+zener, ...).
 struct ComparedModel {
     QString id;
     Finding words;
@@ -43,15 +44,15 @@ struct ModelComparison {
 inline constexpr double decisiveDelta = 10;
 
 /// `linear` is the output-error estimate with `options`; `cubic`, where there is one, the Duffing estimate of
-/// the same record, `otherHold` that of estimateOtherHold(). The others are estimated here: the offset the
-/// other way, a further delay between the channels (by Gauss-Newton), and for straight forces one that is
-/// smooth between its samples (straightAsSpline()). A model is claimed to be better only where the criterion
-/// is decisively lower and m, b or k differ by more than two standard errors, the smaller of the two models'
-/// each. One that does not settle within 30 iterations (the others need 3 to 12) is not among the ranked.
-[[nodiscard]] ModelComparison compareModels(const std::vector<double>& force,
-                                            const std::vector<double>& position,
-                                            const OutputErrorOptions& options, const Estimate& linear,
-                                            const Estimate& otherHold,
-                                            const std::optional<Estimate>& cubic = std::nullopt);
+/// the same record, `motions` those with further terms, `otherHold` that of estimateOtherHold(). The others
+/// are estimated here: the offset the other way, a further delay between the channels (by Gauss-Newton), and
+/// for straight forces one that is smooth between its samples (straightAsSpline()). A model is claimed to be
+/// better only where the criterion is decisively lower and m, b or k differ by more than two standard errors,
+/// the smaller of the two models' each. One that does not settle within 30 iterations (the others need 3 to
+/// 12) is not among the ranked.
+[[nodiscard]] ModelComparison
+compareModels(const std::vector<double>& force, const std::vector<double>& position,
+              const OutputErrorOptions& options, const Estimate& linear, const Estimate& otherHold,
+              const std::optional<Estimate>& cubic = std::nullopt, const std::vector<Estimate>& motions = {});
 
 } // namespace gripscope

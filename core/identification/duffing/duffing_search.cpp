@@ -135,11 +135,11 @@ private:
     {
         return dampedLeastSquares(m_result.linear.triangle, m_result.linear.residual, m_scales, damping);
     }
-    [[nodiscard]] Eigen::Vector3d logarithmsOf(const Step& step) const override
+    [[nodiscard]] Logarithms logarithmsOf(const Step& step) const override
     {
         return step.tail<4>().head<3>();
     }
-    [[nodiscard]] Eigen::Vector3d logarithmDeviations() const override
+    [[nodiscard]] Logarithms logarithmDeviations() const override
     {
         const Eigen::Matrix4d triangle =
             Eigen::HouseholderQR<Eigen::MatrixXd>(m_result.linear.projected).matrixQR().topRows<4>();

@@ -4,6 +4,7 @@
 #include "core/identification/arx/arx.h"
 #include "core/identification/duffing/duffing.h"
 #include "core/identification/instrumental/instrumental_variables.h"
+#include "core/identification/motion/motion.h"
 
 #include <QtGlobal>
 
@@ -58,64 +59,158 @@ Estimate runPeriodic(Estimator, const PreparedRecord& record, const EstimatorTas
     return result.estimate;
 }
 
+Estimate runMotion(Estimator estimator, const PreparedRecord& record, const EstimatorTask& task, Repetition*)
+{
+    return estimateMotion(record.force, record.position, motionOptions(estimator, record, task));
+}
+
 constexpr double up = -std::numbers::pi / 2;
 
-constexpr std::array<EstimatorFacts, 7> table{{{Estimator::Arx,
-                                                "arx",
-                                                QT_TRANSLATE_NOOP("Words", "ARX(2,1,1)"),
-                                                "ARX(2,1,1), the paper's",
-                                                false,
-                                                true,
-                                                {3, 1.15, up},
-                                                runArx},
-                                               {Estimator::ArxMeanForce,
-                                                "arx-mean-force",
-                                                QT_TRANSLATE_NOOP("Words", "ARX, mean force"),
-                                                "ARX(2,1,1) on the mean of successive forces",
-                                                false,
-                                                true,
-                                                {4, 1.15, std::numbers::pi / 4},
-                                                runArx},
-                                               {Estimator::Arx221,
-                                                "arx221",
-                                                QT_TRANSLATE_NOOP("Words", "ARX(2,2,1)"),
-                                                "ARX(2,2,1), mapped by its poles",
-                                                false,
-                                                true,
-                                                {4, 1.15, 0},
-                                                runArx},
-                                               {Estimator::InstrumentalVariables,
-                                                "iv",
-                                                QT_TRANSLATE_NOOP("Words", "instrumental var."),
-                                                "instrumental variables",
-                                                true,
-                                                true,
-                                                {3, 1.15, -up},
-                                                runInstrumentalVariables},
-                                               {Estimator::OutputError,
-                                                "oe",
-                                                QT_TRANSLATE_NOOP("Words", "output error"),
-                                                "output error",
-                                                true,
-                                                true,
-                                                {},
-                                                runOutputError},
-                                               {Estimator::Duffing,
-                                                "duffing",
-                                                QT_TRANSLATE_NOOP("Words", "cubic spring"),
-                                                "output error with a cubic spring",
-                                                true,
-                                                false,
-                                                {5, 1.1, up},
-                                                runDuffing},
-                                               {Estimator::Periodic,
-                                                "periodic",
-                                                QT_TRANSLATE_NOOP("Words", "periodic"),
-                                                "frequency domain, periodic",
-                                                false,
-                                                false,
-                                                {6, 1.1, 0},
-                                                runPeriodic}}};
+constexpr std::array<EstimatorFacts, 16> table{
+    {{Estimator::Arx,
+      "arx",
+      QT_TRANSLATE_NOOP("Words", "ARX(2,1,1)"),
+      "ARX(2,1,1), the paper's",
+      false,
+      true,
+      true,
+      {3, 1.15, up},
+      runArx},
+     {Estimator::ArxMeanForce,
+      "arx-mean-force",
+      QT_TRANSLATE_NOOP("Words", "ARX, mean force"),
+      "ARX(2,1,1) on the mean of successive forces",
+      false,
+      true,
+      true,
+      {4, 1.15, std::numbers::pi / 4},
+      runArx},
+     {Estimator::Arx221,
+      "arx221",
+      QT_TRANSLATE_NOOP("Words", "ARX(2,2,1)"),
+      "ARX(2,2,1), mapped by its poles",
+      false,
+      true,
+      true,
+      {4, 1.15, 0},
+      runArx},
+     {Estimator::InstrumentalVariables,
+      "iv",
+      QT_TRANSLATE_NOOP("Words", "instrumental var."),
+      "instrumental variables",
+      true,
+      true,
+      true,
+      {3, 1.15, -up},
+      runInstrumentalVariables},
+     {Estimator::OutputError,
+      "oe",
+      QT_TRANSLATE_NOOP("Words", "output error"),
+      "output error",
+      true,
+      true,
+      true,
+      {},
+      runOutputError},
+     {Estimator::Duffing,
+      "duffing",
+      QT_TRANSLATE_NOOP("Words", "cubic spring"),
+      "output error with a cubic spring",
+      true,
+      false,
+      true,
+      {5, 1.1, up},
+      runDuffing},
+     {Estimator::Periodic,
+      "periodic",
+      QT_TRANSLATE_NOOP("Words", "periodic"),
+      "frequency domain, periodic",
+      false,
+      false,
+      true,
+      {6, 1.1, 0},
+      runPeriodic},
+     {Estimator::Friction,
+      "friction",
+      QT_TRANSLATE_NOOP("Words", "friction"),
+      "output error with Coulomb friction",
+      true,
+      false,
+      true,
+      {8, 1.1, 0},
+      runMotion},
+     {Estimator::Zener,
+      "zener",
+      QT_TRANSLATE_NOOP("Words", "viscoelastic"),
+      "output error with a viscoelastic part (standard linear solid)",
+      true,
+      false,
+      true,
+      {7, 1.1, up},
+      runMotion},
+     {Estimator::FrictionZener,
+      "friction+zener",
+      QT_TRANSLATE_NOOP("Words", "friction, viscoelastic"),
+      "output error with friction and a viscoelastic part",
+      true,
+      false,
+      false,
+      {8, 1.1, up / 4},
+      runMotion},
+     {Estimator::FrictionDuffing,
+      "friction+duffing",
+      QT_TRANSLATE_NOOP("Words", "friction, cubic spring"),
+      "output error with friction and a cubic spring",
+      true,
+      false,
+      false,
+      {5, 1.1, -up},
+      runMotion},
+     {Estimator::ZenerDuffing,
+      "zener+duffing",
+      QT_TRANSLATE_NOOP("Words", "viscoelastic, cubic spring"),
+      "output error with a viscoelastic part and a cubic spring",
+      true,
+      false,
+      false,
+      {7, 1.1, -up},
+      runMotion},
+     {Estimator::Static,
+      "static",
+      QT_TRANSLATE_NOOP("Words", "without mass"),
+      "damper and spring, the mass left out",
+      true,
+      false,
+      true,
+      {6, 1.1, up},
+      runMotion},
+     {Estimator::StaticZener,
+      "static+zener",
+      QT_TRANSLATE_NOOP("Words", "viscoelastic without mass"),
+      "viscoelastic part, the mass left out",
+      true,
+      false,
+      false,
+      {6, 0.9, up},
+      runMotion},
+     {Estimator::StaticDuffing,
+      "static+duffing",
+      QT_TRANSLATE_NOOP("Words", "cubic spring without mass"),
+      "damper and cubic spring, the mass left out",
+      true,
+      false,
+      false,
+      {6, 0.9, 0},
+      runMotion},
+     {Estimator::Carriage,
+      "carriage",
+      QT_TRANSLATE_NOOP("Words", "no spring"),
+      "mass, damper and friction, nothing gripped",
+      true,
+      false,
+      false,
+      {4, 0.9, 0},
+      runMotion}}};
 
 constexpr bool inOrder()
 {
@@ -142,6 +237,41 @@ std::vector<Estimator> allEstimators()
     return all;
 }
 
+std::vector<Estimator> estimatorsOnPages()
+{
+    std::vector<Estimator> some;
+    for (const EstimatorFacts& facts : table)
+        if (facts.onPages)
+            some.push_back(facts.estimator);
+    return some;
+}
+
+std::optional<MotionTerms> motionTermsOf(Estimator estimator)
+{
+    switch (estimator) {
+    case Estimator::Friction:
+        return MotionTerms{.friction = true};
+    case Estimator::Zener:
+        return MotionTerms{.relaxation = true};
+    case Estimator::FrictionZener:
+        return MotionTerms{.friction = true, .relaxation = true};
+    case Estimator::FrictionDuffing:
+        return MotionTerms{.friction = true, .cubic = true};
+    case Estimator::ZenerDuffing:
+        return MotionTerms{.relaxation = true, .cubic = true};
+    case Estimator::Static:
+        return MotionTerms{.mass = false};
+    case Estimator::StaticZener:
+        return MotionTerms{.mass = false, .relaxation = true};
+    case Estimator::StaticDuffing:
+        return MotionTerms{.mass = false, .cubic = true};
+    case Estimator::Carriage:
+        return MotionTerms{.spring = false, .friction = true, .forceOffset = true};
+    default:
+        return std::nullopt;
+    }
+}
+
 const EstimatorFacts& factsOf(Estimator estimator)
 {
     return table[std::min(static_cast<std::size_t>(estimator), table.size() - 1)];
@@ -154,8 +284,15 @@ QString toString(Estimator estimator)
 
 std::optional<Estimator> estimatorFromString(const QString& text)
 {
+    // The terms of a sum in any order.
+    const auto sorted = [](const QString& id) {
+        QStringList terms = id.split(u'+');
+        terms.sort();
+        return terms;
+    };
+    const QStringList asked = sorted(text);
     for (const EstimatorFacts& facts : table)
-        if (text == QLatin1String(facts.id))
+        if (asked == sorted(QString::fromLatin1(facts.id)))
             return facts.estimator;
     return std::nullopt;
 }

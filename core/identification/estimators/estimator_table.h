@@ -3,6 +3,7 @@
 
 #include "core/identification/estimators/run_estimator.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct EstimatorFacts {
     const char* title;  ///< whole, for the command line
     bool takesLost;     ///< lost samples are unknown to it; else it gets the longest stretch without any
     bool assumesLinear; ///< what studies of efficiency on linear objects compare
+    bool onPages;       ///< among those that pages run side by side; the others where they are asked for
     EstimatorSign sign;
     /// On a record that is as it takes it.
     Estimate (*run)(Estimator estimator, const PreparedRecord& record, const EstimatorTask& task,
@@ -33,6 +35,10 @@ struct EstimatorFacts {
 /// All of them, in the order of the enumerators.
 [[nodiscard]] std::span<const EstimatorFacts> estimatorTable();
 [[nodiscard]] std::vector<Estimator> allEstimators();
+/// Those that pages run and offer, in their order.
+[[nodiscard]] std::vector<Estimator> estimatorsOnPages();
+/// The terms of an estimator of the family of MotionTerms; nothing for the others.
+[[nodiscard]] std::optional<MotionTerms> motionTermsOf(Estimator estimator);
 [[nodiscard]] const EstimatorFacts& factsOf(Estimator estimator);
 
 } // namespace gripscope

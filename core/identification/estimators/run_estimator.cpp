@@ -28,6 +28,15 @@ OutputErrorOptions outputErrorOptions(const PreparedRecord& record, const Estima
     return options;
 }
 
+MotionOptions motionOptions(Estimator estimator, const PreparedRecord& record, const EstimatorTask& task)
+{
+    auto options = continuousOptions<MotionOptions>(record, task);
+    options.lost = record.lost;
+    options.estimator = estimator;
+    options.terms = motionTermsOf(estimator).value_or(MotionTerms());
+    return options;
+}
+
 Estimate runEstimator(Estimator estimator, const PreparedRecord& record, const EstimatorTask& task,
                       std::optional<PeriodicDiagnostics>* repetition)
 {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/identification/model/estimate.h"
+#include "core/identification/motion/motion.h"
 #include "core/identification/output_error/output_error.h"
 #include "core/identification/periodic/periodic.h"
 #include "core/signal/preparation/preparation.h"
@@ -39,6 +40,10 @@ template <typename Options>
 
 /// What output error is asked for by that.
 [[nodiscard]] OutputErrorOptions outputErrorOptions(const PreparedRecord& record, const EstimatorTask& task);
+
+/// What an estimator of the family of MotionTerms is asked for by that.
+[[nodiscard]] MotionOptions motionOptions(Estimator estimator, const PreparedRecord& record,
+                                          const EstimatorTask& task);
 
 /// The longest run of samples none of which is in `lost` (sorted); the first of equals.
 [[nodiscard]] Window longestKnownStretch(std::size_t samples, const std::vector<std::size_t>& lost);

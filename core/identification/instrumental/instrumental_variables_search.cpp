@@ -62,7 +62,7 @@ private:
     {
         return dampedLeastSquares<3>(m_triangle, -m_right, m_scales, damping);
     }
-    [[nodiscard]] Eigen::Vector3d logarithmDeviations() const override
+    [[nodiscard]] Logarithms logarithmDeviations() const override
     {
         const Eigen::Matrix3d inverse = m_triangle.inverse();
         return inverse.rowwise().norm();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/finding.h"
+#include "core/identification/model/motion_terms.h"
 #include "core/signal/recording/measuring_chain.h"
 #include "core/signal/recording/recording.h"
 
@@ -15,10 +16,27 @@
 
 namespace gripscope {
 
-enum class Estimator { Arx, ArxMeanForce, Arx221, InstrumentalVariables, OutputError, Duffing, Periodic };
+enum class Estimator {
+    Arx,
+    ArxMeanForce,
+    Arx221,
+    InstrumentalVariables,
+    OutputError,
+    Duffing,
+    Periodic,
+    Friction,
+    Zener,
+    FrictionZener,
+    FrictionDuffing,
+    ZenerDuffing,
+    Static,
+    StaticZener,
+    StaticDuffing,
+    Carriage
+};
 
-/// "arx", "arx-mean-force", "arx221", "iv", "oe", "duffing", "periodic"; ids of the table of estimators
-/// (estimators/estimator_table.h), which knows all else.
+/// "arx", "oe", "friction+zener", ...: ids of the table of estimators (estimators/estimator_table.h), which
+/// knows all else. The terms of a sum may come in any order.
 [[nodiscard]] QString toString(Estimator estimator);
 [[nodiscard]] std::optional<Estimator> estimatorFromString(const QString& text);
 
@@ -92,6 +110,14 @@ struct CubicSpring {
     Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero(); ///< of (m, b, k, k3)
 };
 
+/// What an estimator of the family of MotionTerms found, in the channels' units.
+struct MotionEstimate {
+    MotionTerms terms;
+    MotionValues values;
+    Eigen::MatrixXd covariance;          ///< of terms.parameters(), in their order
+    std::optional<double> frictionLimit; ///< Fc is below it with 95 % confidence (one-sided)
+};
+
 /// Residuals that are not white: e[t] = sum_i coefficients[i-1] e[t-i] + w[t] + sum_j movingAverage[j-1]
 /// w[t-j], w white.
 struct AutoregressiveNoise {
@@ -112,6 +138,8 @@ struct Estimate {
     std::optional<MassDampingStiffness> parameters;
     std::optional<Eigen::Matrix3d> covariance;
     std::optional<CubicSpring> cubic;
+    /// With terms that m, b and k do not tell. Where it lacks a mass or a spring there are no `parameters`.
+    std::optional<MotionEstimate> motion;
     std::optional<AutoregressiveNoise> noise; ///< the model behind `covariance` where residuals are not white
     Nuisance nuisance;
     std::vector<double> lostForces; ///< found for the lost samples, in their order; output error only

@@ -94,21 +94,21 @@ double errorExpansion(double logVarianceSpread)
     return studentQuantile(0.975, degrees) / normal95;
 }
 
-Eigen::Vector3d logVariances(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& gains,
+Eigen::VectorXd logVariances(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& gains,
                              const AutoregressiveNoise& noise)
 {
     const Eigen::MatrixXd spread = gains * spreadUnderNoise(basis, noise) * gains.transpose();
     return spread.diagonal().array().log();
 }
 
-Eigen::Vector3d autoregressiveExpansion(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& gains,
+Eigen::VectorXd autoregressiveExpansion(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& gains,
                                         const AutoregressiveNoise& noise)
 {
     const auto order = static_cast<Eigen::Index>(noise.coefficients.size());
     if (order == 0 || basis.cols() > longestCounted)
-        return Eigen::Vector3d::Ones();
+        return Eigen::VectorXd::Ones(gains.rows());
     constexpr double step = 1e-4;
-    Eigen::Matrix3Xd slope(3, order);
+    Eigen::MatrixXd slope(gains.rows(), order);
     for (Eigen::Index i = 0; i < order; ++i) {
         AutoregressiveNoise below = noise;
         AutoregressiveNoise above = noise;
@@ -118,7 +118,7 @@ Eigen::Vector3d autoregressiveExpansion(const Eigen::MatrixXd& basis, const Eige
     }
     const auto count = static_cast<double>(basis.cols());
     const Eigen::MatrixXd scatter = coefficientScatter(noise.coefficients);
-    const Eigen::Vector3d spread = (slope * scatter * slope.transpose()).diagonal().array() + 2;
+    const Eigen::VectorXd spread = (slope * scatter * slope.transpose()).diagonal().array() + 2;
     return (spread / count).unaryExpr([](double value) { return errorExpansion(value); });
 }
 

@@ -18,16 +18,16 @@ namespace gripscope {
 /// Var(ln variance) = `logVarianceSpread` of a chi-square is about 2 / f (Satterthwaite 1946). At least 1.
 [[nodiscard]] double errorExpansion(double logVarianceSpread);
 
-/// ln variances of the three parameters of interest under the noise. `basis`: orthonormal rows that span the
-/// sensitivities; `gains`: three rows, how the parameters come from the basis' coordinates.
-[[nodiscard]] Eigen::Vector3d logVariances(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& gains,
+/// ln variances of the parameters of interest under the noise. `basis`: orthonormal rows that span the
+/// sensitivities; `gains`: a row for each, how the parameters come from the basis' coordinates.
+[[nodiscard]] Eigen::VectorXd logVariances(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& gains,
                                            const AutoregressiveNoise& noise);
 
 /// The factors for an autoregressive model fitted to as many residuals as the basis has columns: its
 /// coefficients scatter by variance Gamma^-1 / N (Box and Jenkins, section 7.2), Gamma their
 /// autocovariances, and ln variance by 2 / N. 400 residuals with a correlation of 0.8: about 1.06 for the
 /// stiffness, whose variance is that of the lowest frequencies. 1 with more than 20,000 residuals.
-[[nodiscard]] Eigen::Vector3d autoregressiveExpansion(const Eigen::MatrixXd& basis,
+[[nodiscard]] Eigen::VectorXd autoregressiveExpansion(const Eigen::MatrixXd& basis,
                                                       const Eigen::MatrixXd& gains,
                                                       const AutoregressiveNoise& noise);
 

@@ -65,7 +65,7 @@ private:
         stacked.col(3).head<3>() = m_result.linear.right;
         return eliminateColumns(stacked, 3, columnRounding).solution;
     }
-    [[nodiscard]] Eigen::Vector3d logarithmDeviations() const override
+    [[nodiscard]] Logarithms logarithmDeviations() const override
     {
         const Eigen::Matrix3d inverse = m_result.linear.triangle.inverse();
         return inverse.rowwise().norm();

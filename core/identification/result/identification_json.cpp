@@ -68,8 +68,53 @@ QJsonValue toJson(const Eigen::MatrixXd& matrix)
     return rows;
 }
 
+/// The parameters of a motion by name; m, b and k always, null where the motion has none.
+QJsonObject motionJson(const MotionEstimate& motion, bool errors)
+{
+    QJsonObject object{{u"m"_s, QJsonValue()}, {u"b"_s, QJsonValue()}, {u"k"_s, QJsonValue()}};
+    const std::vector<MotionParameter> parameters = motion.terms.parameters();
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        object.insert(toString(parameters[i]),
+                      jsonNumber(errors ? std::sqrt(std::max(0.0, motion.covariance(at, at)))
+                                        : motion.values[parameters[i]]));
+    }
+    return object;
+}
+
+/// In the order m, b, k and the further ones; null where the motion has no such parameter.
+QJsonValue motionCovariance(const MotionEstimate& motion)
+{
+    using P = MotionParameter;
+    std::vector<P> order = motion.terms.parameters();
+    const std::vector<P> own = order;
+    for (const P first : {P::Stiffness, P::Damping, P::Mass}) {
+        std::erase(order, first);
+        order.insert(order.begin(), first);
+    }
+    const auto place = [&](P parameter) {
+        return static_cast<Eigen::Index>(std::ranges::find(own, parameter) - own.begin());
+    };
+    const auto cell = [&](P a, P b) {
+        const Eigen::Index i = place(a);
+        const Eigen::Index j = place(b);
+        const auto count = static_cast<Eigen::Index>(own.size());
+        return i < count && j < count ? jsonNumber(motion.covariance(i, j)) : QJsonValue();
+    };
+    QJsonArray rows;
+    for (const P a : order) {
+        QJsonArray row;
+        for (const P b : order)
+            row.append(cell(a, b));
+        rows.append(row);
+    }
+    return rows;
+}
+
 QJsonValue covarianceOf(const Estimate& e)
 {
+    if (e.motion)
+        return motionCovariance(*e.motion);
     if (e.cubic)
         return toJson(Eigen::MatrixXd(e.cubic->covariance));
     return e.covariance ? toJson(Eigen::MatrixXd(*e.covariance)) : QJsonValue();
@@ -103,19 +148,34 @@ QJsonObject toJson(const std::optional<ArxCoefficients>& c)
             {u"constant"_s, optional(&ArxCoefficients::constant)}};
 }
 
+QJsonValue foundJson(const Estimate& e)
+{
+    if (e.motion)
+        return motionJson(*e.motion, false);
+    std::optional<double> k3;
+    if (e.cubic)
+        k3 = e.cubic->k3;
+    return e.parameters ? QJsonValue(byName(e.parameters->vector(), k3)) : QJsonValue();
+}
+
+QJsonValue errorsOf(const Estimate& e)
+{
+    if (e.motion)
+        return motionJson(*e.motion, true);
+    const std::optional<Eigen::Vector3d> errors = e.standardErrors();
+    std::optional<double> k3;
+    if (e.cubic)
+        k3 = std::sqrt(std::max(0.0, e.cubic->covariance(3, 3)));
+    return errors ? QJsonValue(byName(*errors, k3)) : QJsonValue();
+}
+
 QJsonObject toJson(const Estimate& e)
 {
-    const std::optional<Eigen::Vector3d> errors = e.standardErrors();
-    std::optional<double> k3, k3Error;
-    if (e.cubic) {
-        k3 = e.cubic->k3;
-        k3Error = std::sqrt(std::max(0.0, e.cubic->covariance(3, 3)));
-    }
     const bool tested = !e.residual.empty();
     return {{u"estimator"_s, toString(e.estimator)},
             {u"status"_s, toString(e.status)},
-            {u"parameters"_s, e.parameters ? QJsonValue(byName(e.parameters->vector(), k3)) : QJsonValue()},
-            {u"standard_errors"_s, errors ? QJsonValue(byName(*errors, k3Error)) : QJsonValue()},
+            {u"parameters"_s, foundJson(e)},
+            {u"standard_errors"_s, errorsOf(e)},
             {u"covariance"_s, covarianceOf(e)},
             {u"nuisance"_s, QJsonObject{{u"x0"_s, jsonNumber(e.nuisance.x0)},
                                         {u"v0"_s, jsonNumber(e.nuisance.v0)},
@@ -235,6 +295,9 @@ QJsonObject toJson(const Identification& identification, const Recording& record
     QJsonArray estimates;
     for (const Estimate& estimate : identification.estimates) {
         QJsonObject object = toJson(estimate);
+        if (estimate.motion && estimate.motion->frictionLimit)
+            object.insert(u"upper_limits"_s,
+                          QJsonObject{{u"Fc"_s, jsonNumber(*estimate.motion->frictionLimit)}});
         if (estimate.estimator == Estimator::Periodic)
             object.insert(u"repetition"_s, identification.repetition
                                                ? QJsonValue(toJson(*identification.repetition))

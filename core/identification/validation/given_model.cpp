@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/duffing/duffing_model.h"
+#include "core/identification/motion/motion_model.h"
 #include "core/identification/output_error/output_error.h"
 #include "core/identification/validation/validation_contrast.h"
 #include "core/math/fit.h"
@@ -16,13 +16,11 @@ namespace {
 constexpr int mostRounds = 30, mostHalvings = 20;
 /// Share of the sum of squares that a further round must be worth.
 constexpr double worthwhile = 1e-12;
-/// A method of order 4 in steps of a twelfth of a radian: 1e-6 of the motion.
-constexpr int finerSteps = 4;
 
-/// The step of x0, v0 and offset that fits the residuals best, and none of the parameters.
-Eigen::VectorXd nuisanceStep(const DuffingProblem& problem, const DuffingRows& rows)
+/// The step of the start and the offset that fits the residuals best, and none of the parameters.
+Eigen::VectorXd nuisanceStep(const MotionProblem& problem, const MotionRows& rows)
 {
-    const Eigen::Index free = problem.nuisanceCount();
+    const Eigen::Index free = problem.startUnknowns();
     const Eigen::Map<const Eigen::VectorXd> residual(rows.residuals.data(),
                                                      static_cast<Eigen::Index>(rows.residuals.size()));
     const Eigen::MatrixXd columns = rows.sensitivities.leftCols(free);
@@ -35,17 +33,20 @@ Eigen::VectorXd nuisanceStep(const DuffingProblem& problem, const DuffingRows& r
     return step;
 }
 
-/// Gauss-Newton in x0, v0 and offset; one round where the spring is straight, since they enter linearly.
-std::optional<DuffingPoint> fitNuisances(const DuffingProblem& problem, DuffingPoint point)
+/// Gauss-Newton in start and offset; one round where the motion is linear, since they enter linearly.
+std::optional<MotionPoint> fitNuisances(const MotionProblem& problem, MotionPoint point)
 {
     std::optional<double> cost = costAt(problem, point);
     for (int round = 0; cost && round < mostRounds; ++round) {
-        Eigen::VectorXd step = nuisanceStep(problem, duffingRows(problem, point));
+        const std::optional<MotionRows> rows = motionRows(problem, point);
+        if (!rows)
+            return std::nullopt;
+        Eigen::VectorXd step = nuisanceStep(problem, *rows);
         if (!step.allFinite())
             return std::nullopt;
         const double before = *cost;
         for (int halving = 0; halving < mostHalvings; ++halving, step /= 2) {
-            const DuffingPoint trial = point.moved(problem, step);
+            const MotionPoint trial = point.moved(problem, step);
             const std::optional<double> there = costAt(problem, trial);
             if (there && *there < *cost) {
                 point = trial;
@@ -59,52 +60,49 @@ std::optional<DuffingPoint> fitNuisances(const DuffingProblem& problem, DuffingP
     return cost ? std::optional(point) : std::nullopt;
 }
 
-/// From where a straight spring would start, which is near enough for one that is not.
-std::optional<DuffingPoint> fittedPoint(DuffingProblem& problem, const MassDampingStiffness& parameters,
-                                        double k3)
+/// From where mass, spring and damper alone would start, which is near enough for more.
+std::optional<MotionPoint> fittedPoint(const MotionProblem& problem, const MotionValues& values)
 {
-    DuffingPoint point;
-    point.theta = problem.toTheta(parameters);
-    problem.substeps = suitableSubsteps(point, 0);
-    std::optional<DuffingPoint> fitted = fitNuisances(problem, point);
-    if (!fitted || k3 == 0)
+    MotionProblem linear = problem;
+    linear.terms = {};
+    MotionPoint point;
+    point.values = inProblemUnits(linear, values);
+    std::optional<MotionPoint> fitted = fitNuisances(linear, point);
+    if (!fitted || problem.terms == linear.terms)
         return fitted;
-    double reach = 0;
-    for (const double y : problem.position)
-        reach = std::max(reach, std::abs(y - fitted->offset));
-    fitted->cubic = k3 / cubicUnit(problem);
-    problem.substeps = finerSteps * suitableSubsteps(*fitted, reach);
+    fitted->values = inProblemUnits(problem, values);
     return fitNuisances(problem, *fitted);
 }
 
 } // namespace
 
-std::optional<GivenModel> applyGivenModel(const MassDampingStiffness& parameters, double k3,
+std::optional<GivenModel> applyGivenModel(const MotionTerms& terms, const MotionValues& values,
                                           const PreparedRecord& record, ForceHold hold)
 {
     ContinuousTimeOptions options;
     options.sampleTime_s = record.sampleTime_s;
     options.hold = hold;
     options.lag_s = record.forceLag_s;
-    if (record.force.empty() || record.force.size() != record.position.size() ||
-        !(parameters.vector().minCoeff() > 0) || !parameters.vector().allFinite() || !std::isfinite(k3))
+    if (record.force.empty() || record.force.size() != record.position.size())
         return std::nullopt;
-    DuffingProblem problem{makeOutputErrorProblem(record.force, record.position, options), 1};
+    MotionProblem problem{makeOutputErrorProblem(record.force, record.position, options), terms};
     if (problem.rows() <= problem.unknowns())
         return std::nullopt;
-    const std::optional<DuffingPoint> point = fittedPoint(problem, parameters, k3);
-    if (!point)
+    const std::optional<MotionPoint> point = fittedPoint(problem, values);
+    const std::optional<MotionRows> rows = point ? motionRows(problem, *point) : std::nullopt;
+    if (!rows)
         return std::nullopt;
 
-    const DuffingRows rows = duffingRows(problem, *point);
-    const Eigen::Index free = problem.nuisanceCount();
+    const Eigen::Index free = problem.startUnknowns();
     GivenModel model;
-    model.nuisances = rows.sensitivities.leftCols(free).transpose();
-    model.parameters = rows.sensitivities.middleCols(free, k3 == 0 ? 3 : 4).transpose();
-    if (k3 != 0)
-        model.parameters.row(3) /= cubicUnit(problem);
-    model.residual = Eigen::Map<const Eigen::RowVectorXd>(rows.residuals.data(),
-                                                          static_cast<Eigen::Index>(rows.residuals.size()));
+    model.nuisances = rows->sensitivities.leftCols(free).transpose();
+    model.parameters = rows->sensitivities.rightCols(problem.unknowns() - free).transpose();
+    const std::vector<MotionParameter> parameters = terms.parameters();
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        if (!isPositive(parameters[i]))
+            model.parameters.row(static_cast<Eigen::Index>(i)) /= problem.unitOf(parameters[i]);
+    model.residual = Eigen::Map<const Eigen::RowVectorXd>(rows->residuals.data(),
+                                                          static_cast<Eigen::Index>(rows->residuals.size()));
     model.simulated = positionsAt(problem, *point);
     for (double& x : model.simulated)
         x = x * problem.positionScale + problem.positionShift;

@@ -32,18 +32,37 @@ std::span<const double> rowSpan(const Eigen::RowVectorXd& row)
     return {row.data(), static_cast<std::size_t>(row.size())};
 }
 
-/// Covariance of (ln m, ln b, ln k), and of k3 where there is one.
-std::optional<Eigen::MatrixXd> covarianceOfLogarithms(const Estimate& estimate)
+/// The estimate as a motion of the family, whichever estimator found it.
+MotionEstimate motionOf(const Estimate& estimate)
 {
-    const Eigen::Vector3d inverse = estimate.parameters->vector().cwiseInverse();
-    Eigen::MatrixXd covariance;
+    if (estimate.motion)
+        return *estimate.motion;
+    MotionEstimate motion;
+    motion.terms.cubic = estimate.cubic.has_value();
+    motion.values[MotionParameter::Mass] = estimate.parameters->m;
+    motion.values[MotionParameter::Damping] = estimate.parameters->b;
+    motion.values[MotionParameter::Stiffness] = estimate.parameters->k;
     if (estimate.cubic) {
-        const Eigen::Vector4d scale(inverse(0), inverse(1), inverse(2), 1);
-        covariance = scale.asDiagonal() * estimate.cubic->covariance * scale.asDiagonal();
+        motion.values[MotionParameter::Cubic] = estimate.cubic->k3;
+        motion.covariance = estimate.cubic->covariance;
     } else if (estimate.covariance) {
-        covariance = inverse.asDiagonal() * *estimate.covariance * inverse.asDiagonal();
+        motion.covariance = *estimate.covariance;
     }
-    return covariance.size() > 0 && covariance.allFinite() ? std::optional(covariance) : std::nullopt;
+    return motion;
+}
+
+/// Covariance of the logarithms of the parameters that are above zero, and of the others.
+std::optional<Eigen::MatrixXd> covarianceOfLogarithms(const MotionEstimate& motion)
+{
+    if (motion.covariance.size() == 0)
+        return std::nullopt;
+    const std::vector<MotionParameter> parameters = motion.terms.parameters();
+    Eigen::VectorXd scale = Eigen::VectorXd::Ones(motion.covariance.rows());
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        if (isPositive(parameters[i]))
+            scale(static_cast<Eigen::Index>(i)) = 1 / motion.values[parameters[i]];
+    const Eigen::MatrixXd covariance = scale.asDiagonal() * motion.covariance * scale.asDiagonal();
+    return covariance.allFinite() ? std::optional(covariance) : std::nullopt;
 }
 
 /// Which noise the rest has: white, or an autoregression.
@@ -231,7 +250,8 @@ Validation validate(const Estimate& estimate, const PreparedRecord& record, Forc
         return out;
     }
     const PreparedRecord part = windowOf(record, out.validatedOn);
-    const std::optional<GivenModel> model = applyGivenModel(out.parameters, out.k3.value_or(0), part, hold);
+    const MotionEstimate motion = motionOf(estimate);
+    const std::optional<GivenModel> model = applyGivenModel(motion.terms, motion.values, part, hold);
     if (!model) {
         out.message = Words::say("with these parameters the motion leaves all bounds here");
         return out;
@@ -241,7 +261,7 @@ Validation validate(const Estimate& estimate, const PreparedRecord& record, Forc
         const auto first = record.time_s.begin() + static_cast<std::ptrdiff_t>(out.validatedOn.first);
         out.time_s.assign(first, first + static_cast<std::ptrdiff_t>(out.validatedOn.count));
     }
-    const std::optional<Eigen::MatrixXd> covariance = covarianceOfLogarithms(estimate);
+    const std::optional<Eigen::MatrixXd> covariance = covarianceOfLogarithms(motion);
     const double size =
         Eigen::Map<const Eigen::VectorXd>(model->record.position.data(),
                                           static_cast<Eigen::Index>(model->record.position.size()))

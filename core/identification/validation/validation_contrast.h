@@ -15,20 +15,21 @@
 
 namespace gripscope {
 
-/// What m, b, k (and k3) say of a record they were not found from: x0, v0 and the offset, which belong to the
-/// record, are fitted anew by least squares, the parameters stay. Matrices have a row a regressor and a
-/// column a position for which the force is known, in the scaled record's units.
+/// What the parameters of a motion say of a record they were not found from: the start and the offset, which
+/// belong to the record, are fitted anew by least squares, the parameters stay. Matrices have a row a
+/// regressor and a column a position for which the force is known, in the scaled record's units.
 struct GivenModel {
     OutputErrorProblem record;
-    Eigen::MatrixXd nuisances;  ///< derivatives to x0, v0 and the offset
-    Eigen::MatrixXd parameters; ///< to ln m, ln b, ln k, and to k3 in channel units where there is one
+    Eigen::MatrixXd nuisances; ///< derivatives to the start and the offset
+    Eigen::MatrixXd
+        parameters; ///< in their order: to the logarithms of those above zero, the others as they are
     Eigen::RowVectorXd residual;
     Nuisance nuisance;
     std::vector<double> simulated; ///< at every sample, channel units
 };
 
 /// `record` must have no lost samples. Nothing when the motion leaves all bounds or the numbers their range.
-[[nodiscard]] std::optional<GivenModel> applyGivenModel(const MassDampingStiffness& parameters, double k3,
+[[nodiscard]] std::optional<GivenModel> applyGivenModel(const MotionTerms& terms, const MotionValues& values,
                                                         const PreparedRecord& record, ForceHold hold);
 
 /// The residual of a given model taken apart: what start and offset explain is gone, then come the

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/library/records/history.h"
+#include "core/library/records/squeeze_record.h"
 #include "core/library/sql/statement.h"
 
 namespace gripscope::estimate_table {

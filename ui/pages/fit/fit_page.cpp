@@ -69,7 +69,7 @@ namespace {
 /// Every one, output error at the head of the table.
 std::vector<Estimator> everyEstimator()
 {
-    std::vector<Estimator> result = allEstimators();
+    std::vector<Estimator> result = estimatorsOnPages();
     const auto outputError = std::find(result.begin(), result.end(), Estimator::OutputError);
     std::rotate(result.begin(), outputError, std::next(outputError));
     return result;
@@ -305,7 +305,7 @@ void FitPage::takeSubject()
     d->measured.reset();
     ++d->generation;
     showSubject();
-    if (d->subject->identification.estimates.size() < estimatorTable().size())
+    if (d->subject->identification.estimates.size() < estimatorsOnPages().size())
         runAllEstimators();
 }
 

@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/motion/motion.h"
+
+#include "core/base/words.h"
+#include "core/identification/model/identifiability.h"
+#include "core/identification/motion/motion_search.h"
+#include "core/identification/noise/noise_model.h"
+#include "core/identification/noise/residual_noise.h"
+#include "core/identification/output_error/completed_record.h"
+#include "core/identification/output_error/output_error.h"
+#include "core/math/decompositions.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gripscope {
+
+namespace {
+
+using P = MotionParameter;
+
+/// Of longer records a first part is enough to find the way.
+constexpr std::size_t firstPart = 8000;
+/// Ljung-Box below which residuals are certainly not white.
+constexpr double certainColourP = 0.001;
+/// One-sided 95 % of the normal distribution.
+constexpr double oneSided95 = 1.6448536269514722;
+
+Estimate failed(const MotionOptions& options, EstimateStatus status, const Finding& message)
+{
+    return statusOnly(options.estimator, status, message);
+}
+
+/// The linear motion as a point of the search; nothing of it where it was not found.
+MotionPoint linearPoint(const MotionProblem& problem, const MotionOptions& options)
+{
+    MotionPoint point;
+    std::optional<MassDampingStiffness> linear = options.start;
+    Nuisance nuisance = options.startNuisance;
+    if (!linear && problem.terms.mass && problem.terms.spring) {
+        OutputErrorOptions asked{options};
+        asked.lost.clear();
+        asked.residualTests = false;
+        std::vector<double> force = problem.force;
+        std::vector<double> position = problem.position;
+        for (double& value : force)
+            value *= problem.forceScale;
+        for (double& value : position)
+            value = value * problem.positionScale + problem.positionShift;
+        const Estimate found = estimateOutputError(force, position, asked);
+        linear = found.parameters;
+        nuisance = found.nuisance;
+    }
+    if (!linear)
+        return point;
+    MotionValues values;
+    values[P::Mass] = linear->m;
+    values[P::Damping] = linear->b;
+    values[P::Stiffness] = linear->k;
+    point.values = inProblemUnits(problem, values);
+    point.x0 = nuisance.x0.value_or(0) / problem.positionScale;
+    point.v0 = nuisance.v0.value_or(0) * problem.sampleTime_s / problem.positionScale;
+    if (nuisance.offset)
+        point.offset = (*nuisance.offset - problem.positionShift) / problem.positionScale;
+    return point;
+}
+
+std::optional<MotionSearchResult> searchFrom(const MotionProblem& problem,
+                                             const std::vector<MotionPoint>& starts, int maxIterations)
+{
+    // With friction there are several lowest points: all starts are followed.
+    MultiStart<MotionSearchResult> searches(problem.terms.friction ? -1.0
+                                                                   : poorShare * positionEnergy(problem));
+    searches.run(starts, [&](const MotionPoint& start) {
+        return std::optional(searchMotion(problem, start, maxIterations));
+    });
+    return searches.best();
+}
+
+/// The search on the first part of a long record, whose answer is where that on all of it begins.
+std::vector<MotionPoint> startsFor(const MotionProblem& problem, const MotionPoint& linear,
+                                   const MotionOptions& options)
+{
+    if (problem.force.size() > 2 * firstPart) {
+        MotionProblem part = problem;
+        static_cast<OutputErrorProblem&>(part) = firstSamples(problem, firstPart);
+        const auto found = searchFrom(part, motionStarts(part, linear), options.maxIterations);
+        if (found && found->isSettled() && found->cost() <= poorShare * positionEnergy(part))
+            return {found->point};
+    }
+    return motionStarts(problem, linear);
+}
+
+/// The slope of a straight line through the first positions, a sample.
+double startSpeed(const MotionProblem& problem)
+{
+    const std::size_t count = std::min<std::size_t>(problem.position.size(), 10);
+    const double middle = (static_cast<double>(count) - 1) / 2;
+    double sum = 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double t = static_cast<double>(i) - middle;
+        sum += t * problem.position[i];
+        squares += t * t;
+    }
+    return squares > 0 ? sum / squares : 0;
+}
+
+/// Certain that friction does not hold the part when the record begins: chi-square with one degree of
+/// freedom, p = 0.001.
+constexpr double certainlyMoves = 10.83;
+
+/// At rest at the start, or, where that is refuted, moving.
+std::optional<MotionSearchResult> searchWithFriction(MotionProblem& problem, const MotionOptions& options)
+{
+    problem.startsAtRest = true;
+    const MotionPoint linear = linearPoint(problem, options);
+    const auto resting = searchFrom(problem, startsFor(problem, linear, options), options.maxIterations);
+    problem.startsAtRest = false;
+    if (!problem.freeInitialState)
+        return resting;
+    std::vector<MotionPoint> starts;
+    double best = std::numeric_limits<double>::infinity();
+    MotionPoint from = resting ? resting->point : linear;
+    const double slope = startSpeed(problem);
+    for (const double v0 : {linear.v0, slope, 0.3 * slope}) {
+        MotionPoint moving = from;
+        moving.v0 = v0;
+        const std::optional<double> cost = costAt(problem, moving);
+        if (cost && *cost < best && (!resting || *cost < resting->cost())) {
+            best = *cost;
+            starts = {moving};
+        }
+    }
+    if (!starts.empty() || !resting || !resting->isSettled()) {
+        if (starts.empty())
+            starts = startsFor(problem, linear, options);
+        const auto moving = searchFrom(problem, starts, options.maxIterations);
+        const double variance = resting ? resting->cost() / MotionSearchResult::degreesOfFreedom(problem) : 0;
+        const bool settled = moving && moving->isSettled();
+        if (settled && (!resting || !resting->isSettled() ||
+                        resting->cost() - moving->cost() > certainlyMoves * variance))
+            return moving;
+    }
+    problem.startsAtRest = true;
+    return resting;
+}
+
+/// What the parameters' variances are in: 1 for a logarithm is the parameter itself.
+Eigen::VectorXd scalesOf(const MotionProblem& problem, const MotionPoint& point)
+{
+    const std::vector<P> parameters = problem.terms.parameters();
+    Eigen::VectorXd scales(static_cast<Eigen::Index>(parameters.size()));
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        scales(static_cast<Eigen::Index>(i)) =
+            problem.unitOf(parameters[i]) * (isPositive(parameters[i]) ? point.values[parameters[i]] : 1.0);
+    return scales;
+}
+
+std::optional<Eigen::MatrixXd> usable(const Eigen::MatrixXd& covariance)
+{
+    if (!covariance.allFinite() || !(covariance.diagonal().minCoeff() > 0))
+        return std::nullopt;
+    return Eigen::MatrixXd(0.5 * (covariance + covariance.transpose()));
+}
+
+std::optional<Eigen::MatrixXd> whiteCovariance(const MotionProblem& problem, const MotionSearchResult& search,
+                                               const Eigen::VectorXd& scales)
+{
+    const Eigen::MatrixXd columns = search.linear.triangle(Eigen::all, search.linear.moving());
+    const Eigen::MatrixXd triangle = Eigen::HouseholderQR<Eigen::MatrixXd>(columns).matrixQR();
+    const Eigen::Index unknowns = columns.cols();
+    const Eigen::MatrixXd inverse = triangle.topRows(unknowns).triangularView<Eigen::Upper>().solve(
+        Eigen::MatrixXd::Identity(unknowns, unknowns));
+    const Eigen::MatrixXd root = scales.asDiagonal() * inverse.bottomRows(scales.size());
+    return usable(search.cost() / MotionSearchResult::degreesOfFreedom(problem) * root * root.transpose());
+}
+
+/// Under the autoregressive noise that the residuals hold.
+std::optional<Eigen::MatrixXd> colouredCovariance(const MotionRows& rows, const Eigen::VectorXd& scales,
+                                                  double positionScale, Estimate& estimate)
+{
+    // A start that moves nothing is left out; the parameters come last.
+    const OrthonormalRows orthonormal = orthonormalize(rows.sensitivities.transpose(), {});
+    const Eigen::Index kept = orthonormal.basis.rows();
+    if (kept < scales.size() || orthonormal.kept[static_cast<std::size_t>(kept - scales.size())] !=
+                                    rows.sensitivities.cols() - scales.size())
+        return std::nullopt;
+    AutoregressiveNoise noise = fitAutoregressiveNoise(rows.residuals, orthonormal.basis);
+    if (noise.coefficients.empty())
+        return std::nullopt;
+    Eigen::MatrixXd gains = Eigen::MatrixXd::Identity(orthonormal.basis.rows(), orthonormal.basis.rows());
+    orthonormal.factor.transpose().triangularView<Eigen::Upper>().solveInPlace(gains);
+    gains = (scales.asDiagonal() * gains.bottomRows(scales.size())).eval();
+    const Eigen::VectorXd expansion = autoregressiveExpansion(orthonormal.basis, gains, noise);
+    const Eigen::MatrixXd scaled = expansion.asDiagonal() * gains;
+    const auto covariance = usable(scaled * spreadUnderNoise(orthonormal.basis, noise) * scaled.transpose());
+    if (!covariance)
+        return std::nullopt;
+    noise.innovationDeviation *= positionScale;
+    estimate.noise = noise;
+    return covariance;
+}
+
+/// How large the friction may be: the best value were it free to be below zero, and 1.645 of its errors.
+std::optional<double> frictionLimit(const MotionProblem& problem, const MotionSearchResult& search,
+                                    const MotionValues& found, const Eigen::MatrixXd& covariance)
+{
+    const std::vector<P> parameters = problem.terms.parameters();
+    const auto at = std::ranges::find(parameters, P::Friction);
+    if (at == parameters.end())
+        return std::nullopt;
+    const Eigen::Index index = at - parameters.begin();
+    double best = found[P::Friction];
+    if (best == 0) {
+        const Eigen::MatrixXd columns = search.linear.triangle(Eigen::all, search.linear.moving());
+        const Eigen::VectorXd step = columns.householderQr().solve(search.linear.residual);
+        const auto fromEnd = static_cast<Eigen::Index>(parameters.size()) - index;
+        best = std::min(0.0, step(step.size() - fromEnd)) * problem.unitOf(P::Friction);
+    }
+    return std::max(0.0, best + oneSided95 * std::sqrt(covariance(index, index)));
+}
+
+/// Model output, residuals, fits and their tests at the solution.
+void describe(const MotionProblem& problem, const MotionSearchResult& search, const MotionRows& rows,
+              const std::vector<double>& position, Estimate& estimate)
+{
+    estimate.simulated = positionsAt(problem, search.point);
+    estimate.simulated.resize(position.size());
+    for (double& x : estimate.simulated)
+        x = x * problem.positionScale + problem.positionShift;
+    estimate.residuals.degreesOfFreedom = MotionSearchResult::degreesOfFreedom(problem);
+    // As many nuisances as there are unknowns of the start, at the most.
+    OutputErrorProblem record = problem;
+    const int start = problem.startUnknowns();
+    record.freeInitialState = start >= 2;
+    record.freeOffset = start == 1 || start >= 3;
+    describeResiduals(record, position, rows.sensitivities, rows.residuals, estimate);
+}
+
+Nuisance nuisanceOf(const MotionProblem& problem, const MotionPoint& point)
+{
+    Nuisance nuisance;
+    if (problem.seeksPosition())
+        nuisance.x0 = point.x0 * problem.positionScale;
+    if (problem.seeksSpeed())
+        nuisance.v0 = point.v0 * problem.positionScale / problem.sampleTime_s;
+    if (problem.seeksOffset())
+        nuisance.offset = point.offset * problem.positionScale + problem.positionShift;
+    return nuisance;
+}
+
+/// m, b, k and their covariance for all who ask for no more, where the motion has all three.
+void fillLinearPart(Estimate& estimate)
+{
+    const MotionEstimate& motion = *estimate.motion;
+    if (!motion.terms.mass || !motion.terms.spring)
+        return;
+    estimate.parameters =
+        MassDampingStiffness{motion.values[P::Mass], motion.values[P::Damping], motion.values[P::Stiffness]};
+    estimate.covariance = motion.covariance.topLeftCorner<3, 3>();
+}
+
+Estimate answer(const MotionProblem& problem, const MotionSearchResult& search,
+                const std::vector<double>& position, const MotionOptions& options)
+{
+    const MotionValues values = inChannelUnits(problem, search.point.values);
+    const Eigen::VectorXd scales = scalesOf(problem, search.point);
+    const std::optional<MotionRows> rows = motionRows(problem, search.point);
+    std::optional<Eigen::MatrixXd> covariance = whiteCovariance(problem, search, scales);
+    MotionPoint inChannels;
+    inChannels.values = values;
+    if (!rows || !covariance || !inChannels.isPhysical(problem.terms))
+        return failed(options, EstimateStatus::NotIdentifiable,
+                      Words::say("the parameters or their errors are outside the range of numbers"));
+    const bool converged = search.outcome == SearchOutcome::Converged;
+    Estimate estimate =
+        converged ? failed(options, EstimateStatus::Converged, Words::say("converged"))
+                  : failed(options, EstimateStatus::NotConverged, Words::say("the search did not settle"));
+    estimate.nuisance = nuisanceOf(problem, search.point);
+    describe(problem, search, *rows, position, estimate);
+    if (estimate.residuals.whitenessP && *estimate.residuals.whitenessP < certainColourP)
+        if (auto coloured = colouredCovariance(*rows, scales, problem.positionScale, estimate))
+            covariance = std::move(coloured);
+    estimate.motion = MotionEstimate{problem.terms, values, *covariance,
+                                     frictionLimit(problem, search, values, *covariance)};
+    fillLinearPart(estimate);
+    return estimate;
+}
+
+Finding boundaryOf(const MotionProblem& problem, const MotionSearchResult& search)
+{
+    const P parameter = problem.terms.parameters()[static_cast<std::size_t>(search.boundaryIndex)];
+    if (parameter == P::Mass || parameter == P::Damping || parameter == P::Stiffness)
+        return boundaryMessage(static_cast<int>(parameter), search.boundaryAtZero);
+    return search.boundaryAtZero
+               ? Words::say("%1 cannot be told from zero; leave its term out, or squeeze longer and with "
+                            "more levels of force")
+                     .arg(toString(parameter))
+               : Words::say("%1 cannot be told from infinity; leave its term out, or squeeze longer and with "
+                            "more levels of force")
+                     .arg(toString(parameter));
+}
+
+/// What keeps the estimator from starting, or nothing.
+std::optional<Estimate> obstacle(const MotionProblem& problem, const MotionOptions& options)
+{
+    const auto stop = [&](EstimateStatus status, const Finding& words) {
+        return std::optional(failed(options, status, words));
+    };
+    if (!problem.terms.mass && problem.terms.friction)
+        return stop(EstimateStatus::NotApplicable,
+                    Words::say("friction without a mass is not among the models"));
+    if (problem.measuredRows() <= problem.unknowns())
+        return stop(EstimateStatus::TooFewSamples,
+                    Words::say("there are fewer samples than the motion has unknowns; record for longer"));
+    if (isConstant(problem.position))
+        return stop(EstimateStatus::NotIdentifiable, Words::say(constantPosition));
+    if (isConstant(problem.force))
+        return stop(EstimateStatus::NotIdentifiable,
+                    Words::say("a constant force does not determine the motion; squeeze with a force that "
+                               "varies, for instance one of four levels"));
+    return std::nullopt;
+}
+
+void widen(Estimate& estimate, double factor)
+{
+    if (estimate.covariance)
+        *estimate.covariance *= factor * factor;
+    if (estimate.motion)
+        estimate.motion->covariance *= factor * factor;
+}
+
+/// Its forces as output error finds them, or straight lines over those that were lost.
+struct KnownForces {
+    MotionProblem problem;
+    double errorFactor = 1;
+};
+KnownForces knownForces(const std::vector<double>& force, const std::vector<double>& position,
+                        const MotionOptions& options)
+{
+    if (!options.lost.empty()) {
+        const CompletedRecord completed = completedRecord(force, position, options);
+        if (completed.outputError.parameters)
+            return {MotionProblem{completedProblem(completed, options), options.terms},
+                    completed.errorFactor};
+    }
+    return {MotionProblem{makeOutputErrorProblem(force, position, options), options.terms}};
+}
+
+} // namespace
+
+double expectedGain(const std::vector<double>& force, const std::vector<double>& position,
+                    const MotionOptions& options)
+{
+    constexpr std::array<double, 4> taus{0.002, 0.01, 0.05, 0.25}; // of the record's length
+    constexpr double little = 0.01;
+    KnownForces known = knownForces(force, position, options);
+    MotionProblem& problem = known.problem;
+    problem.startsAtRest = options.terms.friction;
+    if (!options.start || obstacle(problem, options))
+        return 0;
+    MotionPoint point = linearPoint(problem, options);
+    MotionProblem linear = problem;
+    linear.terms = {};
+    const std::optional<double> cost = costAt(linear, point);
+    if (!cost || !(*cost > 0))
+        return 0;
+    point.values[P::Relaxing] = little * point.values[P::Stiffness];
+    double best = 0;
+    for (const double tau : taus) {
+        point.values[P::RelaxationTime] = std::max(1.0, tau * static_cast<double>(problem.position.size()));
+        const MotionLinearization there = linearize(problem, point);
+        if (there.finite)
+            best = std::max(best, *cost - (there.cost - there.residual.squaredNorm()));
+        if (!options.terms.relaxation)
+            break;
+    }
+    return best / (*cost / MotionSearchResult::degreesOfFreedom(linear));
+}
+
+Estimate estimateMotion(const std::vector<double>& force, const std::vector<double>& position,
+                        const MotionOptions& options)
+{
+    if (force.size() != position.size() || force.empty())
+        return failed(options, EstimateStatus::NotApplicable,
+                      Words::say("force and position have different lengths"));
+    KnownForces known = knownForces(force, position, options);
+    MotionProblem& problem = known.problem;
+    if (const std::optional<Estimate> stop = obstacle(problem, options))
+        return *stop;
+    const auto search = problem.terms.friction
+                            ? searchWithFriction(problem, options)
+                            : searchFrom(problem, startsFor(problem, linearPoint(problem, options), options),
+                                         options.maxIterations);
+    if (!search || search->outcome == SearchOutcome::Lost)
+        return failed(options, EstimateStatus::NotIdentifiable, Words::say(noAnswer));
+    Estimate estimate = failed(options, EstimateStatus::NotIdentifiable, Finding());
+    if (search->outcome == SearchOutcome::Boundary)
+        estimate.message = boundaryOf(problem, *search);
+    else if (!search->isDetermined())
+        estimate.message = Words::say(poorForce);
+    else
+        estimate = answer(problem, *search, position, options);
+    estimate.iterations = search->iterations;
+    widen(estimate, known.errorFactor);
+    return estimate;
+}
+
+} // namespace gripscope

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/model/estimate.h"
+
+#include <vector>
+
+namespace gripscope {
+
+struct MotionOptions : ContinuousTimeOptions {
+    MotionTerms terms;
+    Estimator estimator = Estimator::Friction; ///< the name the estimate gets
+    int maxIterations = 40;
+    Nuisance startNuisance; ///< that belongs to `start`
+};
+
+/// Minimises sum (y - x - offset)^2, x the motion of the family of MotionTerms under the force as it is held,
+/// integrated to 1e-12 of itself with sticking exact (MotionIntegrator). Levenberg-Marquardt over all
+/// unknowns with the exact derivatives of the integrated motion, from starts that the equation itself and the
+/// linear motion give. Under white Gaussian position noise and known force this is the maximum-likelihood
+/// estimate.
+///
+/// `motion->covariance` = s^2 (J'J)^-1, s^2 = SSE / (N - p), p counting the parameters and every unknown of
+/// the start: x0 and v0 (with a free initial state), x0 - q0 with a dashpot, the offset; without a spring the
+/// start is the offset. With friction the part begins at rest unless that is refuted (p < 0.001): within the
+/// friction its speed moves nothing. Where the residuals are certainly not white the autoregressive noise
+/// that they hold is counted instead. Friction is not below zero: where the data would have it there, it is
+/// zero, its variance stays (so that the others carry what friction might still do), and
+/// `motion->frictionLimit` tells how large it may be.
+///
+/// All numbers must be finite, force and position equally long, the sample time positive. Statuses:
+/// Converged; NotConverged with the last iterate; TooFewSamples when N <= p; NotIdentifiable with words when
+/// the data does not determine the parameters. 2,000 samples: some 10 ms; with friction some 20 ms.
+///
+/// Where samples were lost their forces are those that output error finds (completedRecord()), or a straight
+/// line where it finds none; their rows are skipped, and the errors grow as those of output error do.
+[[nodiscard]] Estimate estimateMotion(const std::vector<double>& force, const std::vector<double>& position,
+                                      const MotionOptions& options);
+
+/// By how much the terms would raise twice the logarithm of the likelihood above that of mass, spring and
+/// damper, to first order (a score test): what one step from there would gain, with some times tau for a
+/// dashpot. `options.start`: where the linear motion has its optimum. A fraction of the search that it may
+/// save; 0 where nothing can be said.
+[[nodiscard]] double expectedGain(const std::vector<double>& force, const std::vector<double>& position,
+                                  const MotionOptions& options);
+
+} // namespace gripscope

@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/model/motion_terms.h"
+#include "core/math/dual.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace gripscope {
+
+/// Integrates the family of MotionTerms by Taylor series of the solution (Corliss and Chang 1982), whose
+/// coefficients follow from one another by the equation itself: each step takes as many of them as leave less
+/// than 1e-12 of the motion. Number: double, or a Dual for the exact derivatives of what is integrated.
+///
+/// Friction is exact: the series is cut where the speed passes zero; there the part sticks when the other
+/// forces are within the friction, until they no longer are (Filippov's solution). Moments of such events
+/// carry derivatives too (implicit function), so that nothing is smoothed.
+template <typename Number>
+class MotionIntegrator {
+public:
+    using Coefficients = std::array<Number, motionParameters>;
+
+    MotionIntegrator(const MotionTerms& terms, const Coefficients& coefficients);
+
+    /// Without mass the speed follows from the rest and is not looked at. `strain` is x - q.
+    void begin(const Number& x, const Number& v, const Number& strain, double force);
+    /// For `duration`, while the force runs straight. False: the motion left all bounds, or is too stiff to
+    /// follow for so long.
+    [[nodiscard]] bool advance(double duration, double from, double to);
+
+    [[nodiscard]] const Number& position() const { return m_x; }
+    [[nodiscard]] const Number& speed() const { return m_v; }
+    [[nodiscard]] bool sticks() const { return m_terms.friction && m_way == 0; }
+
+private:
+    static constexpr int mostTerms = 22;
+    static constexpr double longestStep = 1; ///< over the fastest of the motion's own times
+    /// Between two readings: more than a few radians no record determines.
+    static constexpr int mostSubsteps = 16, mostEvents = 24;
+    using Series = std::array<Number, mostTerms + 1>;
+
+    [[nodiscard]] const Number& of(MotionParameter parameter) const
+    {
+        return m_c[static_cast<std::size_t>(parameter)];
+    }
+    [[nodiscard]] double rate() const;
+    [[nodiscard]] bool segment(double duration, const Number& force, double slope);
+    void expand(const Number& force, double slope);
+    void expandHeld(const Number& force, double slope);
+    void springSeries(int n);
+    [[nodiscard]] Number springForce(int n) const;
+    [[nodiscard]] Number restForce(const Number& force) const;
+    [[nodiscard]] std::optional<double> firstEvent(double duration) const;
+    [[nodiscard]] double eventFunction(double t) const;
+    template <typename Time>
+    void moveTo(const Time& t);
+    void decide(const Number& force);
+    [[nodiscard]] Number eventTime(double t) const;
+
+    template <typename Time>
+    [[nodiscard]] Number at(const Series& series, const Time& t) const;
+    [[nodiscard]] double valueAt(const Series& series, double t) const;
+    [[nodiscard]] double slopeAt(const Series& series, double t) const;
+
+    const MotionTerms m_terms;
+    Coefficients m_c;
+    Number m_x, m_v, m_strain;
+    int m_way = 1; ///< of the friction: 1, -1, or 0 where it sticks
+    int m_order = mostTerms;
+    Series m_xs, m_vs, m_strains, m_squares, m_net; ///< coefficients; of what holds the part while it sticks
+};
+
+template <typename Number>
+MotionIntegrator<Number>::MotionIntegrator(const MotionTerms& terms, const Coefficients& coefficients)
+    : m_terms(terms), m_c(coefficients)
+{
+}
+
+template <typename Number>
+void MotionIntegrator<Number>::begin(const Number& x, const Number& v, const Number& strain, double force)
+{
+    m_x = x;
+    m_v = m_terms.mass ? v : Number(0);
+    m_strain = strain;
+    if (!m_terms.friction && !m_terms.eachWay)
+        return;
+    if (valuePart(m_v) == 0)
+        decide(Number(force));
+    else
+        m_way = valuePart(m_v) > 0 ? 1 : -1;
+}
+
+/// The largest of the motion's own rates, from above.
+template <typename Number>
+double MotionIntegrator<Number>::rate() const
+{
+    using P = MotionParameter;
+    double stiffness = m_terms.spring ? valuePart(of(P::Stiffness)) : 0;
+    double damping = valuePart(of(P::Damping));
+    if (m_terms.eachWay)
+        damping = std::max(damping, valuePart(of(P::DampingBack)));
+    double own = 0;
+    if (m_terms.relaxation) {
+        stiffness += valuePart(of(P::Relaxing));
+        own = 1 / valuePart(of(P::RelaxationTime));
+    }
+    if (m_terms.cubic)
+        stiffness += 3 * std::abs(valuePart(of(P::Cubic))) * valuePart(m_x) * valuePart(m_x);
+    if (!m_terms.mass)
+        return own + stiffness / damping;
+    const double mass = valuePart(of(P::Mass));
+    return std::max(own, damping / mass) + std::sqrt(stiffness / mass);
+}
+
+template <typename Number>
+bool MotionIntegrator<Number>::advance(double duration, double from, double to)
+{
+    const double span = rate() * duration;
+    if (!(span <= longestStep * mostSubsteps))
+        return false;
+    const int steps = std::max(1, static_cast<int>(std::ceil(span / longestStep)));
+    const double step = duration / steps;
+    // The remainder of an exponential's series.
+    constexpr double smallest = 1e-13;
+    const double scaled = span / steps;
+    double term = scaled * scaled / 2;
+    m_order = 2;
+    while (m_order < mostTerms && term > smallest)
+        term *= scaled / ++m_order;
+    const double slope = (to - from) / duration;
+    for (int i = 0; i < steps; ++i)
+        if (!segment(step, Number(from + slope * (i * step)), slope))
+            return false;
+    return std::isfinite(valuePart(m_x)) && std::isfinite(valuePart(m_v));
+}
+
+template <typename Number>
+bool MotionIntegrator<Number>::segment(double duration, const Number& force, double slope)
+{
+    const bool events = m_terms.friction || m_terms.eachWay;
+    if (!events) {
+        expand(force, slope);
+        moveTo(duration);
+        return true;
+    }
+    if (valuePart(m_v) == 0)
+        decide(force); // the force may have jumped
+    Number left(duration);
+    Number now = force;
+    for (int i = 0; i < mostEvents; ++i) {
+        if (m_way == 0)
+            expandHeld(now, slope);
+        else
+            expand(now, slope);
+        const std::optional<double> event = firstEvent(valuePart(left));
+        if (!event) {
+            moveTo(left);
+            return true;
+        }
+        const Number t = eventTime(*event);
+        moveTo(t);
+        now += slope * t;
+        left -= t;
+        if (m_way == 0) {
+            m_way = valuePart(restForce(now)) > 0 ? 1 : -1;
+        } else {
+            m_v = Number(0);
+            decide(now);
+        }
+    }
+    m_way = 0; // it chatters: less than the arithmetic can tell from rest
+    m_v = Number(0);
+    expandHeld(now, slope);
+    moveTo(left);
+    return true;
+}
+
+/// k x + k3 x^3 + k1 (x - q), the n-th coefficient.
+template <typename Number>
+Number MotionIntegrator<Number>::springForce(int n) const
+{
+    using P = MotionParameter;
+    const auto i = static_cast<std::size_t>(n);
+    Number sum(0);
+    if (m_terms.spring)
+        sum += of(P::Stiffness) * m_xs[i];
+    if (m_terms.relaxation)
+        sum += of(P::Relaxing) * m_strains[i];
+    if (m_terms.cubic) {
+        Number cube(0);
+        for (std::size_t j = 0; j <= i; ++j)
+            cube += m_squares[j] * m_xs[i - j];
+        sum += of(P::Cubic) * cube;
+    }
+    return sum;
+}
+
+template <typename Number>
+void MotionIntegrator<Number>::springSeries(int n)
+{
+    if (!m_terms.cubic)
+        return;
+    const auto i = static_cast<std::size_t>(n);
+    Number square(0);
+    for (std::size_t j = 0; j <= i; ++j)
+        square += m_xs[j] * m_xs[i - j];
+    m_squares[i] = square;
+}
+
+template <typename Number>
+void MotionIntegrator<Number>::expand(const Number& force, double slope)
+{
+    using P = MotionParameter;
+    const bool back = m_terms.eachWay && m_way < 0;
+    const Number& damping = of(back ? P::DampingBack : P::Damping);
+    Number constant = force;
+    if (m_terms.friction)
+        constant -= static_cast<double>(m_way) * of(back ? P::FrictionBack : P::Friction);
+    if (m_terms.forceOffset)
+        constant += of(P::ForceOffset);
+    const Number inertia = Number(1) / (m_terms.mass ? of(P::Mass) : damping);
+    const Number rate = m_terms.relaxation ? Number(1) / of(P::RelaxationTime) : Number(0);
+    m_xs[0] = m_x;
+    m_vs[0] = m_v;
+    m_strains[0] = m_strain;
+    for (int n = 0; n < m_order; ++n) {
+        const auto i = static_cast<std::size_t>(n);
+        springSeries(n);
+        Number net = n == 0 ? constant : n == 1 ? Number(slope) : Number(0);
+        net -= springForce(n);
+        if (m_terms.mass) {
+            net -= damping * m_vs[i];
+            m_vs[i + 1] = net * inertia * (1.0 / (n + 1));
+        } else {
+            m_vs[i] = net * inertia;
+        }
+        m_xs[i + 1] = m_vs[i] * (1.0 / (n + 1));
+        if (m_terms.relaxation)
+            m_strains[i + 1] = (m_vs[i] - m_strains[i] * rate) * (1.0 / (n + 1));
+    }
+    if (!m_terms.mass)
+        m_vs[static_cast<std::size_t>(m_order)] = Number(0);
+}
+
+/// While the part sticks its dashpot goes on relaxing; m_net is what the friction has to hold.
+template <typename Number>
+void MotionIntegrator<Number>::expandHeld(const Number& force, double slope)
+{
+    using P = MotionParameter;
+    const Number rate = m_terms.relaxation ? Number(1) / of(P::RelaxationTime) : Number(0);
+    const int last = m_terms.relaxation ? m_order : 1;
+    m_xs[0] = m_x;
+    m_strains[0] = m_strain;
+    m_net[0] = restForce(force);
+    for (int n = 0; n < m_order; ++n) {
+        const auto i = static_cast<std::size_t>(n);
+        m_xs[i + 1] = Number(0);
+        m_vs[i] = Number(0);
+        m_net[i + 1] = n == 0 ? Number(slope) : Number(0);
+        if (!m_terms.relaxation || n >= last)
+            continue;
+        m_strains[i + 1] = m_strains[i] * rate * (-1.0 / (n + 1));
+        m_net[i + 1] -= of(P::Relaxing) * m_strains[i + 1];
+    }
+    m_vs[static_cast<std::size_t>(m_order)] = Number(0);
+}
+
+/// The force on a part at rest, but for friction.
+template <typename Number>
+Number MotionIntegrator<Number>::restForce(const Number& force) const
+{
+    using P = MotionParameter;
+    Number net = force;
+    if (m_terms.forceOffset)
+        net += of(P::ForceOffset);
+    if (m_terms.spring)
+        net -= of(P::Stiffness) * m_x;
+    if (m_terms.relaxation)
+        net -= of(P::Relaxing) * m_strain;
+    if (m_terms.cubic)
+        net -= of(P::Cubic) * (m_x * m_x * m_x);
+    return net;
+}
+
+template <typename Number>
+void MotionIntegrator<Number>::decide(const Number& force)
+{
+    using P = MotionParameter;
+    const double net = valuePart(restForce(force));
+    const double forth = m_terms.friction ? valuePart(of(P::Friction)) : 0;
+    const double back = m_terms.friction && m_terms.eachWay ? valuePart(of(P::FrictionBack)) : forth;
+    m_way = net > forth ? 1 : net < -back ? -1 : m_terms.friction ? 0 : 1;
+}
+
+template <typename Number>
+double MotionIntegrator<Number>::eventFunction(double t) const
+{
+    using P = MotionParameter;
+    if (m_way != 0)
+        return m_way * valueAt(m_vs, t);
+    const double net = valueAt(m_net, t);
+    const double forth = valuePart(of(P::Friction));
+    const double back = m_terms.eachWay ? valuePart(of(P::FrictionBack)) : forth;
+    return std::min(forth - net, net + back);
+}
+
+/// The first moment within the step at which the speed passes zero, or the friction holds no longer.
+template <typename Number>
+std::optional<double> MotionIntegrator<Number>::firstEvent(double duration) const
+{
+    constexpr int looks = 4, mostHalvings = 60;
+    double before = 0;
+    for (int i = 1; i <= looks; ++i) {
+        const double after = duration * i / looks;
+        if (eventFunction(after) >= 0) {
+            before = after;
+            continue;
+        }
+        if (i == 1 && m_way != 0 && !(m_way * valuePart(m_v) > 0) && !(eventFunction(duration / 64) > 0))
+            return std::nullopt; // it only just slips: it does not turn before it moves
+        double low = before;
+        double high = after;
+        for (int n = 0; n < mostHalvings && high - low > 1e-15 * duration; ++n) {
+            const double middle = (low + high) / 2;
+            (eventFunction(middle) >= 0 ? low : high) = middle;
+        }
+        return low + (high - low) / 2;
+    }
+    return std::nullopt;
+}
+
+template <typename Number>
+Number MotionIntegrator<Number>::eventTime(double t) const
+{
+    // One step of Newton's method adds the derivatives and takes none of the value away.
+    const Series& series = m_way != 0 ? m_vs : m_net;
+    const double slope = slopeAt(series, t);
+    if (slope == 0)
+        return Number(t);
+    Number function = at(series, t);
+    if (m_way == 0) {
+        using P = MotionParameter;
+        const bool forth = valuePart(function) > 0;
+        if (forth)
+            function -= of(P::Friction);
+        else
+            function += of(m_terms.eachWay ? P::FrictionBack : P::Friction);
+    }
+    Number time = function * (-1 / slope);
+    time += Number(t - valuePart(time));
+    return time;
+}
+
+template <typename Number>
+template <typename Time>
+void MotionIntegrator<Number>::moveTo(const Time& t)
+{
+    m_x = at(m_xs, t);
+    m_v = at(m_vs, t);
+    if (m_terms.relaxation)
+        m_strain = at(m_strains, t);
+}
+
+template <typename Number>
+template <typename Time>
+Number MotionIntegrator<Number>::at(const Series& series, const Time& t) const
+{
+    Number sum = series[static_cast<std::size_t>(m_order)];
+    for (int n = m_order; n-- > 0;)
+        sum = sum * t + series[static_cast<std::size_t>(n)];
+    return sum;
+}
+
+template <typename Number>
+double MotionIntegrator<Number>::valueAt(const Series& series, double t) const
+{
+    double sum = 0;
+    for (int n = m_order; n >= 0; --n)
+        sum = sum * t + valuePart(series[static_cast<std::size_t>(n)]);
+    return sum;
+}
+
+template <typename Number>
+double MotionIntegrator<Number>::slopeAt(const Series& series, double t) const
+{
+    double sum = 0;
+    for (int n = m_order; n >= 1; --n)
+        sum = sum * t + n * valuePart(series[static_cast<std::size_t>(n)]);
+    return sum;
+}
+
+} // namespace gripscope

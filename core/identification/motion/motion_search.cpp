@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/motion/motion_search.h"
+
+#include "core/identification/model/identifiability.h"
+#include "core/math/sequential_qr.h"
+
+#include <Eigen/QR>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace gripscope {
+
+namespace {
+
+using P = MotionParameter;
+
+/// The step still to go, in standard errors, at which the search has arrived.
+constexpr double arrivedMotion = 1e-6;
+/// Steps in cubic springs and friction are cut to so many springs, or forces, of the problem.
+constexpr double longestOtherStep = 3;
+/// What a step off a kink must lower the cost by, in variances of the residuals: a hundredth of what one
+/// standard error changes.
+constexpr double worthwhileGain = 0.01;
+constexpr int mostKinks = 6;
+
+class MotionSearch : LevenbergMarquardt {
+public:
+    MotionSearch(const MotionProblem& problem, const MotionPoint& start)
+        : LevenbergMarquardt(squaredSize(problem), arrivedMotion), m_problem(problem),
+          m_parameters(problem.terms.parameters()), m_first(problem.startUnknowns()),
+          m_scales(Eigen::VectorXd::Zero(problem.unknowns()))
+    {
+        m_result.point = start;
+        m_result.linear = linearize(problem, start);
+    }
+
+    MotionSearchResult run(int maxIterations)
+    {
+        if (finite())
+            static_cast<SearchEnd&>(m_result) = minimise(maxIterations);
+        else
+            m_result.outcome = SearchOutcome::Lost;
+        return m_result;
+    }
+
+private:
+    /// Leaves out the friction that would go below zero, and the speed of a part that sticks at the start.
+    bool prepare() override
+    {
+        const MotionLinearization& linear = m_result.linear;
+        m_scales = m_scales.cwiseMax(linear.triangle.colwise().norm().transpose());
+        const Eigen::VectorXd downhill = linear.triangle.transpose() * linear.residual;
+        m_active.clear();
+        for (Eigen::Index i = 0; i < linear.triangle.cols(); ++i)
+            if (!(isHeld(i) && downhill(i) <= 0) && linear.triangle.col(i).norm() > 0)
+                m_active.push_back(i);
+        m_triangle = linear.triangle;
+        m_residual = linear.residual;
+        if (m_active.size() == static_cast<std::size_t>(linear.triangle.cols()))
+            return true;
+        const Eigen::HouseholderQR<Eigen::MatrixXd> qr(linear.triangle(Eigen::all, m_active));
+        const auto kept = static_cast<Eigen::Index>(m_active.size());
+        const Eigen::VectorXd turned = qr.householderQ().transpose() * linear.residual;
+        m_triangle = qr.matrixQR().topRows(kept).triangularView<Eigen::Upper>();
+        m_residual = turned.head(kept);
+        return true;
+    }
+    [[nodiscard]] bool isHeld(Eigen::Index column) const
+    {
+        if (column < m_first)
+            return false;
+        const P parameter = m_parameters[static_cast<std::size_t>(column - m_first)];
+        return isFriction(parameter) && m_result.point.values[parameter] == 0;
+    }
+    [[nodiscard]] bool finite() const override { return m_result.linear.finite; }
+    [[nodiscard]] double cost() const override { return m_result.linear.cost; }
+    [[nodiscard]] double degreesOfFreedom() const override
+    {
+        return MotionSearchResult::degreesOfFreedom(m_problem);
+    }
+    [[nodiscard]] double toGo() const override { return m_residual.norm(); }
+    [[nodiscard]] Step dampedStep(double damping) const override
+    {
+        const Eigen::VectorXd scales = m_scales(m_active);
+        const Eigen::VectorXd some = dampedLeastSquares(m_triangle, m_residual, scales, damping);
+        Step step = Step::Zero(m_scales.size());
+        for (std::size_t i = 0; i < m_active.size(); ++i)
+            step(m_active[i]) = some(static_cast<Eigen::Index>(i));
+        return step;
+    }
+    [[nodiscard]] Logarithms logarithmsOf(const Step& step) const override
+    {
+        Logarithms all = Logarithms::Zero(static_cast<Eigen::Index>(m_parameters.size()));
+        for (std::size_t i = 0; i < m_parameters.size(); ++i)
+            if (isPositive(m_parameters[i]))
+                all(static_cast<Eigen::Index>(i)) = step(m_first + static_cast<Eigen::Index>(i));
+        return all;
+    }
+    [[nodiscard]] Logarithms logarithmDeviations() const override
+    {
+        const Eigen::MatrixXd inverse = m_triangle.triangularView<Eigen::Upper>().solve(
+            Eigen::MatrixXd::Identity(m_triangle.rows(), m_triangle.cols()));
+        Step deviations = Step::Zero(m_scales.size());
+        for (std::size_t i = 0; i < m_active.size(); ++i)
+            deviations(m_active[i]) = inverse.row(static_cast<Eigen::Index>(i)).norm();
+        return logarithmsOf(deviations);
+    }
+
+    /// Where turning points come and go the cost has kinks, on which steps along its slope end, above or at a
+    /// lowest point: then each unknown is tried by itself.
+    bool improve() override
+    {
+        return LevenbergMarquardt::improve() ||
+               (m_problem.terms.friction && m_kinks++ < mostKinks && improveByUnknown());
+    }
+    bool improveByUnknown()
+    {
+        constexpr std::array<double, 2> shares{0.5, 0.05};
+        const double variance = cost() / degreesOfFreedom();
+        const Eigen::MatrixXd inverse = m_triangle.triangularView<Eigen::Upper>().solve(
+            Eigen::MatrixXd::Identity(m_triangle.rows(), m_triangle.cols()));
+        double lowest = cost() - worthwhileGain * variance;
+        std::optional<Step> best;
+        for (std::size_t i = 0; i < m_active.size(); ++i)
+            for (const double share : shares)
+                for (const double way : {-1.0, 1.0}) {
+                    // Along the valley: as far as the others follow.
+                    const auto column = static_cast<Eigen::Index>(i);
+                    const Eigen::VectorXd direction = inverse * inverse.row(column).transpose();
+                    Step step = Step::Zero(m_scales.size());
+                    for (std::size_t j = 0; j < m_active.size(); ++j)
+                        step(m_active[j]) = way * share * std::sqrt(variance) *
+                                            direction(static_cast<Eigen::Index>(j)) /
+                                            inverse.row(column).norm();
+                    const auto there = costAt(m_problem, m_result.point.moved(m_problem, step));
+                    if (there && *there < lowest) {
+                        lowest = *there;
+                        best = step;
+                    }
+                }
+        m_atKink = !best;
+        return best && accept(*best);
+    }
+    /// At a kink no slope tells how far the search still has to go: nowhere is lower.
+    [[nodiscard]] double nearEnough() const override
+    {
+        return m_atKink ? std::numeric_limits<double>::infinity() : LevenbergMarquardt::nearEnough();
+    }
+
+    bool accept(const Step& step) override
+    {
+        const MotionPoint point = m_result.point.moved(m_problem, shortening(step) * step);
+        const std::optional<double> there = costAt(m_problem, point); // several times cheaper
+        if (!there || !(*there < m_result.linear.cost))
+            return false;
+        MotionLinearization trial = linearize(m_problem, point);
+        if (!trial.finite || !(trial.cost < m_result.linear.cost))
+            return false;
+        m_result.point = point;
+        m_result.linear = std::move(trial);
+        return true;
+    }
+
+    [[nodiscard]] double shortening(const Step& step) const
+    {
+        double shortest = search::longestStep / std::max(logarithmsOf(step).cwiseAbs().maxCoeff(), 1e-300);
+        for (std::size_t i = 0; i < m_parameters.size(); ++i) {
+            const P parameter = m_parameters[i];
+            if (isPositive(parameter))
+                continue;
+            const double by = std::abs(step(m_first + static_cast<Eigen::Index>(i)));
+            const double stiffness = m_problem.terms.spring ? m_result.point.values[P::Stiffness] : 1;
+            const double size =
+                parameter == P::Cubic ? std::max(stiffness, std::abs(m_result.point.values[P::Cubic])) : 1;
+            shortest = std::min(shortest, longestOtherStep * size / std::max(by, 1e-300));
+        }
+        return std::min(1.0, shortest);
+    }
+
+    const MotionProblem& m_problem;
+    const std::vector<P> m_parameters;
+    const Eigen::Index m_first;
+    MotionSearchResult m_result;
+    Eigen::VectorXd m_scales;
+    std::vector<Eigen::Index> m_active; ///< columns that the search moves
+    Eigen::MatrixXd m_triangle;         ///< of those
+    Eigen::VectorXd m_residual;
+    bool m_atKink = false;
+    int m_kinks = 0; ///< left so far
+};
+
+} // namespace
+
+bool MotionSearchResult::isDetermined() const
+{
+    return linear.finite &&
+           scaledConditionNumber(linear.triangle(Eigen::all, linear.moving())) <= largestCondition;
+}
+
+MotionSearchResult searchMotion(const MotionProblem& problem, const MotionPoint& start, int maxIterations)
+{
+    return MotionSearch(problem, start).run(maxIterations);
+}
+
+} // namespace gripscope

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/model/exact_step.h"
+#include "core/identification/motion/motion_search.h"
+#include "core/identification/output_error/filter_regression.h"
+#include "core/math/sequential_qr.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gripscope {
+
+namespace {
+
+using P = MotionParameter;
+
+constexpr std::size_t mostStarts = 3;
+/// Relaxation times worth trying, as shares of the record's length.
+constexpr std::array<double, 5> relaxationShares{0.0015, 0.006, 0.025, 0.1, 0.4};
+/// Fc beside the force's deviation, k1 beside k, k3 beside k over the squared size of the motion.
+constexpr std::array<double, 3> frictionShares{0.01, 0.06, 0.3};
+constexpr std::array<double, 3> relaxingShares{0.05, 0.3, 1.5};
+constexpr std::array<double, 5> cubicShares{0, -0.25, 0.2, 0.7, 2.5};
+
+double deviationOf(const std::vector<double>& values)
+{
+    double mean = 0;
+    for (const double value : values)
+        mean += value;
+    mean /= static_cast<double>(values.size());
+    double squares = 0;
+    for (const double value : values)
+        squares += (value - mean) * (value - mean);
+    return std::sqrt(squares / static_cast<double>(values.size()));
+}
+
+/// 1 / (1 + tau s) from where the signal begins.
+class FirstOrderFilter {
+public:
+    FirstOrderFilter(double tau, double start) : m_keep(std::exp(-1 / tau)), m_state(start) {}
+    [[nodiscard]] double value() const { return m_state; }
+    void advance(double next) { m_state = m_keep * m_state + (1 - m_keep) * next; }
+
+private:
+    double m_keep, m_state;
+};
+
+/// What an impossible sign is replaced by, beside a size that is known: the search will see to it.
+double positiveOr(double value, double fallback)
+{
+    return std::isfinite(value) && value > 0 ? value : fallback;
+}
+
+/// The terms of the equation at one sample, each filtered alike.
+struct FilteredTerms {
+    double curvature = 0, slope = 0, value = 0, sign = 0, cube = 0, relaxed = 0, force = 0;
+
+    [[nodiscard]] double of(P parameter) const
+    {
+        switch (parameter) {
+        case P::Mass:
+            return curvature;
+        case P::Damping:
+            return slope;
+        case P::Stiffness:
+            return value;
+        case P::Relaxing:
+            return value - relaxed;
+        case P::Friction:
+            return sign;
+        case P::Cubic:
+            return cube;
+        case P::RelaxationTime: // tried one after the other
+        case P::DampingBack:    // as forth, to begin with
+        case P::FrictionBack:
+        case P::ForceOffset: // the constant
+            break;
+        }
+        return 0;
+    }
+};
+
+/// Least squares of the family's own equation with every term filtered alike: a start, no estimate.
+class EquationRegression {
+public:
+    EquationRegression(const MotionProblem& problem, double bandwidth, double tau)
+        : m_problem(problem), m_samples(problem), m_bandwidth(bandwidth), m_tau(tau),
+          m_parameters(problem.terms.parameters()), m_first(m_samples.position(0))
+    {
+    }
+
+    [[nodiscard]] std::optional<MotionPoint> solve() const
+    {
+        const auto columns = static_cast<Eigen::Index>(m_parameters.size()) + 1;
+        SequentialQr qr(columns + 1);
+        forEachSample([&](const FilteredTerms& terms) {
+            auto row = qr.nextRow();
+            for (std::size_t i = 0; i < m_parameters.size(); ++i)
+                row(static_cast<Eigen::Index>(i)) = terms.of(m_parameters[i]);
+            row(columns - 1) = 1;
+            row(columns) = terms.force;
+        });
+        const Eigen::MatrixXd& triangle = qr.triangle();
+        if (!triangle.allFinite())
+            return std::nullopt;
+        const Eigen::VectorXd c = Eigen::MatrixXd(triangle.topLeftCorner(columns, columns))
+                                      .colPivHouseholderQr()
+                                      .solve(Eigen::VectorXd(triangle.col(columns).head(columns)));
+        return c.allFinite() ? pointOf(c) : std::nullopt;
+    }
+
+private:
+    template <typename Use>
+    void forEachSample(const Use& use) const
+    {
+        const double squared = m_bandwidth * m_bandwidth;
+        SecondOrderFilter force(squared, 2 * m_bandwidth, m_problem.hold);
+        std::array<SecondOrderFilter, 3> filters; // of y, of the sign of its slope, of y^3
+        filters.fill(SecondOrderFilter(squared, 2 * m_bandwidth, ForceHold::First));
+        FirstOrderFilter relaxed(m_tau, 0);
+        const std::ptrdiff_t settled =
+            std::min<std::ptrdiff_t>(std::llround(6 / m_bandwidth), m_samples.count / 4);
+        double signBefore = 0;
+        for (std::ptrdiff_t t = 0; t < m_samples.count; ++t) {
+            const double y = m_samples.position(t) - m_first;
+            if (t >= settled)
+                use(FilteredTerms{filters[0].curvature(y), filters[0].slope(), filters[0].value(),
+                                  filters[1].value(), filters[2].value(), relaxed.value(), force.value()});
+            const std::ptrdiff_t after = std::min(t + 1, m_samples.count - 1);
+            const double next = m_samples.position(after) - m_first;
+            const double slope = filters[0].slope();
+            const double sign = slope > 0 ? 1 : slope < 0 ? -1 : 0;
+            force.advance(m_samples.force(t), m_samples.force(after));
+            filters[0].advance(y, next);
+            filters[1].advance(signBefore, sign);
+            filters[2].advance(y * y * y, next * next * next);
+            relaxed.advance(filters[0].value());
+            signBefore = sign;
+        }
+    }
+
+    [[nodiscard]] std::optional<MotionPoint> pointOf(const Eigen::VectorXd& c) const
+    {
+        const MotionTerms& terms = m_problem.terms;
+        MotionPoint point;
+        MotionValues& p = point.values;
+        for (std::size_t i = 0; i < m_parameters.size(); ++i)
+            p[m_parameters[i]] = c(static_cast<Eigen::Index>(i));
+        const double constant = c(c.size() - 1);
+        point.offset = m_first;
+        if (terms.spring) {
+            p[P::Stiffness] = positiveOr(p[P::Stiffness], 0);
+            if (p[P::Stiffness] == 0)
+                return std::nullopt;
+            if (m_problem.freeOffset)
+                point.offset = m_first - constant / p[P::Stiffness];
+            point.x0 = m_problem.seeksPosition() ? m_first - point.offset : 0;
+        }
+        if (terms.forceOffset)
+            p[P::ForceOffset] = -constant;
+        const double stiffness = terms.spring ? p[P::Stiffness] : 0;
+        p[P::Damping] = positiveOr(p[P::Damping], terms.mass && p[P::Mass] > 0 && terms.spring
+                                                      ? 0.1 * std::sqrt(p[P::Mass] * stiffness)
+                                                      : std::max(stiffness, 1e-3));
+        if (terms.mass)
+            p[P::Mass] = positiveOr(p[P::Mass], terms.spring ? 0.1 * p[P::Damping] * p[P::Damping] / stiffness
+                                                             : p[P::Damping]);
+        p[P::Friction] = positiveOr(p[P::Friction], 0.01 * deviationOf(m_problem.force));
+        p[P::Relaxing] = positiveOr(p[P::Relaxing], 0.1 * stiffness);
+        p[P::RelaxationTime] = m_tau;
+        p[P::DampingBack] = p[P::Damping];
+        p[P::FrictionBack] = p[P::Friction];
+        return point;
+    }
+
+    const MotionProblem& m_problem;
+    const AlignedSamples m_samples;
+    const double m_bandwidth, m_tau;
+    const std::vector<P> m_parameters;
+    const double m_first;
+};
+
+struct Candidates {
+    struct Candidate {
+        MotionPoint point;
+        double cost;
+    };
+    const MotionProblem& problem;
+    std::vector<Candidate> all;
+
+    void offer(const MotionPoint& point)
+    {
+        if (const std::optional<double> cost = costAt(problem, point))
+            all.push_back({point, *cost});
+    }
+};
+
+/// Shares of the further terms beside what is known of the linear motion; 0 where a term is off.
+template <std::size_t N>
+std::vector<double> sharesOf(bool on, const std::array<double, N>& shares)
+{
+    return on ? std::vector<double>(shares.begin(), shares.end()) : std::vector<double>{0};
+}
+
+void offerVariants(Candidates& candidates, const MotionPoint& other)
+{
+    const MotionProblem& problem = candidates.problem;
+    const MotionTerms& terms = problem.terms;
+    const double force = deviationOf(problem.force);
+    const auto count = static_cast<double>(problem.position.size());
+    const double squaredSize = 2 * positionEnergy(problem) / count;
+    const double k = other.values[P::Stiffness];
+    for (const double friction : sharesOf(terms.friction, frictionShares))
+        for (const double relaxing : sharesOf(terms.relaxation, relaxingShares))
+            for (const double tau : sharesOf(terms.relaxation, relaxationShares))
+                for (const double cubic : sharesOf(terms.cubic, cubicShares)) {
+                    MotionPoint point = other;
+                    MotionValues& p = point.values;
+                    p[P::Friction] = p[P::FrictionBack] = friction * force;
+                    p[P::DampingBack] = p[P::Damping];
+                    // A spring k that fits a motion of amplitude a is K + 3/4 K3 a^2 (Duffing 1918).
+                    p[P::Stiffness] = k / (1 + 0.75 * cubic);
+                    p[P::Cubic] = squaredSize > 0 ? cubic * p[P::Stiffness] / squaredSize : 0;
+                    p[P::Stiffness] /= 1 + relaxing / 2;
+                    p[P::Relaxing] = relaxing * p[P::Stiffness];
+                    p[P::RelaxationTime] = tau * count;
+                    candidates.offer(point);
+                }
+}
+
+} // namespace
+
+std::vector<MotionPoint> motionStarts(const MotionProblem& problem, const MotionPoint& other)
+{
+    Candidates candidates{problem, {}};
+    const auto count = static_cast<double>(problem.position.size());
+    for (const double bandwidth : filterBandwidths)
+        for (const double share : sharesOf(problem.terms.relaxation, relaxationShares))
+            if (const auto point =
+                    EquationRegression(problem, bandwidth, std::max(share * count, 1.0)).solve())
+                candidates.offer(*point);
+    if (other.values[P::Stiffness] > 0)
+        offerVariants(candidates, other);
+    std::stable_sort(candidates.all.begin(), candidates.all.end(),
+                     [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    std::vector<MotionPoint> best;
+    for (std::size_t i = 0; i < std::min(mostStarts, candidates.all.size()); ++i)
+        best.push_back(candidates.all[i].point);
+    return best;
+}
+
+} // namespace gripscope
