@@ -5522,6 +5522,94 @@ m  %3</translation>
         <source>a second person</source>
         <translation>eine zweite Person</translation>
     </message>
+    <message>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>a part that goes on yielding</source>
+        <translation>ein Teil, das weiter nachgibt</translation>
+    </message>
+    <message>
+        <source>a spring that is not straight</source>
+        <translation>eine Feder, die nicht gerade ist</translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <translation>%1 mit %2</translation>
+    </message>
+    <message>
+        <source>viscoelastic</source>
+        <translation>viskoelastisch</translation>
+    </message>
+    <message>
+        <source>friction, viscoelastic</source>
+        <translation>Reibung, viskoelastisch</translation>
+    </message>
+    <message>
+        <source>friction, cubic spring</source>
+        <translation>Reibung, kubische Feder</translation>
+    </message>
+    <message>
+        <source>viscoelastic, cubic spring</source>
+        <translation>viskoelastisch, kubische Feder</translation>
+    </message>
+    <message>
+        <source>without mass</source>
+        <translation>ohne Masse</translation>
+    </message>
+    <message>
+        <source>viscoelastic without mass</source>
+        <translation>viskoelastisch ohne Masse</translation>
+    </message>
+    <message>
+        <source>cubic spring without mass</source>
+        <translation>kubische Feder ohne Masse</translation>
+    </message>
+    <message>
+        <source>no spring</source>
+        <translation>ohne Feder</translation>
+    </message>
+    <message>
+        <source>friction of %1 %2</source>
+        <translation>Reibung von %1 %2</translation>
+    </message>
+    <message>
+        <source>a part that goes on yielding by %1 % over %2 s</source>
+        <translation>ein Teil, das über %2 s um %1 % weiter nachgibt,</translation>
+    </message>
+    <message>
+        <source>%1 explains this squeeze; without it k would read %2 % high.</source>
+        <translation>%1 erklärt diesen Druckversuch; ohne das läse man k um %2 % zu hoch.</translation>
+    </message>
+    <message>
+        <source>%1 explains this squeeze; without it k would read %2 % low.</source>
+        <translation>%1 erklärt diesen Druckversuch; ohne das läse man k um %2 % zu niedrig.</translation>
+    </message>
+    <message>
+        <source>the parameters or their errors are outside the range of numbers</source>
+        <translation>die Parameter oder ihre Fehler liegen außerhalb des Zahlenbereichs</translation>
+    </message>
+    <message>
+        <source>%1 cannot be told from zero; leave its term out, or squeeze longer and with more levels of force</source>
+        <translation>%1 lässt sich nicht von null unterscheiden; das Glied weglassen oder länger und mit mehr Kraftstufen drücken</translation>
+    </message>
+    <message>
+        <source>%1 cannot be told from infinity; leave its term out, or squeeze longer and with more levels of force</source>
+        <translation>%1 lässt sich nicht von unendlich unterscheiden; das Glied weglassen oder länger und mit mehr Kraftstufen drücken</translation>
+    </message>
+    <message>
+        <source>friction without a mass is not among the models</source>
+        <translation>Reibung ohne Masse gehört nicht zu den Modellen</translation>
+    </message>
+    <message>
+        <source>there are fewer samples than the motion has unknowns; record for longer</source>
+        <translation>es sind weniger Abtastwerte als die Bewegung Unbekannte hat; länger aufzeichnen</translation>
+    </message>
+    <message>
+        <source>a constant force does not determine the motion; squeeze with a force that varies, for instance one of four levels</source>
+        <translation>eine konstante Kraft bestimmt die Bewegung nicht; mit einer Kraft drücken, die sich ändert, etwa einer mit vier Stufen</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>

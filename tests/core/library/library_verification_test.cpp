@@ -44,6 +44,18 @@ bool names(const LibraryVerification& found, const QString& table, const QString
     });
 }
 
+/// Of two contents, the first line that differs.
+QString firstDifference(const QByteArray& before, const QByteArray& after)
+{
+    const QList<QByteArray> old = before.split('\n');
+    const QList<QByteArray> now = after.split('\n');
+    for (qsizetype i = 0; i < std::min(old.size(), now.size()); ++i)
+        if (old[i] != now[i])
+            return u"%1 became %2"_s.arg(QString::fromUtf8(old[i].left(400)),
+                                         QString::fromUtf8(now[i].left(400)));
+    return u"%1 lines became %2"_s.arg(old.size()).arg(now.size());
+}
+
 /// A whole library that nobody has open, and what the second place knows of it, as bytes, to be written anew
 /// for each try.
 struct WholeLibrary {
@@ -192,7 +204,8 @@ private slots:
                 continue;
             }
             const auto found = verifyLibrary(file);
-            QVERIFY2(!found || !found->whole(), qPrintable(u"bit %1"_s.arg(bit)));
+            QVERIFY2(!found || !found->whole(),
+                     qPrintable(u"bit %1: %2"_s.arg(bit).arg(firstDifference(content, contentOf(file)))));
             QVERIFY(!found || !found->differences[0].what.isEmpty());
         }
     }
