@@ -133,6 +133,8 @@ inline QByteArray contentOf(const QString& file)
     const auto tables = connection.list(u"SELECT name FROM sqlite_master WHERE type = 'table'"_s);
     if (!content || !tables)
         return {};
+    for (QString& part : *content)
+        part = part.simplified(); // one blank or another between words says the same
     for (const QString& table : *tables) {
         const auto columns = connection.list(u"SELECT name FROM pragma_table_info('%1')"_s.arg(table));
         QStringList values;
