@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
-#include "tests/ui/workbench_fixture.h"
 #include "ui/shell/tour.h"
 
 #include <QColor>
@@ -33,7 +32,6 @@ void TourTest::savesOnePictureAPage()
     options.folder = folder.filePath(u"pictures"_s);
     options.theme = ThemeKind::Dark;
     options.size = {1024, 640};
-    options.gripper = test::unhurriedA;
     options.patience = test::patience;
     QCOMPARE(runTour(options), 0);
     QStringList names = QDir(options.folder).entryList({u"*.png"_s}, QDir::Files, QDir::Name);

@@ -150,7 +150,7 @@ int runTour(const TourOptions& options)
         unhurried.freshFor = unhurried.reportPeriod = std::chrono::seconds(1);
         bench.setLinkLimits(unhurried);
         good = loadExamples(bench);
-        bench.connectTo(options.gripper);
+        bench.connectTo(u"virtual:"_s);
         MainWindow window(bench);
         window.resize(options.size);
         window.show();

@@ -15,8 +15,7 @@ struct TourOptions {
     ThemeKind theme = ThemeKind::Light;
     QSize size{1440, 900};
     QString language = QStringLiteral("en");
-    std::chrono::milliseconds patience{30000};    ///< for a page to be ready, all tries together
-    QString gripper = QStringLiteral("virtual:"); ///< an address of a virtual one
+    std::chrono::milliseconds patience{30000}; ///< for a page to be ready, all tries together
 };
 
 /// Opens the program on the virtual gripper and a temporary library with the example types, brings every page

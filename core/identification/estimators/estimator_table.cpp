@@ -246,6 +246,16 @@ std::vector<Estimator> estimatorsOnPages()
     return some;
 }
 
+std::vector<Estimator> estimatorsOfTypes()
+{
+    std::vector<Estimator> some = estimatorsOnPages();
+    std::erase_if(some, [](Estimator estimator) {
+        const std::optional<MotionTerms> terms = motionTermsOf(estimator);
+        return terms && (!terms->mass || !terms->spring);
+    });
+    return some;
+}
+
 std::optional<MotionTerms> motionTermsOf(Estimator estimator)
 {
     switch (estimator) {

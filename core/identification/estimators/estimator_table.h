@@ -37,6 +37,8 @@ struct EstimatorFacts {
 [[nodiscard]] std::vector<Estimator> allEstimators();
 /// Those that pages run and offer, in their order.
 [[nodiscard]] std::vector<Estimator> estimatorsOnPages();
+/// Those of them whose m, b and k a type can be made of.
+[[nodiscard]] std::vector<Estimator> estimatorsOfTypes();
 /// The terms of an estimator of the family of MotionTerms; nothing for the others.
 [[nodiscard]] std::optional<MotionTerms> motionTermsOf(Estimator estimator);
 [[nodiscard]] const EstimatorFacts& factsOf(Estimator estimator);

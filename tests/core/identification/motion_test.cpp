@@ -3,125 +3,18 @@
 #include "core/identification/estimators/estimator_table.h"
 #include "core/identification/motion/motion.h"
 #include "core/identification/motion/motion_search.h"
-#include "core/math/gaussian.h"
-#include "core/research/real_part.h"
+#include "tests/core/identification/real_squeeze.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
 
-#include <random>
 
 using namespace gripscope;
+using namespace gripscope::test;
 using namespace Qt::StringLiterals;
 using P = MotionParameter;
 
 namespace {
-
-constexpr double sampleTime_s = 5e-4;
-
-/// Can A in SI with further terms, and a squeeze of it.
-struct RealSqueeze {
-    RealPart part{.m = 0.04, .b = 14, .k = 10'000};
-    MotionTerms terms;
-    ForceHold hold = ForceHold::Zero;
-    std::size_t samples = 2000;
-    int levels = 4;
-    double noise_m = 1e-5;
-    std::uint64_t seed = 1;
-
-    [[nodiscard]] std::vector<double> times() const
-    {
-        std::vector<double> all(samples);
-        for (std::size_t i = 0; i < samples; ++i)
-            all[i] = static_cast<double>(i) * sampleTime_s;
-        return all;
-    }
-    /// Levels of 10 N about 20 N, a new one every 5 ms.
-    [[nodiscard]] std::vector<double> force() const
-    {
-        std::mt19937_64 bits(seed);
-        std::vector<double> all;
-        double level = 0;
-        for (std::size_t i = 0; i < samples; ++i) {
-            if (i % 10 == 0)
-                level =
-                    20.0 * static_cast<double>(bits() % static_cast<std::uint64_t>(levels)) / (levels - 1) -
-                    10;
-            all.push_back(20 + level);
-        }
-        return all;
-    }
-    [[nodiscard]] std::vector<double> position() const
-    {
-        std::vector<double> all = simulateRealPart(part, times(), force(), hold, times());
-        GaussianNoise noise(seed + 1000);
-        for (double& x : all)
-            x += 0.01 + noise_m * noise();
-        return all;
-    }
-    [[nodiscard]] MotionOptions options() const
-    {
-        MotionOptions asked;
-        asked.sampleTime_s = sampleTime_s;
-        asked.hold = hold;
-        asked.terms = terms;
-        return asked;
-    }
-    [[nodiscard]] Estimate estimate() const { return estimateMotion(force(), position(), options()); }
-    [[nodiscard]] double truthOf(P parameter) const
-    {
-        switch (parameter) {
-        case P::Mass:
-            return part.m;
-        case P::Damping:
-            return part.b;
-        case P::Stiffness:
-            return part.k;
-        case P::Friction:
-            return part.friction;
-        case P::Relaxing:
-            return part.relaxing;
-        case P::RelaxationTime:
-            return part.relaxationTime_s;
-        case P::Cubic:
-            return part.cubic;
-        default:
-            return 0;
-        }
-    }
-};
-
-RealSqueeze squeezeWith(double friction, double relaxing, double cubic)
-{
-    RealSqueeze squeeze;
-    squeeze.part.friction = friction;
-    squeeze.part.relaxing = relaxing;
-    squeeze.part.cubic = cubic;
-    squeeze.terms = {.friction = friction > 0, .relaxation = relaxing > 0, .cubic = cubic != 0};
-    return squeeze;
-}
-
-void partRows()
-{
-    QTest::addColumn<double>("friction");
-    QTest::addColumn<double>("relaxing");
-    QTest::addColumn<double>("cubic");
-    QTest::newRow("linear") << 0.0 << 0.0 << 0.0;
-    QTest::newRow("friction") << 0.3 << 0.0 << 0.0;
-    QTest::newRow("much friction") << 2.0 << 0.0 << 0.0;
-    QTest::newRow("viscoelastic") << 0.0 << 3000.0 << 0.0;
-    QTest::newRow("cubic spring") << 0.0 << 0.0 << 5e8;
-    QTest::newRow("friction and viscoelastic") << 0.5 << 3000.0 << 0.0;
-    QTest::newRow("friction and cubic spring") << 0.5 << 0.0 << 5e8;
-}
-
-RealSqueeze rowSqueeze()
-{
-    QFETCH(double, friction);
-    QFETCH(double, relaxing);
-    QFETCH(double, cubic);
-    return squeezeWith(friction, relaxing, cubic);
-}
 
 MotionProblem problemOf(const RealSqueeze& squeeze)
 {
@@ -198,31 +91,6 @@ private slots:
         }
     }
 
-    /// Fixed seeds; the mean of n squared errors in stated deviations has deviation sqrt(2 / n) about 1, so
-    /// that 4 of these are left once in 16,000 checks.
-    void errorsAreThoseThatAreStated_data() { partRows(); }
-    void errorsAreThoseThatAreStated()
-    {
-        constexpr int runs = 60;
-        RealSqueeze squeeze = rowSqueeze();
-        const std::vector<P> parameters = squeeze.terms.parameters();
-        std::vector<double> squares(parameters.size(), 0.0);
-        for (int run = 0; run < runs; ++run) {
-            squeeze.seed = static_cast<std::uint64_t>(run + 1);
-            const Estimate estimate = squeeze.estimate();
-            QVERIFY2(estimate.status == EstimateStatus::Converged,
-                     qPrintable(u"%1: %2"_s.arg(run).arg(estimate.message.english())));
-            for (std::size_t i = 0; i < parameters.size(); ++i) {
-                const auto at = static_cast<Eigen::Index>(i);
-                const double error = estimate.motion->values[parameters[i]] - squeeze.truthOf(parameters[i]);
-                squares[i] += error * error / estimate.motion->covariance(at, at) / runs;
-            }
-        }
-        for (std::size_t i = 0; i < parameters.size(); ++i)
-            QVERIFY2(std::abs(squares[i] - 1) < 4 * std::sqrt(2.0 / runs),
-                     qPrintable(u"%1: %2"_s.arg(toString(parameters[i])).arg(squares[i])));
-    }
-
     void startsWrongByTenTimesAreMended_data() { partRows(); }
     void startsWrongByTenTimesAreMended()
     {
@@ -239,33 +107,6 @@ private slots:
             const double error = std::sqrt(right.motion->covariance(2, 2));
             QVERIFY2(std::abs(moved) < 0.02 * error, qPrintable(QString::number(moved / error)));
         }
-    }
-
-    /// Without friction the search ends at zero half of the time; the limit is above the truth in 95 % of the
-    /// squeezes: of 200 at least 180 (190 expected, deviation 3.1).
-    void whereThereIsNoFrictionTheLimitCovers()
-    {
-        RealSqueeze squeeze;
-        squeeze.samples = 600;
-        squeeze.terms.friction = true;
-        int atZero = 0;
-        for (int run = 0; run < 100; ++run) {
-            squeeze.seed = static_cast<std::uint64_t>(run + 1);
-            const Estimate estimate = squeeze.estimate();
-            QVERIFY2(estimate.status == EstimateStatus::Converged,
-                     qPrintable(u"%1: %2"_s.arg(run).arg(estimate.message.english())));
-            QVERIFY(estimate.motion->frictionLimit);
-            QVERIFY(estimate.motion->values[P::Friction] >= 0);
-            atZero += estimate.motion->values[P::Friction] == 0;
-        }
-        QVERIFY2(atZero > 30 && atZero < 70, qPrintable(QString::number(atZero)));
-        int covered = 0;
-        squeeze.part.friction = 0.02;
-        for (int run = 0; run < 200; ++run) {
-            squeeze.seed = static_cast<std::uint64_t>(run + 1);
-            covered += squeeze.estimate().motion->frictionLimit.value_or(0) >= 0.02;
-        }
-        QVERIFY2(covered >= 180, qPrintable(QString::number(covered)));
     }
 
     void aSlowGripperGetsNoMass()

@@ -378,7 +378,7 @@ void EnrollPage::prepareTour()
 {
     TourScript& tour = d->tour;
     EnrollSession& session = workbench().enrollment();
-    tour.connectTo(workbench(), u"virtual:?object=0.031,52,13500&seed=31"_s);
+    tour.connectTo(workbench(), u"virtual:?object=0.031,52,13500&seed=31&speed=0"_s);
     tour.add(
         [this] {
             d->squeezes->setAcceptsByItself(false); // the picture shows a decision

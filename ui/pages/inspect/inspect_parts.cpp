@@ -290,14 +290,14 @@ void addInspections(TourScript& tour, Workbench& workbench, const std::function<
             });
     };
     tour.add(expect, [&workbench] { return workbench.inspection().state() == InspectSession::State::Ready; });
-    tour.connectTo(workbench, u"virtual:?object=A&seed=21"_s);
+    tour.connectTo(workbench, u"virtual:?object=A&seed=21&speed=0"_s);
     inspect(3);
-    tour.connectTo(workbench, u"virtual:?object=B&seed=22"_s);
+    tour.connectTo(workbench, u"virtual:?object=B&seed=22&speed=0"_s);
     inspect(1);
     // A can that nobody enrolled: between the others in stiffness, with a damping of its own.
-    tour.connectTo(workbench, u"virtual:?object=0.05,80,7000&seed=23"_s);
+    tour.connectTo(workbench, u"virtual:?object=0.05,80,7000&seed=23&speed=0"_s);
     inspect(1);
-    tour.connectTo(workbench, u"virtual:?object=A&seed=24"_s);
+    tour.connectTo(workbench, u"virtual:?object=A&seed=24&speed=0"_s);
     inspect(1);
     tour.wait(300);
 }

@@ -106,7 +106,7 @@ QWidget* ReidentifyDialog::buildOptions()
     m_estimator = new QComboBox;
     m_estimator->setObjectName("reidentifyEstimator");
     m_estimator->setAccessibleName(tr("Estimator"));
-    for (const Estimator estimator : allEstimators())
+    for (const Estimator estimator : estimatorsOfTypes())
         m_estimator->addItem(estimatorName(estimator), int(estimator));
     m_estimator->setCurrentIndex(m_estimator->findData(int(Estimator::InstrumentalVariables)));
     m_hold = new QComboBox;

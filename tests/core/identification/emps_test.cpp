@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A motor-driven axis without a spring, ruled by friction (EMPS: Janot, Gautier, Brunot 2019; M 95.1 kg by
+// inverse dynamics).
+#include "core/identification/estimators/run_estimator.h"
+#include "core/signal/preparation/preparation.h"
+#include "core/signal/recording/recording_csv.h"
+#include "tests/support/test_registry.h"
+
+#include <QFileInfo>
+#include <QTest>
+
+using namespace gripscope;
+using P = MotionParameter;
+
+class EmpsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void theCarriageIsFoundWhereNoSpringIs()
+    {
+        const QString file = QStringLiteral(GRIPSCOPE_SHARED_DATA "/emps/arrow.csv");
+        if (!QFileInfo::exists(file))
+            QSKIP("the records of the axis are not there");
+        const auto recording = readRecordingCsv(file);
+        QVERIFY(recording.has_value());
+        const PreparedRecord record = prepare(*recording, {});
+        const Estimate carriage = runEstimator(Estimator::Carriage, record, {});
+        QVERIFY2(carriage.status == EstimateStatus::Converged, qPrintable(carriage.message.english()));
+        QVERIFY(!carriage.parameters); // it has no k
+        QVERIFY2(carriage.fit.simulationPercent.value_or(0) >= 97,
+                 qPrintable(QString::number(*carriage.fit.simulationPercent)));
+        const double mass = carriage.motion->values[P::Mass];
+        const double halfWidth = 1.96 * std::sqrt(carriage.motion->covariance(0, 0));
+        QVERIFY2(std::abs(mass - 95.1) < halfWidth && halfWidth < 10,
+                 qPrintable(QStringLiteral("%1 +- %2").arg(mass).arg(halfWidth)));
+        QVERIFY(std::abs(carriage.motion->values[P::Friction] - 20.4) < 3);
+        const Estimate spring = runEstimator(Estimator::OutputError, record, {});
+        QVERIFY(!spring.parameters);
+        QVERIFY(!spring.message.isEmpty());
+    }
+};
+
+GRIPSCOPE_TEST(EmpsTest)
+#include "emps_test.moc"
