@@ -8,7 +8,6 @@
 
 #include <QTest>
 
-
 using namespace gripscope;
 using namespace gripscope::test;
 using namespace Qt::StringLiterals;
