@@ -72,6 +72,7 @@ std::vector<UpAndDown> upAndDown(const std::vector<CalibrationPoint>& points)
         ++sum.count;
     }
     std::vector<UpAndDown> rows;
+    rows.reserve(loads.size());
     for (const auto& [load, sums] : loads)
         rows.push_back({load, sums.first.mean(), sums.second.mean()});
     return rows;
