@@ -181,7 +181,7 @@ constexpr std::array<EstimatorFacts, 16> table{
       "damper and spring, the mass left out",
       true,
       false,
-      true,
+      false,
       {6, 1.1, up},
       runMotion},
      {Estimator::StaticZener,
