@@ -125,7 +125,7 @@ std::optional<MotionSearchResult> searchWithFriction(MotionProblem& problem, con
         return resting;
     std::vector<MotionPoint> starts;
     double best = std::numeric_limits<double>::infinity();
-    MotionPoint from = resting ? resting->point : linear;
+    const MotionPoint from = resting ? resting->point : linear;
     const double slope = startSpeed(problem);
     for (const double v0 : {linear.v0, slope, 0.3 * slope}) {
         MotionPoint moving = from;

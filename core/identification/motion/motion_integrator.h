@@ -251,7 +251,6 @@ void MotionIntegrator<Number>::expandHeld(const Number& force, double slope)
 {
     using P = MotionParameter;
     const Number rate = m_terms.relaxation ? Number(1) / of(P::RelaxationTime) : Number(0);
-    const int last = m_terms.relaxation ? m_order : 1;
     m_xs[0] = m_x;
     m_strains[0] = m_strain;
     m_net[0] = restForce(force);
@@ -260,7 +259,7 @@ void MotionIntegrator<Number>::expandHeld(const Number& force, double slope)
         m_xs[i + 1] = Number(0);
         m_vs[i] = Number(0);
         m_net[i + 1] = n == 0 ? Number(slope) : Number(0);
-        if (!m_terms.relaxation || n >= last)
+        if (!m_terms.relaxation)
             continue;
         m_strains[i + 1] = m_strains[i] * rate * (-1.0 / (n + 1));
         m_net[i + 1] -= of(P::Relaxing) * m_strains[i + 1];
