@@ -161,13 +161,6 @@ Eigen::VectorXd scalesOf(const MotionProblem& problem, const MotionPoint& point)
     return scales;
 }
 
-std::optional<Eigen::MatrixXd> usable(const Eigen::MatrixXd& covariance)
-{
-    if (!covariance.allFinite() || !(covariance.diagonal().minCoeff() > 0))
-        return std::nullopt;
-    return Eigen::MatrixXd(0.5 * (covariance + covariance.transpose()));
-}
-
 std::optional<Eigen::MatrixXd> whiteCovariance(const MotionProblem& problem, const MotionSearchResult& search,
                                                const Eigen::VectorXd& scales)
 {
@@ -177,7 +170,8 @@ std::optional<Eigen::MatrixXd> whiteCovariance(const MotionProblem& problem, con
     const Eigen::MatrixXd inverse = triangle.topRows(unknowns).triangularView<Eigen::Upper>().solve(
         Eigen::MatrixXd::Identity(unknowns, unknowns));
     const Eigen::MatrixXd root = scales.asDiagonal() * inverse.bottomRows(scales.size());
-    return usable(search.cost() / MotionSearchResult::degreesOfFreedom(problem) * root * root.transpose());
+    return usableCovariance(search.cost() / MotionSearchResult::degreesOfFreedom(problem) * root *
+                            root.transpose());
 }
 
 /// Under the autoregressive noise that the residuals hold.
@@ -198,7 +192,8 @@ std::optional<Eigen::MatrixXd> colouredCovariance(const MotionRows& rows, const 
     gains = (scales.asDiagonal() * gains.bottomRows(scales.size())).eval();
     const Eigen::VectorXd expansion = autoregressiveExpansion(orthonormal.basis, gains, noise);
     const Eigen::MatrixXd scaled = expansion.asDiagonal() * gains;
-    const auto covariance = usable(scaled * spreadUnderNoise(orthonormal.basis, noise) * scaled.transpose());
+    const auto covariance =
+        usableCovariance(scaled * spreadUnderNoise(orthonormal.basis, noise) * scaled.transpose());
     if (!covariance)
         return std::nullopt;
     noise.innovationDeviation *= positionScale;

@@ -74,15 +74,14 @@ bool isSuspicious(std::span<const double> residuals, const Eigen::MatrixXd& basi
     return noiseScore(residuals, basis, shape).value_or(0) > suspiciousScore;
 }
 
-/// Symmetric, finite, with variances above zero.
-std::optional<Eigen::Matrix3d> usable(const Eigen::Matrix3d& covariance)
+} // namespace
+
+std::optional<Eigen::MatrixXd> usableCovariance(const Eigen::MatrixXd& covariance)
 {
     if (!covariance.allFinite() || !(covariance.diagonal().minCoeff() > 0))
         return std::nullopt;
-    return 0.5 * (covariance + covariance.transpose());
+    return Eigen::MatrixXd(0.5 * (covariance + covariance.transpose()));
 }
-
-} // namespace
 
 double errorExpansion(double logVarianceSpread)
 {
@@ -155,8 +154,8 @@ std::optional<ResidualNoise> findResidualNoise(std::span<const double> residuals
     if (best <= 0)
         return std::nullopt;
     const Eigen::MatrixXd scaled = expansion.asDiagonal() * gains;
-    const std::optional<Eigen::Matrix3d> covariance =
-        usable(scaled * spreadUnderNoise(basis, found.noise) * scaled.transpose());
+    const std::optional<Eigen::MatrixXd> covariance =
+        usableCovariance(scaled * spreadUnderNoise(basis, found.noise) * scaled.transpose());
     if (!covariance)
         return std::nullopt;
     found.covariance = *covariance;

@@ -62,6 +62,9 @@ struct ForceNoiseFit {
                                                          const Eigen::MatrixXd& gains,
                                                          const ForceResponse& response);
 
+/// Made symmetric; nothing unless it is finite and its variances are above zero.
+[[nodiscard]] std::optional<Eigen::MatrixXd> usableCovariance(const Eigen::MatrixXd& covariance);
+
 /// Noise that was found in the residuals of least squares and what it makes of the errors.
 struct ResidualNoise {
     AutoregressiveNoise noise;
