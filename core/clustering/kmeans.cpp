@@ -197,9 +197,9 @@ KMeansResult runFrom(ItemRows items, const Eigen::MatrixXd& centres, const KMean
             next.reset();
     }
     result.status = next ? KMeansStatus::NotConverged : KMeansStatus::Converged;
-    result.labels = assignment.labels();
     result.centroids = assignment.centroids();
     result.inertia = assignment.inertia();
+    result.labels = assignment.takeLabels();
     return result;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/clustering/kmeans_assignment.h"
 
-#include "core/clustering/nearest_in_block.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,9 +29,12 @@ double squaredDistance(const double* a, const double* b, Eigen::Index count)
 
 KMeansAssignment::KMeansAssignment(ItemRows items, int clusters)
     : m_items(std::move(items)), m_labels(std::size_t(m_items.rows()), -1),
-      m_inBlocks(clusters <= fewCentroids), m_upper(m_inBlocks ? 0 : m_labels.size(), infinity),
-      m_lower(m_upper.size(), 0), m_chunks(chunkCount(m_labels.size()))
+      m_chunks(chunkCount(m_labels.size()))
 {
+    if (clusters <= fewCentroids)
+        m_blocks.emplace(m_items, clusters);
+    m_upper.assign(m_blocks ? 0 : m_labels.size(), infinity);
+    m_lower.assign(m_upper.size(), 0);
     for (ChunkSums& chunk : m_chunks) {
         chunk.sums.resize(clusters, m_items.cols());
         chunk.items.resize(clusters);
@@ -202,72 +203,56 @@ void KMeansAssignment::assignChunk(const Chunk& chunk, const Moves& moves)
     }
 }
 
-template <int Features>
-void KMeansAssignment::assignChunkInBlocks(const Chunk& chunk)
-{
-    const Eigen::Index features = Features > 0 ? Features : m_items.cols();
-    ChunkSums& found = m_chunks[chunk.number];
-    found.changed = 0;
-    ItemRows sums[2]; // of the items, and how many
-    sums[0] = sums[1] = ItemRows::Zero(m_centroids.rows(), features + 1);
-    Eigen::Array<double, blockItems, Eigen::Dynamic> columns(blockItems, features);
-    columns.setZero();
-    Eigen::Array<double, blockItems, 1> nearest;
-    for (std::size_t begin = chunk.begin; begin < chunk.end; begin += std::size_t(blockItems)) {
-        const auto count = Eigen::Index(std::min(chunk.end - begin, std::size_t(blockItems)));
-        columns.topRows(count) = m_items.middleRows(Eigen::Index(begin), count).array();
-        findNearest(columns.data(), features, m_centroids, nearest.data());
-        for (Eigen::Index i = 0; i < count; ++i) {
-            int& label = m_labels[begin + std::size_t(i)];
-            const int now = int(nearest[i]);
-            found.changed += label != now;
-            label = now;
-            // In turns to two sums: one would have to wait for the item before.
-            double* sum = sums[i % 2].data() + now * (features + 1);
-            for (Eigen::Index j = 0; j < features; ++j)
-                sum[j] += columns(i, j);
-            sum[features] += 1;
-        }
-    }
-    found.sums = sums[0].leftCols(features) + sums[1].leftCols(features);
-    found.items = sums[0].col(features) + sums[1].col(features);
-}
-
 std::size_t KMeansAssignment::assign(const Eigen::MatrixXd& centroids)
 {
     const ItemRows next = centroids;
     Moves moves;
-    if (!m_inBlocks)
+    if (!m_blocks)
         moves = movesTo(next);
     m_centroids = next;
     m_columns = centroids;
-    if (!m_inBlocks)
+    if (!m_blocks)
         findNeighbours();
     forEachChunk(m_labels.size(), [&](const Chunk& chunk) {
-        const bool three = m_items.cols() == 3; // mass, damping, stiffness
-        if (m_inBlocks)
-            three ? assignChunkInBlocks<3>(chunk) : assignChunkInBlocks<0>(chunk);
+        ChunkSums& found = m_chunks[chunk.number];
+        if (m_blocks)
+            found.changed = m_blocks->assign(chunk, m_centroids, m_labels, found);
+        else if (m_items.cols() == 3) // mass, damping, stiffness
+            assignChunk<3>(chunk, moves);
         else
-            three ? assignChunk<3>(chunk, moves) : assignChunk<0>(chunk, moves);
+            assignChunk<0>(chunk, moves);
     });
     return std::accumulate(m_chunks.begin(), m_chunks.end(), std::size_t(0),
                            [](std::size_t sum, const ChunkSums& chunk) { return sum + chunk.changed; });
 }
 
+double KMeansAssignment::squaredDistanceOf(Eigen::Index item) const
+{
+    return squaredDistance<0>(m_items.row(item).data(), m_centroids.row(m_labels[std::size_t(item)]).data(),
+                              m_items.cols());
+}
+
 Eigen::VectorXd KMeansAssignment::squaredDistances() const
 {
     Eigen::VectorXd distances(m_items.rows());
-    forEachChunk(m_labels.size(), [&](const Chunk& chunk) {
-        for (auto i = Eigen::Index(chunk.begin); i < Eigen::Index(chunk.end); ++i)
-            distances(i) = squaredDistance<0>(
-                m_items.row(i).data(), m_centroids.row(m_labels[std::size_t(i)]).data(), m_items.cols());
-    });
+    for (Eigen::Index i = 0; i < distances.size(); ++i)
+        distances(i) = squaredDistanceOf(i);
     return distances;
 }
 
-KMeansAssignment::Sums KMeansAssignment::sums() const
+double KMeansAssignment::inertia() const
 {
-    Sums all = m_chunks.front();
+    std::vector<double> sums(m_chunks.size(), 0.0);
+    forEachChunk(m_labels.size(), [&](const Chunk& chunk) {
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i)
+            sums[chunk.number] += squaredDistanceOf(Eigen::Index(i));
+    });
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+ClusterSums KMeansAssignment::sums() const
+{
+    ClusterSums all = m_chunks.front();
     for (std::size_t chunk = 1; chunk < m_chunks.size(); ++chunk) {
         all.sums += m_chunks[chunk].sums;
         all.items += m_chunks[chunk].items;
@@ -277,7 +262,7 @@ KMeansAssignment::Sums KMeansAssignment::sums() const
 
 Eigen::MatrixXd KMeansAssignment::means() const
 {
-    const Sums all = sums();
+    const ClusterSums all = sums();
     Eigen::MatrixXd means = all.sums;
     Eigen::VectorXd distances;
     for (Eigen::Index c = 0; c < means.rows(); ++c) {

@@ -2,10 +2,13 @@
 #pragma once
 
 #include "core/base/parallel_runs.h"
+#include "core/clustering/block_assignment.h"
 #include "core/clustering/cluster_items.h"
 
 #include <Eigen/Core>
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace gripscope {
@@ -27,23 +30,21 @@ public:
 
     [[nodiscard]] const ItemRows& items() const { return m_items; }
     [[nodiscard]] const std::vector<int>& labels() const { return m_labels; }
+    /// Of an assignment that is over.
+    [[nodiscard]] std::vector<int> takeLabels() { return std::move(m_labels); }
     [[nodiscard]] const ItemRows& centroids() const { return m_centroids; }
     /// Of every item from its centroid.
     [[nodiscard]] Eigen::VectorXd squaredDistances() const;
     /// J of the labels and centroids of the last assignment.
-    [[nodiscard]] double inertia() const { return squaredDistances().sum(); }
+    [[nodiscard]] double inertia() const;
 
-    struct Sums {
-        ItemRows sums;         ///< of the items, clusters x features
-        Eigen::VectorXd items; ///< how many in each cluster
-    };
-    [[nodiscard]] Sums sums() const;
+    [[nodiscard]] ClusterSums sums() const;
     /// The means of the clusters. One that lost all its items moves to the item farthest from its own
     /// centroid, which lowers J most of all single moves; it stays when that item is only off by rounding.
     [[nodiscard]] Eigen::MatrixXd means() const;
 
 private:
-    struct ChunkSums : Sums {
+    struct ChunkSums : ClusterSums {
         std::size_t changed = 0;
     };
     /// How the last move of the centroids shifts the bounds.
@@ -58,13 +59,11 @@ private:
         double distance = 0; ///< at most the true one
         int centroid = 0;
     };
+    [[nodiscard]] double squaredDistanceOf(Eigen::Index item) const;
     [[nodiscard]] Moves movesTo(const ItemRows& centroids) const;
     void findNeighbours();
     template <int Features>
     void assignChunk(const Chunk& chunk, const Moves& moves);
-    /// With few centroids every distance is sooner measured, many items at once, than bounds are kept.
-    template <int Features>
-    void assignChunkInBlocks(const Chunk& chunk);
     template <int Features>
     int nearestCentroid(std::size_t item, Eigen::ArrayXd& distances);
     /// The same for an item with a cluster, whose m_upper is as close as can be; `squared` is its distance.
@@ -74,9 +73,10 @@ private:
 
     ItemRows m_items;
     ItemRows m_centroids;
-    Eigen::ArrayXXd m_columns;                        ///< the centroids, feature by feature
-    std::vector<int> m_labels;                        ///< -1 before the first assignment
-    bool m_inBlocks = false;                          ///< few centroids; then no bounds
+    Eigen::ArrayXXd m_columns; ///< the centroids, feature by feature
+    std::vector<int> m_labels; ///< -1 before the first assignment
+    /// With few centroids: every distance is sooner measured, many items at once, than bounds are kept.
+    std::optional<BlockAssignment> m_blocks;
     std::vector<double> m_upper, m_lower;             ///< distances, not squares
     std::vector<std::vector<Neighbour>> m_neighbours; ///< of each centroid; empty: it does not pay
     std::vector<ChunkSums> m_chunks;

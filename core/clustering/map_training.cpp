@@ -32,7 +32,7 @@ Eigen::MatrixXd MapTraining::neighbourhood(double radius) const
 
 std::size_t MapTraining::move(double radius)
 {
-    const KMeansAssignment::Sums own = m_assignment.sums();
+    const ClusterSums own = m_assignment.sums();
     const Eigen::MatrixXd h = neighbourhood(radius);
     const Eigen::MatrixXd smoothed = h * own.sums;
     const Eigen::VectorXd mass = h * own.items;

@@ -125,13 +125,17 @@ private slots:
             ItemRows centroids(6, features);
             for (double& x : centroids.reshaped())
                 x = draw();
+            centroids.row(1) = Eigen::Map<Eigen::MatrixXd>(columns.data(), blockItems, features).row(20);
             centroids.row(4) = centroids.row(1); // of equals the lowest number
-            std::vector<double> found(std::size_t(blockItems), -1), plain(std::size_t(blockItems), -2);
-            findNearest(columns.data(), features, centroids, found.data());
-            detail::findNearestOneByOne(columns.data(), features, centroids, plain.data());
+            std::vector<int> found(std::size_t(blockItems), -1), plain(std::size_t(blockItems), -1);
+            found[20] = plain[20] = 1;
+            QCOMPARE(assignBlock(columns.data(), features, centroids, found.data()), int(blockItems) - 1);
+            QCOMPARE(detail::assignOneByOne(columns.data(), features, centroids, plain.data()),
+                     int(blockItems) - 1);
             QCOMPARE(found, plain);
-            QVERIFY(std::count(found.begin(), found.end(), 1.0) > 0);
-            QCOMPARE(std::count(found.begin(), found.end(), 4.0), 0);
+            QCOMPARE(found[20], 1);
+            QCOMPARE(std::count(found.begin(), found.end(), 4), 0);
+            QCOMPARE(assignBlock(columns.data(), features, centroids, found.data()), 0);
         }
     }
 
