@@ -50,7 +50,7 @@ public:
     {
         if (const Expected<void> named = m_session.setName(type); !named)
             return named.error();
-        if (const Expected<void> asked = m_session.setRecipe({}); !asked)
+        if (const Expected<void> asked = m_session.setRecipe(recipeOfNewTypes()); !asked)
             return asked.error();
         return waitFor(EnrollSession::Activity::Storing);
     }

@@ -24,6 +24,7 @@ const std::vector<Study>& studies()
         {u"recognition"_qs, u"the rates a verdict states beside those that are found"_qs,
          runRecognitionStudy},
         {u"early"_qs, u"squeezes that stop as soon as the stated error allows"_qs, runEarlyStudy},
+        {u"truth"_qs, u"what is said of parts that rub, yield and bend beside what is so"_qs, runTruthStudy},
     };
     return all;
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace gripscope::cli {
 
@@ -33,6 +34,48 @@ QString heading(const Identification& identification, const Recording& recording
         QString::number(identification.sampleTime_s, 'g', 6), lost,
         identification.hold == ForceHold::Zero ? u"held between samples (zoh)"_qs
                                                : u"straight between samples (foh)"_qs);
+}
+
+QString unitOf(MotionParameter parameter, const ParameterUnits& units)
+{
+    const QString force = units.k.section(u'/', 0, 0);
+    const QString position = units.k.section(u'/', 1);
+    switch (parameter) {
+    case MotionParameter::Mass:
+        return units.m;
+    case MotionParameter::Damping:
+    case MotionParameter::DampingBack:
+        return units.b;
+    case MotionParameter::Stiffness:
+    case MotionParameter::Relaxing:
+        return units.k;
+    case MotionParameter::RelaxationTime:
+        return u"s"_qs;
+    case MotionParameter::Cubic:
+        return position.isEmpty() ? u"1"_qs : u"%1/%2^3"_qs.arg(force, position);
+    case MotionParameter::Friction:
+    case MotionParameter::FrictionBack:
+    case MotionParameter::ForceOffset:
+        return force;
+    }
+    return u"1"_qs;
+}
+
+/// What a motion has besides m, b and k; all of it where it has no mass or no spring.
+QStringList motionLines(const Estimate& estimate, const ParameterUnits& units)
+{
+    QStringList lines;
+    const std::vector<MotionParameter> parameters = estimate.motion->terms.parameters();
+    for (std::size_t i = estimate.parameters ? 3 : 0; i < parameters.size(); ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        const QString unit = unitOf(parameters[i], units);
+        lines << u"    %1  %2  %3  (95 %)"_qs.arg(
+            toString(parameters[i]),
+            withInterval(estimate.motion->values[parameters[i]],
+                         std::sqrt(estimate.motion->covariance(at, at))),
+            unit == u"1"_qs ? QString() : unit);
+    }
+    return lines;
 }
 
 QStringList parameterLines(const Estimate& estimate, const ParameterUnits& units)
@@ -79,6 +122,8 @@ QStringList estimateLines(const Estimate& estimate, const ParameterUnits& units,
         lines << u"    "_qs + estimate.message.describe();
     if (estimate.parameters)
         lines << parameterLines(estimate, units);
+    if (estimate.motion)
+        lines << motionLines(estimate, units);
     if (estimate.fit.simulationPercent || estimate.fit.predictionPercent)
         lines << fitLine(estimate);
     if (isArx(estimate.estimator) && estimate.parameters)
@@ -100,28 +145,31 @@ QStringList validityLines(const Validity& validity)
 /// The intervals that are shown everywhere, and what makes them so wide.
 QStringList budgetLines(const UncertaintyBudget& budget, const ParameterUnits& units)
 {
-    if (!budget.parameters)
+    if (!budget.parameters && budget.further.empty())
         return {};
     QStringList lines{u"  with all that is uncertain (95 %)"_qs};
     const std::array<QString, 3> names{u"m"_qs, u"b"_qs, u"k"_qs};
     const std::array<QString, 3> unit{units.m, units.b, units.k};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const CoverageInterval& interval = budget.intervals[i];
+    const auto range = [](const QString& name, const CoverageInterval& interval, const QString& of) {
+        const QString shown = of == u"1"_qs ? QString() : u' ' + of;
+        return interval.onlyUpperBound
+                   ? u"    %1  at most %2%3"_qs.arg(name, QString::number(interval.upper, 'g', 3), shown)
+                   : u"    %1  %2 to %3%4"_qs.arg(name, QString::number(interval.lower, 'g', 5),
+                                                  QString::number(interval.upper, 'g', 5), shown);
+    };
+    for (std::size_t i = 0; i < 3 && budget.parameters; ++i) {
         const auto at = static_cast<Eigen::Index>(i);
         const auto largest = std::max_element(
             budget.lines.begin(), budget.lines.end(),
             [at](const BudgetLine& a, const BudgetLine& b) { return a.share(at) < b.share(at); });
-        const QString shown = unit[i] == u"1"_qs ? QString() : u' ' + unit[i];
-        QString line =
-            interval.onlyUpperBound
-                ? u"    %1  at most %2%3"_qs.arg(names[i], QString::number(interval.upper, 'g', 3), shown)
-                : u"    %1  %2 to %3%4"_qs.arg(names[i], QString::number(interval.lower, 'g', 5),
-                                               QString::number(interval.upper, 'g', 5), shown);
+        QString line = range(names[i], budget.intervals[i], unit[i]);
         if (largest != budget.lines.end())
             line += u"  (%1 %: %2)"_qs.arg(100 * largest->share(at), 0, 'f', 0)
                         .arg(QString(largest->id).replace(u'_', u' '));
         lines << line;
     }
+    for (const FurtherParameter& further : budget.further)
+        lines << range(toString(further.parameter), further.interval, unitOf(further.parameter, units));
     return lines;
 }
 

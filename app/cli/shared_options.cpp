@@ -128,7 +128,8 @@ VerdictOptions verdictRates(CommandLine& line)
 void addExcitationKind(CommandLine& line)
 {
     line.option(u"excitation"_qs, u"KIND"_qs,
-                u"step, prbs, multisine, chirp or inverse-repeat (for the estimator periodic)."_qs,
+                u"step, prbs, four-level (prbs that also tells friction), multisine, chirp or "
+                "inverse-repeat (for the estimator periodic)."_qs,
                 u"prbs"_qs);
     line.option(u"periods"_qs, u"N"_qs,
                 u"How often inverse-repeat (without it: 8) or multisine (1) repeats within the record."_qs);
@@ -136,8 +137,8 @@ void addExcitationKind(CommandLine& line)
 
 ExcitationKind excitationKind(CommandLine& line)
 {
-    (void)line.choice(u"excitation"_qs,
-                      {u"step"_qs, u"prbs"_qs, u"multisine"_qs, u"chirp"_qs, u"inverse-repeat"_qs});
+    (void)line.choice(u"excitation"_qs, {u"step"_qs, u"prbs"_qs, u"four-level"_qs, u"multisine"_qs,
+                                         u"chirp"_qs, u"inverse-repeat"_qs});
     return excitationKindFromString(line.text(u"excitation"_qs)).value_or(ExcitationKind::Prbs);
 }
 

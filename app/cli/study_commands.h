@@ -11,6 +11,7 @@ namespace gripscope::cli {
 int runEfficiencyStudy(const QStringList& arguments);
 int runRecognitionStudy(const QStringList& arguments);
 int runEarlyStudy(const QStringList& arguments);
+int runTruthStudy(const QStringList& arguments);
 
 /// --runs (`runs` if not given), --seed and --threads, which every study has.
 void addStudyOptions(CommandLine& line, int runs);

@@ -56,7 +56,7 @@ public:
             return u"This row is a squeeze of the type already."_qs;
         }
         const Expected<StoredSqueeze> stored =
-            storeSqueeze(m_library, {type, Recipe{}, graspOf(row, m_task, source)});
+            storeSqueeze(m_library, {type, recipeOfNewTypes(), graspOf(row, m_task, source)});
         if (!stored)
             return refused(stored.error());
         m_added[type] += 1;

@@ -7,7 +7,9 @@
 #include "core/identification/comparison/hold_evidence.h"
 #include "core/identification/comparison/model_comparison.h"
 #include "core/identification/estimators/run_estimator.h"
+#include "core/identification/further_terms.h"
 #include "core/identification/model/identifiability.h"
+#include "core/identification/motion/motion.h"
 #include "core/identification/output_error/output_error.h"
 #include "core/identification/uncertainty/uncertainty_budget.h"
 #include "core/identification/validation/validation.h"
@@ -24,22 +26,52 @@ namespace gripscope {
 
 namespace {
 
-/// A Duffing search takes some microseconds a sample and iteration: a second for this many.
-constexpr std::size_t longestCubic = 100'000;
+/// For a motion without a mass or a spring, whose swings and time constants say nothing of how long a part
+/// must be.
+std::vector<Window> evenWindows(std::size_t samples)
+{
+    constexpr std::size_t windows = 5;
+    constexpr std::size_t fewest = 60;
+    std::vector<Window> out;
+    for (std::size_t i = 0; i < windows && samples >= windows * fewest; ++i)
+        out.push_back({i * (samples / windows), samples / windows});
+    return out;
+}
 
 /// The disagreement between windows of the record, each with its own lost samples, by output error or what
-/// has the further terms of `whole`. `whole` is the estimate from all of it.
+/// has the further terms of `whole`. `whole` is the estimate from all of it; `motions`: those found in
+/// windows.
 ModelDiscrepancy windowDiscrepancy(const PreparedRecord& record, const EstimatorTask& task,
-                                   const Estimate& whole)
+                                   const Estimate& whole, std::vector<MotionEstimate>& motions)
 {
     EstimatorTask each = task;
     each.freeInitialState = true;
+    each.residuals = ResidualDepth::Noise;
     // Windows of a repeating force need not hold whole periods.
     const bool further = whole.motion || whole.estimator == Estimator::Duffing;
     const Estimator estimator = further ? whole.estimator : Estimator::OutputError;
-    return modelDiscrepancy(record.force.size(), record.sampleTime_s, whole, [&](Window window) {
-        return runEstimator(estimator, windowOf(record, window), each);
-    });
+    const auto estimateWindow = [&](Window window) {
+        Estimate part = runEstimator(estimator, windowOf(record, window), each);
+        if (part.motion)
+            motions.push_back(*part.motion);
+        return part;
+    };
+    if (whole.motion && !whole.parameters) // no mass or no spring: what there is is compared one by one
+        for (const Window& window : evenWindows(record.force.size()))
+            estimateWindow(window);
+    return modelDiscrepancy(record.force.size(), record.sampleTime_s, whole, estimateWindow);
+}
+
+/// A carriage whose damping and friction differ with the way it moves; nothing for other motions.
+std::optional<MotionEstimate> eachWay(const Estimate& estimate, const PreparedRecord& record,
+                                      const EstimatorTask& task)
+{
+    if (!estimate.motion || estimate.motion->terms.spring || !estimate.motion->terms.friction)
+        return std::nullopt;
+    MotionOptions options = motionOptions(estimate.estimator, record, task);
+    options.terms.eachWay = true;
+    options.terms.forceOffset = false; // it is friction that differs, then
+    return estimateMotion(record.force, record.position, options).motion;
 }
 
 /// The budget of `estimate`: its noise, the counts, the chain's effects, the other hold as far as `holds`
@@ -56,161 +88,19 @@ UncertaintyBudget budgetOf(const Estimate& estimate, const PreparedRecord& recor
         const Eigen::Vector3d other = estimate.parameters->vector().cwiseProduct(ratio);
         options.hold = HoldAmbiguity{{other(0), other(1), other(2)}, holds.otherProbability()};
     }
-    options.discrepancy = windowDiscrepancy(record, task, estimate);
+    std::vector<MotionEstimate> motions;
+    options.discrepancy = windowDiscrepancy(record, task, estimate, motions);
     options.lagBound_s = record.lagBound_s;
     options.positionStep = record.positionStep;
-    return uncertaintyBudget(estimate, record.force, record.position, outputErrorOptions(record, task),
-                             record.chain, options);
-}
-
-bool hasLinear(const Identification& identification)
-{
-    const Estimate* const linear = identification.find(Estimator::OutputError);
-    return linear != nullptr && linear->status == EstimateStatus::Converged;
-}
-
-/// A cubic spring: the one that was asked for; else it is tried where there is something to compare it with,
-/// no sample is lost and the record is short enough for it to be quick.
-std::optional<Estimate> cubicOf(const Identification& identification, const PreparedRecord& record,
-                                const EstimatorTask& task)
-{
-    std::optional<Estimate> cubic;
-    if (const Estimate* const found = identification.find(Estimator::Duffing))
-        cubic = *found;
-    else if (hasLinear(identification) && record.lost.empty() && record.force.size() <= longestCubic)
-        cubic = runEstimator(Estimator::Duffing, record, task);
-    if (cubic && cubic->status != EstimateStatus::Converged)
-        cubic.reset();
-    return cubic;
-}
-
-/// First-order gain (twice the logarithm of the likelihood) from which on a further term is searched for: a
-/// third of what makes a model decisively better.
-constexpr double worthSearching = 6;
-
-/// A motion with further terms: the one that was asked for; else it is tried as a cubic spring is.
-std::optional<Estimate> motionOf(Estimator estimator, const Identification& identification,
-                                 const PreparedRecord& record, const EstimatorTask& task)
-{
-    std::optional<Estimate> motion;
-    if (const Estimate* const found = identification.find(estimator))
-        motion = *found;
-    else if (hasLinear(identification) && record.lost.empty() && record.force.size() <= longestCubic) {
-        const Estimate& linear = *identification.find(Estimator::OutputError);
-        MotionOptions options = motionOptions(estimator, record, task);
-        options.start = linear.parameters;
-        options.startNuisance = linear.nuisance;
-        if (expectedGain(record.force, record.position, options) >= worthSearching)
-            motion = estimateMotion(record.force, record.position, options);
-    }
-    if (motion && (motion->status != EstimateStatus::Converged || !motion->parameters))
-        motion.reset();
-    return motion;
-}
-
-/// Twice the gain in the logarithm of the likelihood under white noise, as a first look.
-double gainOver(const Estimate& linear, const std::optional<Estimate>& other)
-{
-    if (!other || !(other->residuals.sse > 0) || !(linear.residuals.sse > 0))
-        return 0;
-    return static_cast<double>(linear.residual.size()) *
-           std::log(linear.residuals.sse / other->residuals.sse);
-}
-
-/// What is tried besides output error: each further term alone, side by side, and the two that help most
-/// together where each helps much.
-struct FurtherTerms {
-    std::optional<Estimate> cubic, friction, relaxing, together;
-
-    void findPart(std::int64_t part, const Identification& identification, const PreparedRecord& record,
-                  const EstimatorTask& task)
-    {
-        if (part == 0)
-            cubic = cubicOf(identification, record, task);
-        else if (part == 1)
-            friction = motionOf(Estimator::Friction, identification, record, task);
-        else
-            relaxing = motionOf(Estimator::Zener, identification, record, task);
-    }
-    void findTogether(const Identification& identification, const PreparedRecord& record,
-                      const EstimatorTask& task)
-    {
-        const Estimate* const linear = identification.find(Estimator::OutputError);
-        if (linear == nullptr)
-            return;
-        constexpr double much = 2 * decisiveDelta;
-        const double byCubic = gainOver(*linear, cubic);
-        const double byFriction = gainOver(*linear, friction);
-        const double byRelaxing = gainOver(*linear, relaxing);
-        const double least = std::min({byCubic, byFriction, byRelaxing});
-        if ((byCubic > much) + (byFriction > much) + (byRelaxing > much) < 2)
-            return;
-        const Estimator both = least == byCubic      ? Estimator::FrictionZener
-                               : least == byRelaxing ? Estimator::FrictionDuffing
-                                                     : Estimator::ZenerDuffing;
-        together = motionOf(both, identification, record, task);
-    }
-    [[nodiscard]] std::vector<Estimate> motions() const
-    {
-        std::vector<Estimate> all;
-        for (const auto& one : {friction, relaxing, together})
-            if (one)
-                all.push_back(*one);
-        return all;
-    }
-};
-
-/// Output error of the record against other models. Empty without a converged output-error estimate.
-ModelComparison comparisonOf(const Identification& identification, const PreparedRecord& record,
-                             const EstimatorTask& task, const Estimate& otherHold,
-                             const FurtherTerms& further)
-{
-    if (!hasLinear(identification))
-        return {};
-    return compareModels(record.force, record.position, outputErrorOptions(record, task),
-                         *identification.find(Estimator::OutputError), otherHold, further.cubic,
-                         further.motions());
-}
-
-/// The motion with further terms that explains the record decisively better, if one does.
-const Estimate* betterMotion(const ModelComparison& comparison)
-{
-    if (!comparison.decisive || comparison.ranked.empty())
-        return nullptr;
-    const Estimate& best = comparison.ranked.front().estimate;
-    return best.motion ? &best : nullptr;
-}
-
-/// "friction of 0.4 N explains this squeeze; without it k would read 4 % high".
-void nameFurtherTerms(Identification& data, const QString& forceUnit)
-{
-    const Estimate* const motion = betterMotion(data.comparison);
-    const Estimate* const linear = data.find(Estimator::OutputError);
-    if (motion == nullptr || linear == nullptr || !linear->parameters)
-        return;
-    const double shift = 100 * (linear->parameters->k / motion->parameters->k - 1);
-    const MotionValues& values = motion->motion->values;
-    const MotionTerms& terms = motion->motion->terms;
-    Findings parts;
-    if (terms.friction)
-        parts.push_back(Words::say("friction of %1 %2")
-                            .arg(Finding::number(values[MotionParameter::Friction], 'g', 2))
-                            .arg(forceUnit));
-    if (terms.relaxation)
-        parts.push_back(
-            Words::say("a part that goes on yielding by %1 % over %2 s")
-                .arg(Finding::number(
-                    100 * values[MotionParameter::Relaxing] / values[MotionParameter::Stiffness], 'g', 2))
-                .arg(Finding::number(values[MotionParameter::RelaxationTime], 'g', 2)));
-    if (terms.cubic)
-        parts.push_back(Words::say("a spring that is not straight"));
-    const Finding what = parts.size() == 2 ? Words::say("%1 with %2").arg(parts[0], parts[1])
-                                           : Finding::joined(parts, QString());
-    data.comparison.sentence =
-        (shift >= 0 ? Words::say("%1 explains this squeeze; without it k would read %2 % high.")
-                    : Words::say("%1 explains this squeeze; without it k would read %2 % low."))
-            .arg(what.capitalized())
-            .arg(Finding::number(std::abs(shift), 'g', 2));
+    options.frictionIsKnown = estimate.motion && estimate.motion->terms.friction;
+    UncertaintyBudget budget = uncertaintyBudget(estimate, record.force, record.position,
+                                                 outputErrorOptions(record, task), record.chain, options);
+    if (estimate.motion)
+        budget.further = furtherParameters(*estimate.motion, record.chain, motions,
+                                           eachWay(estimate, record, task), budget.coverage);
+    if (!budget.parameters && !budget.further.empty())
+        budget.message = {};
+    return budget;
 }
 
 /// What keeps every estimator from starting, or nothing.
@@ -226,12 +116,18 @@ std::optional<Finding> unusable(const PreparedRecord& record)
     return std::nullopt;
 }
 
-/// Output error where it converged; else the estimate with parameters that simulates best.
+/// With m, b and k, or a motion that has no mass or no spring and was found.
+bool hasAnswer(const Estimate& estimate)
+{
+    return estimate.parameters || (estimate.motion && estimate.status == EstimateStatus::Converged);
+}
+
+/// Output error where it converged; else the estimate that simulates best.
 Estimator recommend(const std::vector<Estimate>& estimates)
 {
     const Estimate* best = nullptr;
     for (const Estimate& estimate : estimates) {
-        if (!estimate.parameters)
+        if (!hasAnswer(estimate))
             continue;
         if (estimate.estimator == Estimator::OutputError && estimate.status == EstimateStatus::Converged)
             return estimate.estimator;
@@ -369,13 +265,13 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     FurtherTerms further;
     Estimate otherHold;
     // Side by side: somebody waits for the verdict.
-    shareAmongThreads(4, 0, [&](std::int64_t part) {
-        if (part == 3 && outputError != nullptr && !obstacle) {
+    shareAmongThreads(FurtherTerms::parts + 1, 0, [&](std::int64_t part) {
+        if (part == FurtherTerms::parts && outputError != nullptr && !obstacle) {
             const OutputErrorOptions declared = outputErrorOptions(record, task);
             otherHold = estimateOtherHold(record.force, record.position, declared, *outputError);
             result.holdEvidence = weighHolds(record.force, declared, *outputError, otherHold,
                                              recording.chain.forceLagUncertainty_s);
-        } else if (part < 3 && assessed) {
+        } else if (part < FurtherTerms::parts && assessed) {
             further.findPart(part, result, record, task);
         }
     });
@@ -398,7 +294,8 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     }
     judgeBaseline(result);
     result.validity.verdict = overallVerdict(result.validity.checks);
-    if (const Estimate* const best = result.best(); best != nullptr && options.assess)
+    const Estimate* const best = result.find(result.recommended);
+    if (best != nullptr && hasAnswer(*best) && options.assess)
         shareAmongThreads(2, 0, [&](std::int64_t part) {
             if (part == 0)
                 result.budget = budgetOf(*best, record, task, result.tellingHold());

@@ -173,6 +173,12 @@ OrthonormalRows orthonormalize(const Eigen::MatrixXd& rows, const Eigen::MatrixX
     return out;
 }
 
+SymmetricAxes symmetricAxes(const Eigen::Matrix3d& matrix)
+{
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix);
+    return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
 PrincipalAxes principalAxes(const Eigen::MatrixXd& items)
 {
     PrincipalAxes axes;

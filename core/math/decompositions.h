@@ -48,6 +48,15 @@ struct OrthonormalRows {
 /// errors, which need a few digits; the estimates themselves come from decompositions that keep all.
 [[nodiscard]] OrthonormalRows orthonormalize(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& against);
 
+/// matrix = directions * diag(values) * directions', for a symmetric matrix (its lower triangle counts); the
+/// smallest value first. Instantiated here once.
+struct SymmetricAxes {
+    Eigen::Vector3d values;
+    Eigen::Matrix3d directions; ///< columns of length 1
+};
+
+[[nodiscard]] SymmetricAxes symmetricAxes(const Eigen::Matrix3d& matrix);
+
 /// Where a table lies and along which directions it spreads, the widest first.
 struct PrincipalAxes {
     Eigen::RowVectorXd mean;

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace gripscope {
 
@@ -106,25 +108,31 @@ private:
     int m_idle = 0;
 };
 
-/// min |R d - c|^2 + damping |D d|^2 by QR with column pivoting; N unknowns or Eigen::Dynamic.
-template <int N>
-[[nodiscard]] Eigen::Matrix<double, N, 1>
-dampedLeastSquares(const Eigen::Matrix<double, N, N>& triangle, const Eigen::Matrix<double, N, 1>& right,
-                   const Eigen::Matrix<double, N, 1>& scales, double damping)
-{
-    constexpr int rows = N == Eigen::Dynamic ? N : 2 * N;
-    const Eigen::Index n = scales.size();
-    Eigen::Matrix<double, rows, N> stacked(2 * n, n);
-    stacked.topRows(n) = triangle;
-    stacked.bottomRows(n) = (std::sqrt(damping) * scales).asDiagonal();
-    Eigen::Matrix<double, rows, 1> extended = Eigen::Matrix<double, rows, 1>::Zero(2 * n);
-    extended.head(n) = right;
-    // Columns of very different size: scale, so that the rank decision of the pivoting means something.
-    const Eigen::Matrix<double, N, 1> norms = stacked.colwise().norm().transpose().cwiseMax(1e-300);
-    const Eigen::Matrix<double, rows, N> scaled = stacked * norms.cwiseInverse().asDiagonal();
-    return norms.cwiseInverse().asDiagonal() *
-           Eigen::Matrix<double, N, 1>(scaled.colPivHouseholderQr().solve(extended));
-}
+/// Where a search may start, with what each costs: the cheapest few are worth a search.
+template <typename Point>
+class StartCandidates {
+public:
+    static constexpr std::size_t most = 3;
+
+    void offer(Point point, double cost) { m_all.push_back({std::move(point), cost}); }
+    /// At most `most` of them, the cheapest first; of equals the first offered.
+    [[nodiscard]] std::vector<Point> best()
+    {
+        std::stable_sort(m_all.begin(), m_all.end(),
+                         [](const auto& a, const auto& b) { return a.cost < b.cost; });
+        std::vector<Point> first;
+        for (std::size_t i = 0; i < std::min(most, m_all.size()); ++i)
+            first.push_back(m_all[i].point);
+        return first;
+    }
+
+private:
+    struct Candidate {
+        Point point;
+        double cost;
+    };
+    std::vector<Candidate> m_all;
+};
 
 /// Searches from one start after the other; keeps the best that settled, or else the first answer. A Result
 /// has cost() and isSettled(): it ended at an optimum that the data determines.

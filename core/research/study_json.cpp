@@ -7,6 +7,7 @@
 #include "core/research/efficiency_study.h"
 #include "core/research/excitation_design.h"
 #include "core/research/recognition_study.h"
+#include "core/research/truth_study.h"
 
 #include <QJsonArray>
 
@@ -259,6 +260,37 @@ QJsonObject toJson(const RecognitionStudy& study, const RecognitionStudyOptions&
                           inWords(binomialEvidence(paper.squeezes - paper.leaveOneOutCorrect, paper.squeezes),
                                   VerdictOptions{}.wrongType)
                               .english()}}}};
+}
+
+QJsonObject toJson(const TruthStudy& study, const TruthStudyOptions& options)
+{
+    QJsonArray rows;
+    for (const TruthRow& row : study.rows) {
+        QJsonObject covered;
+        QJsonObject largest;
+        for (std::size_t i = 0; i < parameterNames.size(); ++i) {
+            covered[parameterNames[i]] = row.covered[i] + row.coveredWidened[i];
+            largest[parameterNames[i]] = known(row.valid > 0, row.largestError[i]);
+        }
+        rows.append(QJsonObject{{u"setting"_s, row.setting.name},
+                                {u"in_family"_s, row.setting.inFamily},
+                                {u"runs"_s, row.runs},
+                                {u"valid"_s, row.valid},
+                                {u"suspect"_s, row.suspect},
+                                {u"invalid"_s, row.invalid},
+                                {u"lies"_s, row.lies},
+                                {u"widened"_s, row.widened},
+                                {u"covered"_s, covered},
+                                {u"largest_error"_s, largest}});
+    }
+    return {{u"runs"_s, options.runs},
+            {u"seed"_s, static_cast<qint64>(options.seed)},
+            {u"rows"_s, rows},
+            {u"valid"_s, study.valid},
+            {u"lies"_s, study.lies},
+            {u"coverage_percent"_s, known(study.valid > 0, study.coveredPercent)},
+            {u"coverage_widened_percent"_s, known(study.valid > 0, study.coveredWidenedPercent)},
+            {u"valid_in_family_percent"_s, known(study.runs > 0, study.validInFamilyPercent)}};
 }
 
 } // namespace gripscope

@@ -15,6 +15,8 @@ struct EfficiencyStudy;
 struct ExcitationDesign;
 struct RecognitionStudy;
 struct RecognitionStudyOptions;
+struct TruthStudy;
+struct TruthStudyOptions;
 
 /// The document of `gripscope-cli design --json`; the force of the best candidate alone, in full.
 [[nodiscard]] QJsonObject toJson(const ExcitationDesign& design, const DesignOptions& options);
@@ -28,5 +30,8 @@ struct RecognitionStudyOptions;
 
 /// The document of `gripscope-cli study recognition --json`.
 [[nodiscard]] QJsonObject toJson(const RecognitionStudy& study, const RecognitionStudyOptions& options);
+
+/// The document of `gripscope-cli study truth --json`.
+[[nodiscard]] QJsonObject toJson(const TruthStudy& study, const TruthStudyOptions& options);
 
 } // namespace gripscope

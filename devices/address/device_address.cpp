@@ -119,8 +119,50 @@ Expected<void> parseFaults(const QString& text, VirtualAddress& address)
     return {};
 }
 
+/// "0.2,0.03": k1 as a share of k, and tau in seconds.
+Expected<void> parseZener(const QString& value, VirtualTerms& terms)
+{
+    constexpr double shortest_s = 1e-4, longest_s = 1000;
+    if (value.count(u',') != 1)
+        return wrong(
+            u"zener="_qs + value,
+            Words::tr("zener is two numbers, the share of k that yields and its time in seconds, such as "
+                      "0.2,0.03"));
+    ASSIGN_OR_RETURN(terms.relaxingShare, number(u"zener"_qs, value.section(u',', 0, 0), 0, 100));
+    ASSIGN_OR_RETURN(terms.relaxationTime_s,
+                     number(u"zener"_qs, value.section(u',', 1), shortest_s, longest_s));
+    return {};
+}
+
+/// What is not ideal about the part or the gripper; nothing for other options.
+std::optional<Expected<void>> parseRealOption(const QString& key, const QString& value,
+                                              VirtualAddress& address)
+{
+    struct Option {
+        const char* key;
+        double least, most;
+        double& value;
+    };
+    VirtualTerms& terms = address.terms;
+    const Option options[] = {{"friction", 0, 1000, terms.friction_N},
+                              {"own-friction", 0, 1000, terms.ownFriction_N},
+                              {"k3", -1e15, 1e15, terms.cubic},
+                              {"rate", slowestVirtual_Hz, fastestVirtual_Hz, address.samplesPerSecond},
+                              {"jitter", 0, 1, address.jitter_s}};
+    if (key == u"zener")
+        return parseZener(value, terms);
+    for (const Option& option : options)
+        if (key == QLatin1String(option.key))
+            return number(key, value, option.least, option.most).map([&](double found) {
+                option.value = found;
+            });
+    return {};
+}
+
 Expected<void> parseVirtualOption(const QString& key, const QString& value, VirtualAddress& address)
 {
+    if (const std::optional<Expected<void>> real = parseRealOption(key, value, address))
+        return *real;
     if (key == u"object") {
         address.object = value;
         return VirtualObject::fromText(value).map([](const VirtualObject&) {});
@@ -156,7 +198,9 @@ Expected<void> parseVirtualOption(const QString& key, const QString& value, Virt
     }
     return wrong(
         key,
-        Words::tr("virtual: knows object, seed, noise, speed, fault, script, capture, profile and like"));
+        Words::tr(
+            "virtual: knows object, seed, noise, speed, friction, own-friction, zener, k3, rate, jitter, "
+            "fault, script, capture, profile and like"));
 }
 
 Expected<DeviceAddress> parseVirtual(const QString& rest)
@@ -172,6 +216,11 @@ Expected<DeviceAddress> parseVirtual(const QString& rest)
             return wrong(u'"' + option + u'"', Words::tr("an option is name=value"));
         RETURN_IF_ERROR(parseVirtualOption(option.section(u'=', 0, 0), option.section(u'=', 1), address));
     }
+    if (address.jitter_s * address.samplesPerSecond > largestJitter)
+        return wrong(u"jitter=%1"_qs.arg(address.jitter_s),
+                     Words::tr("jitter is at most %1 of the time between two samples, here %2 s")
+                         .arg(largestJitter)
+                         .arg(largestJitter / address.samplesPerSecond));
     return address;
 }
 

@@ -11,6 +11,21 @@
 
 namespace gripscope {
 
+/// What the object has beyond m, b and k, and the gripper's own part in it.
+struct VirtualTerms {
+    double friction_N = 0;       ///< Coulomb's, within the object
+    double ownFriction_N = 0;    ///< of the gripper's drive, whatever it holds
+    double relaxingShare = 0;    ///< k1 / k of a spring behind a dashpot
+    double relaxationTime_s = 0; ///< tau of that
+    double cubic = 0;            ///< k3, N/m^3; below zero: it softens
+
+    [[nodiscard]] bool any() const
+    {
+        return friction_N > 0 || ownFriction_N > 0 || relaxingShare > 0 || cubic != 0;
+    }
+    friend bool operator==(const VirtualTerms&, const VirtualTerms&) = default;
+};
+
 /// What the virtual gripper holds: a kind of object whose m, b and k differ from squeeze to squeeze.
 ///
 /// log(m, b, k) is normal. Its mean is that of the logarithms of the type's ten rows in the appendix, taken

@@ -2,12 +2,12 @@
 #include "devices/replay/capture_folder.h"
 
 #include "core/base/bounded_file.h"
+#include "core/base/brief_lock.h"
 #include "core/base/words.h"
 #include "devices/replay/capture_reader.h"
 
 #include <QCryptographicHash>
 #include <QDir>
-#include <QLockFile>
 #include <QRegularExpression>
 #include <QSaveFile>
 #include <QStandardPaths>
@@ -22,7 +22,6 @@ using namespace Qt::StringLiterals;
 namespace {
 
 const QString listName = u"SHA256SUMS"_s;
-constexpr int lockPatience_ms = 5000;
 constexpr qint64 largestList = 16 * megabyte; ///< of a hundred thousand parts
 
 tl::unexpected<Error> cannotList(const QString& reason)
@@ -140,8 +139,8 @@ CaptureFolder::Checked CaptureFolder::check(const Part& part) const
 
 Expected<void> CaptureFolder::list(const Part& closed) const
 {
-    QLockFile lock(filePath(u"captures.lock"_s));
-    if (!lock.tryLock(lockPatience_ms))
+    BriefLock lock(filePath(u"captures.lock"_s));
+    if (!lock.take())
         return cannotList(Words::tr("another program holds %1").arg(filePath(u"captures.lock"_s)));
     QFile out(filePath(listName));
     const QByteArray lines = listLines(closed);
@@ -153,8 +152,8 @@ Expected<void> CaptureFolder::list(const Part& closed) const
 
 CaptureFolder::Pruned CaptureFolder::prune(qint64 most, const QString& keep) const
 {
-    QLockFile lock(filePath(u"captures.lock"_s));
-    if (!lock.tryLock(lockPatience_ms))
+    BriefLock lock(filePath(u"captures.lock"_s));
+    if (!lock.take())
         return {{},
                 cannotList(Words::tr("another program holds %1").arg(filePath(u"captures.lock"_s))).value()};
     std::vector<Part> known = parts();

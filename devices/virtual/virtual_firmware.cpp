@@ -14,8 +14,8 @@ using namespace protocol;
 namespace {
 
 constexpr std::uint64_t noSqueeze = std::numeric_limits<std::uint64_t>::max();
-constexpr std::uint64_t noisePurpose = 2;
-constexpr std::uint8_t samplesPerReport = 2; ///< one report a millisecond, as full-speed USB gives
+constexpr std::uint64_t noisePurpose = 2, jitterPurpose = 3;
+constexpr double report_s = 0.001; ///< one report a millisecond, as full-speed USB gives
 constexpr double contact_m =
     0.012347; ///< where the finger touches the object; the encoder's zero is elsewhere
 constexpr double positionRange_m = 0.05;
@@ -35,8 +35,13 @@ std::int64_t protectiveForce(std::int32_t limit)
 
 VirtualFirmware::VirtualFirmware(VirtualFirmwareOptions options)
     : m_options(std::move(options)), m_maxForce(ownForce), m_maxTravel(ownTravel),
-      m_noise(m_options.seed, noSqueeze, noisePurpose)
+      m_noise(m_options.seed, noSqueeze, noisePurpose), m_jitter(m_options.seed, noSqueeze, jitterPurpose)
 {
+}
+
+std::uint32_t VirtualFirmware::samplesIn(double seconds) const
+{
+    return static_cast<std::uint32_t>(std::max(1.0, std::round(seconds / sampleTime_s())));
 }
 
 std::optional<Report> VirtualFirmware::feature(std::uint8_t reportId) const
@@ -57,7 +62,7 @@ std::optional<Report> VirtualFirmware::feature(std::uint8_t reportId) const
         measurement.positionUnit = m_options.millimetres ? PositionUnit::Millimetre : PositionUnit::Metre;
         measurement.forcePerCount = forcePerCount_N;
         measurement.positionPerCount = m_options.millimetres ? 1000 * positionPerCount_m : positionPerCount_m;
-        measurement.sampleTime_s = sampleTime_s;
+        measurement.sampleTime_s = sampleTime_s();
         measurement.commandable = true;
         measurement.watchdog_ms = m_options.watchdog_ms;
         return sealed(encode(measurement));
@@ -105,7 +110,7 @@ void VirtualFirmware::setFaults(const FirmwareFaults& faults)
 {
     if (faults.broken && !m_faults.broken) {
         halt(0);
-        m_faultShownUntil = m_sampleCount + faultShownSamples;
+        m_faultShownUntil = m_sampleCount + samplesIn(faultShown_s);
     }
     if (!faults.sensorStuck)
         m_stuckPosition.reset();
@@ -119,9 +124,11 @@ void VirtualFirmware::beginSqueeze()
     flush();
     const MassDampingStiffness object = m_options.object.draw(m_options.seed, m_squeezes);
     m_noise = RandomStream(m_options.seed, m_squeezes, noisePurpose);
+    m_jitter = RandomStream(m_options.seed, m_squeezes, jitterPurpose);
     ++m_squeezes;
-    m_step = discretize(object, sampleTime_s / (1 + m_faults.clockRate), ForceHold::Zero);
-    m_state.setZero();
+    m_part = VirtualPart(object, m_options.terms, sampleTime_s() / (1 + m_faults.clockRate));
+    m_before = m_part;
+    m_forceBefore_N = 0;
     m_lastStarted = m_excitationNumber;
     m_anyStarted = true;
     m_excitation = ExcitationState::Running;
@@ -136,7 +143,11 @@ void VirtualFirmware::sample(std::uint64_t now_us)
     const Reading reading = read(force_N);
     put(reading);
     protect(reading.raw);
-    m_state = (m_step.phi * m_state + m_step.gamma0 * force_N).eval();
+    if (m_options.jitter_s > 0) {
+        m_before = m_part;
+        m_forceBefore_N = force_N;
+    }
+    m_part.advance(force_N);
     ++m_sampleCount;
     advancePhase();
 }
@@ -167,13 +178,13 @@ void VirtualFirmware::advancePhase()
     if (m_phase == Phase::Idle)
         return;
     ++m_phaseIndex;
-    if (m_phase == Phase::RestBefore && m_phaseIndex == restBeforeSamples) {
+    if (m_phase == Phase::RestBefore && m_phaseIndex == samplesIn(restBefore_s)) {
         m_phase = Phase::Moving;
         m_phaseIndex = 0;
     } else if (m_phase == Phase::Moving && m_phaseIndex == m_length) {
         m_phase = Phase::RestAfter;
         m_phaseIndex = 0;
-    } else if (m_phase == Phase::RestAfter && m_phaseIndex == restAfterSamples) {
+    } else if (m_phase == Phase::RestAfter && m_phaseIndex == samplesIn(restAfter_s)) {
         m_phase = Phase::Idle;
         if (running())
             m_excitation = ExcitationState::Finished;
@@ -197,7 +208,7 @@ VirtualFirmware::Reading VirtualFirmware::read(double force_N)
         force = *m_faults.saturateForce_N;
         reading.status |= StatusForceSaturated;
     }
-    double position = contact_m + m_state[0] + m_options.positionNoise_m * m_noise.normal();
+    double position = contact_m + positionTaken(force_N) + m_options.positionNoise_m * m_noise.normal();
     if (position < 0 || position > positionRange_m) {
         position = std::clamp(position, 0.0, positionRange_m);
         reading.status |= StatusPositionSaturated;
@@ -211,6 +222,16 @@ VirtualFirmware::Reading VirtualFirmware::read(double force_N)
     return reading;
 }
 
+/// At the time that the sample says, or about it: evenly spread, so that no position is taken out of turn.
+double VirtualFirmware::positionTaken(double force_N)
+{
+    if (!(m_options.jitter_s > 0))
+        return m_part.position_m();
+    const double late_s = std::sqrt(3.0) * m_options.jitter_s * (2 * m_jitter.uniform() - 1);
+    return late_s >= 0 ? m_part.positionAfter(late_s, force_N)
+                       : m_before.positionAfter(sampleTime_s() + late_s, m_forceBefore_N);
+}
+
 void VirtualFirmware::put(const Reading& reading)
 {
     if (m_pending.count > 0 && m_pending.status != reading.status)
@@ -222,8 +243,8 @@ void VirtualFirmware::put(const Reading& reading)
     }
     m_pending.samples[m_pending.count++] = reading.raw;
     // Full, but for the last report of an excitation, which waits to carry its end (advancePhase).
-    const bool last = m_phase == Phase::RestAfter && m_phaseIndex + 1 == restAfterSamples;
-    if (m_pending.count >= samplesPerReport && !last)
+    const bool last = m_phase == Phase::RestAfter && m_phaseIndex + 1 == samplesIn(restAfter_s);
+    if (m_pending.count >= samplesIn(report_s) && !last)
         flush();
 }
 
@@ -241,7 +262,8 @@ void VirtualFirmware::flush()
 std::uint32_t VirtualFirmware::timestamp_us(std::uint64_t sample) const
 {
     const auto shift_us = static_cast<std::int64_t>(std::llround(m_faults.clock_s * 1e6));
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(sample * 500) + shift_us);
+    return static_cast<std::uint32_t>(std::llround(static_cast<double>(sample) * 1e6 * sampleTime_s()) +
+                                      shift_us);
 }
 
 } // namespace gripscope

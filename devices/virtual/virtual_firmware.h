@@ -2,9 +2,8 @@
 #pragma once
 
 #include "core/base/random_stream.h"
-#include "core/identification/model/discretization.h"
-#include "devices/address/virtual_object.h"
 #include "devices/protocol/codec.h"
+#include "devices/virtual/virtual_part.h"
 
 #include <deque>
 #include <optional>
@@ -15,7 +14,10 @@ namespace gripscope {
 struct VirtualFirmwareOptions {
     VirtualObject object;
     QString objectName;
+    VirtualTerms terms = {};
     std::uint64_t seed = 1;
+    double sampleTime_s = 0.0005; ///< 0.2 ms to 50 ms
+    double jitter_s = 0; ///< standard deviation of when a position is taken; up to a quarter of a sample time
     /// 5 um beside steps of 20 um (5.8 um as a standard deviation) is what a mid-range encoder on a finger
     /// gives.
     double positionNoise_m = 5e-6;
@@ -44,13 +46,12 @@ struct FirmwareFaults {
 /// A gripper without hardware: what its firmware would do, sample for sample, in the bytes of
 /// devices/PROTOCOL.md.
 ///
-/// The object is m x'' + b x' + k x = F from rest at the contact point, stepped exactly for a force that is
-/// held between samples. Each start takes up another object (VirtualObject::draw) and restarts the noise from
+/// The object (VirtualPart) moves from rest at the contact point, exactly for a force that is held between
+/// samples. Each start takes up another object (VirtualObject::draw) and restarts the noise from
 /// (seed, number of the squeeze), so the n-th squeeze does not depend on what was before it. The grip pushes
 /// only: no force below zero is taken. No thread, no clock: who owns it says when a sample is due.
 class VirtualFirmware {
 public:
-    static constexpr double sampleTime_s = 0.0005;
     static constexpr double forcePerCount_N = 0.001;
     static constexpr double positionPerCount_m = 20e-6; ///< the step of its encoder
     static constexpr double maxForce_N = 100;
@@ -59,13 +60,11 @@ public:
     static constexpr std::int32_t ownTravel = 1'250;
     static_assert(ownForce * forcePerCount_N == maxForce_N && ownTravel * positionPerCount_m == maxTravel_m);
     static constexpr std::uint32_t maxSamples = 32768;
-    /// At rest before and after an excitation, 50 and 60 ms: enough to keep 20 ms of it though reports get
-    /// lost.
-    static constexpr std::uint32_t restBeforeSamples = 100;
-    static constexpr std::uint32_t restAfterSamples = 120;
+    /// At rest before and after an excitation: enough to keep 20 ms of it though reports get lost.
+    static constexpr double restBefore_s = 0.05, restAfter_s = 0.06;
     /// A fault is shown at least so long, and a measured force or travel stops it when that many samples in a
     /// row are beyond: 20 ms of reports are not all lost, and three samples are not one spark.
-    static constexpr std::uint64_t faultShownSamples = 40;
+    static constexpr double faultShown_s = 0.02;
     static constexpr int samplesBeyond = 3;
 
     explicit VirtualFirmware(VirtualFirmwareOptions options);
@@ -84,6 +83,9 @@ public:
     /// An excitation is under way, the rest before and behind it included.
     [[nodiscard]] bool busy() const { return m_phase != Phase::Idle; }
     [[nodiscard]] bool settling() const { return m_phase == Phase::RestAfter; }
+    [[nodiscard]] double sampleTime_s() const { return m_options.sampleTime_s; }
+    /// At least one.
+    [[nodiscard]] std::uint32_t samplesIn(double seconds) const;
     [[nodiscard]] std::uint64_t samplesTaken() const { return m_sampleCount; }
     [[nodiscard]] std::uint64_t squeezesStarted() const { return m_squeezes; }
 
@@ -124,6 +126,7 @@ private:
     void advancePhase();
     [[nodiscard]] std::uint16_t status() const;
     [[nodiscard]] Reading read(double force_N);
+    [[nodiscard]] double positionTaken(double force_N);
     void put(const Reading& reading);
     void flush();
     [[nodiscard]] protocol::Report sealed(protocol::Report report) const; ///< with its own version
@@ -157,9 +160,10 @@ private:
     std::uint32_t m_phaseIndex = 0;
     std::uint32_t m_length = 0;
     std::uint64_t m_squeezes = 0;
-    ExactStep<2> m_step;
-    Eigen::Vector2d m_state = Eigen::Vector2d::Zero(); ///< position from the contact point and speed, SI
-    RandomStream m_noise;
+    VirtualPart m_part;
+    VirtualPart m_before; ///< a sample earlier, where positions are taken at irregular times
+    double m_forceBefore_N = 0;
+    RandomStream m_noise, m_jitter;
     std::optional<std::int32_t> m_stuckPosition;
 };
 

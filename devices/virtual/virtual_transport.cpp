@@ -24,6 +24,9 @@ Expected<std::shared_ptr<VirtualTransport>> VirtualTransport::make(const Virtual
     VirtualFirmwareOptions options;
     options.object = object;
     options.objectName = address.object;
+    options.terms = address.terms;
+    options.sampleTime_s = 1 / address.samplesPerSecond;
+    options.jitter_s = address.jitter_s;
     options.seed = address.seed;
     if (address.positionNoise_m)
         options.positionNoise_m = *address.positionNoise_m;
@@ -64,7 +67,7 @@ std::uint64_t VirtualTransport::hostTime_us() const
 
 double VirtualTransport::faults_s() const
 {
-    return m_faultsBefore_s + static_cast<double>(m_firmware.samplesTaken()) * VirtualFirmware::sampleTime_s;
+    return m_faultsBefore_s + static_cast<double>(m_firmware.samplesTaken()) * m_firmware.sampleTime_s();
 }
 
 void VirtualTransport::followFaults()
@@ -74,7 +77,7 @@ void VirtualTransport::followFaults()
     m_firmware.setFaults({now.saturate_N, now.stuck, now.broken, now.clock_s,
                           now.load_N + virtual_load::load_N(), now.buttonDown || virtual_button::down(),
                           now.noWatchdog, now.clockRate});
-    if (const double rate = m_address.speed * (1 + now.clockRate) / (1e6 * VirtualFirmware::sampleTime_s);
+    if (const double rate = m_address.speed * (1 + now.clockRate) / (1e6 * m_firmware.sampleTime_s());
         rate != m_pace.rate)
         m_pace = {m_pace.at_us(m_firmware.samplesTaken()), m_firmware.samplesTaken(), rate};
     if (now.unplugged && !m_unplugged) {

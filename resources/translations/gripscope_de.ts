@@ -2677,10 +2677,6 @@ m  %3</translation>
         <translation>Fehler stehen hinter einem einzigen fault=, durch Kommas getrennt</translation>
     </message>
     <message>
-        <source>virtual: knows object, seed, noise, speed, fault, script, capture, profile and like</source>
-        <translation>virtual: kennt object, seed, noise, speed, fault, script, capture, profile und like</translation>
-    </message>
-    <message>
         <source>behind virtual: comes nothing, or ? and options such as object=A&amp;seed=7</source>
         <translation>hinter virtual: kommt nichts oder ? und Optionen wie object=A&amp;seed=7</translation>
     </message>
@@ -5610,6 +5606,66 @@ m  %3</translation>
         <source>a constant force does not determine the motion; squeeze with a force that varies, for instance one of four levels</source>
         <translation>eine konstante Kraft bestimmt die Bewegung nicht; mit einer Kraft drücken, die sich ändert, etwa einer mit vier Stufen</translation>
     </message>
+    <message>
+        <source>friction of the gripper is not known: up to %1 % of the force&apos;s range may hide in this squeeze, and k be %2 % lower; more levels of force tell more of it</source>
+        <translation>die Reibung des Greifers ist nicht bekannt: Bis zu %1 % der Kraftspanne können sich in diesem Druckversuch verbergen, und k kann %2 % kleiner sein; mehr Kraftstufen sagen mehr darüber</translation>
+    </message>
+    <message>
+        <source>how the friction begins to slide is not known: over %1 % of the travel m would be %2 % away, b %3 %</source>
+        <translation>wie die Reibung zu gleiten beginnt, ist nicht bekannt: über %1 % des Wegs läge m %2 % daneben, b %3 %</translation>
+    </message>
+    <message>
+        <source>the position goes on creeping through the whole squeeze: the part yields, or the sensor drifts. The stiffness that is left in the end is not known; squeeze longer</source>
+        <translation>der Weg kriecht den ganzen Druckversuch hindurch weiter: Das Teil gibt nach, oder der Sensor driftet. Die Steifigkeit, die am Ende bleibt, ist nicht bekannt; länger drücken</translation>
+    </message>
+    <message>
+        <source>the part goes on yielding for %1 % of the squeeze: the stiffness that is left in the end is a guess. Squeeze longer</source>
+        <translation>das Teil gibt über %1 % des Druckversuchs weiter nach: Die Steifigkeit, die am Ende bleibt, ist geraten. Länger drücken</translation>
+    </message>
+    <message>
+        <source>the squeeze is long enough to see the part yield</source>
+        <translation>der Druckversuch ist lang genug, um das Nachgeben zu sehen</translation>
+    </message>
+    <message>
+        <source>the part does not go on yielding</source>
+        <translation>das Teil gibt nicht weiter nach</translation>
+    </message>
+    <message>
+        <source>the noise grows with the speed, as when samples are taken %1 us beside their times (standard deviation)</source>
+        <translation>das Rauschen wächst mit der Geschwindigkeit, wie bei Abtastwerten, die %1 us neben ihren Zeiten liegen (Standardabweichung)</translation>
+    </message>
+    <message>
+        <source>the force moves the object enough to tell what the motion has</source>
+        <translation>die Kraft bewegt das Objekt genug, um zu bestimmen, was die Bewegung hat</translation>
+    </message>
+    <message>
+        <source>what the motion has is above zero; the rest of m, b and k is not in it</source>
+        <translation>was die Bewegung hat, ist größer als null; der Rest von m, b und k kommt in ihr nicht vor</translation>
+    </message>
+    <message>
+        <source>how the force of a squeeze goes</source>
+        <translation>die Form der Kraft eines Druckversuchs</translation>
+    </message>
+    <message>
+        <source>zener is two numbers, the share of k that yields and its time in seconds, such as 0.2,0.03</source>
+        <translation>zener sind zwei Zahlen, der Anteil von k, der nachgibt, und seine Zeit in Sekunden, etwa 0.2,0.03</translation>
+    </message>
+    <message>
+        <source>virtual: knows object, seed, noise, speed, friction, own-friction, zener, k3, rate, jitter, fault, script, capture, profile and like</source>
+        <translation>virtual: kennt object, seed, noise, speed, friction, own-friction, zener, k3, rate, jitter, fault, script, capture, profile und like</translation>
+    </message>
+    <message>
+        <source>jitter is at most %1 of the time between two samples, here %2 s</source>
+        <translation>jitter ist höchstens das %1-fache der Abtastzeit, hier %2 s</translation>
+    </message>
+    <message>
+        <source>A repeating force takes eight periods of 14 pushes: choose a length of at least %1 s, or a shorter push.</source>
+        <translation>Eine wiederholte Kraft braucht acht Perioden zu je 14 Mal Drücken: eine Dauer von mindestens %1 s oder ein kürzeres Drücken wählen.</translation>
+    </message>
+    <message>
+        <source>A sum of sines as long as this has too many tones: choose a longer shortest push, or a shorter squeeze.</source>
+        <translation>Eine so lange Summe von Sinus hat zu viele Töne: ein längeres kürzestes Drücken oder einen kürzeren Druckversuch wählen.</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>
@@ -6214,6 +6270,14 @@ m  %3</translation>
     <message>
         <source>Steps of the position</source>
         <translation>Stufen des Wegs</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Times of the samples</source>
+        <translation>Zeiten der Abtastwerte</translation>
     </message>
 </context>
 <context>
@@ -7446,6 +7510,18 @@ sd</source>
         <source>A part leans on the virtual gripper</source>
         <translation>Ein Teil lehnt am virtuellen Greifer</translation>
     </message>
+    <message>
+        <source>Virtual gripper, foam that goes on yielding</source>
+        <translation>Virtueller Greifer, Schaumstoff, der weiter nachgibt</translation>
+    </message>
+    <message>
+        <source>Virtual gripper, worn: 1 N of friction</source>
+        <translation>Virtueller Greifer, abgenutzt: 1 N Reibung</translation>
+    </message>
+    <message>
+        <source>Virtual gripper, slow: 100 samples a second</source>
+        <translation>Virtueller Greifer, langsam: 100 Abtastwerte je Sekunde</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::Connection</name>
@@ -8040,10 +8116,6 @@ max. (95 %)</translation>
         <translation>Weiter (Eingabe)</translation>
     </message>
     <message>
-        <source>A preload, and on it a push and a release that follow one another at random. The crush limit is the most that this part bears: no squeeze of this type goes above it.</source>
-        <translation>Eine Vorlast und darauf ein Drücken und Loslassen in zufälliger Folge. Die Bruchgrenze ist das Äußerste, was dieses Teil verträgt: Kein Druckversuch dieses Typs geht darüber.</translation>
-    </message>
-    <message>
         <source>Undo: discard an enrolment (Ctrl+Z)</source>
         <translation>Rückgängig: ein Einlernen verwerfen (Strg+Z)</translation>
     </message>
@@ -8094,6 +8166,10 @@ max. (95 %)</translation>
     <message>
         <source>%1 is approved. With the first squeeze that is added its approval is void: its parts are not recognised until it is approved again. Its recipe stays as it is.</source>
         <translation>%1 ist freigegeben. Mit dem ersten Druckversuch, der hinzukommt, erlischt die Freigabe: Teile dieses Typs werden nicht erkannt, bis er erneut freigegeben ist. Sein Rezept bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>A preload, and on it pushes and releases. The crush limit is the most that this part bears: no squeeze of this type goes above it.</source>
+        <translation>Eine Vorlast und darauf Drücken und Nachlassen. Die Bruchgrenze ist das Äußerste, was dieses Teil verträgt: Kein Druckversuch dieses Typs geht darüber.</translation>
     </message>
 </context>
 <context>
@@ -8176,6 +8252,10 @@ max. (95 %)</translation>
     <message>
         <source>The force goes from %1 to %2 for %3 s. The gripper stops by itself at %4 or %5.</source>
         <translation>Die Kraft geht %3 s lang von %1 bis %2. Der Greifer hält bei %4 oder %5 von selbst an.</translation>
+    </message>
+    <message>
+        <source>How the force goes</source>
+        <translation>Form der Kraft</translation>
     </message>
 </context>
 <context>
@@ -8937,6 +9017,10 @@ Vorh. %</translation>
         <source>Noise of the force</source>
         <translation>Rauschen der Kraft</translation>
     </message>
+    <message>
+        <source>Yielding</source>
+        <translation>Nachgeben</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::EstimatorPanel</name>
@@ -9325,6 +9409,13 @@ Vorh. %</translation>
     <message>
         <source>length %1 · %2 samples · %3 between samples</source>
         <translation>Dauer %1 · %2 Abtastwerte · %3 dazwischen</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ForcePicture</name>
+    <message>
+        <source>Picture of the force</source>
+        <translation>Bild der Kraft</translation>
     </message>
 </context>
 <context>
@@ -10553,6 +10644,14 @@ Vorh. %</translation>
     <message>
         <source>The steps of the position dominate the error of %1: squeeze with more force, or measure the position in finer steps.</source>
         <translation>Die Stufen des Wegs bestimmen den Fehler von %1: mit mehr Kraft drücken oder den Weg feiner auflösen.</translation>
+    </message>
+    <message>
+        <source>Samples beside their times dominate the error of %1: steady the gripper&apos;s clock.</source>
+        <translation>Abtastwerte neben ihren Zeiten überwiegen beim Fehler von %1: den Takt des Greifers beruhigen.</translation>
+    </message>
+    <message>
+        <source>Friction that may hide in this squeeze dominates the error of %1: four levels of force tell it (the recipe on Enroll; gripscope-cli record --excitation four-level).</source>
+        <translation>Reibung, die sich in diesem Druckversuch verbergen kann, überwiegt beim Fehler von %1: Vier Kraftstufen trennen sie ab (das Rezept auf Einlernen; gripscope-cli record --excitation four-level).</translation>
     </message>
 </context>
 <context>
@@ -12603,6 +12702,41 @@ Vorh. %</translation>
     <message>
         <source>End a squeeze as soon as it is decided</source>
         <translation>Einen Druckversuch beenden, sobald er entschieden ist</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::RecipeWords</name>
+    <message>
+        <source>Sum of sines</source>
+        <translation>Summe von Sinus</translation>
+    </message>
+    <message>
+        <source>Four levels</source>
+        <translation>Vier Stufen</translation>
+    </message>
+    <message>
+        <source>Two levels</source>
+        <translation>Zwei Stufen</translation>
+    </message>
+    <message>
+        <source>Repeating</source>
+        <translation>Wiederholt</translation>
+    </message>
+    <message>
+        <source>Tells friction from stiffness; m is less certain.</source>
+        <translation>Trennt Reibung von Steifigkeit; m ist unsicherer.</translation>
+    </message>
+    <message>
+        <source>Most certain where there is no friction, which hides in k.</source>
+        <translation>Am sichersten ohne Reibung, die sonst in k steckt.</translation>
+    </message>
+    <message>
+        <source>Sets noise apart; friction hides in k.</source>
+        <translation>Trennt Rauschen ab; Reibung steckt in k.</translation>
+    </message>
+    <message>
+        <source>Sees friction too, with less force on average.</source>
+        <translation>Zeigt auch Reibung, mit im Mittel weniger Kraft.</translation>
     </message>
 </context>
 <context>

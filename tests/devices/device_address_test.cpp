@@ -18,6 +18,19 @@ private slots:
         QCOMPARE(address.seed, std::uint64_t(1));
         QCOMPARE(address.speed, 1.0);
         QVERIFY(!address.positionNoise_m);
+        QVERIFY(!address.terms.any());
+        QCOMPARE(address.samplesPerSecond, 2000.0);
+        QCOMPARE(address.jitter_s, 0.0);
+    }
+
+    void whatIsNotIdealIsRead()
+    {
+        const auto address = std::get<VirtualAddress>(*parseDeviceAddress(
+            u"virtual:?friction=0.5&own-friction=1.5&zener=0.2,0.03&k3=-1e8&rate=100&jitter=0.001"_qs));
+        const VirtualTerms terms{0.5, 1.5, 0.2, 0.03, -1e8};
+        QVERIFY(address.terms == terms);
+        QCOMPARE(address.samplesPerSecond, 100.0);
+        QCOMPARE(address.jitter_s, 0.001);
     }
 
     void everyOptionIsRead()
@@ -88,6 +101,13 @@ private slots:
         QTest::newRow("bad seed") << u"virtual:?seed=-1"_qs << u"seed=-1"_qs;
         QTest::newRow("bad noise") << u"virtual:?noise=nan"_qs << u"noise=nan"_qs;
         QTest::newRow("bad speed") << u"virtual:?speed=-1"_qs << u"speed=-1"_qs;
+        QTest::newRow("negative friction") << u"virtual:?friction=-1"_qs << u"friction=-1"_qs;
+        QTest::newRow("zener without its time") << u"virtual:?zener=0.2"_qs << u"0.2,0.03"_qs;
+        QTest::newRow("zener without a share") << u"virtual:?zener=,0.2"_qs << u"zener="_qs;
+        QTest::newRow("zener that yields at once") << u"virtual:?zener=0.2,0"_qs << u"zener=0"_qs;
+        QTest::newRow("too slow a gripper") << u"virtual:?rate=1"_qs << u"rate=1"_qs;
+        QTest::newRow("too fast a gripper") << u"virtual:?rate=1e6"_qs << u"rate=1e6"_qs;
+        QTest::newRow("positions out of turn") << u"virtual:?jitter=0.001"_qs << u"jitter=0.001"_qs;
         QTest::newRow("unknown fault") << u"virtual:?fault=fire"_qs << u"fire"_qs;
         QTest::newRow("probability above one") << u"virtual:?fault=loss:2"_qs << u"loss"_qs;
         QTest::newRow("fault without number") << u"virtual:?fault=loss"_qs << u"loss"_qs;

@@ -134,7 +134,7 @@ private slots:
     {
         OpenPort gripper(u"virtual:?speed=0&fault=saturate:25"_qs);
         QCOMPARE(gripper.squeeze(usualForce(500)), SqueezeState::Finished);
-        for (const Sample& sample : moving(gripper.samples)) {
+        for (const Sample& sample : samplesMoving(gripper.samples)) {
             QVERIFY(sample.force <= 25.0);
             QCOMPARE(bool(sample.status & StatusForceSaturated), sample.force == 25.0);
         }
@@ -212,7 +212,8 @@ private slots:
         QVERIFY(gripper.port->state() == LinkState::Ready);
         gripper.port->drain(gripper.samples);
         QVERIFY(statusSeen(gripper.samples) & StatusWatchdog);
-        QVERIFY(moving(gripper.samples).size() < 2 * 2000); // well before its end: a second, and 100 ms
+        QVERIFY(samplesMoving(gripper.samples).size() <
+                2 * 2000); // well before its end: a second, and 100 ms
     }
 
     void heartbeatsComeOnlyWhileArmed()
@@ -274,7 +275,7 @@ private slots:
         gripper.port->stop();
         QVERIFY(gripper.pollUntil([&] { return gripper.port->state() == LinkState::Ready; }));
         QCOMPARE(gripper.port->squeezeState(), SqueezeState::Stopped);
-        QVERIFY(moving(gripper.samples).empty());
+        QVERIFY(samplesMoving(gripper.samples).empty());
     }
 
     void aDeviceThatDoesNotAnswerACommandIsToldSo()
@@ -284,7 +285,7 @@ private slots:
         QVERIFY(gripper.gate.start(usualForce(100)).has_value());
         QVERIFY(gripper.pollUntil([&] { return gripper.port->squeezeState() == SqueezeState::Refused; }));
         QVERIFY(gripper.port->lastError()->code == ErrorCode::DeviceTimeout);
-        QVERIFY(moving(gripper.samples).empty());
+        QVERIFY(samplesMoving(gripper.samples).empty());
     }
 
     void whatTheDeviceRefusesIsTold()

@@ -12,7 +12,7 @@ namespace gripscope::test {
 using Steps = std::function<void(BareDevice&)>;
 using Forces = std::vector<std::int32_t>;
 inline constexpr std::int32_t ownForce = VirtualFirmware::ownForce, ownTravel = VirtualFirmware::ownTravel;
-inline constexpr std::size_t rest = VirtualFirmware::restBeforeSamples;
+inline constexpr std::size_t rest = 100, restAfter = 120; ///< samples of 0.5 ms
 inline constexpr std::uint32_t mostSamples = VirtualFirmware::maxSamples;
 inline const Forces push(400, 10000); // 10 N for 200 ms
 
@@ -62,7 +62,7 @@ inline void settling(BareDevice& d)
 inline void finished(BareDevice& d)
 {
     resting(d);
-    d.run(rest + push.size() + VirtualFirmware::restAfterSamples + 10);
+    d.run(rest + push.size() + restAfter + 10);
 }
 inline void broken(BareDevice& d, bool is = true)
 {

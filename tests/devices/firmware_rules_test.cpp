@@ -349,7 +349,7 @@ private slots:
         broken(device);
         broken(device, false);
         device.stream.clear();
-        device.run(VirtualFirmware::faultShownSamples - 1);
+        device.run(device.firmware.samplesIn(VirtualFirmware::faultShown_s) - 1);
         QCOMPARE(int(device.lastStatus()), int(StatusFault));
         QVERIFY(device.send(ArmCommand{2}).result == CommandResult::Fault);
         device.run(3);

@@ -236,7 +236,7 @@ private slots:
         QCOMPARE(gripper.squeeze(std::vector<double>(200, limit_N)), SqueezeState::Finished);
         constexpr double sensorNoise_N = 0.02;
         double most_N = 0;
-        for (const Sample& sample : moving(gripper.samples))
+        for (const Sample& sample : samplesMoving(gripper.samples))
             most_N = std::max(most_N, sample.force);
         // Of 200 normal deviates one is beyond 6 standard deviations once in a million runs.
         QVERIFY(most_N > limit_N - 6 * sensorNoise_N && most_N < limit_N + 6 * sensorNoise_N);

@@ -76,7 +76,7 @@ class LyingGripperTest : public QObject {
         if (!gripper.arm())
             return false;
         gripper.squeeze();
-        const bool runs = gripper.runUntil([&] { return !moving(gripper.samples).empty(); }, 1000);
+        const bool runs = gripper.runUntil([&] { return !samplesMoving(gripper.samples).empty(); }, 1000);
         if (!runs)
             qWarning("state %d; %s", int(gripper.control.squeeze().state),
                      gripper.control.error() ? qPrintable(gripper.control.error()->describe()) : "");
@@ -98,7 +98,7 @@ private slots:
         QVERIFY2(proof[1].ms - proof[0].ms >= 100 && proof[1].ms - proof[0].ms <= 105,
                  qPrintable(inWords(proof)));
         gripper.squeeze();
-        QVERIFY(gripper.runUntil([&] { return !moving(gripper.samples).empty(); }));
+        QVERIFY(gripper.runUntil([&] { return !samplesMoving(gripper.samples).empty(); }));
         gripper.run(300);
         const std::int64_t pressed = gripper.ms;
         gripper.control.stop(gripper.now());

@@ -100,7 +100,7 @@ struct OpenPort {
 };
 
 /// The samples taken while the excitation ran.
-inline std::vector<Sample> moving(const std::vector<Sample>& samples)
+inline std::vector<Sample> samplesMoving(const std::vector<Sample>& samples)
 {
     std::vector<Sample> out;
     for (const Sample& sample : samples)

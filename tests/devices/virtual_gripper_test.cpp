@@ -44,7 +44,7 @@ private slots:
         OpenPort gripper(u"virtual:?object=A&seed=3&speed="_qs + speed);
         const std::vector<double> force_N = usualForce(1000);
         QCOMPARE(gripper.squeeze(force_N), SqueezeState::Finished);
-        const std::vector<Sample> squeeze = moving(gripper.samples);
+        const std::vector<Sample> squeeze = samplesMoving(gripper.samples);
         QCOMPARE(squeeze.size(), force_N.size());
         // What a held force does to the object of the first draw, exactly.
         const MassDampingStiffness object = VirtualObject::fromText(u"A"_qs)->draw(3, 0);
@@ -82,7 +82,7 @@ private slots:
         QVERIFY(gripper.gate.start(usualForce(200)).has_value());
         QVERIFY(gripper.pollUntil([&] { return gripper.squeezeEnded(); }));
         QCOMPARE(gripper.port->squeezeState(), SqueezeState::Finished);
-        QCOMPARE(moving(gripper.samples).size(), std::size_t(400));
+        QCOMPARE(samplesMoving(gripper.samples).size(), std::size_t(400));
     }
 
     void asFastAsItCanIsTheSameOnEveryRun()
@@ -118,8 +118,8 @@ private slots:
         QCOMPARE(second.squeeze(usualForce(800)), SqueezeState::Finished);
         second.samples.clear();
         QCOMPARE(second.squeeze(usualForce(400)), SqueezeState::Finished);
-        const std::vector<Sample> a = moving(first.samples);
-        const std::vector<Sample> b = moving(second.samples);
+        const std::vector<Sample> a = samplesMoving(first.samples);
+        const std::vector<Sample> b = samplesMoving(second.samples);
         QCOMPARE(a.size(), std::size_t(400));
         QCOMPARE(b.size(), a.size());
         for (std::size_t i = 0; i < a.size(); ++i) {

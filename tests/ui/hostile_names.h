@@ -57,7 +57,10 @@ inline void fillWithHostileNames(const QString& file, const QStringList& names)
                            "'operator', 0, '', 1)")
                 .arg(i));
     raw.run(QStringLiteral(
-        "INSERT INTO enrollment_drafts VALUES ('d', '', '2026-01-01T00:00:00.000Z', 'x', 'open', "
+        "INSERT INTO enrollment_drafts (id, station, created_utc, type_name, state, step, recipe_name, "
+        "peak_n, "
+        "bias_n, bit_s, seconds, max_force_n, max_travel_m, part, picture_id, pending_id, remark, "
+        "operator_name, serial) VALUES ('d', '', '2026-01-01T00:00:00.000Z', 'x', 'open', "
         "'recipe', 'x', 10, 20, 0.005, 1, 40, 0.02, 'x', NULL, NULL, 'x', 'x', 1)"));
     int next = 0;
     const auto fill = [&](const QString& table, const QStringList& columns) {

@@ -51,29 +51,14 @@ public:
     void in(const QString& state, const NamedTheme& theme, const std::vector<QSize>& sizes,
             const QString& message = {})
     {
-        Theme::instance().apply(theme.first);
-        auto* bar = message.isEmpty() ? nullptr : m_top->findChild<MessageBar*>();
-        for (const QSize size : sizes) {
-            const QString where =
-                QStringLiteral("%1, %2 %3").arg(state, QLatin1String(theme.second)).arg(size.width());
-            m_top->resize(size);
-            settleLayout();
-            look(where);
-            if (!bar)
-                continue;
-            bar->show(message);
-            settleLayout();
-            look(where + QStringLiteral(" with a message"));
-            if (m_top->size() != size) // the screen may have no more
-                note(QStringLiteral("is %1 x %2").arg(m_top->width()).arg(m_top->height()), where);
-            bar->dismiss();
-        }
+        lookIn(state, theme, sizes, message);
         Theme::instance().apply(ThemeKind::Light);
     }
     void inAll(const QString& state, const std::vector<QSize>& sizes, const QString& message = {})
     {
         for (const NamedTheme& theme : everyTheme)
-            in(state, theme, sizes, message);
+            lookIn(state, theme, sizes, message);
+        Theme::instance().apply(ThemeKind::Light);
     }
     /// One of the many states of a page that was met in every theme and size: where it is tightest, and where
     /// lines are thickest.
@@ -91,6 +76,27 @@ public:
     }
 
 private:
+    void lookIn(const QString& state, const NamedTheme& theme, const std::vector<QSize>& sizes,
+                const QString& message)
+    {
+        Theme::instance().apply(theme.first);
+        auto* bar = message.isEmpty() ? nullptr : m_top->findChild<MessageBar*>();
+        for (const QSize size : sizes) {
+            const QString where =
+                QStringLiteral("%1, %2 %3").arg(state, QLatin1String(theme.second)).arg(size.width());
+            m_top->resize(size);
+            settleLayout();
+            look(where);
+            if (!bar)
+                continue;
+            bar->show(message);
+            settleLayout();
+            look(where + QStringLiteral(" with a message"));
+            if (m_top->size() != size) // the screen may have no more
+                note(QStringLiteral("is %1 x %2").arg(m_top->width()).arg(m_top->height()), where);
+            bar->dismiss();
+        }
+    }
     void note(const QString& finding, const QString& where)
     {
         if (QStringList& places = m_where[finding]; !places.contains(where))

@@ -71,7 +71,7 @@ class ScreenWatchTest : public QObject {
         auto* squeeze = f.find<QPushButton>("squeezeButton");
         const qint64 before = f.bench->inspection().counts().total;
         QVERIFY(f.inRealTime([squeeze] { WindowFixture::clickWhenEnabled(squeeze); },
-                             [&] { return f.bench->inspection().counts().total == before + 1; }));
+                             [&] { return f.bench->inspection().counts().total > before; }));
         QTRY_VERIFY_WITH_TIMEOUT(!f.bench->squeezing(), gripscope::test::longEnough_ms);
     }
     static void enroll(WindowFixture& f, ScreenWatch& watch)
@@ -84,7 +84,7 @@ class ScreenWatchTest : public QObject {
         f.click(f.find<QPushButton>("recipeNext"));
         auto* squeeze = f.find<QPushButton>("enrollSqueezeButton");
         QVERIFY(f.inRealTime([squeeze] { WindowFixture::clickWhenEnabled(squeeze); },
-                             [&f] { return f.bench->enrollment().acceptedCount() == 1; }));
+                             [&f] { return f.bench->enrollment().acceptedCount() > 0; }));
     }
     static void lookAtPages(WindowFixture& f, ScreenWatch& watch)
     {

@@ -97,27 +97,30 @@ public:
         return nullptr;
     }
 
-    /// For what has to be squeezed in real time: arms the gripper, does `begin`, waits for `done`. Beside
-    /// busy neighbours the gripper's watchdog may end a squeeze: as a person would, again then. False when
-    /// nothing came of it ten times.
+    /// For what has to be squeezed in real time: arms the gripper, does `begin`, waits for `done`. Where the
+    /// squeeze falls in the gripper's noise and how long it gets is up to the computer then, so that one in
+    /// some may be in doubt, and beside busy neighbours the gripper's watchdog may end it: as a person would,
+    /// again then. False when nothing came of it ten times.
     [[nodiscard]] bool inRealTime(const std::function<void()>& begin, const std::function<bool()>& done) const
     {
         constexpr int tries = 10;
-        constexpr int storing_ms =
-            5000; // a squeeze that is over may be stored though the gripper was disarmed since
+        constexpr int storing_ms = 5000; // a squeeze that is over is judged and stored in less
         for (int i = 0; i < tries; ++i) {
             if (!bench->connection().armed())
                 bench->arm();
             if (!QTest::qWaitFor([this] { return bench->connection().armed(); }, longEnough_ms))
                 return false;
+            if (done())
+                return true;
             begin();
-            QElapsedTimer disarmed;
+            QElapsedTimer idle;
             const auto ended = [&] {
-                if (bench->connection().armed() || bench->squeezing())
-                    disarmed.invalidate();
-                else if (!disarmed.isValid())
-                    disarmed.start();
-                return done() || (disarmed.isValid() && disarmed.hasExpired(storing_ms));
+                if (bench->squeezing() || bench->inspection().state() == InspectSession::State::Judging ||
+                    bench->enrollment().activity() == EnrollSession::Activity::Identifying)
+                    idle.invalidate();
+                else if (!idle.isValid())
+                    idle.start();
+                return done() || (idle.isValid() && idle.hasExpired(storing_ms));
             };
             const bool over = QTest::qWaitFor(ended, longEnough_ms);
             if (done())

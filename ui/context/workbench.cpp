@@ -54,6 +54,7 @@ struct Workbench::Private {
     Messages messages;
     Navigator navigator;
     QTimer timer;
+    QTimer untilTheEnd; ///< while a part is squeezed
     QString operatorName;
     SignIn* signIn = nullptr;
     JudgingPolicy policy;
@@ -90,11 +91,16 @@ Workbench::Workbench(const QString& libraryFile, const QString& settingsFile, QO
     d->timer.setTimerType(Qt::PreciseTimer);
     connect(&d->timer, &QTimer::timeout, this, &Workbench::tick);
     d->timer.start();
+    // Somebody waits for the verdict: from the last sample on no time is lost to the display's pace.
+    d->untilTheEnd.setInterval(4);
+    d->untilTheEnd.setTimerType(Qt::PreciseTimer);
+    connect(&d->untilTheEnd, &QTimer::timeout, this, &Workbench::lookForTheEnd);
 }
 
 Workbench::~Workbench()
 {
     d->timer.stop();
+    d->untilTheEnd.stop();
     d->connection.stop();
     d->connection.disarm();
 }
@@ -320,9 +326,24 @@ void Workbench::tick()
     noticeReferenceCheck();
     noticeEnrollment();
     noticeInspection();
+    if (d->inspection.state() == InspectSession::State::Squeezing && !d->untilTheEnd.isActive())
+        d->untilTheEnd.start();
     d->background.poll();
     d->messages.poll();
     emit ticked();
+}
+
+void Workbench::lookForTheEnd()
+{
+    if (d->inspection.state() == InspectSession::State::Squeezing) {
+        d->connection.poll();
+        static_cast<void>(d->inspection.poll());
+        if (d->inspection.state() == InspectSession::State::Squeezing)
+            return;
+        tellInspection();
+        tick();
+    }
+    d->untilTheEnd.stop();
 }
 
 void Workbench::noticeConnection()
@@ -441,8 +462,12 @@ void Workbench::noticeEnrollment()
 
 void Workbench::noticeInspection()
 {
-    if (!d->inspection.poll())
-        return;
+    if (d->inspection.poll())
+        tellInspection();
+}
+
+void Workbench::tellInspection()
+{
     noticeError(d->inspectionError, d->inspection.lastError());
     const auto& result = d->inspection.result();
     const qint64 number = result ? result->number : 0;

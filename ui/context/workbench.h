@@ -96,6 +96,7 @@ signals:
 
 private:
     void tick();
+    void lookForTheEnd();
     void noticeConnection();
     [[nodiscard]] Messages::Condition untilConnected() const;
     void noticeCapture();
@@ -104,6 +105,7 @@ private:
     void askAgain(const QString& serial, const Error& reason);
     void noticeEnrollment();
     void noticeInspection();
+    void tellInspection();
     void applyPolicy();
     void noticeError(std::optional<Error>& known, const std::optional<Error>& now);
     struct Private;

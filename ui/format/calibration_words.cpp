@@ -21,10 +21,14 @@ constexpr double doubtfulMisfit = 0.01;
 QString percentOfScale(const std::optional<double>& percent)
 {
     constexpr double least = 0.001; // below it there is only the rounding of the computer
+    constexpr double whole = 100;   // from there on two significant digits would read 1.7E+02
     if (!percent)
         return u"–"_s;
-    return std::abs(*percent) < least ? u"< "_s + QLocale().toString(least) + QChar::Nbsp + u'%'
-                                      : QLocale().toString(std::abs(*percent), 'g', 2) + QChar::Nbsp + u'%';
+    const double size = std::abs(*percent);
+    const QString number = size < least    ? u"< "_s + QLocale().toString(least)
+                           : size >= whole ? QLocale().toString(size, 'f', 0)
+                                           : QLocale().toString(size, 'g', 2);
+    return number + QChar::Nbsp + u'%';
 }
 
 } // namespace

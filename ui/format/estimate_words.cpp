@@ -93,6 +93,7 @@ QString checkName(const QString& id)
         {u"calibration"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Calibration")},
         {u"linearity"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Straight spring")},
         {u"feedback"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Force feedback")},
+        {u"relaxation"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Yielding")},
         {u"preparation"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Recording as such")},
         {u"quantisation"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Steps of the channels")},
     };

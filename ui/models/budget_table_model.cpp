@@ -130,6 +130,8 @@ QString effectName(const QString& id)
         {u"quantization"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Steps of the position")},
         {u"lag"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Lag of the channels")},
         {u"hold"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Force between samples")},
+        {u"friction"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Friction")},
+        {u"jitter"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Times of the samples")},
         {u"calibration"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Calibration")},
         {u"frame_compliance"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Give of the frame")},
         {u"baseline"_s, QT_TRANSLATE_NOOP("gripscope::BudgetTableModel", "Empty gripper")},

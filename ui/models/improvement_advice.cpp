@@ -63,6 +63,13 @@ QString sentenceFor(const QString& effect)
          QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
                            "How the force runs between samples dominates the error of %1: sample faster, or "
                            "name the force hold of the device.")},
+        {u"friction"_s, QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
+                                          "Friction that may hide in this squeeze dominates the error of %1: "
+                                          "four levels of force tell it (the recipe on Enroll; "
+                                          "gripscope-cli record --excitation four-level).")},
+        {u"jitter"_s, QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
+                                        "Samples beside their times dominate the error of %1: steady the "
+                                        "gripper's clock.")},
         {u"calibration"_s, QT_TRANSLATE_NOOP("gripscope::ImprovementAdvice",
                                              "The calibration dominates the error of %1: calibrate force "
                                              "and position anew.")},

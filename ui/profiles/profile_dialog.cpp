@@ -160,11 +160,7 @@ QWidget* ProfileDialog::buildProfile()
     auto* column = new QVBoxLayout(panel);
     setSpacing(column, 0, 8);
     d->form = new ProfileForm;
-    auto* scroll = new QScrollArea(panel);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(d->form);
+    QScrollArea* scroll = makeScroll(d->form, panel);
     d->json = new QPlainTextEdit(panel);
     d->json->setReadOnly(true);
     d->json->setObjectName("profileJson");

@@ -15,7 +15,6 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QSaveFile>
-#include <QScrollArea>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -175,11 +174,7 @@ void SettingsDialog::addRows(QVBoxLayout* column)
     m_nothing->hide();
     rows->addWidget(m_nothing);
     rows->addStretch(1);
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidget(card);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    column->addWidget(scroll, 1);
+    column->addWidget(makeScroll(card, this), 1);
 }
 
 void SettingsDialog::addButtons(QVBoxLayout* column)

@@ -228,17 +228,22 @@ Theme& Theme::instance()
 
 void Theme::apply(ThemeKind kind)
 {
+    if (m_sheet && kind == m_kind)
+        return;
+    m_kind = kind;
     m_tokens = themeTokens(kind);
-    const QStringList paths{u"/usr/share/icons"_s, u"/usr/local/share/icons"_s};
-    QIcon::setFallbackSearchPaths(paths);
+    // Each of these styles every widget that there is anew: style and font are those of all themes.
+    if (!m_sheet) {
+        const QStringList paths{u"/usr/share/icons"_s, u"/usr/local/share/icons"_s};
+        QIcon::setFallbackSearchPaths(paths);
+        QApplication::setStyle(QStyleFactory::create(u"Fusion"_s));
+        QApplication::setFont(font(metrics::fontBase));
+        m_sheet = std::make_unique<StyleSheet>();
+    }
     QIcon::setThemeName(kind == ThemeKind::Light ? u"breeze"_s : u"breeze-dark"_s);
     QIcon::setFallbackThemeName(u"breeze"_s);
 
-    QApplication::setStyle(QStyleFactory::create(u"Fusion"_s));
-    QApplication::setFont(font(metrics::fontBase));
     QApplication::setPalette(palette(m_tokens));
-    if (!m_sheet)
-        m_sheet = std::make_unique<StyleSheet>();
     qApp->setStyleSheet(m_sheet->text(m_tokens));
     emit changed();
 }

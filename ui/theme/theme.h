@@ -76,6 +76,7 @@ private:
     Theme();
     ~Theme() override;
     std::unique_ptr<StyleSheet> m_sheet;
+    ThemeKind m_kind = ThemeKind::Light; ///< once there is a sheet
     ThemeTokens m_tokens = themeTokens(ThemeKind::Light);
 };
 

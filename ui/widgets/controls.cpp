@@ -4,6 +4,7 @@
 #include "ui/theme/theme.h"
 
 #include <QBoxLayout>
+#include <QScrollArea>
 #include <QStyle>
 
 #include <optional>
@@ -22,6 +23,16 @@ QFrame* makeCard(QWidget* parent)
     auto* card = new QFrame(parent);
     setRole(card, "card");
     return card;
+}
+
+QScrollArea* makeScroll(QWidget* inside, QWidget* parent)
+{
+    auto* scroll = new QScrollArea(parent);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(inside);
+    return scroll;
 }
 
 QFrame* makeRule(QWidget* parent)

@@ -7,6 +7,7 @@
 #include <QString>
 
 class QBoxLayout;
+class QScrollArea;
 
 namespace gripscope {
 
@@ -15,6 +16,8 @@ void setRole(QWidget* widget, const char* role);
 
 /// A white surface with a border: the container of everything on a page.
 [[nodiscard]] QFrame* makeCard(QWidget* parent = nullptr);
+/// `inside` as wide as there is room, scrolled down where it is too high.
+[[nodiscard]] QScrollArea* makeScroll(QWidget* inside, QWidget* parent = nullptr);
 /// A thin line across a card.
 [[nodiscard]] QFrame* makeRule(QWidget* parent = nullptr);
 [[nodiscard]] QLabel* makeLabel(const QString& text, const char* role = "", QWidget* parent = nullptr);

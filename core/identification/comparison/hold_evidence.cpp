@@ -168,7 +168,7 @@ Estimate estimateOtherHold(const std::vector<double>& force, const std::vector<d
     OutputErrorOptions otherOptions = options;
     otherOptions.hold = otherThan(options.hold);
     otherOptions.start = oe.parameters;
-    return estimateOutputError(force, position, otherOptions);
+    return estimateBeside(oe, force, position, otherOptions);
 }
 
 HoldEvidence weighHolds(const std::vector<double>& force, const OutputErrorOptions& options,

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <utility>
 
 namespace gripscope {
@@ -60,6 +59,12 @@ ComparedModel modelOf(const QString& id, const Finding& words, Estimate estimate
     return model;
 }
 
+/// What is left of the residual.
+double lastOf(const Eigen::MatrixXd& triangle)
+{
+    return std::abs(triangle(triangle.rows() - 1, triangle.cols() - 1));
+}
+
 /// The delay that explains the residuals of `e` best, to first order, in seconds.
 double delayStep(const Estimate& e, const std::vector<double>& force, const OutputErrorOptions& options)
 {
@@ -89,7 +94,7 @@ ComparedModel delayed(const std::vector<double>& force, const std::vector<double
 {
     constexpr int iterations = 4;
     OutputErrorOptions moved = fromLinear(options, linear);
-    moved.residualTests = false;
+    moved.residuals = ResidualDepth::Sums;
     ComparedModel best =
         modelOf(u"delay"_s, Words::say("a further delay between force and position"), linear, 1);
     best.delay_s = 0;
@@ -101,8 +106,7 @@ ComparedModel delayed(const std::vector<double>& force, const std::vector<double
         at = estimateOutputError(force, position, moved);
         if (at.status != EstimateStatus::Converged)
             break;
-        if (at.residuals.sse * static_cast<double>(best.estimate.residual.size()) <
-            best.estimate.residuals.sse * static_cast<double>(at.residual.size())) {
+        if (explainsMore(at, best.estimate)) {
             best.estimate = at;
             best.delay_s = moved.lag_s - options.lag_s;
         }
@@ -111,9 +115,45 @@ ComparedModel delayed(const std::vector<double>& force, const std::vector<double
         return best;
     moved.lag_s = options.lag_s + *best.delay_s;
     moved.start = best.estimate.parameters;
-    moved.residualTests = true;
-    best.estimate = estimateOutputError(force, position, moved);
+    best.estimate = estimateBeside(linear, force, position, moved);
     return best;
+}
+
+/// By how much the sum of squares grows without the offset, as far as a first step from the linear model
+/// says: N times the logarithm of the ratio, twice what the likelihood loses under white noise.
+double lossWithoutOffset(const Estimate& linear, const std::vector<double>& force,
+                         const OutputErrorOptions& options)
+{
+    if (!options.freeOffset || !linear.nuisance.offset)
+        return 0;
+    LinearizedRecord record = linearizedRecord(linear, force, options);
+    if (!record.usable())
+        return 0;
+    record.nuisances.conservativeResize(Eigen::NoChange, record.nuisances.cols() - 1); // it is the last one
+    std::vector<double> residual = linear.residual;
+    const double with = lastOf(effectTriangle(record, {}, residual, {}).triangle);
+    for (double& value : residual)
+        value += *linear.nuisance.offset;
+    const double without = lastOf(effectTriangle(record, {}, residual, {}).triangle);
+    const double loss = 2 * static_cast<double>(record.rows.size()) * std::log(without / with);
+    return std::isfinite(loss) ? loss : 0;
+}
+
+/// Without the offset where there is one, with one where there is none. Nothing where the offset is so plain
+/// that the search without it, which has nowhere to settle then, would only keep the verdict waiting.
+std::optional<ComparedModel> otherOffset(const std::vector<double>& force,
+                                         const std::vector<double>& position,
+                                         const OutputErrorOptions& options, const Estimate& linear)
+{
+    constexpr double hopeless = 100 * decisiveDelta;
+    if (lossWithoutOffset(linear, force, options) > hopeless)
+        return std::nullopt;
+    OutputErrorOptions other = fromLinear(options, linear);
+    other.freeOffset = !options.freeOffset;
+    return modelOf(options.freeOffset ? u"without_offset"_s : u"with_offset"_s,
+                   options.freeOffset ? Words::say("no offset of the position")
+                                      : Words::say("an offset of the position"),
+                   estimateBeside(linear, force, position, other));
 }
 
 /// What a motion with further terms is called in the sentence that it explains a squeeze better.
@@ -160,36 +200,33 @@ std::vector<ComparedModel> candidates(const std::vector<double>& force, const st
                              straight ? Words::say("a force that is held from sample to sample")
                                       : Words::say("a force that runs straight from sample to sample"),
                              otherHold));
-    std::vector<std::function<ComparedModel()>> others;
+    std::vector<std::function<std::optional<ComparedModel>()>> others;
     others.emplace_back([&] { return delayed(force, position, options, linear); }); // the longest
-    others.emplace_back([&, other = fromLinear(options, linear)]() mutable {
-        other.freeOffset = !options.freeOffset;
-        return modelOf(options.freeOffset ? u"without_offset"_s : u"with_offset"_s,
-                       options.freeOffset ? Words::say("no offset of the position")
-                                          : Words::say("an offset of the position"),
-                       estimateOutputError(force, position, other));
-    });
+    others.emplace_back([&] { return otherOffset(force, position, options, linear); });
     if (straight)
         others.emplace_back([&, other = fromLinear(options, linear)] {
             return modelOf(u"smooth_force"_s, Words::say("a force that is smooth between its samples"),
-                           estimateOutputError(straightAsSpline(force), position, other));
+                           estimateBeside(linear, straightAsSpline(force), position, other));
         });
-    std::vector<ComparedModel> found(others.size());
+    std::vector<std::optional<ComparedModel>> found(others.size());
     shareAmongThreads(static_cast<std::int64_t>(others.size()), 0, [&](std::int64_t i) {
         found[static_cast<std::size_t>(i)] = others[static_cast<std::size_t>(i)]();
     });
-    std::move(found.begin(), found.end(), std::back_inserter(models));
+    for (std::optional<ComparedModel>& model : found)
+        if (model)
+            models.push_back(std::move(*model));
     return models;
 }
 
-/// The smaller standard errors count: a poor model's own are large because it is poor.
+/// The smaller standard errors count: a poor model's own are large because it is poor, and where it explains
+/// less than the linear one they are not known under its noise (estimateBeside).
 double changeInErrors(const Estimate& linear, const Estimate& other)
 {
     const std::optional<Eigen::Vector3d> errors = linear.standardErrors();
     const std::optional<Eigen::Vector3d> others = other.standardErrors();
     if (!errors || !others)
         return 0;
-    const Eigen::Vector3d smaller = errors->cwiseMin(*others);
+    const Eigen::Vector3d smaller = explainsMore(other, linear) ? errors->cwiseMin(*others) : *errors;
     const Eigen::Vector3d change = other.parameters->vector() - linear.parameters->vector();
     const double largest = smaller.minCoeff() > 0 ? change.cwiseAbs().cwiseQuotient(smaller).maxCoeff() : 0.0;
     return std::isfinite(largest) ? largest : 0;

@@ -36,7 +36,10 @@ struct ModelComparison {
     std::vector<ComparedModel> ranked; ///< best first
     QString criterion;                 ///< "BIC"
     bool decisive = false;             ///< another model than the linear one is better, and it matters
-    Finding sentence;                  ///< the outcome in words; empty when nothing could be compared
+    /// Twice the logarithm of the likelihood (white noise) that a part which goes on yielding gains, where
+    /// its search found a way that does not end: it yields more slowly than the record is long.
+    double unsettledYielding = 0;
+    Finding sentence; ///< the outcome in words; empty when nothing could be compared
     [[nodiscard]] const ComparedModel* find(const QString& id) const;
 };
 
@@ -48,8 +51,8 @@ inline constexpr double decisiveDelta = 10;
 /// are estimated here: the offset the other way, a further delay between the channels (by Gauss-Newton), and
 /// for straight forces one that is smooth between its samples (straightAsSpline()). A model is claimed to be
 /// better only where the criterion is decisively lower and m, b or k differ by more than two standard errors,
-/// the smaller of the two models' each. One that does not settle within 30 iterations (the others need 3 to
-/// 12) is not among the ranked.
+/// the smaller of the two models' each where it explains more. Not among the ranked: one that does not settle
+/// within 30 iterations (the others need 3 to 12), and the one without an offset that is beyond doubt.
 [[nodiscard]] ModelComparison
 compareModels(const std::vector<double>& force, const std::vector<double>& position,
               const OutputErrorOptions& options, const Estimate& linear, const Estimate& otherHold,

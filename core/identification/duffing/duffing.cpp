@@ -7,9 +7,7 @@
 #include "core/identification/model/identifiability.h"
 #include "core/identification/output_error/completed_record.h"
 #include "core/identification/output_error/output_error.h"
-
-#include <Eigen/LU>
-#include <Eigen/QR>
+#include "core/math/least_squares.h"
 
 #include <algorithm>
 #include <array>
@@ -57,7 +55,9 @@ std::vector<DuffingPoint> knownStarts(const DuffingProblem& problem, const std::
 {
     if (options.start)
         return {pointFrom(problem, *options.start, options.startCubic, {})};
-    const Estimate estimate = estimateOutputError(force, position, {options});
+    OutputErrorOptions linear{options};
+    linear.residuals = ResidualDepth::Sums;
+    const Estimate estimate = estimateOutputError(force, position, linear);
     if (!estimate.parameters)
         return {};
     return {pointFrom(problem, *estimate.parameters, 0, estimate.nuisance)};
@@ -152,9 +152,7 @@ std::vector<DuffingPoint> startsFor(DuffingProblem& problem, const std::vector<d
 std::optional<Eigen::Matrix4d> covarianceOf(const DuffingSearchResult& search, const Eigen::Vector4d& units,
                                             double degreesOfFreedom)
 {
-    const Eigen::Matrix4d factor =
-        Eigen::HouseholderQR<Eigen::MatrixXd>(search.linear.projected).matrixQR().topRows<4>();
-    const Eigen::Matrix4d inverse = Eigen::Matrix4d(factor.triangularView<Eigen::Upper>()).inverse();
+    const Eigen::Matrix4d inverse = inverseOfTriangle(triangleOf(search.linear.projected));
     const Eigen::Matrix4d root = units.asDiagonal() * inverse;
     const Eigen::Matrix4d covariance = search.linear.cost / degreesOfFreedom * (root * root.transpose());
     return covariance.allFinite() ? std::optional(covariance) : std::nullopt;

@@ -3,10 +3,8 @@
 #include "core/identification/model/identifiability.h"
 #include "core/identification/output_error/filter_regression.h"
 #include "core/identification/output_error/output_error_problem.h"
+#include "core/math/least_squares.h"
 #include "core/math/sequential_qr.h"
-
-#include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -18,8 +16,7 @@ namespace gripscope {
 namespace {
 
 /// K3 a^2 / K of the springs that harmonic balance makes from a linear one.
-constexpr std::array<double, 6> cubicShares{0, -0.25, 0.2, 0.7, 2.5, 10};
-constexpr std::size_t mostStarts = 3;
+constexpr std::array<double, 6> springShares{0, -0.25, 0.2, 0.7, 2.5, 10};
 
 /// The spring's force at a position y: c[0] + c[1] y + c[2] y^2 + c[3] y^3.
 using SpringCurve = std::array<double, 4>;
@@ -69,8 +66,7 @@ void refineNuisances(const DuffingProblem& problem, DuffingPoint& point, double&
     if (!linear.finite)
         return;
     Eigen::VectorXd step = Eigen::VectorXd::Zero(problem.unknowns());
-    step.head(count) =
-        Eigen::MatrixXd(linear.triangle.leftCols(count)).colPivHouseholderQr().solve(linear.residual);
+    step.head(count) = solvePivoted(linear.triangle.leftCols(count), linear.residual).solution;
     const DuffingPoint moved = point.moved(problem, step);
     const std::optional<double> better = costAt(problem, moved);
     if (better && *better < cost) {
@@ -79,21 +75,17 @@ void refineNuisances(const DuffingProblem& problem, DuffingPoint& point, double&
     }
 }
 
-struct Candidates {
-    struct Candidate {
-        DuffingPoint point;
-        double cost;
-    };
+struct DuffingCandidates : StartCandidates<DuffingPoint> {
     const DuffingProblem& problem;
-    std::vector<Candidate> all;
 
+    explicit DuffingCandidates(const DuffingProblem& itsProblem) : problem(itsProblem) {}
     void offer(DuffingPoint point)
     {
         std::optional<double> cost = costAt(problem, point);
         if (!cost)
             return;
         refineNuisances(problem, point, *cost);
-        all.push_back({point, *cost});
+        StartCandidates::offer(point, *cost);
     }
 };
 
@@ -141,9 +133,7 @@ private:
     }
     [[nodiscard]] Logarithms logarithmDeviations() const override
     {
-        const Eigen::Matrix4d triangle =
-            Eigen::HouseholderQR<Eigen::MatrixXd>(m_result.linear.projected).matrixQR().topRows<4>();
-        const Eigen::Matrix4d inverse = Eigen::Matrix4d(triangle.triangularView<Eigen::Upper>()).inverse();
+        const Eigen::Matrix4d inverse = inverseOfTriangle(triangleOf(m_result.linear.projected));
         return inverse.topRows<3>().rowwise().norm();
     }
 
@@ -177,7 +167,7 @@ private:
 std::vector<DuffingPoint> duffingStarts(const DuffingProblem& problem,
                                         const std::vector<DuffingPoint>& others)
 {
-    Candidates candidates{problem, {}};
+    DuffingCandidates candidates(problem);
     for (const double bandwidth : filterBandwidths) {
         const std::optional<FilterRegression> regression = filterRegression(problem, bandwidth, true);
         if (const auto point = regression ? pointFrom(problem, *regression) : std::nullopt)
@@ -190,19 +180,14 @@ std::vector<DuffingPoint> duffingStarts(const DuffingProblem& problem,
             candidates.offer(other);
             continue;
         }
-        for (const double share : cubicShares) {
+        for (const double share : springShares) {
             DuffingPoint point = other;
             point.theta(2) -= std::log(1 + 0.75 * share);
             point.cubic = squaredAmplitude > 0 ? share * std::exp(point.theta(2)) / squaredAmplitude : 0;
             candidates.offer(point);
         }
     }
-    std::stable_sort(candidates.all.begin(), candidates.all.end(),
-                     [](const auto& a, const auto& b) { return a.cost < b.cost; });
-    std::vector<DuffingPoint> best;
-    for (std::size_t i = 0; i < std::min(mostStarts, candidates.all.size()); ++i)
-        best.push_back(candidates.all[i].point);
-    return best;
+    return candidates.best();
 }
 
 bool DuffingSearchResult::isDetermined() const

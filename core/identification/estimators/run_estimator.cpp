@@ -25,6 +25,7 @@ OutputErrorOptions outputErrorOptions(const PreparedRecord& record, const Estima
 {
     auto options = continuousOptions<OutputErrorOptions>(record, task);
     options.lost = record.lost;
+    options.residuals = task.residuals;
     return options;
 }
 

@@ -14,7 +14,8 @@ struct EstimatorTask {
     ForceHold hold = ForceHold::First;
     bool freeInitialState = true;
     bool freeOffset = true;
-    std::optional<std::size_t> period; ///< of the excitation, in samples, where it is known
+    std::optional<std::size_t> period;              ///< of the excitation, in samples, where it is known
+    ResidualDepth residuals = ResidualDepth::Tests; ///< of output error
 };
 
 /// Options of any estimator of m, b, k in continuous time: they name the same things alike.

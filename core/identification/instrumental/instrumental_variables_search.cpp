@@ -5,10 +5,10 @@
 #include "core/identification/output_error/filter_regression.h"
 #include "core/identification/output_error/output_error_problem.h"
 #include "core/identification/output_error/output_error_search.h"
+#include "core/math/least_squares.h"
 #include "core/math/sequential_qr.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <cmath>
 #include <complex>
@@ -44,13 +44,12 @@ private:
         m_result.equations = instrumentalEquations(m_record, m_result.model);
         if (!m_result.equations.finite)
             return false;
-        const Eigen::HouseholderQR<Eigen::MatrixXd> qr(m_result.equations.instruments);
-        m_triangle = qr.matrixQR().topRows(3).triangularView<Eigen::Upper>();
         Eigen::MatrixXd right(m_result.equations.regressors.rows(), 4);
         right << m_result.equations.regressors, m_result.equations.residual;
-        right.applyOnTheLeft(qr.householderQ().adjoint());
-        m_result.cross = right.topLeftCorner<3, 3>();
-        m_right = right.topRightCorner<3, 1>();
+        const Triangularized qr = triangularize(m_result.equations.instruments, right);
+        m_triangle = qr.triangle;
+        m_result.cross = qr.right.topLeftCorner<3, 3>();
+        m_right = qr.right.topRightCorner<3, 1>();
         m_scales = m_scales.cwiseMax(m_triangle.colwise().norm().transpose());
         return true;
     }
@@ -60,7 +59,7 @@ private:
     [[nodiscard]] double toGo() const override { return m_right.norm(); }
     [[nodiscard]] Step dampedStep(double damping) const override
     {
-        return dampedLeastSquares<3>(m_triangle, -m_right, m_scales, damping);
+        return dampedLeastSquares(m_triangle, -m_right, m_scales, damping);
     }
     [[nodiscard]] Logarithms logarithmDeviations() const override
     {
@@ -84,7 +83,7 @@ private:
     /// The solution of the instrumental-variable equations, or a part of the way to it.
     bool improveByInstruments()
     {
-        const Eigen::Vector3d change = -m_result.cross.colPivHouseholderQr().solve(m_right);
+        const Eigen::Vector3d change = -solvePivoted(m_result.cross, m_right).solution;
         Eigen::Vector3d step = change.unaryExpr(
             [](double share) { return share > -0.9 ? std::log1p(share) : -search::longestStep; });
         for (int i = 0; i < mostStepHalvings; ++i, step /= 2) {

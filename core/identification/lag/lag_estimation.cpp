@@ -103,6 +103,7 @@ std::optional<LagProfile::Value> LagProfile::at(double lag, std::optional<MassDa
     options.lag_s =
         std::clamp(lag - std::floor(lag), smallestRest, 1 - smallestRest) * m_options.sampleTime_s;
     options.start = start;
+    options.residuals = ResidualDepth::Sums;
     options.lost.clear();
     for (const std::size_t index : m_options.lost) {
         // A lost sample is a force at one place and a position at another.

@@ -9,8 +9,7 @@
 #include "core/identification/output_error/completed_record.h"
 #include "core/identification/output_error/output_error.h"
 #include "core/math/decompositions.h"
-
-#include <Eigen/QR>
+#include "core/math/least_squares.h"
 
 #include <algorithm>
 #include <array>
@@ -44,7 +43,7 @@ MotionPoint linearPoint(const MotionProblem& problem, const MotionOptions& optio
     if (!linear && problem.terms.mass && problem.terms.spring) {
         OutputErrorOptions asked{options};
         asked.lost.clear();
-        asked.residualTests = false;
+        asked.residuals = ResidualDepth::Sums;
         std::vector<double> force = problem.force;
         std::vector<double> position = problem.position;
         for (double& value : force)
@@ -165,10 +164,7 @@ std::optional<Eigen::MatrixXd> whiteCovariance(const MotionProblem& problem, con
                                                const Eigen::VectorXd& scales)
 {
     const Eigen::MatrixXd columns = search.linear.triangle(Eigen::all, search.linear.moving());
-    const Eigen::MatrixXd triangle = Eigen::HouseholderQR<Eigen::MatrixXd>(columns).matrixQR();
-    const Eigen::Index unknowns = columns.cols();
-    const Eigen::MatrixXd inverse = triangle.topRows(unknowns).triangularView<Eigen::Upper>().solve(
-        Eigen::MatrixXd::Identity(unknowns, unknowns));
+    const Eigen::MatrixXd inverse = inverseOfTriangle(triangleOf(columns));
     const Eigen::MatrixXd root = scales.asDiagonal() * inverse.bottomRows(scales.size());
     return usableCovariance(search.cost() / MotionSearchResult::degreesOfFreedom(problem) * root *
                             root.transpose());
@@ -213,7 +209,7 @@ std::optional<double> frictionLimit(const MotionProblem& problem, const MotionSe
     double best = found[P::Friction];
     if (best == 0) {
         const Eigen::MatrixXd columns = search.linear.triangle(Eigen::all, search.linear.moving());
-        const Eigen::VectorXd step = columns.householderQr().solve(search.linear.residual);
+        const Eigen::VectorXd step = solvePivoted(columns, search.linear.residual).solution;
         const auto fromEnd = static_cast<Eigen::Index>(parameters.size()) - index;
         best = std::min(0.0, step(step.size() - fromEnd)) * problem.unitOf(P::Friction);
     }

@@ -33,6 +33,7 @@ public:
 
     [[nodiscard]] const Number& position() const { return m_x; }
     [[nodiscard]] const Number& speed() const { return m_v; }
+    [[nodiscard]] const Number& strain() const { return m_strain; }
     [[nodiscard]] bool sticks() const { return m_terms.friction && m_way == 0; }
 
 private:
@@ -65,7 +66,7 @@ private:
     [[nodiscard]] double valueAt(const Series& series, double t) const;
     [[nodiscard]] double slopeAt(const Series& series, double t) const;
 
-    const MotionTerms m_terms;
+    MotionTerms m_terms;
     Coefficients m_c;
     Number m_x, m_v, m_strain;
     int m_way = 1; ///< of the friction: 1, -1, or 0 where it sticks

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/motion/motion_model.h"
 
+#include "core/identification/motion/linear_motion.h"
 #include "core/identification/motion/motion_integrator.h"
 #include "core/math/sequential_qr.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace gripscope {
 
@@ -29,6 +31,9 @@ public:
         const Number v = start(point.v0, problem.seeksSpeed());
         const Number strain = start(point.strain0, problem.seeksStrain());
         m_integrator.begin(x, v, strain, problem.force.front());
+        if (LinearMotion<Number>::describes(problem.terms))
+            m_linear.emplace(problem.terms, coefficients(problem, point))
+                .begin(x, m_integrator.speed(), strain);
     }
 
     /// From one force's time to the next; show(n, x) at the position's time in between. False: out of bounds.
@@ -42,13 +47,17 @@ public:
                                 : from;
         const double rest = m_problem.lag.rest;
         const double between = from + rest * (next - from);
-        if (rest > 0 && !m_integrator.advance(rest, from, between))
+        if (rest > 0 && !run(rest, from, between))
             return false;
-        show(n, m_integrator.position());
-        return m_integrator.advance(1 - rest, between, next);
+        show(n, m_linear ? m_linear->position() : m_integrator.position());
+        return run(1 - rest, between, next);
     }
 
 private:
+    [[nodiscard]] bool run(double duration, double from, double to)
+    {
+        return m_linear ? m_linear->advance(duration, from, to) : m_integrator.advance(duration, from, to);
+    }
     static Number seeded(double value, int direction, double rate)
     {
         if constexpr (std::is_same_v<Number, double>)
@@ -71,6 +80,7 @@ private:
 
     const MotionProblem& m_problem;
     MotionIntegrator<Number> m_integrator;
+    std::optional<LinearMotion<Number>> m_linear; ///< in its place where no term bends the motion
 };
 
 /// Calls use(index, x) for every measured position whose time the force covers.

@@ -2,9 +2,8 @@
 #include "core/identification/motion/motion_search.h"
 
 #include "core/identification/model/identifiability.h"
+#include "core/math/least_squares.h"
 #include "core/math/sequential_qr.h"
-
-#include <Eigen/QR>
 
 #include <array>
 #include <cmath>
@@ -62,11 +61,9 @@ private:
         m_residual = linear.residual;
         if (m_active.size() == static_cast<std::size_t>(linear.triangle.cols()))
             return true;
-        const Eigen::HouseholderQR<Eigen::MatrixXd> qr(linear.triangle(Eigen::all, m_active));
-        const auto kept = static_cast<Eigen::Index>(m_active.size());
-        const Eigen::VectorXd turned = qr.householderQ().transpose() * linear.residual;
-        m_triangle = qr.matrixQR().topRows(kept).triangularView<Eigen::Upper>();
-        m_residual = turned.head(kept);
+        const Triangularized qr = triangularize(linear.triangle(Eigen::all, m_active), linear.residual);
+        m_triangle = qr.triangle;
+        m_residual = qr.right;
         return true;
     }
     [[nodiscard]] bool isHeld(Eigen::Index column) const

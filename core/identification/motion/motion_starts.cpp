@@ -2,9 +2,9 @@
 #include "core/identification/model/exact_step.h"
 #include "core/identification/motion/motion_search.h"
 #include "core/identification/output_error/filter_regression.h"
+#include "core/math/least_squares.h"
+#include "core/math/levenberg_marquardt.h"
 #include "core/math/sequential_qr.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,6 @@ namespace {
 
 using P = MotionParameter;
 
-constexpr std::size_t mostStarts = 3;
 /// Relaxation times worth trying, as shares of the record's length.
 constexpr std::array<double, 5> relaxationShares{0.0015, 0.006, 0.025, 0.1, 0.4};
 /// Fc beside the force's deviation, k1 beside k, k3 beside k over the squared size of the motion.
@@ -105,9 +104,9 @@ public:
         const Eigen::MatrixXd& triangle = qr.triangle();
         if (!triangle.allFinite())
             return std::nullopt;
-        const Eigen::VectorXd c = Eigen::MatrixXd(triangle.topLeftCorner(columns, columns))
-                                      .colPivHouseholderQr()
-                                      .solve(Eigen::VectorXd(triangle.col(columns).head(columns)));
+        const Eigen::VectorXd c =
+            solvePivoted(triangle.topLeftCorner(columns, columns), triangle.col(columns).head(columns))
+                .solution;
         return c.allFinite() ? pointOf(c) : std::nullopt;
     }
 
@@ -182,18 +181,14 @@ private:
     const double m_first;
 };
 
-struct Candidates {
-    struct Candidate {
-        MotionPoint point;
-        double cost;
-    };
+struct MotionCandidates : StartCandidates<MotionPoint> {
     const MotionProblem& problem;
-    std::vector<Candidate> all;
 
+    explicit MotionCandidates(const MotionProblem& itsProblem) : problem(itsProblem) {}
     void offer(const MotionPoint& point)
     {
         if (const std::optional<double> cost = costAt(problem, point))
-            all.push_back({point, *cost});
+            StartCandidates::offer(point, *cost);
     }
 };
 
@@ -204,7 +199,7 @@ std::vector<double> sharesOf(bool on, const std::array<double, N>& shares)
     return on ? std::vector<double>(shares.begin(), shares.end()) : std::vector<double>{0};
 }
 
-void offerVariants(Candidates& candidates, const MotionPoint& other)
+void offerVariants(MotionCandidates& candidates, const MotionPoint& other)
 {
     const MotionProblem& problem = candidates.problem;
     const MotionTerms& terms = problem.terms;
@@ -234,7 +229,7 @@ void offerVariants(Candidates& candidates, const MotionPoint& other)
 
 std::vector<MotionPoint> motionStarts(const MotionProblem& problem, const MotionPoint& other)
 {
-    Candidates candidates{problem, {}};
+    MotionCandidates candidates(problem);
     const auto count = static_cast<double>(problem.position.size());
     for (const double bandwidth : filterBandwidths)
         for (const double share : sharesOf(problem.terms.relaxation, relaxationShares))
@@ -243,12 +238,7 @@ std::vector<MotionPoint> motionStarts(const MotionProblem& problem, const Motion
                 candidates.offer(*point);
     if (other.values[P::Stiffness] > 0)
         offerVariants(candidates, other);
-    std::stable_sort(candidates.all.begin(), candidates.all.end(),
-                     [](const auto& a, const auto& b) { return a.cost < b.cost; });
-    std::vector<MotionPoint> best;
-    for (std::size_t i = 0; i < std::min(mostStarts, candidates.all.size()); ++i)
-        best.push_back(candidates.all[i].point);
-    return best;
+    return candidates.best();
 }
 
 } // namespace gripscope

@@ -3,9 +3,9 @@
 
 #include "core/math/distributions.h"
 #include "core/math/fit.h"
+#include "core/math/least_squares.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -171,12 +171,10 @@ std::optional<double> extraColumnsP(const Eigen::MatrixXd& triangle, Eigen::Inde
         const double norm = triangle.col(model + i).norm();
         left.col(i) /= norm > 0 ? norm : 1;
     }
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(left);
-    qr.setThreshold(projectionRounding / std::max(qr.maxPivot(), projectionRounding));
-    const auto rank = static_cast<Eigen::Index>(qr.rank());
-    const Eigen::VectorXd rotated = qr.householderQ().adjoint() * right;
-    const double explained = rotated.head(rank).squaredNorm();
-    const double rest = rotated.tail(rotated.size() - rank).squaredNorm();
+    const PivotedSolution solved = solvePivoted(left, right, {.absolute = projectionRounding});
+    const Eigen::Index rank = solved.rank;
+    const double explained = solved.explained(0);
+    const double rest = solved.rest(0);
     const double degreesOfFreedom = rows - static_cast<double>(model + rank);
     if (rank < 1 || degreesOfFreedom < 1 || !(rest > 0) || !std::isfinite(explained / rest))
         return std::nullopt;

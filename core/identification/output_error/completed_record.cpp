@@ -31,7 +31,7 @@ CompletedRecord completedRecord(const std::vector<double>& force, const std::vec
     if (options.lost.empty() || force.size() != position.size())
         return record;
     OutputErrorOptions asked{options};
-    asked.residualTests = false;
+    asked.residuals = ResidualDepth::Sums;
     record.lost = makeOutputErrorProblem(force, position, options).lost;
     record.outputError = estimateOutputError(force, position, asked);
     if (!record.outputError.parameters)

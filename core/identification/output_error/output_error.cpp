@@ -97,9 +97,10 @@ void describeResiduals(const OutputErrorProblem& problem, const SearchResult& se
     estimate.residuals.sse = std::min(estimate.residuals.sse, std::numeric_limits<double>::max());
     estimate.residuals.degreesOfFreedom =
         static_cast<double>(problem.terms() - 3 - search.linear.nuisanceRank);
-    if (!options.residualTests)
+    if (options.residuals == ResidualDepth::Sums)
         return;
-    const OutputErrorResiduals tests = testOutputError(problem, search.theta, search.linear.nuisance);
+    const OutputErrorResiduals tests =
+        testOutputError(problem, search.theta, search.linear.nuisance, options.residuals);
     ResidualSummary summary = tests.summary;
     summary.sse = estimate.residuals.sse;
     summary.degreesOfFreedom = estimate.residuals.degreesOfFreedom;
@@ -232,6 +233,24 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
     if (!estimate.covariance)
         estimate.covariance = covarianceOf(search, parameters, estimate.residuals.degreesOfFreedom);
     return estimate;
+}
+
+bool explainsMore(const Estimate& estimate, const Estimate& other)
+{
+    return estimate.residuals.sse * static_cast<double>(other.residual.size()) <
+           other.residuals.sse * static_cast<double>(estimate.residual.size());
+}
+
+Estimate estimateBeside(const Estimate& known, const std::vector<double>& force,
+                        const std::vector<double>& position, OutputErrorOptions options)
+{
+    options.residuals = ResidualDepth::Sums;
+    Estimate found = estimateOutputError(force, position, options);
+    if (!found.parameters || !explainsMore(found, known))
+        return found;
+    options.residuals = ResidualDepth::Noise;
+    options.start = found.parameters;
+    return estimateOutputError(force, position, options);
 }
 
 } // namespace gripscope

@@ -7,14 +7,19 @@
 
 namespace gripscope {
 
+/// What is asked of the residuals.
+enum class ResidualDepth {
+    Sums,  ///< no noise model; `covariance` is that under white noise. For a fit on the way to another
+    Noise, ///< and whether they are white, the noise that they are, and `covariance` under it
+    Tests, ///< and what of input, feedback and spring is left in them: of an estimate that is shown or judged
+};
+
 /// How to find m, b, k by output error. A lost force is one more unknown, its position is no row of the sum.
 struct OutputErrorOptions : ContinuousTimeOptions {
     int maxIterations = 200;
     /// The step still to go, in standard errors, at which the search has arrived.
     double arrived = 1e-9;
-    /// Off: no residual tests and no noise model; `covariance` is that under white noise. For a fit on the
-    /// way to another.
-    bool residualTests = true;
+    ResidualDepth residuals = ResidualDepth::Tests;
 };
 
 /// Minimises sum (y - x(m, b, k, x0, v0, offset, lost forces))^2 over the measured samples, x the exact
@@ -33,5 +38,14 @@ struct OutputErrorOptions : ContinuousTimeOptions {
 [[nodiscard]] Estimate estimateOutputError(const std::vector<double>& force,
                                            const std::vector<double>& position,
                                            const OutputErrorOptions& options);
+
+/// The mean of the squared residuals is smaller.
+[[nodiscard]] bool explainsMore(const Estimate& estimate, const Estimate& other);
+
+/// For a comparison with `known`, an estimate of the same record under other options: with the noise model of
+/// ResidualDepth::Noise where it explains more, else with the sums alone, since what is not white about the
+/// residuals of a worse model is what it lacks.
+[[nodiscard]] Estimate estimateBeside(const Estimate& known, const std::vector<double>& force,
+                                      const std::vector<double>& position, OutputErrorOptions options);
 
 } // namespace gripscope

@@ -4,9 +4,8 @@
 #include "core/identification/model/identifiability.h"
 #include "core/identification/noise/residual_tests.h"
 #include "core/math/fit.h"
+#include "core/math/least_squares.h"
 #include "core/math/sequential_qr.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -85,11 +84,9 @@ void testResiduals(const OutputErrorProblem& record, const Eigen::MatrixXd& colu
     const Eigen::Index others = model - nuisances;
     Eigen::MatrixXd own = columns.rightCols(others);
     if (nuisances > 0) {
-        const Eigen::MatrixXd explained =
-            Eigen::MatrixXd(triangle.topLeftCorner(nuisances, nuisances))
-                .colPivHouseholderQr()
-                .solve(Eigen::MatrixXd(triangle.block(0, nuisances, nuisances, others)));
-        own -= columns.leftCols(nuisances) * explained;
+        const PivotedSolution explained = solvePivoted(triangle.topLeftCorner(nuisances, nuisances),
+                                                       triangle.block(0, nuisances, nuisances, others));
+        own -= columns.leftCols(nuisances) * explained.solution;
     }
     summary.errorInflation = errorInflation(own, residuals);
 }

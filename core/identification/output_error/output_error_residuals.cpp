@@ -257,7 +257,7 @@ bool OutputErrorRows::isRounding() const
 }
 
 OutputErrorResiduals testOutputError(const OutputErrorProblem& problem, const Eigen::Vector3d& theta,
-                                     const ScaledNuisance& nuisance)
+                                     const ScaledNuisance& nuisance, ResidualDepth depth)
 {
     OutputErrorResiduals out;
     const OutputErrorRows data(problem, theta, nuisance);
@@ -284,6 +284,8 @@ OutputErrorResiduals testOutputError(const OutputErrorProblem& problem, const Ei
         out.summary.errorInflation =
             std::sqrt(found->covariance.diagonal().cwiseQuotient(white.diagonal()).maxCoeff());
     }
+    if (depth != ResidualDepth::Tests)
+        return out;
     const RegressionTests tests(problem, theta, data, std::move(model),
                                 found ? found->noise : AutoregressiveNoise(),
                                 found ? found->covariance : white);

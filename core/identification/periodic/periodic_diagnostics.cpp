@@ -4,8 +4,7 @@
 #include "core/identification/periodic/periodic_search.h"
 #include "core/math/distributions.h"
 #include "core/math/fit.h"
-
-#include <Eigen/QR>
+#include "core/math/least_squares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -191,7 +190,7 @@ void fitPeriodicResponse(const std::vector<double>& force, const std::vector<dou
     }
     if (!normal.allFinite() || !right.allFinite())
         return;
-    const Eigen::Vector3d nuisance = normal.colPivHouseholderQr().solve(right) * scale;
+    const Eigen::Vector3d nuisance = solvePivoted(normal, right).solution * scale;
     std::vector<double> simulated(position.size());
     std::vector<double> residual(position.size());
     double sse = 0;

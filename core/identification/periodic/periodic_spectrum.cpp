@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/periodic/periodic_search.h"
 #include "core/math/fourier.h"
-
-#include <Eigen/QR>
+#include "core/math/least_squares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,11 +142,8 @@ LocalFit localFit(std::size_t bin, std::size_t periods, std::size_t binCount)
     atHarmonic(0) = 1;
     if (trend)
         atHarmonic(2) = 1;
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(functions);
-    fit.basis = qr.householderQ() * Eigen::MatrixXd::Identity(rows, functions.cols());
-    const Eigen::MatrixXd triangle = qr.matrixQR().topRows(functions.cols()).triangularView<Eigen::Upper>();
-    fit.interpolation =
-        fit.basis * triangle.transpose().triangularView<Eigen::Lower>().solve(atHarmonic).eval();
+    fit.basis = orthonormalColumns(functions);
+    fit.interpolation = fit.basis * (inverseOfTriangle(triangleOf(functions)).transpose() * atHarmonic);
     fit.degreesOfFreedom = static_cast<double>(rows - functions.cols());
     fit.varianceFactor = 1 + fit.interpolation.squaredNorm();
     return fit;

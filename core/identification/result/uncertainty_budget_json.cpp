@@ -84,13 +84,25 @@ QJsonObject toJson(const UncertaintyBudget& budget)
                     {u"lines"_s, lines}};
     const bool there = budget.parameters.has_value();
     const auto orNull = [&](const QJsonValue& value) { return there ? value : QJsonValue(); };
-    out[u"parameters"_s] = there ? QJsonValue(budgetByName(budget.parameters->vector())) : QJsonValue();
     out[u"covariance"_s] = orNull(rowsOf(budget.covariance));
-    out[u"standard_uncertainties"_s] = orNull(combined(budget, &CombinedUncertainty::standardUncertainty));
-    out[u"degrees_of_freedom"_s] = orNull(combined(budget, &CombinedUncertainty::degreesOfFreedom));
-    out[u"coverage_factors"_s] = orNull(combined(budget, &CombinedUncertainty::coverageFactor));
-    out[u"intervals"_s] = orNull(
-        budgetByName(toJson(budget.intervals[0]), toJson(budget.intervals[1]), toJson(budget.intervals[2])));
+    const auto put = [&](const QString& name, const QJsonObject& linear, auto further) {
+        QJsonObject all = there ? linear : budgetByName({}, {}, {});
+        for (const FurtherParameter& one : budget.further)
+            all[toString(one.parameter)] = further(one);
+        out[name] = there || !budget.further.empty() ? QJsonValue(all) : QJsonValue();
+    };
+    put(u"parameters"_s, there ? budgetByName(budget.parameters->vector()) : QJsonObject(),
+        [](const FurtherParameter& one) { return jsonNumber(one.value); });
+    const auto putCombined = [&](const QString& name, auto member) {
+        put(name, combined(budget, member),
+            [&](const FurtherParameter& one) { return jsonNumber(one.combined.*member); });
+    };
+    putCombined(u"standard_uncertainties"_s, &CombinedUncertainty::standardUncertainty);
+    putCombined(u"degrees_of_freedom"_s, &CombinedUncertainty::degreesOfFreedom);
+    putCombined(u"coverage_factors"_s, &CombinedUncertainty::coverageFactor);
+    put(u"intervals"_s,
+        budgetByName(toJson(budget.intervals[0]), toJson(budget.intervals[1]), toJson(budget.intervals[2])),
+        [](const FurtherParameter& one) { return toJson(one.interval); });
     return out;
 }
 

@@ -2,6 +2,7 @@
 #include "core/identification/uncertainty/budget_lines.h"
 
 #include "core/base/words.h"
+#include "core/math/decompositions.h"
 #include "core/math/distributions.h"
 
 #include <QStringList>
@@ -56,6 +57,14 @@ Eigen::Vector3d reachingDeviations(const Eigen::Vector3d& shift, const Eigen::Ve
 }
 
 } // namespace
+
+Eigen::Matrix3d positivePart(const Eigen::Matrix3d& symmetric, const Eigen::Vector3d& scale)
+{
+    const Eigen::Vector3d inverse = scale.cwiseInverse();
+    const SymmetricAxes solver = symmetricAxes(inverse.asDiagonal() * symmetric * inverse.asDiagonal());
+    const Eigen::Matrix3d vectors = scale.asDiagonal() * solver.directions;
+    return vectors * solver.values.cwiseMax(0.0).asDiagonal() * vectors.transpose();
+}
 
 BudgetLine lineOf(const QString& id, const Finding& words, EvaluationType type, const Eigen::Vector3d& p,
                   const Eigen::Matrix3d& relative)

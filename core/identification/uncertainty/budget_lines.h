@@ -50,12 +50,30 @@ inline constexpr double misfitLevel = 1e-3;
 /// what they explain is no misfit. All rows are whitened by the autoregressive model of the residuals
 /// (autoregressiveModel()). Nothing is found in residuals at the size of rounding errors (below 1e-9 of the
 /// position).
+/// Dry friction is no candidate where `frictionIsKnown` is false: then it is among `known`.
 [[nodiscard]] ModelMisfit modelMisfit(const Estimate& estimate, const LinearizedRecord& record,
                                       const std::vector<double>& force, const OutputErrorOptions& options,
-                                      const std::vector<std::vector<double>>& known = {});
+                                      const std::vector<std::vector<double>>& known = {},
+                                      bool frictionIsKnown = true);
 
 // The single lines of an uncertainty budget before they are added up; see uncertaintyBudget(). Effects that
 // are not there give no line. `p` is what the line is about, in the channels' units.
+
+/// Student's factor; without degrees of freedom that of the normal distribution.
+[[nodiscard]] double coverageFactor(double coverage, const std::optional<double>& degreesOfFreedom);
+
+/// A normal quantity's interval: symmetric in the logarithm where it may be and the uncertainty is at most
+/// half of the value, else symmetric and, unless `mayBeNegative`, cut at zero.
+[[nodiscard]] CoverageInterval intervalAround(double value, const CombinedUncertainty& u,
+                                              bool mayBeLogarithmic, bool mayBeNegative = false);
+
+/// A symmetric matrix without what its negative eigenvalues stand for, in units of `scale`.
+[[nodiscard]] Eigen::Matrix3d positivePart(const Eigen::Matrix3d& symmetric,
+                                           const Eigen::Vector3d& scale = Eigen::Vector3d::Ones());
+
+/// The coefficients of the residuals' autoregressive model, none where they are white: their colour, which no
+/// test may take for an effect.
+[[nodiscard]] std::vector<double> residualColour(const Estimate& estimate, const LinearizedRecord& record);
 
 /// A line whose covariance in (ln m, ln b, ln k) is `relative`.
 [[nodiscard]] BudgetLine lineOf(const QString& id, const Finding& words, EvaluationType type,
@@ -87,6 +105,32 @@ inline constexpr double misfitLevel = 1e-3;
 /// the residuals' variance. Nothing from a noise of two fifths of a step on, which hides the counts.
 [[nodiscard]] std::vector<BudgetLine> quantizationLines(const Estimate& estimate,
                                                         const LinearizedRecord& record, double step);
+/// Samples that are taken beside their times err by as much as the position moves meanwhile: their noise
+/// grows with the square of the speed v. Where the residuals do so beyond doubt (r^2 regressed on v^2, errors
+/// of the slope t^2 after White 1980, p < 0.001) the covariance is t^2 sum_i (v_i^2 - mean v^2) A_i A_i', A
+/// the influences (effect_regression.h), cut to its positive part: what the noise's line, which takes all
+/// samples for equal, lacks.
+[[nodiscard]] std::vector<BudgetLine> jitterLines(const Estimate& estimate, const LinearizedRecord& record);
+/// What a unit of Coulomb friction adds to the position: the answer to the force -s(v), v the speed of the
+/// estimate's own motion, to first order (no sticking).
+[[nodiscard]] std::vector<double> frictionEffect(const Estimate& estimate, const LinearizedRecord& record,
+                                                 double sampleTime_s);
+/// Friction that nobody measured, `effect` what a unit of it adds to the position. With the friction f that
+/// the residuals hold, of deviation s, all that is not below zero alike before (a normal distribution cut at
+/// zero, its middle not below it): the estimate was moved by f times what the effect does to (ln m, ln b, ln
+/// k), so that the covariance is E f^2 times its square. With two levels of force friction acts as stiffness
+/// and s is large; with four it is small.
+[[nodiscard]] std::vector<BudgetLine> hiddenFrictionLines(const Estimate& estimate,
+                                                          const LinearizedRecord& record,
+                                                          const std::vector<double>& effect);
+/// For an estimate with friction: it may begin to slide over some reach instead of at once (Bouc's and Wen's
+/// z, reach z' = v - |v| z), which acts as more stiffness after each turn and takes less energy. What a reach
+/// of a twentieth of the travel would do to (ln m, ln b, ln k), by its shape with the friction found anew and
+/// by the energy that is lost to it, times the share of it that the residuals leave possible: a normal
+/// distribution between 0 and 1, all shares alike before. Where the record cannot tell, a third of the
+/// square.
+[[nodiscard]] std::vector<BudgetLine> frictionFormLines(const Estimate& estimate,
+                                                        const LinearizedRecord& record, double sampleTime_s);
 /// The other hold of HoldEvidence, and a force that is smooth between its samples. `others`: the covariance
 /// that all other lines add up to.
 [[nodiscard]] std::vector<BudgetLine> holdLines(const Eigen::Vector3d& p,

@@ -4,10 +4,10 @@
 #include "core/identification/model/discretization.h"
 #include "core/identification/model/lag_alignment.h"
 #include "core/math/fit.h"
+#include "core/math/least_squares.h"
 #include "core/math/sequential_qr.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -246,11 +246,11 @@ Eigen::Matrix3Xd shiftsBy(const LinearizedRecord& record, std::span<const std::v
     const auto count = static_cast<Eigen::Index>(effects.size());
     // Below the rows of the nuisances stand the columns with the nuisances projected out.
     const Eigen::Matrix3d own = triangle.block<3, 3>(nuisances, nuisances);
-    const Eigen::ColPivHouseholderQR<Eigen::Matrix3d> qr(own);
-    if (!triangle.allFinite() || qr.rank() < 3)
+    if (!triangle.allFinite())
         return {};
-    const Eigen::Matrix3Xd shifts = qr.solve(triangle.block(nuisances, nuisances + 3, 3, count));
-    return shifts.allFinite() ? shifts : Eigen::Matrix3Xd();
+    const PivotedSolution solved = solvePivoted(own, triangle.block(nuisances, nuisances + 3, 3, count));
+    const Eigen::Matrix3Xd shifts = solved.solution;
+    return solved.rank == 3 && shifts.allFinite() ? shifts : Eigen::Matrix3Xd();
 }
 
 Eigen::MatrixXd influences(const LinearizedRecord& record)
@@ -260,7 +260,7 @@ Eigen::MatrixXd influences(const LinearizedRecord& record)
     Eigen::MatrixXd own = record.sensitivities;
     if (n.cols() > 0) {
         const Eigen::MatrixXd gram = n.transpose() * n;
-        own -= n * gram.completeOrthogonalDecomposition().solve(n.transpose() * own);
+        own -= n * solvePivoted(gram, n.transpose() * own).solution;
     }
     const Eigen::Matrix3d information = own.transpose() * own;
     return own * information.inverse() / record.positionScale;

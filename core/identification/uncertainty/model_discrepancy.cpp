@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/words.h"
+#include "core/identification/uncertainty/budget_lines.h"
 #include "core/identification/uncertainty/uncertainty_budget.h"
 #include "core/math/distributions.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -69,16 +69,6 @@ std::optional<double> agreement(const std::vector<WindowPart>& parts)
         return std::nullopt;
     const double count = 3 * static_cast<double>(parts.size() - 1);
     return fisherAbove(q / count, count, degreesOfFreedom);
-}
-
-/// The positive part of a symmetric matrix, in the scale of its own diagonal `scale`.
-Eigen::Matrix3d positivePart(const Eigen::Matrix3d& matrix, const Eigen::Vector3d& scale)
-{
-    const Eigen::Vector3d inverse = scale.cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inverse.asDiagonal() * matrix *
-                                                                inverse.asDiagonal());
-    const Eigen::Matrix3d vectors = scale.asDiagonal() * solver.eigenvectors();
-    return vectors * solver.eigenvalues().cwiseMax(0.0).asDiagonal() * vectors.transpose();
 }
 
 void estimateSpread(const std::vector<WindowPart>& parts, ModelDiscrepancy& out)

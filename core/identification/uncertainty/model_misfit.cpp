@@ -7,10 +7,10 @@
 #include "core/identification/uncertainty/budget_lines.h"
 #include "core/identification/uncertainty/effect_regression.h"
 #include "core/math/distributions.h"
+#include "core/math/least_squares.h"
 
 #include <Eigen/Core>
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -86,21 +86,19 @@ SmallRegression::Answer SmallRegression::with(const std::vector<Eigen::Index>& e
         scale(i) = 1 / m_norms[static_cast<std::size_t>(at)];
         columns.col(i) = m_triangle.col(at) * scale(i);
     }
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-    qr.setThreshold(indistinguishable);
-    const Eigen::VectorXd right = m_triangle.col(m_triangle.cols() - 1);
+    const PivotedSolution solved =
+        solvePivoted(columns, m_triangle.col(m_triangle.cols() - 1), {.relative = indistinguishable});
     Answer answer;
-    answer.rank = static_cast<double>(qr.rank());
-    const Eigen::VectorXd rotated = qr.householderQ().adjoint() * right;
-    answer.rest = rotated.tail(rotated.size() - qr.rank()).squaredNorm();
+    answer.rank = static_cast<double>(solved.rank);
+    answer.rest = solved.rest(0);
     answer.degreesOfFreedom = m_rows - answer.rank;
-    answer.solution = scale.asDiagonal() * qr.solve(right);
+    answer.solution = scale.cwiseProduct(solved.solution.col(0));
     return answer;
 }
 
 Eigen::Vector3d SmallRegression::shiftBy(Eigen::Index effect) const
 {
-    return own().colPivHouseholderQr().solve(m_triangle.block<3, 1>(m_nuisances, m_nuisances + 3 + effect));
+    return solvePivoted(own(), m_triangle.block<3, 1>(m_nuisances, m_nuisances + 3 + effect)).solution;
 }
 
 Eigen::Matrix3d SmallRegression::unitCovariance() const
@@ -247,17 +245,6 @@ std::vector<Eigen::Index> chooseTerms(const SmallRegression& regression, Eigen::
     return chosen;
 }
 
-/// Colour of the residuals, which the tests must not take for misfit. What the colour of a misfit hides of
-/// it is small beside the rest.
-std::vector<double> noiseOf(const Estimate& e, const LinearizedRecord& record)
-{
-    std::vector<double> residuals;
-    for (const std::size_t row : record.rows)
-        residuals.push_back(e.residual[row]);
-    const std::optional<SeriesModel> model = autoregressiveModel(residuals);
-    return model ? model->coefficients : std::vector<double>();
-}
-
 bool isRounding(const Estimate& e, const LinearizedRecord& record)
 {
     double error = 0;
@@ -303,15 +290,28 @@ void addRemainder(const SmallRegression& regression, std::vector<Eigen::Index> c
 
 } // namespace
 
+std::vector<double> residualColour(const Estimate& estimate, const LinearizedRecord& record)
+{
+    std::vector<double> residuals;
+    residuals.reserve(record.rows.size());
+    for (const std::size_t row : record.rows)
+        residuals.push_back(estimate.residual[row]);
+    const std::optional<SeriesModel> model = autoregressiveModel(residuals);
+    return model ? model->coefficients : std::vector<double>();
+}
+
 ModelMisfit modelMisfit(const Estimate& estimate, const LinearizedRecord& record,
                         const std::vector<double>& force, const OutputErrorOptions& options,
-                        const std::vector<std::vector<double>>& known)
+                        const std::vector<std::vector<double>>& known, bool frictionIsKnown)
 {
     ModelMisfit out;
     if (!record.usable() || estimate.residual.size() != force.size() ||
         estimate.simulated.size() != force.size() || isRounding(estimate, record))
         return out;
-    const std::vector<Candidate> terms = candidates(estimate, record, force, options);
+    std::vector<Candidate> terms = candidates(estimate, record, force, options);
+    std::size_t bent = bentTerms;
+    if (!frictionIsKnown)
+        bent -= std::erase_if(terms, [](const Candidate& term) { return term.id == u"dry_friction"_s; });
     std::vector<std::vector<double>> effects;
     effects.reserve(terms.size());
     for (const Candidate& term : terms)
@@ -319,7 +319,8 @@ ModelMisfit modelMisfit(const Estimate& estimate, const LinearizedRecord& record
     for (std::vector<double>& lagged : laggedForces(force))
         effects.push_back(std::move(lagged));
     effects.insert(effects.end(), known.begin(), known.end());
-    const std::vector<double> noise = noiseOf(estimate, record);
+    // What the colour of a misfit hides of it is small beside the rest.
+    const std::vector<double> noise = residualColour(estimate, record);
     const EffectTriangle data = effectTriangle(record, effects, estimate.residual, noise);
     if (!data.triangle.allFinite())
         return out;
@@ -329,7 +330,7 @@ ModelMisfit modelMisfit(const Estimate& estimate, const LinearizedRecord& record
     const auto count = static_cast<Eigen::Index>(terms.size());
     const double leastPower = leastPowerOfBentTerms(regression, count, residualShare(estimate, record));
     std::vector<Eigen::Index> columns =
-        chooseTerms(regression, count, static_cast<Eigen::Index>(bentTerms), leastPower);
+        chooseTerms(regression, count, static_cast<Eigen::Index>(bent), leastPower);
     const SmallRegression::Answer with = regression.with(columns);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const Candidate& term = terms[static_cast<std::size_t>(columns[i])];

@@ -3,8 +3,6 @@
 #include "core/base/words.h"
 #include "core/identification/uncertainty/budget_lines.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -20,13 +18,6 @@ namespace {
 constexpr int mostHarmonics = 20;
 /// A first harmonic that is weaker than this share of its variance is hidden by the noise.
 constexpr double hiddenHarmonic = 1e-3;
-
-Eigen::Matrix3d positivePart(const Eigen::Matrix3d& symmetric)
-{
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(symmetric);
-    const Eigen::Vector3d kept = solver.eigenvalues().cwiseMax(0.0);
-    return solver.eigenvectors() * kept.asDiagonal() * solver.eigenvectors().transpose();
-}
 
 /// |sum_t A_t exp(2 pi i h y_t / q)|^2 - sum_t A_t A_t' for h = 1, 2, ...
 std::vector<Eigen::Matrix3d> followingTheMotion(const Eigen::MatrixXd& influence,
@@ -48,6 +39,7 @@ std::vector<Eigen::Matrix3d> followingTheMotion(const Eigen::MatrixXd& influence
     }
     const Eigen::Matrix3d white = influence.transpose() * influence;
     std::vector<Eigen::Matrix3d> out;
+    out.reserve(sums.size());
     for (const Sum& sum : sums)
         out.emplace_back((sum * sum.adjoint()).real() - white);
     return out;

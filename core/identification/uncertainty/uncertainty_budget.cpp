@@ -18,33 +18,6 @@ namespace {
 /// Above this relative standard uncertainty a value has no digits to show.
 constexpr double withoutDigits = 0.5;
 
-double coverageFactor(double coverage, const std::optional<double>& degreesOfFreedom)
-{
-    const double tail = (1 - std::clamp(coverage, 0.0, 0.999999)) / 2;
-    if (!degreesOfFreedom)
-        return normalQuantileAbove(tail);
-    return studentQuantileAbove(tail, std::max(*degreesOfFreedom, 1.0));
-}
-
-CoverageInterval intervalAround(double value, const CombinedUncertainty& u, bool mayBeLogarithmic)
-{
-    CoverageInterval interval;
-    const double expanded = u.coverageFactor * u.standardUncertainty;
-    const double relative = value > 0 ? u.standardUncertainty / value : std::numeric_limits<double>::max();
-    interval.logarithmic = mayBeLogarithmic && relative <= withoutDigits;
-    if (interval.logarithmic) {
-        // Student's factor grows without limit for one degree of freedom, the exponential must not.
-        const double exponent = std::min(expanded / value, 50.0);
-        interval.lower = value * std::exp(-exponent);
-        interval.upper = std::min(value * std::exp(exponent), std::numeric_limits<double>::max());
-        return interval;
-    }
-    interval.lower = std::max(value - expanded, 0.0);
-    interval.upper = std::clamp(value + expanded, 0.0, std::numeric_limits<double>::max());
-    interval.onlyUpperBound = relative > withoutDigits || interval.lower == 0;
-    return interval;
-}
-
 void addUp(UncertaintyBudget& budget, bool mayBeLogarithmic)
 {
     for (const BudgetLine& line : budget.lines)
@@ -71,6 +44,35 @@ void append(std::vector<BudgetLine>& lines, std::vector<BudgetLine> more)
 }
 
 } // namespace
+
+CoverageInterval intervalAround(double value, const CombinedUncertainty& u, bool mayBeLogarithmic,
+                                bool mayBeNegative)
+{
+    CoverageInterval interval;
+    const double expanded = u.coverageFactor * u.standardUncertainty;
+    const double relative = value > 0 ? u.standardUncertainty / value : std::numeric_limits<double>::max();
+    interval.logarithmic = mayBeLogarithmic && relative <= withoutDigits;
+    if (interval.logarithmic) {
+        // Student's factor grows without limit for one degree of freedom, the exponential must not.
+        const double exponent = std::min(expanded / value, 50.0);
+        interval.lower = value * std::exp(-exponent);
+        interval.upper = std::min(value * std::exp(exponent), std::numeric_limits<double>::max());
+        return interval;
+    }
+    const double least = mayBeNegative ? std::numeric_limits<double>::lowest() : 0.0;
+    interval.lower = std::max(value - expanded, least);
+    interval.upper = std::clamp(value + expanded, least, std::numeric_limits<double>::max());
+    interval.onlyUpperBound = !mayBeNegative && (relative > withoutDigits || interval.lower == 0);
+    return interval;
+}
+
+double coverageFactor(double coverage, const std::optional<double>& degreesOfFreedom)
+{
+    const double tail = (1 - std::clamp(coverage, 0.0, 0.999999)) / 2;
+    if (!degreesOfFreedom)
+        return normalQuantileAbove(tail);
+    return studentQuantileAbove(tail, std::max(*degreesOfFreedom, 1.0));
+}
 
 QString toString(EvaluationType type)
 {
@@ -134,11 +136,18 @@ UncertaintyBudget uncertaintyBudget(const Estimate& estimate, const std::vector<
         known.push_back(record.velocity);
     if (chain.frameComplianceUncertainty > 0)
         known.push_back(record.forceAtSample);
-    const ModelMisfit misfit = modelMisfit(estimate, record, force, options, known);
+    const bool hidesFriction = !budgetOptions.frictionIsKnown && record.usable();
+    if (hidesFriction)
+        known.push_back(frictionEffect(estimate, record, options.sampleTime_s));
+    const ModelMisfit misfit = modelMisfit(estimate, record, force, options, known, !hidesFriction);
     const Eigen::Vector3d measured = estimate.parameters->vector();
     append(budget.lines, noiseLines(estimate, record, options, chain.forceNoiseDeviation));
     append(budget.lines, quantizationLines(estimate, record, budgetOptions.positionStep));
+    append(budget.lines, jitterLines(estimate, record));
     append(budget.lines, effectLines(measured, record, chain, budgetOptions.lagBound_s));
+    if (hidesFriction)
+        append(budget.lines, hiddenFrictionLines(estimate, record, known.back()));
+    append(budget.lines, frictionFormLines(estimate, record, options.sampleTime_s));
     append(budget.lines, discrepancyLines(measured, budgetOptions.discrepancy, misfit));
 
     Eigen::Vector3d own = measured;

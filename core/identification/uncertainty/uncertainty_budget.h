@@ -63,8 +63,8 @@ enum class EvaluationType { A, B };
 [[nodiscard]] QString toString(EvaluationType type); ///< "A", "B"
 
 /// One effect's part in the uncertainty of m, b and k. `id` is one of position_noise, noise (position and
-/// force noise together, coloured), force_noise, quantization, lag, hold, calibration, frame_compliance,
-/// baseline, model_discrepancy.
+/// force noise together, coloured), force_noise, quantization, lag, friction, jitter, hold, calibration,
+/// frame_compliance, baseline, model_discrepancy.
 struct BudgetLine {
     QString id;
     Finding words; ///< what it is and how large, plain words
@@ -91,6 +91,26 @@ struct CombinedUncertainty {
     double coverageFactor = 0;              ///< Student's t
 };
 
+/// One of a motion's parameters that m, b, k and their budget do not hold: Fc, k1, tau, k3; all of them where
+/// there is no mass or no spring.
+struct FurtherParameter {
+    MotionParameter parameter = MotionParameter::Friction;
+    double value = 0; ///< the channels' units
+    CombinedUncertainty combined;
+    CoverageInterval interval;
+};
+
+/// Their uncertainties: the estimate's own, the scales of the channels, and what parts of the record (each
+/// estimated on its own, with the same terms) differ by beyond their errors: Cochran's Q and the variance
+/// between them by moments, as discrepancyBetween(). `otherForm`, where there is one: the same with damping
+/// and friction of their own each way; a parameter that is another there (of two ways their mean) is
+/// uncertain by the difference. Friction's interval is cut at zero.
+[[nodiscard]] std::vector<FurtherParameter> furtherParameters(const MotionEstimate& motion,
+                                                              const MeasuringChain& chain,
+                                                              std::span<const MotionEstimate> parts,
+                                                              const std::optional<MotionEstimate>& otherForm,
+                                                              double coverage);
+
 /// The uncertainty of one estimate as a whole, in the manner of the Guide to the Expression of Uncertainty in
 /// Measurement (JCGM 100:2008): every effect a line, covariances added up, effective degrees of freedom after
 /// Welch and Satterthwaite (G.4.1), intervals after Student.
@@ -101,6 +121,7 @@ struct UncertaintyBudget {
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< sum over the lines
     std::array<CombinedUncertainty, 3> combined;          ///< of m, b, k
     std::array<CoverageInterval, 3> intervals;            ///< of m, b, k
+    std::vector<FurtherParameter> further;                ///< of a motion with further terms
     double coverage = 0.95;
 
     [[nodiscard]] const BudgetLine* find(const QString& id) const;
@@ -119,6 +140,7 @@ struct BudgetOptions {
     std::optional<ModelDiscrepancy> discrepancy; ///< between windows, amplitudes or squeezes
     double lagBound_s = 0;        ///< half of the range of a lag that nobody measured; 0: it is known
     double positionStep = 0;      ///< of the position's counts, its unit; 0: none
+    bool frictionIsKnown = true;  ///< false: the gripper's own, or the part's, may be there
     bool subtractBaseline = true; ///< false: `estimate` is that of the object alone already
     double coverage = 0.95;
 };
@@ -134,6 +156,10 @@ struct BudgetOptions {
 ///   the lag, a rectangular distribution within BudgetOptions::lagBound_s (JCGM 100, 4.3.7); frame
 ///   compliance: the force is what a unit of compliance adds (a declared compliance was taken off the
 ///   position before the estimate);
+/// - friction: where it is neither known nor in the estimate, what friction that the record cannot exclude
+///   did to it (hiddenFrictionLines()); where it is in the estimate, how it begins to slide
+///   (frictionFormLines());
+/// - jitter: the part of the noise that grows with the speed, where the residuals show it (jitterLines());
 /// - calibration: m, b, k are proportional to force over position, exactly; after the baseline, which the
 ///   same channels measured;
 /// - hold: so much that the interval reaches the parameters under the other hold. With coverage 1 - 2 q and a

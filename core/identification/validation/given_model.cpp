@@ -3,8 +3,7 @@
 #include "core/identification/output_error/output_error.h"
 #include "core/identification/validation/validation_contrast.h"
 #include "core/math/fit.h"
-
-#include <Eigen/QR>
+#include "core/math/least_squares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +28,7 @@ Eigen::VectorXd nuisanceStep(const MotionProblem& problem, const MotionRows& row
         scales.asDiagonal() * (columns.transpose() * columns) * scales.asDiagonal();
     const Eigen::VectorXd right = scales.asDiagonal() * (columns.transpose() * residual);
     Eigen::VectorXd step = Eigen::VectorXd::Zero(problem.unknowns());
-    step.head(free) = scales.asDiagonal() * Eigen::VectorXd(normal.colPivHouseholderQr().solve(right));
+    step.head(free) = scales.asDiagonal() * solvePivoted(normal, right).solution.col(0);
     return step;
 }
 

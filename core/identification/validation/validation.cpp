@@ -295,7 +295,9 @@ Validation validateOnSecondWindow(Estimator estimator, const PreparedRecord& rec
         return none;
     }
     const auto first = static_cast<std::size_t>(firstShare * static_cast<double>(count));
-    const Estimate estimate = runEstimator(estimator, windowOf(record, {0, first}), task);
+    EstimatorTask onFirstPart = task;
+    onFirstPart.residuals = ResidualDepth::Noise;
+    const Estimate estimate = runEstimator(estimator, windowOf(record, {0, first}), onFirstPart);
     if (estimate.status != EstimateStatus::Converged) {
         none.message =
             Words::say("the first 60 % of the record alone do not give m, b and k; validate with another "

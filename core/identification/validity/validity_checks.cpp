@@ -52,6 +52,23 @@ ValidityCheck preparation(const Identification& data)
     return check;
 }
 
+/// A motion without a mass or a spring: it has no m, b and k, but what it has was found.
+bool isPartialMotion(const Estimate& estimate)
+{
+    return !estimate.parameters && estimate.motion && estimate.status == EstimateStatus::Converged;
+}
+
+/// The relative standard error of m or k, 0 where the motion has none.
+double relativeError(const MotionEstimate& motion, MotionParameter parameter)
+{
+    const std::vector<MotionParameter> parameters = motion.terms.parameters();
+    const auto at = std::ranges::find(parameters, parameter);
+    if (at == parameters.end())
+        return 0;
+    const Eigen::Index index = at - parameters.begin();
+    return std::sqrt(motion.covariance(index, index)) / motion.values[parameter];
+}
+
 ValidityCheck excitation(const Estimate& estimate)
 {
     ValidityCheck check;
@@ -65,17 +82,22 @@ ValidityCheck excitation(const Estimate& estimate)
         return check;
     }
     const std::optional<Eigen::Vector3d> errors = estimate.standardErrors();
-    if (!estimate.parameters || !errors) {
+    const bool partial = isPartialMotion(estimate);
+    if (!partial && (!estimate.parameters || !errors)) {
         check.message = Words::say("not judged without an estimate");
         check.noted = true;
         return check;
     }
-    const double mass = (*errors)(0) / estimate.parameters->m;
-    const double stiffness = (*errors)(2) / estimate.parameters->k;
+    const double mass = partial ? relativeError(*estimate.motion, MotionParameter::Mass)
+                                : (*errors)(0) / estimate.parameters->m;
+    const double stiffness = partial ? relativeError(*estimate.motion, MotionParameter::Stiffness)
+                                     : (*errors)(2) / estimate.parameters->k;
     check.value = 100 * std::max(mass, stiffness);
     check.ok = *check.value <= *check.limit;
+    check.decisive = stiffness > largestRelativeError; // without a stiffness nothing was measured
     check.message =
-        check.ok ? Words::say("the force moves the object enough to tell m and k")
+        check.ok ? partial ? Words::say("the force moves the object enough to tell what the motion has")
+                           : Words::say("the force moves the object enough to tell m and k")
                  : Words::say("the %1 is known to %2 % only. Squeeze longer or with a force that varies %3.")
                        .arg(mass > stiffness ? Words::say("mass") : Words::say("stiffness"))
                        .arg(*check.value, 'g', 2)
@@ -272,6 +294,10 @@ ValidityCheck physicalRange(const Estimate& estimate, double sampleTime_s)
 {
     ValidityCheck check;
     check.id = u"physical_range"_s;
+    if (isPartialMotion(estimate)) {
+        check.message = Words::say("what the motion has is above zero; the rest of m, b and k is not in it");
+        return check;
+    }
     if (!estimate.parameters) {
         check.ok = false;
         check.decisive = true;
@@ -296,7 +322,7 @@ ValidityCheck fitCheck(const Estimate& estimate)
     check.id = u"fit"_s;
     check.value = estimate.fit.simulationPercent;
     check.limit = smallestFitPercent;
-    if (!estimate.parameters) {
+    if (!estimate.parameters && !isPartialMotion(estimate)) {
         check.message = Words::say("not judged without an estimate");
         check.noted = true;
         return check;
@@ -359,6 +385,37 @@ ValidityCheck calibration(const Recording& recording)
 
 } // namespace
 
+/// The relaxed stiffness is what is left when one waits: for some times tau.
+ValidityCheck relaxation(const Identification& data, const Estimate& estimate)
+{
+    constexpr double longestShare = 0.4; ///< of the record: from there on k and k1 are told apart by a guess
+    constexpr double much = 3 * decisiveDelta;
+    ValidityCheck check;
+    check.id = u"relaxation"_s;
+    check.limit = 100 * longestShare;
+    const double length_s = data.sampleTime_s * static_cast<double>(data.force.size());
+    const bool yields = estimate.motion && estimate.motion->terms.relaxation;
+    if (yields)
+        check.value = 100 * estimate.motion->values[MotionParameter::RelaxationTime] / length_s;
+    // Where something else explains the squeeze, yielding was only a way towards it.
+    const bool endless =
+        estimate.estimator == Estimator::OutputError && data.comparison.unsettledYielding > much;
+    check.ok = !endless && check.value.value_or(0) <= *check.limit;
+    if (endless)
+        check.message =
+            Words::say("the position goes on creeping through the whole squeeze: the part yields, "
+                       "or the sensor drifts. The stiffness that is left in the end is not known; "
+                       "squeeze longer");
+    else if (!check.ok)
+        check.message = Words::say("the part goes on yielding for %1 % of the squeeze: the stiffness that is "
+                                   "left in the end is a guess. Squeeze longer")
+                            .arg(*check.value, 'g', 2);
+    else
+        check.message = yields ? Words::say("the squeeze is long enough to see the part yield")
+                               : Words::say("the part does not go on yielding");
+    return check;
+}
+
 std::vector<ValidityCheck> checkValidity(const Identification& identification, const Recording& recording,
                                          const IdentificationOptions& options)
 {
@@ -373,7 +430,7 @@ std::vector<ValidityCheck> checkValidity(const Identification& identification, c
             deviceFault(recording),
             clockAgainstComputer(recording),
             statedSampleTime(identification, recording),
-            excitation(outputError != nullptr ? *outputError : estimate),
+            excitation(outputError != nullptr && !isPartialMotion(estimate) ? *outputError : estimate),
             residualWhiteness(estimate),
             inputIndependence(estimate),
             hold(identification, recording, options),
@@ -383,6 +440,7 @@ std::vector<ValidityCheck> checkValidity(const Identification& identification, c
             calibration(recording),
             linearity(estimate),
             feedback(estimate),
+            relaxation(identification, estimate),
             preparation(identification)};
 }
 

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/backup/library_swap.h"
 
+#include "core/base/brief_lock.h"
+
 #include <QFile>
-#include <QLockFile>
 
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
 
 namespace {
-
-constexpr int swapPatience_ms = 5000;
 
 /// A log whose library is gone would be played into the one that takes its name. It is kept beside it.
 bool setForeignLogAside(const QString& library)
@@ -40,8 +39,8 @@ bool finishSwap(const QString& library)
     if (QFile::exists(library) || !QFile::exists(next))
         return QFile::exists(library);
     // Two programs that start at once do it once: the log of the one that was quicker is the library's own.
-    QLockFile lock(next + u".lock"_s);
-    if (!lock.tryLock(swapPatience_ms) || QFile::exists(library))
+    BriefLock lock(next + u".lock"_s);
+    if (!lock.take() || QFile::exists(library))
         return QFile::exists(library);
     return setForeignLogAside(library) && QFile::rename(next, library);
 }

@@ -2,6 +2,7 @@
 #include "core/library/ledger/library_witness.h"
 
 #include "core/base/bounded_file.h"
+#include "core/base/brief_lock.h"
 #include "core/base/words.h"
 
 #include <QCryptographicHash>
@@ -9,7 +10,6 @@
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QLockFile>
 #include <QSaveFile>
 #include <QStandardPaths>
 
@@ -19,7 +19,6 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int lockTimeout_ms = 2000; ///< the file takes milliseconds to write
 constexpr auto lockSuffix = ".lock"_L1;
 
 QJsonObject toJson(const ChainEnd& end)
@@ -126,8 +125,8 @@ void tellWitness(const QString& libraryFile, const LibraryWitness& news,
 {
     const QString name = witnessFile(libraryFile);
     QDir().mkpath(QFileInfo(name).path());
-    QLockFile lock(name + lockSuffix);
-    if (!lock.tryLock(lockTimeout_ms))
+    BriefLock lock(name + lockSuffix);
+    if (!lock.take())
         return;
     LibraryWitness known = readWitness(libraryFile);
     if (!fits(known))
@@ -145,8 +144,8 @@ Expected<void> announceRestore(const QString& libraryFile, const QString& keptAs
 {
     const QString name = witnessFile(libraryFile);
     QDir().mkpath(QFileInfo(name).path());
-    QLockFile lock(name + lockSuffix);
-    if (!lock.tryLock(lockTimeout_ms))
+    BriefLock lock(name + lockSuffix);
+    if (!lock.take())
         return failure(ErrorCode::FileUnwritable, {name, Words::tr("another program keeps it locked")});
     LibraryWitness known = readWitness(libraryFile);
     known.announced.reset(); // an older one that came to nothing

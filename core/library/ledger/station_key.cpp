@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/ledger/station_key.h"
 
+#include "core/base/brief_lock.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QLockFile>
 #include <QSaveFile>
 #include <QStandardPaths>
 
@@ -18,7 +19,6 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr qsizetype seedSize = crypto_sign_SEEDBYTES;
-constexpr int othersTakeAtMost_ms = 2000;
 
 QByteArray storedSeed()
 {
@@ -34,8 +34,8 @@ QByteArray makeSeed()
 {
     const QString name = StationKey::file();
     QDir().mkpath(QFileInfo(name).path());
-    QLockFile lock(name + u".lock"_s);
-    if (!lock.tryLock(othersTakeAtMost_ms))
+    BriefLock lock(name + u".lock"_s);
+    if (!lock.take())
         return {};
     if (QFileInfo::exists(name))
         return storedSeed();

@@ -129,6 +129,8 @@ const std::vector<Migration>& migrations()
         step(18, QT_TRANSLATE_NOOP("Words", "what the history is found by"), migrationScript18, enterNewRows),
         step(19, QT_TRANSLATE_NOOP("Words", "the clock that a squeeze was recorded by"), migrationScript19,
              enterNewRows),
+        step(20, QT_TRANSLATE_NOOP("Words", "how the force of a squeeze goes"), migrationScript20,
+             enterNewRows),
     };
     return steps;
 }

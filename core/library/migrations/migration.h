@@ -63,5 +63,6 @@ extern const char* const migrationScript16;
 extern const char* const migrationScript17;
 extern const char* const migrationScript18;
 extern const char* const migrationScript19;
+extern const char* const migrationScript20;
 
 } // namespace gripscope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/library/records/library_change.h"
+#include "core/signal/excitation/excitation.h"
 
 #include <QDateTime>
 #include <QString>
@@ -14,8 +15,18 @@ struct Recipe {
     double peak_N = 10, bias_N = 20, bit_s = 0.005, seconds = 1.0;
     double maxForce_N = 40; ///< crush limit: no command for this type goes above
     double maxTravel_m = 0.02;
+    ExcitationKind kind = ExcitationKind::Prbs; ///< how the force goes about the preload, within +-peak
     friend bool operator==(const Recipe&, const Recipe&) = default;
 };
+
+/// The one of a new type until somebody chooses another: it also sees friction, which hides in the stiffness
+/// where the force has two levels.
+[[nodiscard]] inline Recipe recipeOfNewTypes()
+{
+    Recipe recipe;
+    recipe.kind = ExcitationKind::FourLevel;
+    return recipe;
+}
 
 struct TypeRecord {
     QString id, name;

@@ -16,8 +16,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-const auto kept = u"type_name, step, recipe_name, peak_n, bias_n, bit_s, seconds, max_force_n, "
-                  "max_travel_m, part, picture_id, pending_id, remark"_s;
+const auto kept = u"type_name, step, "_s + recipeColumns() + u", part, picture_id, pending_id, remark"_s;
 
 struct StepName {
     EnrollmentDraft::Step step;
@@ -72,7 +71,7 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const Enrollmen
     Statement row(
         database, Words::tr("store the enrolment under way"),
         u"INSERT INTO enrollment_drafts (id, station, created_utc, state, "_s + kept +
-            u", operator_name, serial) VALUES (?, ?, ?, 'open', ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "_s +
+            u", operator_name, serial) VALUES (?, ?, ?, 'open', ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "_s +
             nextSerial(u"enrollment_drafts"_s) + u')');
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(draft.name).bind(toString(draft.step));
     bindRecipe(row, draft.recipe);

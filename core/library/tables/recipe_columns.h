@@ -6,8 +6,9 @@
 
 namespace gripscope {
 
-/// The seven columns of a recipe, wherever one is stored: name, peak, bias, bit, seconds, largest force,
-/// travel.
+/// The columns of a recipe, wherever one is stored, as the two below take and bind them: name, peak, bias,
+/// bit, seconds, largest force, travel, how the force goes. `table`: what stands before each, such as "v.".
+[[nodiscard]] QString recipeColumns(const QString& table = {});
 [[nodiscard]] Recipe takeRecipe(Statement& row);
 void bindRecipe(Statement& row, const Recipe& recipe);
 

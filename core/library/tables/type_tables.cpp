@@ -19,8 +19,8 @@ const auto selectPlaces =
     "w.type_id = o.id), o.id) - 1 AS place FROM types o"_s;
 
 const auto selectTypes =
-    u"SELECT t.id, s.name, t.created_utc, v.recipe_name, v.peak_n, v.bias_n, v.bit_s, v.seconds, "
-    "v.max_force_n, v.max_travel_m, v.force_unit, v.position_unit, "
+    u"SELECT t.id, s.name, t.created_utc, "_s + recipeColumns(u"v."_s) +
+    u", v.force_unit, v.position_unit, "
     "(SELECT COUNT(*) FROM grasps g LEFT JOIN placements p ON p.grasp_id = g.id AND p.version = "
     "(SELECT MAX(q.version) FROM placements q WHERE q.grasp_id = g.id) "
     "WHERE (g.type_id = t.id OR g.id IN (SELECT r.grasp_id FROM placements r WHERE r.type_id = t.id)) "
@@ -104,11 +104,11 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
                       const QString& forceUnit, const QString& positionUnit)
 {
     Statement row(database, Words::tr("store the recipe"),
-                  u"INSERT INTO type_versions (id, station, created_utc, type_id, version, recipe_name, "
-                  u"peak_n, bias_n, "
-                  "bit_s, seconds, max_force_n, max_travel_m, force_unit, position_unit) VALUES (?, ?, ?, ?, "
-                  "(SELECT COALESCE(MAX(version), 0) + 1 FROM type_versions WHERE type_id = ?), "
-                  "?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+                  u"INSERT INTO type_versions (id, station, created_utc, type_id, version, "_s +
+                      recipeColumns() +
+                      u", force_unit, position_unit) VALUES (?, ?, ?, ?, "
+                      "(SELECT COALESCE(MAX(version), 0) + 1 FROM type_versions WHERE type_id = ?), "
+                      "?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(typeId).bind(typeId);
     bindRecipe(row, recipe);
     return row.bind(forceUnit).bind(positionUnit).run();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/early/linearized_evidence.h"
 
+#include "core/math/decompositions.h"
+
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -42,10 +43,9 @@ LinearizedEvidence linearizedEvidence(const LaggedProducts& products, const LogP
         const Eigen::Vector3d slope = record.slope - record.information * prior.shift;
         const double residual = record.residual - (record.slope + slope).dot(prior.shift);
         // In the prior's own axes, in which it is a unit sphere, the information is diagonal.
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread.transpose() * record.information *
-                                                                  spread);
-        const Eigen::Array3d information = axes.eigenvalues().array().max(0.0);
-        const Eigen::Array3d along = (axes.eigenvectors().transpose() * (spread.transpose() * slope)).array();
+        const SymmetricAxes axes = symmetricAxes(spread.transpose() * record.information * spread);
+        const Eigen::Array3d information = axes.values.array().max(0.0);
+        const Eigen::Array3d along = (axes.directions.transpose() * (spread.transpose() * slope)).array();
         const double pole = stretches / 2 * std::log1p(-node.pole * node.pole) - record.logDeterminant / 2;
         for (const double deviation : node.deviations) {
             const double variance = deviation * deviation;
@@ -56,7 +56,7 @@ LinearizedEvidence linearizedEvidence(const LaggedProducts& products, const LogP
             evidence.log.push_back(log);
             if (log > best) {
                 best = log;
-                evidence.step = prior.shift + spread * (axes.eigenvectors() * step.matrix());
+                evidence.step = prior.shift + spread * (axes.directions * step.matrix());
             }
         }
     }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/math/decompositions.h"
 #include "core/math/distributions.h"
 #include "core/math/gaussian.h"
 #include "core/recognition/types/dimensions.h"
 #include "core/recognition/types/gates.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -50,7 +49,7 @@ Eigen::Vector3d wishartEigenvalues(GaussianNoise& noise, double degreesOfFreedom
         factor(i, i) = std::sqrt(chiSquared(noise, degreesOfFreedom - i));
     }
     const Eigen::Matrix3d matrix = factor * factor.transpose() / degreesOfFreedom;
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+    return symmetricAxes(matrix).values;
 }
 
 /// Quantile 1 - rate of chi-square distributions, from a table: a gate asks for thousands.

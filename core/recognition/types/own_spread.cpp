@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/types/own_spread.h"
 
+#include "core/math/decompositions.h"
 #include "core/math/distributions.h"
 #include "core/recognition/types/dimensions.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -86,10 +86,9 @@ constexpr double leastScatterVariance = 1e-8; ///< as small as any scatter is ta
 /// The t of tr((t I + C)^-1 W) = 3, for W that is nowhere less than C.
 double variance(const Eigen::Matrix3d& total, const Eigen::Matrix3d& noise)
 {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(noise);
-    const Eigen::Vector3d known = eigen.eigenvalues().cwiseMax(0);
-    const Eigen::Vector3d found =
-        (eigen.eigenvectors().transpose() * total * eigen.eigenvectors()).diagonal();
+    const SymmetricAxes eigen = symmetricAxes(noise);
+    const Eigen::Vector3d known = eigen.values.cwiseMax(0);
+    const Eigen::Vector3d found = (eigen.directions.transpose() * total * eigen.directions).diagonal();
     double low = leastScatterVariance, high = std::max(leastScatterVariance, found.mean());
     for (int halving = 0; halving < halvings; ++halving) {
         const double middle = (low + high) / 2;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/types/scatter.h"
 
+#include "core/math/decompositions.h"
 #include "core/recognition/types/own_spread.h"
 #include "core/recognition/types/scatter_estimation.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -81,19 +81,19 @@ void separateParts(const PartScatter& parts, Scatter& scatter)
     scatter.regrip = parts.within;
     if (parts.betweenDegrees == 0)
         return;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
-        whitened(parts.between - parts.meanInverse * parts.within, scatter.factor));
+    const SymmetricAxes eigen =
+        symmetricAxes(whitened(parts.between - parts.meanInverse * parts.within, scatter.factor));
     const Eigen::Matrix3d half =
-        scatter.factor * eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+        scatter.factor * eigen.directions * eigen.values.cwiseMax(0).cwiseSqrt().asDiagonal();
     scatter.partToPart = half * half.transpose();
 }
 
 /// Takes the known noise out of the total: S, G and G C G'.
 void separateNoise(const Eigen::Matrix3d& noise, Scatter& scatter)
 {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(whitened(noise, scatter.factor));
-    const Eigen::Vector3d shares = eigen.eigenvalues().cwiseMax(0); // of the total that is noise
-    const Eigen::Matrix3d axes = scatter.factor * eigen.eigenvectors();
+    const SymmetricAxes eigen = symmetricAxes(whitened(noise, scatter.factor));
+    const Eigen::Vector3d shares = eigen.values.cwiseMax(0); // of the total that is noise
+    const Eigen::Matrix3d axes = scatter.factor * eigen.directions;
     scatter.between = axes * (1 - shares.array()).cwiseMax(0).matrix().asDiagonal() * axes.transpose();
     scatter.noise = axes * shares.cwiseMin(1).asDiagonal() * axes.transpose();
     const Eigen::Vector3d roots = shares.cwiseMax(1).cwiseSqrt().cwiseInverse();
@@ -183,9 +183,9 @@ Eigen::Matrix3d covarianceOfSqueeze(const Scatter& scatter, const std::optional<
     if (!noise)
         return scatter.total;
     if (!scatter.noiseKnown) {
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(whitened(*noise, scatter.factor));
-        const Eigen::Matrix3d axes = scatter.factor * eigen.eigenvectors();
-        return axes * eigen.eigenvalues().cwiseMax(1).asDiagonal() * axes.transpose();
+        const SymmetricAxes eigen = symmetricAxes(whitened(*noise, scatter.factor));
+        const Eigen::Matrix3d axes = scatter.factor * eigen.directions;
+        return axes * eigen.values.cwiseMax(1).asDiagonal() * axes.transpose();
     }
     const Eigen::Matrix3d own = scatter.between + scaledNoise(scatter, *noise);
     const double enough = std::max(3.0, scatter.degreesOfFreedom / 2);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/types/scatter_estimation.h"
 
+#include "core/math/decompositions.h"
+
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <array>
@@ -203,9 +204,8 @@ struct Derivatives {
 
 Eigen::Matrix3d withoutNegativeParts(const Eigen::Matrix3d& matrix)
 {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(matrix);
-    return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
-           eigen.eigenvectors().transpose();
+    const SymmetricAxes eigen = symmetricAxes(matrix);
+    return eigen.directions * eigen.values.cwiseMax(0).asDiagonal() * eigen.directions.transpose();
 }
 
 } // namespace

@@ -210,7 +210,7 @@ void EnrollSession::restart()
     d->draftName.clear();
     d->part.clear();
     d->type.reset();
-    d->recipe = {};
+    d->recipe = recipeOfNewTypes();
     d->picture.reset();
     d->pictureChosen = false;
     d->squeezes.clear();

@@ -35,7 +35,7 @@ struct EnrollSession::Private {
     Step step = Step::Name;
     Activity activity = Activity::Waiting;
     QString typeName;
-    Recipe recipe;
+    Recipe recipe = recipeOfNewTypes();
     std::optional<TypeRecord> type; // once it is in the library
     std::vector<EnrollSqueeze> squeezes;
     EnrollSqueeze measured; // what is being identified

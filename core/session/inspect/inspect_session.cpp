@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 #include "core/session/inspect/inspect_session_private.h"
+#include "core/signal/recording/recording_limits.h"
 
 namespace gripscope {
 
@@ -139,7 +140,7 @@ Expected<void> InspectSession::squeeze()
     ++d->squeezes;
     d->begin(State::Squeezing);
     if (const std::optional<EarlyStopSetup> setup = d->earlyStopSetup())
-        d->watch.begin(*setup);
+        d->watch.begin(*setup, samplesIn(recipe.seconds, d->connection.identity().sampleTime_s));
     return {};
 }
 
@@ -204,9 +205,9 @@ const std::optional<EarlyTimes>& InspectSession::forecast() const
     return d->forecast.times();
 }
 
-double InspectSession::longestSeconds() const
+Recipe InspectSession::nextRecipe() const
 {
-    return d->wantedRecipe().seconds;
+    return d->wantedRecipe();
 }
 
 bool InspectSession::earlyEnd() const

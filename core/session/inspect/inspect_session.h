@@ -47,7 +47,9 @@ public:
     void setIdentificationOptions(const IdentificationOptions& options);
     /// The squeezes come from another gripper than the types; nothing ends early then.
     void setTransfer(const std::optional<CommonShift>& error);
-    void setRecipe(const Recipe& recipe);   ///< used when nothing is expected; else the type's own
+    /// Used when nothing is expected. Until then it is that of the approved type with the lowest crush limit,
+    /// with the least travel of all of them, since it may be any. A type that is expected has its own.
+    void setRecipe(const Recipe& recipe);
     void setStoring(bool store);            ///< off: classify only (the command line)
     void setEarlyEnd(bool early);           ///< on unless told otherwise
     void setClock(SqueezeJob::Clock clock); ///< for the time limits of a squeeze, and when to store again
@@ -108,7 +110,7 @@ public:
     /// How long squeezes of the enrolled types take until they are decided. Nothing while this is worked out,
     /// where it cannot be, and where squeezes do not end early.
     [[nodiscard]] const std::optional<EarlyTimes>& forecast() const;
-    [[nodiscard]] double longestSeconds() const; ///< of the next squeeze: the recipe's
+    [[nodiscard]] Recipe nextRecipe() const; ///< what the next squeeze is made by
     [[nodiscard]] bool earlyEnd() const;
     [[nodiscard]] const VerdictOptions& rates() const;
     [[nodiscard]] const JudgingPolicy& policy() const;

@@ -64,12 +64,34 @@ Expected<void> InspectSession::Private::ready()
     return archive.roomForOneMore();
 }
 
+namespace {
+/// For a part that may be of any of the approved types: by the one with the lowest crush limit, and no
+/// further than the least travel that any of them bears.
+Recipe gentlestRecipe(const std::vector<TypeRecord>& types)
+{
+    std::optional<Recipe> gentlest;
+    double travel_m = Recipe().maxTravel_m;
+    for (const TypeRecord& type : types) {
+        if (!type.approved)
+            continue;
+        travel_m = gentlest ? std::min(travel_m, type.recipe.maxTravel_m) : type.recipe.maxTravel_m;
+        if (!gentlest || type.recipe.maxForce_N < gentlest->maxForce_N)
+            gentlest = type.recipe;
+    }
+    if (gentlest)
+        gentlest->maxTravel_m = travel_m;
+    return gentlest.value_or(Recipe());
+}
+} // namespace
+
 Recipe InspectSession::Private::wantedRecipe() const
 {
     const std::vector<TypeRecord>& types = archive.types();
     const auto type = std::find_if(types.begin(), types.end(),
                                    [this](const TypeRecord& record) { return record.name == expectedType; });
-    return type == types.end() ? recipe : type->recipe;
+    if (type != types.end())
+        return type->recipe;
+    return recipe ? *recipe : gentlestRecipe(types);
 }
 
 void InspectSession::Private::begin(State next)

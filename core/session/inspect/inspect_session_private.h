@@ -186,7 +186,7 @@ struct InspectSession::Private {
     EarlyWatch watch;
     SqueezeForecast forecast;
     int listener = 0;
-    Recipe recipe;
+    std::optional<Recipe> recipe; ///< that was asked for
     QString operatorName, expectedType, partNumber;
     bool storeResults = true, endsEarly = true, forecasting = false;
 

@@ -32,10 +32,12 @@ struct EarlyWatch::Followed {
     }
 };
 
-void EarlyWatch::begin(EarlyStopSetup setup)
+void EarlyWatch::begin(EarlyStopSetup setup, std::size_t samples)
 {
     end();
     m_decision.reset();
+    m_taken = 0;
+    m_worthLooking = samples - samples / 10;
     m_followed = std::make_shared<Followed>(Followed{std::move(setup)});
 }
 
@@ -64,6 +66,7 @@ void EarlyWatch::take(const Sample& sample)
         m_waiting.insert(m_waiting.end(), static_cast<std::size_t>(lost), Pair{nothing, nothing});
     }
     m_lastSequence = sample.sequence;
+    ++m_taken;
     const bool atLimit = sample.status & (StatusForceSaturated | StatusPositionSaturated);
     m_waiting.push_back(atLimit ? Pair{nothing, nothing} : Pair{sample.force, sample.position});
 }
@@ -82,7 +85,7 @@ void EarlyWatch::poll()
             return;
         }
     }
-    if (m_waiting.empty())
+    if (m_waiting.empty() || m_taken > m_worthLooking)
         return;
     m_task = inPool(
         [followed = m_followed, pairs = std::exchange(m_waiting, {})] { return followed->look(pairs); });

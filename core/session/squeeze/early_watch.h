@@ -17,11 +17,12 @@ namespace gripscope {
 /// makes the decision later: samples that came meanwhile are looked at together.
 ///
 /// Only samples of the movement count. Those that were lost or at a channel's limit are told to the test as
-/// lost.
+/// lost. The last tenth of a squeeze is not looked at: to end it would save nothing, and the processors are
+/// wanted for the verdict.
 class EarlyWatch {
 public:
-    /// A new squeeze; what was known of the last one is forgotten.
-    void begin(EarlyStopSetup setup);
+    /// A new squeeze of so many samples; what was known of the last one is forgotten.
+    void begin(EarlyStopSetup setup, std::size_t samples);
     /// No squeeze is followed any more.
     void end();
     void take(const std::vector<Sample>& batch);
@@ -43,6 +44,7 @@ private:
     Pending<std::optional<EarlyEnd>> m_task;
     std::vector<Pair> m_waiting;
     std::optional<std::uint64_t> m_lastSequence;
+    std::size_t m_taken = 0, m_worthLooking = 0; ///< samples of this squeeze; up to where looks are of use
     std::optional<EarlyEnd> m_decision;
 };
 

@@ -34,7 +34,7 @@ QString settingText(double value)
 ExcitationOptions excitationOptions(const Recipe& recipe, const GripperIdentity& identity, std::uint64_t seed)
 {
     ExcitationOptions options;
-    options.kind = ExcitationKind::Prbs;
+    options.kind = recipe.kind;
     options.peak = recipe.peak_N;
     options.bias = recipe.bias_N;
     options.bit_s = recipe.bit_s;
@@ -43,6 +43,28 @@ ExcitationOptions excitationOptions(const Recipe& recipe, const GripperIdentity&
     options.seed = seed;
     options.oneSided = true;
     return options;
+}
+
+std::optional<Error> forceProblem(const Recipe& recipe, const GripperIdentity& identity)
+{
+    const ExcitationOptions options = excitationOptions(recipe, identity, 1);
+    if (options.kind == ExcitationKind::InverseRepeat && !excitationPeriod(options)) {
+        constexpr double pushes =
+            8 * 14; // of the shortest sequence, in as many periods as `periodic` asks for
+        return Error{
+            ErrorCode::Usage,
+            {Words::tr("A repeating force takes eight periods of 14 pushes: choose a length of at "
+                       "least %1 s, or a shorter push.")
+                 .arg(Words::number(pushes * std::max(recipe.bit_s, identity.sampleTime_s), 'g', 3))}};
+    }
+    constexpr double mostWork = 2e7; // tones times samples: made within the time of a click
+    if (options.kind == ExcitationKind::Multisine &&
+        recipe.seconds / (2 * recipe.bit_s) * static_cast<double>(options.samples) > mostWork)
+        return Error{
+            ErrorCode::Usage,
+            {Words::tr("A sum of sines as long as this has too many tones: choose a longer shortest push, "
+                       "or a shorter squeeze.")}};
+    return options.validate();
 }
 
 struct SqueezeJob::Private {
@@ -244,6 +266,7 @@ void SqueezeJob::setClock(Clock clock)
 
 Expected<void> SqueezeJob::start(const Recipe& recipe, std::uint64_t seed)
 {
+    RETURN_IF_ERROR(forceProblem(recipe, d->connection.identity()));
     return start(excitationOptions(recipe, d->connection.identity(), seed),
                  {recipe.maxForce_N, recipe.maxTravel_m});
 }

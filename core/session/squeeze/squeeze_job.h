@@ -15,6 +15,9 @@ namespace gripscope {
 /// The excitation that a recipe means on a given device, in newtons.
 [[nodiscard]] ExcitationOptions excitationOptions(const Recipe& recipe, const GripperIdentity& identity,
                                                   std::uint64_t seed);
+/// Why that gripper cannot squeeze by it, in the words of a recipe; nothing where it can, within the limits
+/// that the gate holds.
+[[nodiscard]] std::optional<Error> forceProblem(const Recipe& recipe, const GripperIdentity& identity);
 
 /// One squeeze: through the gate to the device, the samples back as a Recording with provenance.
 ///

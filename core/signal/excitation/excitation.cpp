@@ -118,6 +118,24 @@ std::vector<double> prbs(const ExcitationOptions& options)
     return force;
 }
 
+std::vector<double> fourLevel(const ExcitationOptions& options)
+{
+    const std::size_t perLevel = samplesPerBit(options);
+    const std::size_t levels = (options.samples + perLevel - 1) / perLevel;
+    ShiftRegister shiftRegister(registerFor(2 * levels), options.seed);
+    std::vector<double> force(options.samples);
+    double value = 0;
+    for (std::size_t i = 0; i < force.size(); ++i) {
+        if (i % perLevel == 0) {
+            const double outer = shiftRegister.next() ? 1 : -1;
+            const double inner = shiftRegister.next() ? 1 : -1;
+            value = options.peak * (2 * outer + inner) / 3;
+        }
+        force[i] = value;
+    }
+    return force;
+}
+
 std::vector<double> multisine(const ExcitationOptions& options)
 {
     std::vector<double> force(sinePeriod(options), 0.0);
@@ -204,14 +222,17 @@ QString toString(ExcitationKind kind)
         return u"chirp"_s;
     case ExcitationKind::InverseRepeat:
         return u"inverse-repeat"_s;
+    case ExcitationKind::FourLevel:
+        return u"four-level"_s;
     }
     return {};
 }
 
 std::optional<ExcitationKind> excitationKindFromString(const QString& text)
 {
-    for (const ExcitationKind kind : {ExcitationKind::Step, ExcitationKind::Prbs, ExcitationKind::Multisine,
-                                      ExcitationKind::Chirp, ExcitationKind::InverseRepeat}) {
+    for (const ExcitationKind kind :
+         {ExcitationKind::Step, ExcitationKind::Prbs, ExcitationKind::Multisine, ExcitationKind::Chirp,
+          ExcitationKind::InverseRepeat, ExcitationKind::FourLevel}) {
         if (text == toString(kind))
             return kind;
     }
@@ -277,6 +298,9 @@ Expected<std::vector<double>> makeExcitation(const ExcitationOptions& options)
         break;
     case ExcitationKind::InverseRepeat:
         force = inverseRepeat(options);
+        break;
+    case ExcitationKind::FourLevel:
+        force = fourLevel(options);
         break;
     }
     for (double& value : force) {

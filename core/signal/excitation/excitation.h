@@ -11,7 +11,7 @@
 
 namespace gripscope {
 
-enum class ExcitationKind { Step, Prbs, Multisine, Chirp, InverseRepeat };
+enum class ExcitationKind { Step, Prbs, Multisine, Chirp, InverseRepeat, FourLevel };
 
 [[nodiscard]] QString toString(ExcitationKind kind);
 [[nodiscard]] std::optional<ExcitationKind> excitationKindFromString(const QString& text);
@@ -33,6 +33,9 @@ enum class ExcitationKind { Step, Prbs, Multisine, Chirp, InverseRepeat };
 ///         many more as fit. It has odd harmonics only, so that what the answer holds at even ones is not
 ///         linear; what differs from period to period is noise (Godfrey, Perturbation Signals, 1993). The
 ///         seed picks the start. For the estimator `periodic`.
+///   FourLevel: as Prbs, two bits of the sequence a level: bias +- peak and bias +- peak / 3, each level
+///   `bit_s`
+///         long. Tells friction from stiffness, which two levels hide, for a third more error of m.
 struct ExcitationOptions {
     ExcitationKind kind = ExcitationKind::Prbs;
     double peak = 10; ///< force unit

@@ -89,6 +89,7 @@ private slots:
                               u"calibration"_s,
                               u"linearity"_s,
                               u"feedback"_s,
+                              u"relaxation"_s,
                               u"preparation"_s};
         for (const bool good : {true, false}) {
             QStringList got;

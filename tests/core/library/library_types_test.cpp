@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/audit/audit_trail.h"
+#include "core/library/migrations/migration.h"
 #include "core/library/sql/database.h"
 #include "core/recognition/types/type_model.h"
 #include "tests/core/library/child_process.h"
@@ -76,6 +77,52 @@ private slots:
         QVERIFY(models.find(u"00"_s) && models.find(u"1"_s));
         QCOMPARE(models.find(u"00"_s)->place, 1);
         QCOMPARE(models.find(u"1"_s)->place, 3);
+    }
+    void howTheForceGoesIsKept()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        for (const ExcitationKind kind : {ExcitationKind::Prbs, ExcitationKind::FourLevel,
+                                          ExcitationKind::InverseRepeat, ExcitationKind::Multisine}) {
+            Recipe recipe;
+            recipe.kind = kind;
+            valueOf(library->addType(toString(kind), recipe, u"N"_s, u"m"_s));
+            QVERIFY(valueOf(library->findType(toString(kind)))->recipe == recipe);
+            EnrollmentDraft draft;
+            draft.name = u"draft "_s + toString(kind);
+            draft.recipe = recipe;
+            QVERIFY(library->saveDraft(draft));
+            QVERIFY(valueOf(library->draft(draft.name))->recipe == recipe);
+        }
+    }
+    /// What was enrolled before squeezes on two levels as ever.
+    void aLibraryOfTheStepBeforeHasTwoLevels()
+    {
+        const LibraryFolder folder;
+        {
+            std::vector<Migration> before = migrations();
+            while (before.back().version >= 20)
+                before.pop_back();
+            const auto database = valueOf(Database::open(folder.file()));
+            valueOf(migrate(*database, before));
+            for (const QString& statement :
+                 {u"INSERT INTO types (id, station, created_utc, name) VALUES ('t', 's', "
+                  "'2026-01-02T08:30:00.000Z', 'A')"_s,
+                  u"INSERT INTO type_states (id, station, created_utc, type_id, version, name, status, "
+                  "recipe_version, code) VALUES ('u', 's', '2026-01-02T08:30:00.000Z', 't', 1, 'A', "
+                  "'enrolled', 1, '')"_s,
+                  u"INSERT INTO type_versions (id, station, created_utc, type_id, version, recipe_name, "
+                  "peak_n, bias_n, bit_s, seconds, max_force_n, max_travel_m, force_unit, position_unit) "
+                  "VALUES ('v', 's', '2026-01-02T08:30:00.000Z', 't', 1, 'squeeze-8N', 8, 20, 0.005, 1, 40, "
+                  "0.02, 'N', 'm')"_s})
+                valueOf(database->execute(statement, u"prepare"_s));
+        }
+        const auto library = folder.open();
+        QCOMPARE(library->schemaVersion(), migrations().back().version);
+        const auto type = valueOf(library->findType(u"A"_s));
+        QVERIFY(type);
+        QVERIFY(type->recipe.kind == ExcitationKind::Prbs);
+        QCOMPARE(type->recipe.peak_N, 8.0);
     }
     void aRenamedTypeKeepsItsSqueezesAndItsApproval()
     {

@@ -290,6 +290,15 @@ private slots:
         QVERIFY(!run.enrollment.setRecipe(recipe));
         QCOMPARE(run.enrollment.step(), Step::Recipe);
     }
+    void aNewTypeIsSqueezedOnFourLevels()
+    {
+        Run run(file());
+        QVERIFY(run.enrollment.recipe().kind == ExcitationKind::FourLevel);
+        QVERIFY(run.begin(QStringLiteral("A"))); // by another
+        QVERIFY(run.enrollment.recipe().kind == ExcitationKind::Prbs);
+        run.enrollment.restart();
+        QVERIFY(run.enrollment.recipe().kind == ExcitationKind::FourLevel);
+    }
     void startingAnewKeepsWhatIsStored()
     {
         Run run(file());

@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QThreadPool>
 
+#include <algorithm>
 #include <array>
 #include <future>
 
@@ -159,6 +160,28 @@ private slots:
         QVERIFY(run.inspection.result()->seconds >= 1.0);
     }
 
+    void theLastTenthIsNotLookedAt()
+    {
+        InspectionRun run(m_file);
+        run.inspection.setStoring(false);
+        run.inspection.setClock([] { return std::chrono::steady_clock::time_point(); });
+        QVERIFY(run.connection.open());
+        QVERIFY(run.ready());
+        FakeGripper& gripper = run.connection.gripper();
+        gripper.noise_m = 2e-3; // too much to decide anything
+        gripper.chunk = 40;
+        std::size_t leftAtLook = 2000;
+        gripper.holdsBack = [&] {
+            if (run.inspection.looking())
+                leftAtLook = std::min(leftAtLook, gripper.pending.size());
+            return run.inspection.looking();
+        };
+        QVERIFY(run.inspection.squeeze());
+        QVERIFY(run.ready());
+        QVERIFY(!run.inspection.result()->earlyEnd);
+        QVERIFY(leftAtLook >= 200 && leftAtLook < 400);
+    }
+
     void aGripperThatGoesOnIsJudgedByTheWholeSqueeze()
     {
         InspectionRun run(m_file);
@@ -180,11 +203,11 @@ private slots:
         QVERIFY(!run.inspection.forecast()); // no gripper, no squeeze
         QVERIFY(run.connection.open());
         QVERIFY(run.until([&] { return run.inspection.forecast().has_value(); }));
-        QVERIFY(run.inspection.forecast()->mean_s < run.inspection.longestSeconds());
+        QVERIFY(run.inspection.forecast()->mean_s < run.inspection.nextRecipe().seconds);
         run.inspection.setEarlyEnd(false);
         run.inspection.poll();
         QVERIFY(!run.inspection.forecast()); // nothing to state: each takes its whole time
-        QCOMPARE(run.inspection.longestSeconds(), 1.0);
+        QCOMPARE(run.inspection.nextRecipe().seconds, 1.0);
     }
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -139,6 +140,30 @@ private slots:
         for (std::size_t h = 1; h < 31; h += 2)
             QVERIFY(amplitude(force, h) > 0.5);
     }
+    /// All pairs of bits but (0, 0) once too seldom in a sequence of the greatest length: of 1,023 pairs 256
+    /// for three of the levels and 255 for one; neighbours hardly go together.
+    void fourLevelsComeEquallyOften()
+    {
+        ExcitationOptions options = optionsOf(ExcitationKind::FourLevel);
+        options.samples = 10 * 1023;
+        const std::vector<double> force = *makeExcitation(options);
+        std::map<int, int> levels;
+        double neighbours = 0;
+        for (std::size_t i = 0; i < force.size(); i += 10) {
+            ++levels[static_cast<int>(std::lround(3 * (force[i] - 20)))];
+            for (std::size_t j = i; j < i + 10; ++j)
+                QCOMPARE(force[j], force[i]);
+            if (i > 0)
+                neighbours += (force[i] - 20) * (force[i - 10] - 20) / 1022;
+        }
+        QCOMPARE(levels.size(), 4U);
+        for (const int level : {-30, -10, 10, 30})
+            QVERIFY2(std::abs(levels[level] - 256) < 60, qPrintable(QString::number(levels[level])));
+        QVERIFY2(std::abs(neighbours) < 0.3 * 55.6,
+                 qPrintable(QString::number(neighbours))); // of the variance
+        options.seed = 2;
+        QVERIFY(force != *makeExcitation(options));
+    }
     void aMultisineMayRepeat()
     {
         ExcitationOptions options = optionsOf(ExcitationKind::Multisine);
@@ -223,7 +248,7 @@ private slots:
     {
         for (const ExcitationKind kind :
              {ExcitationKind::Step, ExcitationKind::Prbs, ExcitationKind::Multisine, ExcitationKind::Chirp,
-              ExcitationKind::InverseRepeat})
+              ExcitationKind::InverseRepeat, ExcitationKind::FourLevel})
             QVERIFY(excitationKindFromString(toString(kind)) == kind);
         QVERIFY(!excitationKindFromString(u"noise"_s));
     }

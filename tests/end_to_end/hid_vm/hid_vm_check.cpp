@@ -178,7 +178,7 @@ void commandsAreObeyed()
     OpenPort gripper(address);
     const SqueezeState squeezed = gripper.squeeze(usualForce(500));
     gripper.port->drain(gripper.samples);
-    const std::size_t moved = moving(gripper.samples).size();
+    const std::size_t moved = samplesMoving(gripper.samples).size();
     row("armed, uploaded, squeezed", squeezed == SqueezeState::Finished && moved == 500,
         u"%1 samples while moving, %2"_qs.arg(moved).arg(counted(gripper.port->counters())));
     const bool running = gripper.gate.start(usualForce(20000)).has_value() && gripper.pollUntil([&] {

@@ -17,8 +17,10 @@
 #include <QDateEdit>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QProgressBar>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QStackedWidget>
 #include <QTableView>
@@ -56,6 +58,9 @@ QWidget* CalibrateTaking::makePlots()
     m_model = new CalibrationPointsModel(this);
     m_table = makeCalibrationTable(*m_model, card);
     m_table->setObjectName("calibrationPoints");
+    m_table->setWordWrap(true); // remarks are sentences
+    m_table->verticalHeader()->setMinimumSectionSize(32);
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     column->addWidget(m_plot, 2);
     column->addWidget(m_table, 3);
     return card;
@@ -139,9 +144,15 @@ QWidget* CalibrateTaking::makeDecision()
     auto* box = new QWidget(this);
     auto* column = new QVBoxLayout(box);
     setSpacing(column, 0, 8);
+    auto* found = new QWidget;
+    auto* results = new QVBoxLayout(found);
+    setSpacing(results, 0, 8);
     m_figures = makeFactGrid();
     m_doubt = makeLabel({}, "error", box);
     m_doubt->setWordWrap(true);
+    results->addLayout(m_figures);
+    results->addWidget(m_doubt);
+    results->addStretch(1);
     m_degree = new QSpinBox(box);
     m_degree->setRange(1, highestCalibrationDegree);
     m_due = new QDateEdit(box);
@@ -168,9 +179,7 @@ QWidget* CalibrateTaking::makeDecision()
     }
     m_accept = makeButton(tr("Accept"), u"dialog-ok-apply"_s, "primary", box);
     m_accept->setObjectName("calibrationAccept");
-    column->addLayout(m_figures);
-    column->addWidget(m_doubt);
-    column->addStretch(1);
+    column->addWidget(makeScroll(found, box), 1);
     column->addLayout(grid);
     column->addWidget(m_note);
     column->addWidget(m_accept);

@@ -216,8 +216,8 @@ void EnrollPage::showRecipe()
                                        .arg(session.typeName())
         : known ? tr("%1 is known: its recipe stays as it is, so that all its squeezes can be compared.")
                       .arg(session.typeName())
-                : tr("A preload, and on it a push and a release that follow one another at random. The crush "
-                     "limit is the most that this part bears: no squeeze of this type goes above it."));
+                : tr("A preload, and on it pushes and releases. The crush limit is the most that this part "
+                     "bears: no squeeze of this type goes above it."));
     if (d->recipeOf == session.typeName() && !known)
         return; // what was typed stays
     d->recipeOf = session.typeName();

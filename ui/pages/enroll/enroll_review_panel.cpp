@@ -11,6 +11,7 @@
 #include "ui/context/workbench.h"
 #include "ui/format/number_format.h"
 #include "ui/format/parameter_text.h"
+#include "ui/format/recipe_words.h"
 #include "ui/format/shown_unit.h"
 #include "ui/pages/enroll/trial_dialog.h"
 #include "ui/pages/fit/fit_page_export.h"
@@ -137,8 +138,9 @@ QStringList summaryLines(const EnrollSession& session)
     const Recipe& recipe = session.recipe();
     return {squeezes,
             EnrollReviewPanel::tr("Force: %1 to %2 for %3 s")
-                .arg(forceText(recipe.bias_N - recipe.peak_N), forceText(recipe.bias_N + recipe.peak_N),
-                     Words::number(recipe.seconds)),
+                    .arg(forceText(recipe.bias_N - recipe.peak_N), forceText(recipe.bias_N + recipe.peak_N),
+                         Words::number(recipe.seconds)) +
+                u'\n' + RecipeWords::name(recipe.kind),
             EnrollReviewPanel::tr("Crush limit: %1, %2")
                 .arg(forceText(recipe.maxForce_N), lengthText(recipe.maxTravel_m))};
 }
@@ -189,15 +191,10 @@ QWidget* EnrollReviewPanel::makeFacts(QWidget* parent)
     }
     facts->addStretch(1);
     // Long names and many sentences: it scrolls rather than grow beyond the least window.
-    auto* scroll = new QScrollArea(parent);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFixedWidth(leastFacts);
-    scroll->setWidget(card);
-    scroll->setObjectName("reviewFacts");
-    m_facts = scroll;
-    return scroll;
+    m_facts = makeScroll(card, parent);
+    m_facts->setFixedWidth(leastFacts);
+    m_facts->setObjectName("reviewFacts");
+    return m_facts;
 }
 
 EnrollReviewPanel::EnrollReviewPanel(Workbench& workbench, QWidget* parent)

@@ -140,11 +140,7 @@ void FitSummary::addTab(QWidget* body, const QString& title)
     auto* column = new QVBoxLayout(inside);
     column->setContentsMargins(metrics::step, metrics::step, metrics::step, 12);
     column->addWidget(body);
-    auto* scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(inside);
+    QScrollArea* scroll = makeScroll(inside);
     scroll->setAccessibleName(title);
     m_tabs->addTab(scroll, title);
 }

@@ -78,6 +78,7 @@ void fillFacts(QGridLayout* grid, const std::vector<Fact>& facts)
     for (const Fact& fact : facts) {
         const int at = grid->rowCount();
         auto* name = makeLabel(fact.name, "second");
+        name->setWordWrap(true); // where the panel has the width it stays one line
         auto* text = makeLabel(fact.text, fact.number ? "strong" : "");
         text->setWordWrap(!fact.number);
         text->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -306,21 +306,18 @@ void InspectPage::refreshExpected()
         workbench().inspection().state() != InspectSession::State::Loading)
         return forgetExpected();
     QStringList enrolled;
-    Recipe recipe;
-    for (const TypeRecord& type : types) {
+    for (const TypeRecord& type : types)
         enrolled << u"%1 %2"_s.arg(type.squeezes).arg(type.name);
-        if (type.name == d->expectedNow)
-            recipe = type.recipe;
-    }
     if (enrolled != d->shownTypes) {
         d->shownTypes = enrolled;
         d->measurement->setTypes(workbench().inspection().models());
     }
     // The time first: it is what is looked for, and the rest gives way where there is no room.
     const InspectSession& session = workbench().inspection();
+    const Recipe recipe = session.nextRecipe();
     QStringList parts{timeText(), recipe.name, pushText(recipe.bias_N, recipe.peak_N)};
     if (const auto& forecast = session.forecast(); session.earlyEnd() && forecast) {
-        parts[0] = tr("at most %1 s").arg(Words::number(session.longestSeconds(), 'g', 3));
+        parts[0] = tr("at most %1 s").arg(Words::number(recipe.seconds, 'g', 3));
         parts.prepend(tr("about %1 s").arg(Words::number(forecast->mean_s, 'g', 2)));
     }
     d->recipe->setParts(parts, u" · "_s);
@@ -443,7 +440,7 @@ void InspectPage::tellResult(const InspectSession::Result& result)
 QString InspectPage::timeText() const
 {
     const InspectSession& session = workbench().inspection();
-    const QString longest = Words::number(session.longestSeconds(), 'g', 3);
+    const QString longest = Words::number(session.nextRecipe().seconds, 'g', 3);
     const auto& forecast = session.forecast();
     if (!session.earlyEnd())
         return tr("%1 s").arg(longest);

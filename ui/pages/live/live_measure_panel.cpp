@@ -40,7 +40,7 @@ LiveMeasurePanel::LiveMeasurePanel(LiveMarkerModel& markers, QWidget* parent)
     setObjectName("liveMeasure");
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(16, 8, 16, 8);
-    row->setSpacing(24);
+    row->setSpacing(16);
     row->addWidget(buildReadout());
     row->addWidget(buildSide(), 1);
 }
@@ -50,7 +50,7 @@ QWidget* LiveMeasurePanel::buildReadout()
     auto* box = new QWidget(this);
     auto* grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(16);
+    grid->setHorizontalSpacing(12);
     grid->setVerticalSpacing(4);
     const auto caption = [&](const QString& text, int column) {
         QLabel* label = makeLabel(text, "caption", this);
@@ -75,8 +75,8 @@ QWidget* LiveMeasurePanel::buildReadout()
     QLabel* slope = makeLabel(tr("Slope dF/dx"), "second", this);
     grid->addWidget(slope, 4, 0, 1, 2);
     grid->addWidget(m_slope, 4, 2, 1, 2);
-    grid->setColumnMinimumWidth(2, 112);
-    grid->setColumnMinimumWidth(3, 128);
+    grid->setColumnMinimumWidth(2, 96);
+    grid->setColumnMinimumWidth(3, 120);
     grid->setRowStretch(5, 1);
     return box;
 }

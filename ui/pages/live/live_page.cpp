@@ -50,6 +50,7 @@ struct LivePage::Private {
     QPushButton* squeeze = nullptr;
     QProgressBar* progress = nullptr;
     QLabel* hint = nullptr;
+    QWidget* hintLine = nullptr; ///< hint or progress
     LiveLinkPanel* link = nullptr;
     TourScript tour;
 };
@@ -62,6 +63,7 @@ LivePage::LivePage(Workbench& bench, QWidget* parent) : Page(bench, parent), d(s
     auto* toolbar = new QHBoxLayout;
     toolbar->setSpacing(8);
     column->addLayout(toolbar);
+    buildHint(column);
     buildCharts(column);
     d->link = new LiveLinkPanel(bench, this);
     connect(&d->force->chart(), &StripChart::painted, d->link, [this] {
@@ -122,17 +124,7 @@ void LivePage::buildToolbar(QBoxLayout* row)
     row->addWidget(d->hold);
     row->addWidget(d->tare);
     row->addWidget(d->marker);
-    d->hint = makeLabel({}, "caption", this);
-    d->hint->setWordWrap(true);
-    d->hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    row->addSpacing(8);
-    row->addWidget(d->hint, 1);
-    d->progress = new QProgressBar(this);
-    d->progress->setTextVisible(false);
-    d->progress->setMinimumWidth(120);
-    d->progress->setAccessibleName(tr("Trial squeeze"));
-    d->progress->hide();
-    row->addWidget(d->progress, 1);
+    row->addStretch(1);
     d->squeeze = makeButton(tr("Trial squeeze"), u"media-playback-start"_s, "primary", this);
     d->squeeze->setObjectName("trialButton");
     connect(d->squeeze, &QPushButton::clicked, this, [this] {
@@ -144,6 +136,24 @@ void LivePage::buildToolbar(QBoxLayout* row)
             workbench().arm();
     });
     row->addWidget(d->squeeze);
+}
+
+void LivePage::buildHint(QBoxLayout* column)
+{
+    // One line of the same height for both: the charts stay where they are when a squeeze starts.
+    d->hintLine = new QWidget(this);
+    d->hintLine->setMinimumHeight(20);
+    auto* row = new QHBoxLayout(d->hintLine);
+    setSpacing(row, 0, 0);
+    d->hint = makeLabel({}, "caption", this);
+    d->hint->setWordWrap(true);
+    d->progress = new QProgressBar(this);
+    d->progress->setTextVisible(false);
+    d->progress->setAccessibleName(tr("Trial squeeze"));
+    d->progress->hide();
+    row->addWidget(d->hint);
+    row->addWidget(d->progress);
+    column->addWidget(d->hintLine);
 }
 
 void LivePage::addSpans(QBoxLayout* row)
@@ -237,6 +247,7 @@ void LivePage::refresh()
 void LivePage::setHeld(bool on)
 {
     d->hold->setText(on ? tr("Paused") : tr("Pause"));
+    d->hintLine->setVisible(!on); // cursors and readings need the room
     d->estimate->setVisible(!on);
     d->link->setVisible(!on);
     d->pause->setHeld(on);

@@ -28,6 +28,7 @@ protected:
 private:
     void buildToolbar(class QBoxLayout* row);
     void addSpans(QBoxLayout* row);
+    void buildHint(QBoxLayout* column);
     void buildCharts(QBoxLayout* column);
     void buildPause(QBoxLayout* column);
     void makeShortcuts();

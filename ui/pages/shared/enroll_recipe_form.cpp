@@ -3,13 +3,20 @@
 
 #include "core/base/words.h"
 #include "core/session/enroll/enrollment_storage.h"
+#include "core/session/squeeze/squeeze_job.h"
 #include "ui/context/workbench.h"
+#include "ui/format/recipe_words.h"
 #include "ui/format/shown_unit.h"
+#include "ui/pages/shared/force_picture.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/quantity_box.h"
 
+#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -27,10 +34,11 @@ EnrollRecipeForm::EnrollRecipeForm(Workbench& workbench, QWidget* parent)
     m_maxForce = makeField(tr("Crush limit"), force, {leastForce_N, mostForce_N}, leastForce_N);
     m_maxTravel = makeField(tr("Travel limit"), fieldUnit(MechanicalQuantity::Length), {1e-5, 1}, 1e-5);
     m_peak->setPrefix(u"± "_s);
+    makeKind();
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(24);
-    grid->setVerticalSpacing(4);
+    grid->setVerticalSpacing(2);
     QuantityBox* fields[] = {m_bias, m_peak, m_maxForce, m_bit, m_seconds, m_maxTravel};
     for (int i = 0; i < 6; ++i) {
         auto* label = makeLabel(fields[i]->accessibleName(), "strong", this);
@@ -39,14 +47,22 @@ EnrollRecipeForm::EnrollRecipeForm(Workbench& workbench, QWidget* parent)
         grid->addWidget(label, i / 3 * 2, i % 3);
         grid->addWidget(fields[i], i / 3 * 2 + 1, i % 3);
     }
+    auto* kindLabel = makeLabel(tr("How the force goes"), "strong", this);
+    kindLabel->setBuddy(m_kind);
+    kindLabel->setContentsMargins(0, 8, 0, 0);
+    grid->addWidget(kindLabel, 4, 0);
+    grid->addWidget(m_kind, 5, 0);
+    grid->addWidget(m_picture, 4, 1, 2, 2, Qt::AlignBottom);
+    for (int column = 0; column < 3; ++column)
+        grid->setColumnStretch(column, 1);
     m_summary = makeLabel({}, "second", this);
     m_summary->setObjectName("recipeSummary");
     m_summary->setWordWrap(true);
     m_summary->setMinimumHeight(40);
-    grid->addWidget(m_summary, 4, 0, 1, 3);
+    grid->addWidget(m_summary, 6, 0, 1, 3);
     setFocusProxy(m_bias);
     connect(&workbench, &Workbench::connectionChanged, this, &EnrollRecipeForm::validate);
-    setRecipe({}, false);
+    setRecipe(recipeOfNewTypes(), false);
 }
 
 QuantityBox* EnrollRecipeForm::makeField(const QString& name, const ShownUnit& unit,
@@ -69,7 +85,52 @@ void EnrollRecipeForm::setRecipe(const Recipe& recipe, bool readOnly)
         field->setSi(value);
         field->setEnabled(!readOnly);
     }
+    const QSignalBlocker quiet(m_kind);
+    m_kind->setCurrentIndex(m_kind->findData(static_cast<int>(recipe.kind)));
+    m_kind->setEnabled(!readOnly);
     validate();
+}
+
+void EnrollRecipeForm::makeKind()
+{
+    m_kind = new QComboBox(this);
+    m_kind->setObjectName("recipeKind");
+    m_kind->setAccessibleName(tr("How the force goes"));
+    for (const ExcitationKind kind : RecipeWords::kinds())
+        m_kind->addItem(RecipeWords::name(kind), static_cast<int>(kind));
+    // The fields beside it set the width; the list that opens is as wide as it needs.
+    constexpr int shortest = 8;
+    m_kind->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_kind->setMinimumContentsLength(shortest);
+    m_picture = new ForcePicture(this);
+    connect(m_kind, &QComboBox::currentIndexChanged, this, &EnrollRecipeForm::validate);
+}
+
+ExcitationKind EnrollRecipeForm::kind() const
+{
+    return static_cast<ExcitationKind>(m_kind->currentData().toInt());
+}
+
+GripperIdentity EnrollRecipeForm::gripper() const
+{
+    constexpr double usual_s = 0.0005;
+    GripperIdentity identity;
+    if (m_workbench->connection().state() == ConnectSession::State::Connected)
+        identity = m_workbench->connection().identity();
+    if (!(identity.sampleTime_s > 0))
+        identity.sampleTime_s = usual_s;
+    return identity;
+}
+
+void EnrollRecipeForm::showForce(const Recipe& wanted)
+{
+    const GripperIdentity identity = gripper();
+    std::vector<double> force_N;
+    if (!forceProblem(wanted, identity))
+        force_N = makeExcitation(excitationOptions(wanted, identity, 1)).value_or(force_N);
+    // As it goes in all, which what it is made of depends on; further on it looks alike.
+    force_N.resize(std::min(force_N.size(), static_cast<std::size_t>(std::ceil(1 / identity.sampleTime_s))));
+    m_picture->show(std::move(force_N), wanted.maxForce_N);
 }
 
 Recipe EnrollRecipeForm::recipe() const
@@ -81,6 +142,7 @@ Recipe EnrollRecipeForm::recipe() const
     recipe.seconds = m_seconds->si();
     recipe.maxForce_N = m_maxForce->si();
     recipe.maxTravel_m = m_maxTravel->si();
+    recipe.kind = kind();
     recipe.name = m_name.isEmpty() ? u"squeeze-%1N"_s.arg(recipe.peak_N) : m_name;
     return recipe;
 }
@@ -95,7 +157,12 @@ QString EnrollRecipeForm::problem(const Recipe& recipe) const
                   "least %1.")
             .arg(forceText(recipe.peak_N));
     ConnectSession& connection = m_workbench->connection();
-    if (connection.state() != ConnectSession::State::Connected || !connection.identity().commandable)
+    const bool connected = connection.state() == ConnectSession::State::Connected;
+    if (connected && !connection.identity().commandable)
+        return {}; // nobody will ask it for that force
+    if (const std::optional<Error> unfit = forceProblem(recipe, gripper()))
+        return unfit->describe();
+    if (!connected)
         return {};
     const GripperIdentity identity = connection.identity();
     if (recipe.bias_N + recipe.peak_N > identity.limits.maxForce_N)
@@ -114,12 +181,14 @@ void EnrollRecipeForm::validate()
     const QString wrong = problem(wanted);
     m_valid = wrong.isEmpty();
     m_summary->setText(
-        m_valid ? tr("The force goes from %1 to %2 for %3 s. The gripper stops by itself at %4 or %5.")
-                      .arg(forceText(wanted.bias_N - wanted.peak_N), forceText(wanted.bias_N + wanted.peak_N),
-                           Words::number(wanted.seconds), forceText(wanted.maxForce_N),
-                           lengthText(wanted.maxTravel_m))
+        m_valid ? RecipeWords::tells(wanted.kind) + u' ' +
+                      tr("The force goes from %1 to %2 for %3 s. The gripper stops by itself at %4 or %5.")
+                          .arg(forceText(wanted.bias_N - wanted.peak_N),
+                               forceText(wanted.bias_N + wanted.peak_N), Words::number(wanted.seconds),
+                               forceText(wanted.maxForce_N), lengthText(wanted.maxTravel_m))
                 : wrong);
     setRole(m_summary, m_valid ? "second" : "error");
+    showForce(wanted);
     emit changed();
 }
 

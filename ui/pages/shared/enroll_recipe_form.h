@@ -6,15 +6,18 @@
 
 #include <QWidget>
 
+class QComboBox;
 class QLabel;
 
 namespace gripscope {
 
+class ForcePicture;
 class QuantityBox;
 class Workbench;
+struct GripperIdentity;
 
 /// The fields of a recipe with their units. It says what the forces will be, and what is wrong with them
-/// before anything is sent: above the crush limit, above the gripper's own, or a pull.
+/// before anything is sent, and shows them: above the crush limit, above the gripper's own, or a pull.
 class EnrollRecipeForm : public QWidget {
     Q_OBJECT
 public:
@@ -29,10 +32,18 @@ signals:
 private:
     QuantityBox* makeField(const QString& name, const ShownUnit& unit, std::pair<double, double> range_si,
                            double resolution_si);
+    void makeKind();
     void validate();
+    /// The first second of it.
+    void showForce(const Recipe& wanted);
+    [[nodiscard]] ExcitationKind kind() const;
+    /// The one that is connected; else one that samples as most do.
+    [[nodiscard]] GripperIdentity gripper() const;
     [[nodiscard]] QString problem(const Recipe& recipe) const;
     Workbench* m_workbench;
     QuantityBox *m_peak, *m_bias, *m_bit, *m_seconds, *m_maxForce, *m_maxTravel;
+    QComboBox* m_kind;
+    ForcePicture* m_picture;
     QLabel* m_summary;
     bool m_valid = true;
     QString m_name;

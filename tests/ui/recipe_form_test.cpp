@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_registry.h"
+#include "tests/ui/workbench_fixture.h"
+#include "ui/format/recipe_words.h"
+#include "ui/pages/shared/enroll_recipe_form.h"
+#include "ui/pages/shared/force_picture.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include <set>
+
+using namespace Qt::StringLiterals;
+using namespace gripscope;
+using gripscope::test::longEnough_ms;
+using gripscope::test::unhurriedA;
+using gripscope::test::WindowFixture;
+
+namespace {
+
+/// At the recipe of a new type.
+void beginType(WindowFixture& f, const QString& name)
+{
+    f.window->showPage(u"enroll"_s);
+    auto* field = f.find<QLineEdit>("typeName");
+    field->clear();
+    QTest::keyClicks(field, name);
+    QTest::keyClick(field, Qt::Key_Return);
+    QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Recipe);
+}
+
+/// On the Enroll page: the empty gripper's has a recipe too.
+template <typename T>
+T* onPage(const WindowFixture& f, const char* name = nullptr)
+{
+    T* widget = f.page(u"enroll"_s)->findChild<T*>(QString::fromLatin1(name));
+    if (!widget)
+        qFatal("the Enroll page has no %s", name ? name : T::staticMetaObject.className());
+    return widget;
+}
+
+void choose(QComboBox& kinds, ExcitationKind kind)
+{
+    kinds.setFocus();
+    const int wanted = kinds.findData(static_cast<int>(kind));
+    QVERIFY(wanted >= 0);
+    QTest::keyClick(&kinds, Qt::Key_Home);
+    for (int i = 0; i < wanted; ++i)
+        QTest::keyClick(&kinds, Qt::Key_Down);
+    QCOMPARE(kinds.currentIndex(), wanted);
+}
+
+/// The heights on which the force stands in the picture.
+std::set<int> levelsOf(ForcePicture& picture)
+{
+    const QImage image = picture.grab().toImage();
+    const QRgb force = Theme::instance().tokens().force.rgb();
+    std::set<int> levels;
+    for (int y = 0; y < image.height(); ++y) {
+        int run = 0;
+        for (int x = 0; x < image.width(); ++x)
+            run += image.pixelColor(x, y).rgb() == force ? 1 : 0;
+        if (run > image.width() / 10)
+            levels.insert(y);
+    }
+    return levels;
+}
+
+} // namespace
+
+class RecipeFormTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aNewTypeSeesFrictionUntilSomebodyChoosesOtherwise()
+    {
+        WindowFixture f(false, unhurriedA);
+        beginType(f, u"Cola"_s);
+        auto* kinds = onPage<QComboBox>(f, "recipeKind");
+        QCOMPARE(kinds->currentData().toInt(), static_cast<int>(ExcitationKind::FourLevel));
+        QVERIFY(onPage<QLabel>(f, "recipeSummary")->text().contains(u"friction"_s));
+        auto* picture = onPage<ForcePicture>(f);
+        QVERIFY(picture->isVisible());
+        QVERIFY(levelsOf(*picture).size() >= 4);
+    }
+    void everyKindIsShownSaidAndSqueezed()
+    {
+        WindowFixture f(false, unhurriedA);
+        QStringList said;
+        for (const ExcitationKind kind : RecipeWords::kinds()) {
+            beginType(f, u"Type of "_s + RecipeWords::name(kind));
+            choose(*onPage<QComboBox>(f, "recipeKind"), kind);
+            said << onPage<QLabel>(f, "recipeSummary")->text();
+            f.click(f.find<QPushButton>("recipeNext"));
+            QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Squeeze,
+                                      longEnough_ms);
+            QVERIFY(f.bench->enrollment().recipe().kind == kind);
+            if (!f.bench->connection().armed())
+                f.bench->arm();
+            WindowFixture::clickWhenEnabled(f.find<QPushButton>("enrollSqueezeButton"));
+            QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().squeezes().size(), std::size_t(1), longEnough_ms);
+            const EnrollSqueeze& squeeze = f.bench->enrollment().squeezes().front();
+            QCOMPARE(squeeze.recording.provenance.value(u"excitation"_s), toString(kind));
+            QVERIFY2(squeeze.reason.isEmpty(), qPrintable(squeeze.reason));
+            f.bench->enrollment().restart();
+            QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Name, longEnough_ms);
+        }
+        QCOMPARE(said.removeDuplicates(), 0);
+    }
+    void whatDoesNotFitIsSaidBeforeAnythingMoves()
+    {
+        WindowFixture f(false, unhurriedA);
+        beginType(f, u"Cola"_s);
+        choose(*onPage<QComboBox>(f, "recipeKind"), ExcitationKind::InverseRepeat);
+        const auto* form = onPage<EnrollRecipeForm>(f);
+        QVERIFY(form->isValid());
+        QDoubleSpinBox* seconds = nullptr;
+        for (auto* field : form->findChildren<QDoubleSpinBox*>())
+            if (field->accessibleName() == u"Length"_s)
+                seconds = field;
+        QVERIFY(seconds);
+        seconds->setValue(0.2); // 40 bits of 5 ms: eight periods of 14 do not fit
+        QVERIFY(!form->isValid());
+        QVERIFY(onPage<QLabel>(f, "recipeSummary")->text().contains(u"at least 0.56 s"_s));
+        QVERIFY(!f.find<QPushButton>("recipeNext")->isEnabled());
+        choose(*onPage<QComboBox>(f, "recipeKind"), ExcitationKind::FourLevel);
+        QVERIFY(form->isValid());
+    }
+};
+
+GRIPSCOPE_TEST(RecipeFormTest)
+#include "recipe_form_test.moc"
