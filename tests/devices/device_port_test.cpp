@@ -201,9 +201,7 @@ private slots:
     void aFrozenOwnerStopsTheGripper()
     {
         Watched gripper(Watched::transport(1));
-        QVERIFY(gripper.ready() && gripper.arm());
-        QVERIFY(gripper.gate.start(usualForce(20000)).has_value()); // ten seconds
-        QVERIFY(gripper.pollUntil([&] { return gripper.port->squeezeState() == SqueezeState::Running; }));
+        QVERIFY(gripper.ready() && gripper.squeezesForLong());
         // From here on nobody says that the owner is alive.
         QVERIFY(waitFor([&] {
             gripper.port->drain(gripper.samples);
@@ -231,9 +229,7 @@ private slots:
     void stopReachesTheDeviceWhileTheOwnerIsBusy()
     {
         Watched gripper(Watched::transport(1));
-        QVERIFY(gripper.ready() && gripper.arm());
-        QVERIFY(gripper.gate.start(usualForce(20000)).has_value());
-        QVERIFY(gripper.pollUntil([&] { return gripper.port->squeezeState() == SqueezeState::Running; }));
+        QVERIFY(gripper.ready() && gripper.squeezesForLong());
         // The owner does nothing here but wait for another thread, as if it were computing.
         std::future<std::int64_t> stopped = std::async(std::launch::async, [&] {
             const std::int64_t before = Clock::now().time_since_epoch().count();
@@ -251,9 +247,7 @@ private slots:
     void whatBecameOfAStopIsKnownThoughTheWriteHangs()
     {
         Watched gripper(Watched::transport(1));
-        QVERIFY(gripper.ready() && gripper.arm());
-        QVERIFY(gripper.gate.start(usualForce(20000)).has_value());
-        QVERIFY(gripper.pollUntil([&] { return gripper.port->squeezeState() == SqueezeState::Running; }));
+        QVERIFY(gripper.ready() && gripper.squeezesForLong());
         gripper.wire->stopWritten = 0;
         gripper.wire->writeTakes = std::chrono::seconds(5); // as a hidraw node may
         const int before = gripper.wire->heartbeats.load();
@@ -351,9 +345,7 @@ private slots:
     void closingWhileArmedStopsTheGripper()
     {
         Watched gripper(Watched::transport(1));
-        QVERIFY(gripper.ready() && gripper.arm());
-        QVERIFY(gripper.gate.start(usualForce(20000)).has_value());
-        QVERIFY(gripper.pollUntil([&] { return gripper.port->squeezeState() == SqueezeState::Running; }));
+        QVERIFY(gripper.ready() && gripper.squeezesForLong());
         gripper.port->close();
         QVERIFY(gripper.wire->stopWritten.load() != 0);
     }

@@ -28,13 +28,8 @@ private slots:
         Watched first(Watched::transport(1)), second(Watched::transport(1));
         {
             const EndSignals ending([&] { told = true; });
-            for (Watched* gripper : {&first, &second}) {
-                QVERIFY(gripper->ready() && gripper->arm());
-                QVERIFY(gripper->gate.start(usualForce(20000)).has_value());
-                QVERIFY(gripper->pollUntil(
-                    [&] { return gripper->port->squeezeState() == SqueezeState::Running; }));
-                gripper->wire->stopWritten = 0;
-            }
+            for (Watched* gripper : {&first, &second})
+                QVERIFY(gripper->ready() && gripper->squeezesForLong());
             QCOMPARE(raise(signal), 0);
             // The owner of the grippers does nothing: nobody polls.
             QVERIFY(waitFor([&] { return told.load(); }));

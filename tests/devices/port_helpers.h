@@ -99,6 +99,22 @@ struct OpenPort {
     std::vector<Sample> samples; ///< all that was drained
 };
 
+/// A gripper of its own that has done what `squeezes` says; empty where none ever does. In real time a busy
+/// computer may keep one waiting for so long that its watchdog trips: then it is another one's turn.
+inline std::unique_ptr<OpenPort> gripperThat(const QString& address,
+                                             const std::function<bool(OpenPort&)>& squeezes)
+{
+    constexpr int mostTries = 20;
+    for (int tries = 0; tries < mostTries; ++tries) {
+        auto gripper = std::make_unique<OpenPort>(address);
+        if (squeezes(*gripper))
+            return gripper;
+        if (const auto error = gripper->port->lastError())
+            qInfo("another one: %s", qPrintable(error->describe()));
+    }
+    return nullptr;
+}
+
 /// The samples taken while the excitation ran.
 inline std::vector<Sample> samplesMoving(const std::vector<Sample>& samples)
 {

@@ -69,25 +69,12 @@ std::pair<double, double> stopTimes(const QString& captureFile)
             return wire;
         return std::make_shared<CapturingTransport>(wire, captureFile);
     };
-    OpenPort gripper(std::make_unique<DevicePort>(u"virtual:"_qs, make));
+    Watched gripper(wire, make);
     std::vector<double> times_ms;
     constexpr int stops = 21;
     for (int i = 0; i < stops; ++i) {
-        // Kept waiting by its neighbours, the gripper may have been stopped by its watchdog: once more then.
-        bool running = false;
-        for (int tries = 0; tries < 20 && !running; ++tries) {
-            running = gripper.arm() && gripper.gate.start(usualForce(20000)) && gripper.pollUntil([&] {
-                return gripper.port->squeezeState() == SqueezeState::Running || gripper.squeezeEnded();
-            }) && !gripper.squeezeEnded();
-            if (running)
-                break;
-            if (const auto error = gripper.port->lastError())
-                qInfo("once more: %s", qPrintable(error->describe()));
-            std::this_thread::sleep_for(std::chrono::milliseconds(300));
-        }
-        if (!running)
+        if (!gripper.squeezesForLong())
             return {1e9, 1e9};
-        wire->stopWritten = 0; // the last stop's repeats are over: it was armed since
         const auto before = Clock::now();
         gripper.port->stop();
         if (!waitFor([&] { return wire->stopWritten.load() != 0; }))

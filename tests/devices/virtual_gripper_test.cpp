@@ -41,10 +41,12 @@ private slots:
     void squeezesAsCommanded()
     {
         QFETCH(QString, speed);
-        OpenPort gripper(u"virtual:?object=A&seed=3&speed="_qs + speed);
         const std::vector<double> force_N = usualForce(1000);
-        QCOMPARE(gripper.squeeze(force_N), SqueezeState::Finished);
-        const std::vector<Sample> squeeze = samplesMoving(gripper.samples);
+        const auto gripper = gripperThat(u"virtual:?object=A&seed=3&speed="_qs + speed, [&](OpenPort& one) {
+            return one.squeeze(force_N) == SqueezeState::Finished;
+        });
+        QVERIFY(gripper);
+        const std::vector<Sample> squeeze = samplesMoving(gripper->samples);
         QCOMPARE(squeeze.size(), force_N.size());
         // What a held force does to the object of the first draw, exactly.
         const MassDampingStiffness object = VirtualObject::fromText(u"A"_qs)->draw(3, 0);
@@ -60,7 +62,7 @@ private slots:
             QVERIFY(std::abs(squeeze[i].time_s - squeeze.front().time_s - 0.0005 * static_cast<double>(i)) <
                     1e-9);
         }
-        const LinkCounters counters = gripper.port->counters();
+        const LinkCounters counters = gripper->port->counters();
         QCOMPARE(counters.lostSamples, std::uint64_t(0));
         QCOMPARE(counters.badReports, std::uint64_t(0));
         QCOMPARE(counters.droppedSamples, std::uint64_t(0));
@@ -68,21 +70,25 @@ private slots:
 
     void takesTheNextSqueezeWhileItSettles()
     {
-        OpenPort gripper(u"virtual:?object=B&speed=1"_qs);
-        QVERIFY(gripper.ready() && gripper.arm());
-        const auto settled = [&] { // 10 ms of rest after the force, of the 60 that the device gives
-            std::size_t rest = 0;
-            for (auto sample = gripper.samples.rbegin(); sample != gripper.samples.rend(); ++sample, ++rest)
-                if (sample->status & StatusMoving)
-                    return rest >= 20;
-            return false;
+        const auto squeezesTwice = [](OpenPort& gripper) {
+            const auto settled = [&] { // 10 ms of rest after the force, of the 60 that the device gives
+                std::size_t rest = 0;
+                for (auto sample = gripper.samples.rbegin(); sample != gripper.samples.rend();
+                     ++sample, ++rest)
+                    if (sample->status & StatusMoving)
+                        return rest >= 20;
+                return false;
+            };
+            const auto stopped = [&] { return gripper.port->squeezeState() == SqueezeState::Stopped; };
+            return gripper.ready() && gripper.arm() && gripper.gate.start(usualForce(200)) &&
+                   gripper.pollUntil([&] { return settled() || stopped(); }) && !stopped() &&
+                   gripper.gate.start(usualForce(200)) &&
+                   gripper.pollUntil([&] { return gripper.squeezeEnded(); }) && !stopped();
         };
-        QVERIFY(gripper.gate.start(usualForce(200)).has_value());
-        QVERIFY(gripper.pollUntil(settled));
-        QVERIFY(gripper.gate.start(usualForce(200)).has_value());
-        QVERIFY(gripper.pollUntil([&] { return gripper.squeezeEnded(); }));
-        QCOMPARE(gripper.port->squeezeState(), SqueezeState::Finished);
-        QCOMPARE(samplesMoving(gripper.samples).size(), std::size_t(400));
+        const auto gripper = gripperThat(u"virtual:?object=B&speed=1"_qs, squeezesTwice);
+        QVERIFY(gripper);
+        QCOMPARE(gripper->port->squeezeState(), SqueezeState::Finished);
+        QCOMPARE(samplesMoving(gripper->samples).size(), std::size_t(400));
     }
 
     void asFastAsItCanIsTheSameOnEveryRun()

@@ -60,9 +60,10 @@ private:
 
 /// A port on one.
 struct Watched : OpenPort {
-    explicit Watched(std::shared_ptr<WatchedTransport> made)
-        : OpenPort(std::make_unique<DevicePort>(QStringLiteral("virtual:"), [made] { return made; })),
-          wire(std::move(made))
+    explicit Watched(std::shared_ptr<WatchedTransport> made) : Watched(made, [made] { return made; }) {}
+    /// `transport`: with something between it and the port.
+    Watched(std::shared_ptr<WatchedTransport> made, const TransportMaker& transport)
+        : OpenPort(std::make_unique<DevicePort>(QStringLiteral("virtual:"), transport)), wire(std::move(made))
     {
     }
     /// `faults`: lines of a script.
@@ -72,6 +73,24 @@ struct Watched : OpenPort {
         address.speed = speed;
         address.faults = parseFaultScript(faults, QStringLiteral("faults")).value();
         return std::make_shared<WatchedTransport>(address);
+    }
+    /// Armed, and in the midst of ten seconds of squeezing; begun anew where a busy computer kept the gripper
+    /// waiting for so long that its watchdog ended it.
+    bool squeezesForLong()
+    {
+        constexpr int mostTries = 20;
+        const auto runs = [this] { return port->squeezeState() == SqueezeState::Running; };
+        for (int tries = 0; tries < mostTries; ++tries) {
+            if (arm() && gate.start(usualForce(20000)) &&
+                pollUntil([&] { return runs() || squeezeEnded(); }) && runs()) {
+                wire->stopWritten = 0; // of a try before; its repeats are over, for it was armed since
+                return true;
+            }
+            if (const auto error = port->lastError())
+                qInfo("once more: %s", qPrintable(error->describe()));
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        }
+        return false;
     }
     std::shared_ptr<WatchedTransport> wire;
 };
