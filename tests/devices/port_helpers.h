@@ -84,6 +84,8 @@ struct OpenPort {
         return state == SqueezeState::Finished || state == SqueezeState::Stopped ||
                state == SqueezeState::Refused;
     }
+    /// It ended, or there is nothing left that could: the gripper's watchdog disarmed it first.
+    bool squeezeIsOver() const { return squeezeEnded() || port->state() != LinkState::Armed; }
     /// Opens, arms, squeezes to the end; the state the squeeze ended in.
     SqueezeState squeeze(const std::vector<double>& force_N)
     {

@@ -42,9 +42,12 @@ private slots:
     {
         QFETCH(QString, speed);
         const std::vector<double> force_N = usualForce(1000);
-        const auto gripper = gripperThat(u"virtual:?object=A&seed=3&speed="_qs + speed, [&](OpenPort& one) {
-            return one.squeeze(force_N) == SqueezeState::Finished;
-        });
+        const auto squeezes = [&](OpenPort& one) {
+            return one.ready() && one.arm() && one.gate.start(force_N) &&
+                   one.pollUntil([&] { return one.squeezeIsOver(); }) &&
+                   one.port->squeezeState() == SqueezeState::Finished;
+        };
+        const auto gripper = gripperThat(u"virtual:?object=A&seed=3&speed="_qs + speed, squeezes);
         QVERIFY(gripper);
         const std::vector<Sample> squeeze = samplesMoving(gripper->samples);
         QCOMPARE(squeeze.size(), force_N.size());
@@ -79,11 +82,11 @@ private slots:
                         return rest >= 20;
                 return false;
             };
-            const auto stopped = [&] { return gripper.port->squeezeState() == SqueezeState::Stopped; };
+            const auto armed = [&] { return gripper.port->state() == LinkState::Armed; };
             return gripper.ready() && gripper.arm() && gripper.gate.start(usualForce(200)) &&
-                   gripper.pollUntil([&] { return settled() || stopped(); }) && !stopped() &&
+                   gripper.pollUntil([&] { return settled() || !armed(); }) && armed() &&
                    gripper.gate.start(usualForce(200)) &&
-                   gripper.pollUntil([&] { return gripper.squeezeEnded(); }) && !stopped();
+                   gripper.pollUntil([&] { return gripper.squeezeIsOver(); }) && armed();
         };
         const auto gripper = gripperThat(u"virtual:?object=B&speed=1"_qs, squeezesTwice);
         QVERIFY(gripper);

@@ -82,7 +82,7 @@ struct Watched : OpenPort {
         const auto runs = [this] { return port->squeezeState() == SqueezeState::Running; };
         for (int tries = 0; tries < mostTries; ++tries) {
             if (arm() && gate.start(usualForce(20000)) &&
-                pollUntil([&] { return runs() || squeezeEnded(); }) && runs()) {
+                pollUntil([&] { return runs() || squeezeIsOver(); }) && runs()) {
                 wire->stopWritten = 0; // of a try before; its repeats are over, for it was armed since
                 return true;
             }
