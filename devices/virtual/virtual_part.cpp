@@ -5,10 +5,16 @@ namespace gripscope {
 
 namespace {
 
+/// The part's and the gripper's own act on the same motion.
+double frictionOf(const VirtualTerms& further)
+{
+    return further.friction_N + further.ownFriction_N;
+}
+
 MotionTerms termsOf(const VirtualTerms& further)
 {
     MotionTerms terms;
-    terms.friction = further.friction_N + further.ownFriction_N > 0;
+    terms.friction = frictionOf(further) > 0;
     terms.relaxation = further.relaxingShare > 0;
     terms.cubic = further.cubic != 0;
     return terms;
@@ -22,7 +28,7 @@ MotionIntegrator<double>::Coefficients coefficientsOf(const MassDampingStiffness
     values[P::Mass] = object.m;
     values[P::Damping] = object.b;
     values[P::Stiffness] = object.k;
-    values[P::Friction] = further.friction_N + further.ownFriction_N;
+    values[P::Friction] = frictionOf(further);
     values[P::Relaxing] = further.relaxingShare * object.k;
     values[P::RelaxationTime] = further.relaxationTime_s;
     values[P::Cubic] = further.cubic;
