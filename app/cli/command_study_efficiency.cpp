@@ -105,8 +105,19 @@ int runEfficiencyStudy(const QStringList& arguments)
         u"settings"_qs, u"LIST"_qs,
         u"Only these: types (A to D), prbs, multisine, fits (85, 90, 95), samples (200, 1000), or names "
         "such as A-prbs-90-200. Without it all 48."_qs);
+    line.option(
+        u"models"_qs, u"LIST"_qs,
+        u"In place of these, parts of which a model is true under four levels of force: oe, friction, "
+        "zener, duffing, or all."_qs);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
+    if (line.isSet(u"models"_qs)) {
+        for (const QString& other : {u"estimators"_qs, u"settings"_qs})
+            if (line.isSet(other))
+                line.reject(
+                    u"--models has settings and estimators of its own; leave --%1 out."_qs.arg(other));
+        return runModelStudy(line, line.list(u"models"_qs));
+    }
     EfficiencyOptions options = readEfficiencyOptions(line);
     if (const std::optional<int> exit = line.finish())
         return *exit;

@@ -127,18 +127,21 @@ VerdictOptions verdictRates(CommandLine& line)
 
 void addExcitationKind(CommandLine& line)
 {
-    line.option(u"excitation"_qs, u"KIND"_qs,
-                u"step, prbs, four-level (prbs that also tells friction), multisine, chirp or "
-                "inverse-repeat (for the estimator periodic)."_qs,
-                u"prbs"_qs);
+    line.option(
+        u"excitation"_qs, u"KIND"_qs,
+        u"step, prbs, four-level (prbs that also tells friction), prbs-sine (friction best), prbs-hold "
+        "(what goes on yielding), multisine, chirp or inverse-repeat (for the estimator periodic)."_qs,
+        u"prbs"_qs);
     line.option(u"periods"_qs, u"N"_qs,
                 u"How often inverse-repeat (without it: 8) or multisine (1) repeats within the record."_qs);
 }
 
 ExcitationKind excitationKind(CommandLine& line)
 {
-    (void)line.choice(u"excitation"_qs, {u"step"_qs, u"prbs"_qs, u"four-level"_qs, u"multisine"_qs,
-                                         u"chirp"_qs, u"inverse-repeat"_qs});
+    QStringList names;
+    for (const ExcitationKind kind : excitationKinds())
+        names << toString(kind);
+    (void)line.choice(u"excitation"_qs, names);
     return excitationKindFromString(line.text(u"excitation"_qs)).value_or(ExcitationKind::Prbs);
 }
 

@@ -23,6 +23,8 @@ void readStudyOptions(CommandLine& line, Options& options)
     options.seed = line.seed();
     options.threads = line.integer(QStringLiteral("threads"), 0, 1024);
 }
+/// `study efficiency --models`, after the line was parsed.
+[[nodiscard]] int runModelStudy(CommandLine& line, const QStringList& models);
 /// A line on standard error at each twentieth of the way.
 [[nodiscard]] std::function<void(std::int64_t, std::int64_t)> progressLines();
 

@@ -14,8 +14,8 @@ namespace gripscope {
 
 namespace {
 
-/// A Duffing search takes some microseconds a sample and iteration: a second for this many.
-constexpr std::size_t longestCubic = 100'000;
+/// A search takes some microseconds a sample and iteration: a second for this many.
+constexpr std::size_t longestTried = 100'000;
 
 bool hasLinear(const Identification& identification)
 {
@@ -37,7 +37,7 @@ double worthSearching(const MotionTerms& terms, std::size_t samples)
 bool isWorthSearching(const Identification& identification, const PreparedRecord& record,
                       const MotionOptions& options)
 {
-    return hasLinear(identification) && record.lost.empty() && record.force.size() <= longestCubic &&
+    return hasLinear(identification) && record.lost.empty() && record.force.size() <= longestTried &&
            expectedGain(record.force, record.position, options) >=
                worthSearching(options.terms, record.force.size());
 }
@@ -54,26 +54,10 @@ MotionOptions fromLinear(Estimator estimator, const Identification& identificati
     return options;
 }
 
-/// A cubic spring: the one that was asked for; else it is tried where that is worth it.
-std::optional<Estimate> cubicOf(const Identification& identification, const PreparedRecord& record,
-                                const EstimatorTask& task)
-{
-    MotionOptions options = fromLinear(Estimator::Duffing, identification, record, task);
-    options.terms.cubic = true;
-    std::optional<Estimate> cubic;
-    if (const Estimate* const found = identification.find(Estimator::Duffing))
-        cubic = *found;
-    else if (isWorthSearching(identification, record, options))
-        cubic = runEstimator(Estimator::Duffing, record, task);
-    if (cubic && cubic->status != EstimateStatus::Converged)
-        cubic.reset();
-    return cubic;
-}
-
-/// A motion with further terms: the one that was asked for; else it is tried as a cubic spring is. With
+/// A motion with further terms: the one that was asked for; else it is tried where that is worth it. With
 /// parameters, settled or not.
-std::optional<Estimate> motionOf(Estimator estimator, const Identification& identification,
-                                 const PreparedRecord& record, const EstimatorTask& task)
+std::optional<Estimate> motionWith(Estimator estimator, const Identification& identification,
+                                   const PreparedRecord& record, const EstimatorTask& task)
 {
     std::optional<Estimate> motion;
     const MotionOptions options = fromLinear(estimator, identification, record, task);
@@ -105,7 +89,7 @@ double gainOver(const Estimate& linear, const std::optional<Estimate>& other)
 std::vector<Estimate> motionsOf(const FurtherTerms& further)
 {
     std::vector<Estimate> all;
-    for (const auto& one : {further.friction, further.relaxing, further.together})
+    for (const auto& one : {further.cubic, further.friction, further.relaxing, further.together})
         if (one)
             all.push_back(*one);
     return all;
@@ -117,9 +101,9 @@ void FurtherTerms::findPart(std::int64_t part, const Identification& identificat
                             const PreparedRecord& record, const EstimatorTask& task)
 {
     if (part == 0)
-        cubic = cubicOf(identification, record, task);
+        cubic = settled(motionWith(Estimator::Duffing, identification, record, task));
     else if (part == 1)
-        friction = settled(motionOf(Estimator::Friction, identification, record, task));
+        friction = settled(motionWith(Estimator::Friction, identification, record, task));
     else
         findYielding(identification, record, task);
 }
@@ -127,7 +111,7 @@ void FurtherTerms::findPart(std::int64_t part, const Identification& identificat
 void FurtherTerms::findYielding(const Identification& identification, const PreparedRecord& record,
                                 const EstimatorTask& task)
 {
-    std::optional<Estimate> found = motionOf(Estimator::Zener, identification, record, task);
+    std::optional<Estimate> found = motionWith(Estimator::Zener, identification, record, task);
     if (found && found->status == EstimateStatus::NotConverged && hasLinear(identification))
         unsettledYielding = gainOver(*identification.find(Estimator::OutputError), found);
     relaxing = settled(std::move(found));
@@ -149,7 +133,7 @@ void FurtherTerms::findTogether(const Identification& identification, const Prep
     const Estimator both = least == byCubic      ? Estimator::FrictionZener
                            : least == byRelaxing ? Estimator::FrictionDuffing
                                                  : Estimator::ZenerDuffing;
-    together = settled(motionOf(both, identification, record, task));
+    together = settled(motionWith(both, identification, record, task));
 }
 
 ModelComparison comparisonOf(const Identification& identification, const PreparedRecord& record,
@@ -158,9 +142,9 @@ ModelComparison comparisonOf(const Identification& identification, const Prepare
 {
     if (!hasLinear(identification))
         return {};
-    ModelComparison comparison = compareModels(
-        record.force, record.position, outputErrorOptions(record, task),
-        *identification.find(Estimator::OutputError), otherHold, further.cubic, motionsOf(further));
+    ModelComparison comparison =
+        compareModels(record.force, record.position, outputErrorOptions(record, task),
+                      *identification.find(Estimator::OutputError), otherHold, motionsOf(further));
     comparison.unsettledYielding = further.unsettledYielding;
     return comparison;
 }
@@ -170,7 +154,7 @@ const Estimate* betterMotion(const ModelComparison& comparison)
     if (!comparison.decisive || comparison.ranked.empty())
         return nullptr;
     const Estimate& best = comparison.ranked.front().estimate;
-    return best.motion ? &best : nullptr;
+    return best.motion && best.estimator != Estimator::Duffing ? &best : nullptr;
 }
 
 void nameFurtherTerms(Identification& data, const QString& forceUnit)

@@ -33,7 +33,8 @@ private:
                                            const EstimatorTask& task, const Estimate& otherHold,
                                            const FurtherTerms& further);
 
-/// The motion with further terms that explains the record decisively better, if one does.
+/// The motion with further terms that explains the record decisively better, if one does. A cubic spring
+/// alone is none: it is believed where it was asked for.
 [[nodiscard]] const Estimate* betterMotion(const ModelComparison& comparison);
 
 /// Says so in the comparison's sentence: "friction of 0.4 N explains this squeeze; without it k would read 4

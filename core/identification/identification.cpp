@@ -48,15 +48,14 @@ ModelDiscrepancy windowDiscrepancy(const PreparedRecord& record, const Estimator
     each.freeInitialState = true;
     each.residuals = ResidualDepth::Noise;
     // Windows of a repeating force need not hold whole periods.
-    const bool further = whole.motion || whole.estimator == Estimator::Duffing;
-    const Estimator estimator = further ? whole.estimator : Estimator::OutputError;
+    const Estimator estimator = whole.motion ? whole.estimator : Estimator::OutputError;
     const auto estimateWindow = [&](Window window) {
         Estimate part = runEstimator(estimator, windowOf(record, window), each);
         if (part.motion)
             motions.push_back(*part.motion);
         return part;
     };
-    if (whole.motion && !whole.parameters) // no mass or no spring: what there is is compared one by one
+    if (whole.isPartialMotion()) // no mass or no spring: what there is is compared one by one
         for (const Window& window : evenWindows(record.force.size()))
             estimateWindow(window);
     return modelDiscrepancy(record.force.size(), record.sampleTime_s, whole, estimateWindow);
@@ -116,18 +115,12 @@ std::optional<Finding> unusable(const PreparedRecord& record)
     return std::nullopt;
 }
 
-/// With m, b and k, or a motion that has no mass or no spring and was found.
-bool hasAnswer(const Estimate& estimate)
-{
-    return estimate.parameters || (estimate.motion && estimate.status == EstimateStatus::Converged);
-}
-
 /// Output error where it converged; else the estimate that simulates best.
 Estimator recommend(const std::vector<Estimate>& estimates)
 {
     const Estimate* best = nullptr;
     for (const Estimate& estimate : estimates) {
-        if (!hasAnswer(estimate))
+        if (!estimate.hasAnswer())
             continue;
         if (estimate.estimator == Estimator::OutputError && estimate.status == EstimateStatus::Converged)
             return estimate.estimator;
@@ -295,7 +288,7 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     judgeBaseline(result);
     result.validity.verdict = overallVerdict(result.validity.checks);
     const Estimate* const best = result.find(result.recommended);
-    if (best != nullptr && hasAnswer(*best) && options.assess)
+    if (best != nullptr && best->hasAnswer() && options.assess)
         shareAmongThreads(2, 0, [&](std::int64_t part) {
             if (part == 0)
                 result.budget = budgetOf(*best, record, task, result.tellingHold());

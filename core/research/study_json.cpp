@@ -6,6 +6,7 @@
 #include "core/research/early_decision_study.h"
 #include "core/research/efficiency_study.h"
 #include "core/research/excitation_design.h"
+#include "core/research/model_efficiency.h"
 #include "core/research/recognition_study.h"
 #include "core/research/truth_study.h"
 
@@ -260,6 +261,46 @@ QJsonObject toJson(const RecognitionStudy& study, const RecognitionStudyOptions&
                           inWords(binomialEvidence(paper.squeezes - paper.leaveOneOutCorrect, paper.squeezes),
                                   VerdictOptions{}.wrongType)
                               .english()}}}};
+}
+
+QJsonObject toJson(const ModelEfficiencyStudy& study, const ModelEfficiencyOptions& options)
+{
+    QJsonArray rows;
+    for (const ModelEfficiencyRow& row : study.rows) {
+        QJsonObject parameters;
+        const bool any = row.used > 0;
+        for (const ModelParameterEfficiency& p : row.parameters)
+            parameters[toString(p.parameter)] =
+                QJsonObject{{u"truth"_s, p.truth},
+                            {u"bound"_s, known(any, p.bound)},
+                            {u"ratio"_s, known(any, p.ratio)},
+                            {u"coverage_percent"_s, known(any, p.coveragePercent)}};
+        QJsonObject failed;
+        for (const auto& [status, count] : row.failed)
+            failed[toString(status)] = count;
+        const bool rubs = parameters.contains(toString(MotionParameter::Friction));
+        rows.append(QJsonObject{{u"setting"_s, row.setting.squeeze.name},
+                                {u"estimator"_s, toString(row.setting.estimator)},
+                                {u"runs"_s, row.runs},
+                                {u"used"_s, row.used},
+                                {u"failed"_s, failed},
+                                {u"near_zero"_s, row.nearZero},
+                                {u"friction_limit_percent"_s, known(any && rubs, row.limitPercent)},
+                                {u"parameters"_s, parameters}});
+    }
+    QJsonArray pooled;
+    for (const PooledModelEfficiency& one : study.pooled)
+        pooled.append(QJsonObject{{u"estimator"_s, toString(one.estimator)},
+                                  {u"runs"_s, static_cast<qint64>(one.runs)},
+                                  {u"used"_s, static_cast<qint64>(one.used)},
+                                  {u"ratio"_s, known(one.used > 0, one.ratio)},
+                                  {u"coverage_percent"_s, known(one.used > 0, one.coveragePercent)},
+                                  {u"friction_limit_percent"_s,
+                                   known(one.limitPercent.has_value(), one.limitPercent.value_or(0))}});
+    return {{u"runs"_s, options.runs},
+            {u"seed"_s, static_cast<qint64>(options.seed)},
+            {u"rows"_s, rows},
+            {u"pooled"_s, pooled}};
 }
 
 QJsonObject toJson(const TruthStudy& study, const TruthStudyOptions& options)

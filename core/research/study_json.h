@@ -15,6 +15,8 @@ struct EfficiencyStudy;
 struct ExcitationDesign;
 struct RecognitionStudy;
 struct RecognitionStudyOptions;
+struct ModelEfficiencyOptions;
+struct ModelEfficiencyStudy;
 struct TruthStudy;
 struct TruthStudyOptions;
 
@@ -23,6 +25,9 @@ struct TruthStudyOptions;
 
 /// The document of `gripscope-cli study efficiency --json`. Numbers without runs behind them are null.
 [[nodiscard]] QJsonObject toJson(const EfficiencyStudy& study, const EfficiencyOptions& options);
+
+/// That of `gripscope-cli study efficiency --models ... --json`.
+[[nodiscard]] QJsonObject toJson(const ModelEfficiencyStudy& study, const ModelEfficiencyOptions& options);
 
 /// The document of `gripscope-cli study early --json`.
 [[nodiscard]] QJsonObject toJson(const std::vector<EarlyDecisionStudy>& rows,

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/research/truth_study.h"
+#include "core/research/truth_settings.h"
 
+#include "core/math/gaussian.h"
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace gripscope {
 
@@ -157,6 +161,73 @@ std::vector<TruthSetting> truthSettings()
     addTheCan(all);
     addOthers(all);
     return all;
+}
+
+std::vector<ModelSetting> modelSettings()
+{
+    std::vector<ModelSetting> all{{Estimator::OutputError, can(u"plain"_s, 4)}};
+    for (const double friction : {0.0, 0.01, 0.1, 0.3, 1.0})
+        all.push_back({Estimator::Friction, rubbing(friction, 4)});
+    for (const auto& [share, tau_s] : {std::pair(0.05, 0.05), {0.3, 0.05}, {0.3, 0.005}})
+        all.push_back({Estimator::Zener, yielding(share, tau_s, 4)});
+    for (const double share : {0.05, -0.005})
+        all.push_back({Estimator::Duffing, bent(can(u"spring"_s, 4), share)});
+    return all;
+}
+
+MotionTerms termsOf(const RealPart& part)
+{
+    return {.friction = part.friction > 0, .relaxation = part.relaxing > 0, .cubic = part.cubic != 0};
+}
+
+MotionValues valuesOf(const RealPart& part)
+{
+    using P = MotionParameter;
+    MotionValues values;
+    values[P::Mass] = part.m;
+    values[P::Damping] = part.b;
+    values[P::Stiffness] = part.k;
+    values[P::Friction] = part.friction;
+    values[P::Relaxing] = part.relaxing;
+    values[P::RelaxationTime] = part.relaxationTime_s;
+    values[P::Cubic] = part.cubic;
+    return values;
+}
+
+Recording drawSqueeze(const TruthSetting& setting, std::uint64_t seed)
+{
+    Recording recording;
+    recording.sampleTime_s = setting.sampleTime_s;
+    recording.hold = ForceHold::Zero;
+    recording.forceUnit = QStringLiteral("N");
+    recording.positionUnit = QStringLiteral("m");
+    std::mt19937_64 draws(seed);
+    GaussianNoise noise(seed + 1);
+    const auto samples = static_cast<int>(std::lround(setting.seconds / setting.sampleTime_s));
+    const int bit = std::max(1, static_cast<int>(std::lround(setting.bit_s / setting.sampleTime_s)));
+    const auto levels = static_cast<std::uint64_t>(setting.levels);
+    std::vector<double> times_s;
+    double force = 0;
+    for (int i = 0; i < samples; ++i) {
+        if (i % bit == 0)
+            force = setting.bias +
+                    setting.amplitude *
+                        (2 * static_cast<double>(draws() % levels) / static_cast<double>(levels - 1) - 1);
+        recording.time_s.push_back(i * setting.sampleTime_s);
+        recording.force.push_back(force);
+        // Cut at 3.3 deviations, so that the times still rise.
+        const double beside = std::clamp(setting.jitterShare * noise(), -0.33, 0.33);
+        times_s.push_back(std::max(0.0, (i + beside) * setting.sampleTime_s));
+    }
+    // At rest under the bias before.
+    std::vector<double> forceTimes_s{-1.0};
+    std::vector<double> forces{setting.bias};
+    forceTimes_s.insert(forceTimes_s.end(), recording.time_s.begin(), recording.time_s.end());
+    forces.insert(forces.end(), recording.force.begin(), recording.force.end());
+    recording.position = simulateRealPart(setting.part, forceTimes_s, forces, ForceHold::Zero, times_s);
+    for (double& x : recording.position)
+        x += setting.noise_m * noise();
+    return recording;
 }
 
 } // namespace gripscope

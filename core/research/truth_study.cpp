@@ -3,11 +3,9 @@
 
 #include "core/base/parallel_runs.h"
 #include "core/identification/identification.h"
-#include "core/math/gaussian.h"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace gripscope {
 
@@ -16,42 +14,6 @@ namespace {
 /// Of the interval's variance of k: from there on it is twice as wide as without.
 constexpr double doubling = 0.75;
 constexpr double liesFrom = 4;
-
-Recording squeeze(const TruthSetting& setting, std::uint64_t seed)
-{
-    Recording recording;
-    recording.sampleTime_s = setting.sampleTime_s;
-    recording.hold = ForceHold::Zero;
-    recording.forceUnit = QStringLiteral("N");
-    recording.positionUnit = QStringLiteral("m");
-    std::mt19937_64 draws(seed);
-    GaussianNoise noise(seed + 1);
-    const auto samples = static_cast<int>(std::lround(setting.seconds / setting.sampleTime_s));
-    const int bit = std::max(1, static_cast<int>(std::lround(setting.bit_s / setting.sampleTime_s)));
-    const auto levels = static_cast<std::uint64_t>(setting.levels);
-    std::vector<double> times_s;
-    double force = 0;
-    for (int i = 0; i < samples; ++i) {
-        if (i % bit == 0)
-            force = setting.bias +
-                    setting.amplitude *
-                        (2 * static_cast<double>(draws() % levels) / static_cast<double>(levels - 1) - 1);
-        recording.time_s.push_back(i * setting.sampleTime_s);
-        recording.force.push_back(force);
-        // Cut at 3.3 deviations, so that the times still rise.
-        const double beside = std::clamp(setting.jitterShare * noise(), -0.33, 0.33);
-        times_s.push_back(std::max(0.0, (i + beside) * setting.sampleTime_s));
-    }
-    // At rest under the bias before.
-    std::vector<double> forceTimes_s{-1.0};
-    std::vector<double> forces{setting.bias};
-    forceTimes_s.insert(forceTimes_s.end(), recording.time_s.begin(), recording.time_s.end());
-    forces.insert(forces.end(), recording.force.begin(), recording.force.end());
-    recording.position = simulateRealPart(setting.part, forceTimes_s, forces, ForceHold::Zero, times_s);
-    for (double& x : recording.position)
-        x += setting.noise_m * noise();
-    return recording;
-}
 
 void count(const Identification& found, TruthRow& row)
 {
@@ -123,7 +85,8 @@ TruthStudy studyTruth(const TruthStudyOptions& options)
             const auto index = static_cast<std::size_t>(at);
             TruthRow& row = single[index];
             row.setting = settings[index / runs];
-            count(identify(squeeze(row.setting, runSeed(options.seed, row.setting.name, index % runs))), row);
+            count(identify(drawSqueeze(row.setting, runSeed(options.seed, row.setting.name, index % runs))),
+                  row);
         });
     TruthStudy study;
     for (std::size_t i = 0; i < settings.size(); ++i) {

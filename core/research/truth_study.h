@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/research/real_part.h"
-
-#include <QString>
+#include "core/research/truth_settings.h"
 
 #include <array>
 #include <cstdint>
@@ -11,26 +9,6 @@
 #include <vector>
 
 namespace gripscope {
-
-/// A squeeze of a part that need not be ideal: levels of force drawn anew every `bit_s`, between bias -
-/// amplitude and bias + amplitude, held; samples at even times, positions taken up to some share of a sample
-/// beside them, with white noise.
-struct TruthSetting {
-    QString name;
-    RealPart part;
-    int levels = 2;
-    double bias = 20, amplitude = 10; ///< N
-    double bit_s = 0.005, seconds = 1, sampleTime_s = 0.0005;
-    double noise_m = 1e-5;
-    double jitterShare = 0; ///< standard deviation of a sample's time, in samples
-    /// The identification has terms for all of it, so that it should find them.
-    bool inFamily = true;
-};
-
-/// Those of physics.md's kind (friction, hysteresis, relaxation, stiffening, jitter about one can), and as
-/// many of other sizes: parts of 5 to 200 Hz, sampled 100 to 6,000 times a second, other amplitudes and
-/// preloads.
-[[nodiscard]] std::vector<TruthSetting> truthSettings();
 
 struct TruthStudyOptions {
     std::vector<TruthSetting> settings; ///< empty: truthSettings()

@@ -709,18 +709,6 @@ m  %3</translation>
         <translation>schnelle Zeitkonstante</translation>
     </message>
     <message>
-        <source>the mass cannot be told from zero beside a cubic spring; excite faster, or sample faster</source>
-        <translation>die Masse ist neben einer kubischen Feder nicht von null zu unterscheiden; schneller anregen oder schneller abtasten</translation>
-    </message>
-    <message>
-        <source>the damping cannot be told from zero beside a cubic spring; squeeze longer or with more force</source>
-        <translation>die Dämpfung ist neben einer kubischen Feder nicht von null zu unterscheiden; länger oder mit mehr Kraft drücken</translation>
-    </message>
-    <message>
-        <source>the linear stiffness cannot be told from zero beside a cubic spring; squeeze longer, and gently as well as hard</source>
-        <translation>die lineare Steifigkeit ist neben einer kubischen Feder nicht von null zu unterscheiden; länger drücken, sacht ebenso wie kräftig</translation>
-    </message>
-    <message>
         <source>no finite mass explains the position; check the grip and the sensor</source>
         <translation>keine endliche Masse erklärt den Weg; Griff und Sensor prüfen</translation>
     </message>
@@ -737,14 +725,6 @@ m  %3</translation>
         <translation>der Zeitversatz der Kanäle lässt zu wenige Abtastwerte übrig</translation>
     </message>
     <message>
-        <source>a constant force does not determine m, b, k and k3 together with a free start; squeeze with a force that varies, for instance a pseudo-random binary sequence</source>
-        <translation>eine konstante Kraft bestimmt m, b, k und k3 nicht zusammen mit einem freien Anfang; mit veränderlicher Kraft drücken, etwa mit einer pseudozufälligen Binärfolge</translation>
-    </message>
-    <message>
-        <source>m, b, k, k3 or their errors are outside the range of numbers</source>
-        <translation>m, b, k, k3 oder ihre Fehler liegen außerhalb des Zahlenbereichs</translation>
-    </message>
-    <message>
         <source>converged</source>
         <translation>konvergiert</translation>
     </message>
@@ -755,14 +735,6 @@ m  %3</translation>
     <message>
         <source>force and position have different lengths</source>
         <translation>Kraft und Weg sind verschieden lang</translation>
-    </message>
-    <message>
-        <source>there are fewer samples than the cubic spring has unknowns; record for longer</source>
-        <translation>weniger Abtastwerte, als die kubische Feder Unbekannte hat; länger aufnehmen</translation>
-    </message>
-    <message>
-        <source>this force does not determine m, b, k and k3; squeeze with a richer one</source>
-        <translation>diese Kraft bestimmt m, b, k und k3 nicht; mit einer frequenzreicheren drücken</translation>
     </message>
     <message>
         <source>the mass cannot be told from zero; excite faster, or sample faster</source>
@@ -8168,8 +8140,8 @@ max. (95 %)</translation>
         <translation>%1 ist freigegeben. Mit dem ersten Druckversuch, der hinzukommt, erlischt die Freigabe: Teile dieses Typs werden nicht erkannt, bis er erneut freigegeben ist. Sein Rezept bleibt, wie es ist.</translation>
     </message>
     <message>
-        <source>A preload, and on it pushes and releases. The crush limit is the most that this part bears: no squeeze of this type goes above it.</source>
-        <translation>Eine Vorlast und darauf Drücken und Nachlassen. Die Bruchgrenze ist das Äußerste, was dieses Teil verträgt: Kein Druckversuch dieses Typs geht darüber.</translation>
+        <source>Pushes and releases about a preload; no squeeze of this type goes above the crush limit.</source>
+        <translation>Drücken und Nachlassen um eine Vorlast, nie über die Bruchgrenze.</translation>
     </message>
 </context>
 <context>
@@ -9050,6 +9022,25 @@ Vorh. %</translation>
     <message>
         <source>The four cans of the paper, ten squeezes each; retire them when they are no longer wanted</source>
         <translation>Die vier Dosen der Veröffentlichung mit je zehn Druckversuchen; sie lassen sich außer Gebrauch nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ExpectationView</name>
+    <message>
+        <source>Half-widths of 95 % intervals, at best, for %1, %2 and %3 with noise of %4; friction of %5 % of the push and release, and %6 % of k that goes on yielding over %7 % of the length.</source>
+        <translation>Halbe Breiten von 95-%-Intervallen, bestenfalls, für %1, %2 und %3 bei einem Rauschen von %4; Reibung von %5 % von Drücken und Nachlassen, und %6 % von k, die über %7 % der Dauer weiter nachgeben.</translation>
+    </message>
+    <message>
+        <source>with friction %1</source>
+        <translation>mit Reibung %1</translation>
+    </message>
+    <message>
+        <source>with yielding %1</source>
+        <translation>mit Nachgeben %1</translation>
+    </message>
+    <message>
+        <source>At best: %1.</source>
+        <translation>Bestenfalls: %1.</translation>
     </message>
 </context>
 <context>
@@ -12707,32 +12698,48 @@ Vorh. %</translation>
 <context>
     <name>gripscope::RecipeWords</name>
     <message>
-        <source>Sum of sines</source>
-        <translation>Summe von Sinus</translation>
-    </message>
-    <message>
         <source>Four levels</source>
         <translation>Vier Stufen</translation>
-    </message>
-    <message>
-        <source>Two levels</source>
-        <translation>Zwei Stufen</translation>
-    </message>
-    <message>
-        <source>Repeating</source>
-        <translation>Wiederholt</translation>
     </message>
     <message>
         <source>Tells friction from stiffness; m is less certain.</source>
         <translation>Trennt Reibung von Steifigkeit; m ist unsicherer.</translation>
     </message>
     <message>
+        <source>Two levels, slow sine</source>
+        <translation>Zwei Stufen, langsamer Sinus</translation>
+    </message>
+    <message>
+        <source>Tells friction best, and stiffness over all of its way.</source>
+        <translation>Erkennt Reibung am besten, und Steifigkeit über den ganzen Weg.</translation>
+    </message>
+    <message>
+        <source>Two levels, ramp and hold</source>
+        <translation>Zwei Stufen, Rampe und Halten</translation>
+    </message>
+    <message>
+        <source>Shows how far and how fast a part goes on yielding.</source>
+        <translation>Zeigt, wie weit und wie schnell ein Teil weiter nachgibt.</translation>
+    </message>
+    <message>
+        <source>Two levels</source>
+        <translation>Zwei Stufen</translation>
+    </message>
+    <message>
         <source>Most certain where there is no friction, which hides in k.</source>
         <translation>Am sichersten ohne Reibung, die sonst in k steckt.</translation>
     </message>
     <message>
+        <source>Repeating</source>
+        <translation>Wiederholt</translation>
+    </message>
+    <message>
         <source>Sets noise apart; friction hides in k.</source>
         <translation>Trennt Rauschen ab; Reibung steckt in k.</translation>
+    </message>
+    <message>
+        <source>Sum of sines</source>
+        <translation>Summe von Sinus</translation>
     </message>
     <message>
         <source>Sees friction too, with less force on average.</source>

@@ -41,6 +41,24 @@ private slots:
         QVERIFY(run.out.contains("A-prbs-90-200"));
         QVERIFY(run.out.contains("of 5 runs failed"));
     }
+    void modelsHaveRowsOfTheirOwn()
+    {
+        const ProgramRun run = m_work.cli(
+            {u"study"_s, u"efficiency"_s, u"--models"_s, u"oe,friction"_s, u"--runs"_s, u"3"_s, u"--json"_s});
+        QCOMPARE(run.exit, 0);
+        const QJsonArray rows = run.json()[u"rows"].toArray();
+        QCOMPARE(rows.size(), 6);
+        QVERIFY(rows[0][u"parameters"][u"k"][u"ratio"].isDouble());
+        QVERIFY(rows[0][u"friction_limit_percent"].isNull());
+        QVERIFY(rows[1][u"near_zero"].toBool() && !rows[5][u"near_zero"].toBool());
+        QVERIFY(rows[5][u"parameters"][u"Fc"][u"coverage_percent"].isDouble());
+        const ProgramRun text =
+            m_work.cli({u"study"_s, u"efficiency"_s, u"--models"_s, u"oe"_s, u"--runs"_s, u"3"_s});
+        QVERIFY(text.out.contains("error over bound"));
+        for (const QStringList& wrong : {QStringList{u"--models"_s, u"jelly"_s},
+                                         QStringList{u"--models"_s, u"oe"_s, u"--settings"_s, u"A"_s}})
+            QCOMPARE(m_work.cli(QStringList{u"study"_s, u"efficiency"_s} + wrong).exit, 2);
+    }
     void recognitionIsOneDocumentWithStatedAndFoundRates()
     {
         const ProgramRun run = m_work.cli({u"study"_s, u"recognition"_s, u"--runs"_s, u"10"_s, u"--json"_s});

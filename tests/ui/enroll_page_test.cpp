@@ -214,7 +214,7 @@ void EnrollPageTest::spaceSqueezesAndAccepts()
 void EnrollPageTest::aRecipeAboveItsLimitIsRefusedBeforeItIsSent()
 {
     WindowFixture f(false);
-    EnrollRecipeForm form(*f.bench);
+    EnrollRecipeForm form(*f.bench, EnrollRecipeForm::Gripped::Part);
     Recipe recipe;
     form.setRecipe(recipe, false);
     QVERIFY(form.isValid());

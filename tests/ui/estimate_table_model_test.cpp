@@ -112,9 +112,10 @@ private slots:
         Identification found = test::identifiedCanA();
         Estimate cubic = *found.find(Estimator::OutputError);
         cubic.estimator = Estimator::Duffing;
-        cubic.cubic.emplace();
-        cubic.cubic->k3 = 3.8; // N/mm^3
-        cubic.cubic->covariance(3, 3) = 0.01;
+        MotionEstimate& motion = cubic.motion.emplace();
+        motion.terms.cubic = true;
+        motion.values[MotionParameter::Cubic] = 3.8; // N/mm^3
+        motion.covariance = 0.01 * Eigen::Matrix4d::Identity();
         found.estimates.push_back(cubic);
         EstimateTableModel model;
         model.setIdentification(found, QStringLiteral("N"), QStringLiteral("mm"));

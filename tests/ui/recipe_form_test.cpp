@@ -3,6 +3,7 @@
 #include "tests/ui/workbench_fixture.h"
 #include "ui/format/recipe_words.h"
 #include "ui/pages/shared/enroll_recipe_form.h"
+#include "ui/pages/shared/expectation_view.h"
 #include "ui/pages/shared/force_picture.h"
 
 #include <QComboBox>
@@ -84,6 +85,19 @@ private slots:
         auto* picture = onPage<ForcePicture>(f);
         QVERIFY(picture->isVisible());
         QVERIFY(levelsOf(*picture).size() >= 4);
+    }
+    void whatTheSqueezeCanTellIsSaidAndFollowsTheForce()
+    {
+        WindowFixture f(false, unhurriedA);
+        beginType(f, u"Cola"_s);
+        auto* told = onPage<ExpectationView>(f);
+        QTRY_VERIFY_WITH_TIMEOUT(told->text().contains(u"friction"_s), longEnough_ms);
+        const QString four = told->text();
+        choose(*onPage<QComboBox>(f, "recipeKind"), ExcitationKind::Prbs);
+        QTRY_VERIFY_WITH_TIMEOUT(told->text() != four, longEnough_ms);
+        QVERIFY(told->text().contains(u"k\u00A0±"_s));
+        // Of nothing between the fingers there is nothing to be expected.
+        QVERIFY(f.page(u"calibrate"_s)->findChildren<ExpectationView*>().isEmpty());
     }
     void everyKindIsShownSaidAndSqueezed()
     {

@@ -1,49 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/format/recipe_words.h"
 
+#include <algorithm>
+#include <array>
+
 namespace gripscope {
+
+namespace {
+
+struct KindWords {
+    ExcitationKind kind;
+    const char* name;
+    const char* tells;
+};
+
+/// Steps and chirps are missing: one squeeze by them tells little of m, b and k.
+constexpr std::array<KindWords, 6> kindWords{
+    {{ExcitationKind::FourLevel, QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Four levels"),
+      QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Tells friction from stiffness; m is less certain.")},
+     {ExcitationKind::PrbsSine, QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Two levels, slow sine"),
+      QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Tells friction best, and stiffness over all of its way.")},
+     {ExcitationKind::PrbsHold, QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Two levels, ramp and hold"),
+      QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Shows how far and how fast a part goes on yielding.")},
+     {ExcitationKind::Prbs, QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Two levels"),
+      QT_TRANSLATE_NOOP("gripscope::RecipeWords",
+                        "Most certain where there is no friction, which hides in k.")},
+     {ExcitationKind::InverseRepeat, QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Repeating"),
+      QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Sets noise apart; friction hides in k.")},
+     {ExcitationKind::Multisine, QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Sum of sines"),
+      QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Sees friction too, with less force on average.")}}};
+
+const KindWords* wordsFor(ExcitationKind kind)
+{
+    const auto found = std::ranges::find(kindWords, kind, &KindWords::kind);
+    return found != kindWords.end() ? &*found : nullptr;
+}
+
+} // namespace
 
 const std::vector<ExcitationKind>& RecipeWords::kinds()
 {
-    static const std::vector<ExcitationKind> all{ExcitationKind::FourLevel, ExcitationKind::Prbs,
-                                                 ExcitationKind::InverseRepeat, ExcitationKind::Multisine};
+    static const std::vector<ExcitationKind> all = [] {
+        std::vector<ExcitationKind> kinds;
+        for (const KindWords& one : kindWords)
+            kinds.push_back(one.kind);
+        return kinds;
+    }();
     return all;
 }
 
 QString RecipeWords::name(ExcitationKind kind)
 {
-    switch (kind) {
-    case ExcitationKind::FourLevel:
-        return tr("Four levels");
-    case ExcitationKind::Prbs:
-        return tr("Two levels");
-    case ExcitationKind::InverseRepeat:
-        return tr("Repeating");
-    case ExcitationKind::Multisine:
-        return tr("Sum of sines");
-    case ExcitationKind::Step:
-    case ExcitationKind::Chirp:
-        break; // no recipe has them: one squeeze by them tells little of m, b and k
-    }
-    return {};
+    const KindWords* const found = wordsFor(kind);
+    return found != nullptr ? tr(found->name) : QString();
 }
 
 QString RecipeWords::tells(ExcitationKind kind)
 {
-    switch (kind) {
-    case ExcitationKind::FourLevel:
-        return tr("Tells friction from stiffness; m is less certain.");
-    case ExcitationKind::Prbs:
-        return tr("Most certain where there is no friction, which hides in k.");
-    case ExcitationKind::InverseRepeat:
-        return tr("Sets noise apart; friction hides in k.");
-    case ExcitationKind::Multisine:
-        return tr("Sees friction too, with less force on average.");
-    case ExcitationKind::Step:
-    case ExcitationKind::Chirp:
-        break;
-    }
-    return {};
+    const KindWords* const found = wordsFor(kind);
+    return found != nullptr ? tr(found->tells) : QString();
 }
 
 } // namespace gripscope

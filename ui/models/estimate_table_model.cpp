@@ -48,10 +48,9 @@ void EstimateTableModel::setIdentification(const Identification& identification,
             row.parameters = estimate.parameters->vector() * si.value_or(1);
         if (const auto errors = estimate.standardErrors(); errors && estimate.parameters)
             row.halfWidths = *errors * (normal95 * si.value_or(1));
-        if (estimate.cubic && estimate.parameters)
-            row.cubic =
-                std::pair(estimate.cubic->k3 * cubic,
-                          normal95 * cubic * std::sqrt(std::max(0.0, estimate.cubic->covariance(3, 3))));
+        const auto& motion = estimate.motion;
+        if (const auto error = motion ? motion->standardError(MotionParameter::Cubic) : std::nullopt)
+            row.cubic = std::pair(motion->values[MotionParameter::Cubic] * cubic, normal95 * cubic * *error);
         m_rows.push_back(std::move(row));
     }
     // The recommended estimate chooses the prefix: a wild one beside it must not.

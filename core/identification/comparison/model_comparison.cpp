@@ -157,8 +157,12 @@ std::optional<ComparedModel> otherOffset(const std::vector<double>& force,
 }
 
 /// What a motion with further terms is called in the sentence that it explains a squeeze better.
-Finding wordsOf(const MotionTerms& terms)
+Finding wordsOf(const MotionEstimate& motion)
 {
+    const MotionTerms& terms = motion.terms;
+    if (terms == MotionTerms{.cubic = true})
+        return motion.values[MotionParameter::Cubic] > 0 ? Words::say("a stiffening spring")
+                                                         : Words::say("a softening spring");
     Findings parts;
     if (terms.friction)
         parts.push_back(Words::say("friction"));
@@ -168,6 +172,12 @@ Finding wordsOf(const MotionTerms& terms)
         parts.push_back(Words::say("a spring that is not straight"));
     return parts.size() == 2 ? Words::say("%1 with %2").arg(parts[0], parts[1])
                              : Finding::joined(parts, u", "_s);
+}
+
+/// A cubic spring alone keeps the name that it has in documents.
+QString idOf(Estimator estimator)
+{
+    return estimator == Estimator::Duffing ? u"cubic_spring"_s : toString(estimator);
 }
 
 /// The unknowns that it has beyond those of mass, spring and damper.
@@ -180,20 +190,13 @@ int extraUnknowns(const MotionEstimate& motion, bool freeInitialState)
 /// Side by side: somebody waits for the verdict that rests on them.
 std::vector<ComparedModel> candidates(const std::vector<double>& force, const std::vector<double>& position,
                                       const OutputErrorOptions& options, const Estimate& linear,
-                                      const Estimate& otherHold, const std::optional<Estimate>& cubic,
-                                      const std::vector<Estimate>& motions)
+                                      const Estimate& otherHold, const std::vector<Estimate>& motions)
 {
     std::vector<ComparedModel> models;
     models.push_back(modelOf(u"linear"_s, Words::say("mass, spring and damper"), linear));
-    if (cubic && cubic->cubic) {
-        const bool stiffens = cubic->cubic->k3 > 0;
-        models.push_back(modelOf(
-            u"cubic_spring"_s,
-            stiffens ? Words::say("a stiffening spring") : Words::say("a softening spring"), *cubic, 1));
-    }
     for (const Estimate& motion : motions)
         if (motion.motion && motion.parameters)
-            models.push_back(modelOf(toString(motion.estimator), wordsOf(motion.motion->terms), motion,
+            models.push_back(modelOf(idOf(motion.estimator), wordsOf(*motion.motion), motion,
                                      extraUnknowns(*motion.motion, options.freeInitialState)));
     const bool straight = options.hold == ForceHold::First;
     models.push_back(modelOf(u"other_hold"_s,
@@ -263,15 +266,14 @@ const ComparedModel* ModelComparison::find(const QString& id) const
 
 ModelComparison compareModels(const std::vector<double>& force, const std::vector<double>& position,
                               const OutputErrorOptions& options, const Estimate& linear,
-                              const Estimate& otherHold, const std::optional<Estimate>& cubic,
-                              const std::vector<Estimate>& motions)
+                              const Estimate& otherHold, const std::vector<Estimate>& motions)
 {
     ModelComparison comparison;
     comparison.criterion = u"BIC"_s;
     if (linear.status != EstimateStatus::Converged || !linear.parameters ||
         linear.residual.size() != force.size() || force.size() != position.size())
         return comparison;
-    for (ComparedModel& model : candidates(force, position, options, linear, otherHold, cubic, motions)) {
+    for (ComparedModel& model : candidates(force, position, options, linear, otherHold, motions)) {
         if (!judge(model, options)) {
             if (model.id == u"linear"_s)
                 return comparison;

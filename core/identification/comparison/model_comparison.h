@@ -46,16 +46,17 @@ struct ModelComparison {
 /// Differences of the criterion below this decide nothing (Kass and Raftery 1995: "very strong").
 inline constexpr double decisiveDelta = 10;
 
-/// `linear` is the output-error estimate with `options`; `cubic`, where there is one, the Duffing estimate of
-/// the same record, `motions` those with further terms, `otherHold` that of estimateOtherHold(). The others
+/// `linear` is the output-error estimate with `options`; `motions` those of the same record with further
+/// terms, `otherHold` that of estimateOtherHold(). The others
 /// are estimated here: the offset the other way, a further delay between the channels (by Gauss-Newton), and
 /// for straight forces one that is smooth between its samples (straightAsSpline()). A model is claimed to be
 /// better only where the criterion is decisively lower and m, b or k differ by more than two standard errors,
 /// the smaller of the two models' each where it explains more. Not among the ranked: one that does not settle
 /// within 30 iterations (the others need 3 to 12), and the one without an offset that is beyond doubt.
-[[nodiscard]] ModelComparison
-compareModels(const std::vector<double>& force, const std::vector<double>& position,
-              const OutputErrorOptions& options, const Estimate& linear, const Estimate& otherHold,
-              const std::optional<Estimate>& cubic = std::nullopt, const std::vector<Estimate>& motions = {});
+[[nodiscard]] ModelComparison compareModels(const std::vector<double>& force,
+                                            const std::vector<double>& position,
+                                            const OutputErrorOptions& options, const Estimate& linear,
+                                            const Estimate& otherHold,
+                                            const std::vector<Estimate>& motions = {});
 
 } // namespace gripscope

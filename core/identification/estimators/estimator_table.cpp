@@ -2,7 +2,6 @@
 #include "core/identification/estimators/estimator_table.h"
 
 #include "core/identification/arx/arx.h"
-#include "core/identification/duffing/duffing.h"
 #include "core/identification/instrumental/instrumental_variables.h"
 #include "core/identification/motion/motion.h"
 
@@ -36,13 +35,6 @@ Estimate runInstrumentalVariables(Estimator, const PreparedRecord& record, const
 Estimate runOutputError(Estimator, const PreparedRecord& record, const EstimatorTask& task, Repetition*)
 {
     return estimateOutputError(record.force, record.position, outputErrorOptions(record, task));
-}
-
-Estimate runDuffing(Estimator, const PreparedRecord& record, const EstimatorTask& task, Repetition*)
-{
-    auto options = continuousOptions<DuffingOptions>(record, task);
-    options.lost = record.lost;
-    return estimateDuffing(record.force, record.position, options);
 }
 
 Estimate runPeriodic(Estimator, const PreparedRecord& record, const EstimatorTask& task,
@@ -120,7 +112,7 @@ constexpr std::array<EstimatorFacts, 16> table{
       false,
       true,
       {5, 1.1, up},
-      runDuffing},
+      runMotion},
      {Estimator::Periodic,
       "periodic",
       QT_TRANSLATE_NOOP("Words", "periodic"),
@@ -259,6 +251,8 @@ std::vector<Estimator> estimatorsOfTypes()
 std::optional<MotionTerms> motionTermsOf(Estimator estimator)
 {
     switch (estimator) {
+    case Estimator::Duffing:
+        return MotionTerms{.cubic = true};
     case Estimator::Friction:
         return MotionTerms{.friction = true};
     case Estimator::Zener:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/model/estimate.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gripscope {
@@ -29,6 +30,28 @@ std::optional<Eigen::Vector3d> Estimate::standardErrors() const
     if (!covariance)
         return std::nullopt;
     return covariance->diagonal().cwiseMax(0.0).cwiseSqrt();
+}
+
+std::optional<double> MotionEstimate::standardError(MotionParameter parameter) const
+{
+    const std::vector<MotionParameter> own = terms.parameters();
+    const Eigen::Index at = std::ranges::find(own, parameter) - own.begin();
+    if (at >= covariance.rows())
+        return std::nullopt;
+    return std::sqrt(std::max(0.0, covariance(at, at)));
+}
+
+std::optional<MotionEstimate> motionOf(const Estimate& estimate)
+{
+    if (estimate.motion || !estimate.parameters)
+        return estimate.motion;
+    MotionEstimate motion;
+    motion.values[MotionParameter::Mass] = estimate.parameters->m;
+    motion.values[MotionParameter::Damping] = estimate.parameters->b;
+    motion.values[MotionParameter::Stiffness] = estimate.parameters->k;
+    if (estimate.covariance)
+        motion.covariance = *estimate.covariance;
+    return motion;
 }
 
 std::optional<CorrectedParameters> withoutGripper(const MassDampingStiffness& measured,

@@ -104,18 +104,15 @@ struct ResidualSummary {
     std::optional<double> linearityP, linearityShift, linearityShiftInErrors;
 };
 
-/// A cubic spring: m x'' + b x' + k x + k3 x^3 = F, x measured from the offset. Only `duffing` has one.
-struct CubicSpring {
-    double k3 = 0;
-    Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero(); ///< of (m, b, k, k3)
-};
-
 /// What an estimator of the family of MotionTerms found, in the channels' units.
 struct MotionEstimate {
     MotionTerms terms;
     MotionValues values;
     Eigen::MatrixXd covariance;          ///< of terms.parameters(), in their order
     std::optional<double> frictionLimit; ///< Fc is below it with 95 % confidence (one-sided)
+
+    /// Nothing for a parameter that its terms do not have.
+    [[nodiscard]] std::optional<double> standardError(MotionParameter parameter) const;
 };
 
 /// Residuals that are not white: e[t] = sum_i coefficients[i-1] e[t-i] + w[t] + sum_j movingAverage[j-1]
@@ -137,7 +134,6 @@ struct Estimate {
     Finding message; ///< why the status is what it is, in plain words
     std::optional<MassDampingStiffness> parameters;
     std::optional<Eigen::Matrix3d> covariance;
-    std::optional<CubicSpring> cubic;
     /// With terms that m, b and k do not tell. Where it lacks a mass or a spring there are no `parameters`.
     std::optional<MotionEstimate> motion;
     std::optional<AutoregressiveNoise> noise; ///< the model behind `covariance` where residuals are not white
@@ -155,7 +151,17 @@ struct Estimate {
     std::vector<double> residual;
 
     [[nodiscard]] std::optional<Eigen::Vector3d> standardErrors() const;
+    /// A motion that has no mass or no spring, so that there are no `parameters`.
+    [[nodiscard]] bool isPartialMotion() const { return motion && !parameters; }
+    /// With m, b and k, or a motion without all of them that was found.
+    [[nodiscard]] bool hasAnswer() const
+    {
+        return parameters || (motion && status == EstimateStatus::Converged);
+    }
 };
+
+/// The estimate as a motion of the family, whichever estimator found it; nothing where nothing was found.
+[[nodiscard]] std::optional<MotionEstimate> motionOf(const Estimate& estimate);
 
 /// m, b, k of the object alone with their covariance, in the channels' units.
 struct CorrectedParameters {

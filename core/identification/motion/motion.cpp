@@ -3,10 +3,10 @@
 
 #include "core/base/words.h"
 #include "core/identification/model/identifiability.h"
+#include "core/identification/motion/known_forces.h"
 #include "core/identification/motion/motion_search.h"
 #include "core/identification/noise/noise_model.h"
 #include "core/identification/noise/residual_noise.h"
-#include "core/identification/output_error/completed_record.h"
 #include "core/identification/output_error/output_error.h"
 #include "core/math/decompositions.h"
 #include "core/math/least_squares.h"
@@ -28,6 +28,9 @@ constexpr std::size_t firstPart = 8000;
 constexpr double certainColourP = 0.001;
 /// One-sided 95 % of the normal distribution.
 constexpr double oneSided95 = 1.6448536269514722;
+
+constexpr const char* tooFewSamples =
+    QT_TRANSLATE_NOOP("Words", "there are fewer samples than the motion has unknowns; record for longer");
 
 Estimate failed(const MotionOptions& options, EstimateStatus status, const Finding& message)
 {
@@ -56,7 +59,7 @@ MotionPoint linearPoint(const MotionProblem& problem, const MotionOptions& optio
     }
     if (!linear)
         return point;
-    MotionValues values;
+    MotionValues values = options.startTerms;
     values[P::Mass] = linear->m;
     values[P::Damping] = linear->b;
     values[P::Stiffness] = linear->k;
@@ -307,11 +310,10 @@ std::optional<Estimate> obstacle(const MotionProblem& problem, const MotionOptio
         return stop(EstimateStatus::NotApplicable,
                     Words::say("friction without a mass is not among the models"));
     if (problem.measuredRows() <= problem.unknowns())
-        return stop(EstimateStatus::TooFewSamples,
-                    Words::say("there are fewer samples than the motion has unknowns; record for longer"));
+        return stop(EstimateStatus::TooFewSamples, Words::say(tooFewSamples));
     if (isConstant(problem.position))
         return stop(EstimateStatus::NotIdentifiable, Words::say(constantPosition));
-    if (isConstant(problem.force))
+    if (isConstant(problem.force) && problem.freeInitialState)
         return stop(EstimateStatus::NotIdentifiable,
                     Words::say("a constant force does not determine the motion; squeeze with a force that "
                                "varies, for instance one of four levels"));
@@ -326,21 +328,47 @@ void widen(Estimate& estimate, double factor)
         estimate.motion->covariance *= factor * factor;
 }
 
-/// Its forces as output error finds them, or straight lines over those that were lost.
-struct KnownForces {
-    MotionProblem problem;
-    double errorFactor = 1;
-};
-KnownForces knownForces(const std::vector<double>& force, const std::vector<double>& position,
-                        const MotionOptions& options)
+Estimate estimateKnown(KnownForces known, const std::vector<double>& position, const MotionOptions& options)
 {
-    if (!options.lost.empty()) {
-        const CompletedRecord completed = completedRecord(force, position, options);
-        if (completed.outputError.parameters)
-            return {MotionProblem{completedProblem(completed, options), options.terms},
-                    completed.errorFactor};
-    }
-    return {MotionProblem{makeOutputErrorProblem(force, position, options), options.terms}};
+    MotionProblem& problem = known.problem;
+    if (const std::optional<Estimate> stop = obstacle(problem, options))
+        return *stop;
+    const auto search = problem.terms.friction
+                            ? searchWithFriction(problem, options)
+                            : searchFrom(problem, startsFor(problem, linearPoint(problem, options), options),
+                                         options.maxIterations);
+    if (!search || search->outcome == SearchOutcome::Lost)
+        return failed(options, EstimateStatus::NotIdentifiable, Words::say(noAnswer));
+    Estimate estimate = failed(options, EstimateStatus::NotIdentifiable, Finding());
+    if (search->outcome == SearchOutcome::Boundary)
+        estimate.message = boundaryOf(problem, *search);
+    else if (!search->isDetermined())
+        estimate.message = Words::say(poorForce);
+    else
+        estimate = answer(problem, *search, position, options);
+    estimate.iterations = search->iterations;
+    widen(estimate, known.errorFactor);
+    return estimate;
+}
+
+/// With the lost forces found once more, beginning at what was found with those that were known before.
+std::optional<Estimate> estimateAgain(const KnownForces& known, const Estimate& found,
+                                      const std::vector<double>& position, const MotionOptions& options)
+{
+    if (found.status != EstimateStatus::Converged)
+        return std::nullopt;
+    const std::optional<KnownForces> again = knownForcesAgain(known, found, options);
+    if (!again)
+        return std::nullopt;
+    MotionOptions near = options;
+    near.start = found.parameters;
+    near.startNuisance = found.nuisance;
+    near.startTerms = found.motion->values;
+    Estimate better = estimateKnown(*again, position, near);
+    if (better.status != EstimateStatus::Converged)
+        return std::nullopt;
+    better.iterations += found.iterations;
+    return better;
 }
 
 } // namespace
@@ -353,7 +381,7 @@ double expectedGain(const std::vector<double>& force, const std::vector<double>&
     KnownForces known = knownForces(force, position, options);
     MotionProblem& problem = known.problem;
     problem.startsAtRest = options.terms.friction;
-    if (!options.start || obstacle(problem, options))
+    if (!options.start || !known.areKnown() || obstacle(problem, options))
         return 0;
     MotionPoint point = linearPoint(problem, options);
     MotionProblem linear = problem;
@@ -377,28 +405,17 @@ double expectedGain(const std::vector<double>& force, const std::vector<double>&
 Estimate estimateMotion(const std::vector<double>& force, const std::vector<double>& position,
                         const MotionOptions& options)
 {
-    if (force.size() != position.size() || force.empty())
+    if (force.size() != position.size())
         return failed(options, EstimateStatus::NotApplicable,
                       Words::say("force and position have different lengths"));
-    KnownForces known = knownForces(force, position, options);
-    MotionProblem& problem = known.problem;
-    if (const std::optional<Estimate> stop = obstacle(problem, options))
-        return *stop;
-    const auto search = problem.terms.friction
-                            ? searchWithFriction(problem, options)
-                            : searchFrom(problem, startsFor(problem, linearPoint(problem, options), options),
-                                         options.maxIterations);
-    if (!search || search->outcome == SearchOutcome::Lost)
-        return failed(options, EstimateStatus::NotIdentifiable, Words::say(noAnswer));
-    Estimate estimate = failed(options, EstimateStatus::NotIdentifiable, Finding());
-    if (search->outcome == SearchOutcome::Boundary)
-        estimate.message = boundaryOf(problem, *search);
-    else if (!search->isDetermined())
-        estimate.message = Words::say(poorForce);
-    else
-        estimate = answer(problem, *search, position, options);
-    estimate.iterations = search->iterations;
-    widen(estimate, known.errorFactor);
+    if (force.empty())
+        return failed(options, EstimateStatus::TooFewSamples, Words::say(tooFewSamples));
+    const KnownForces known = knownForces(force, position, options);
+    if (!known.areKnown())
+        return failed(options, known.completed.outputError.status, known.completed.outputError.message);
+    Estimate estimate = estimateKnown(known, position, options);
+    if (std::optional<Estimate> better = estimateAgain(known, estimate, position, options))
+        return *better;
     return estimate;
 }
 

@@ -11,7 +11,8 @@ struct MotionOptions : ContinuousTimeOptions {
     MotionTerms terms;
     Estimator estimator = Estimator::Friction; ///< the name the estimate gets
     int maxIterations = 40;
-    Nuisance startNuisance; ///< that belongs to `start`
+    Nuisance startNuisance;  ///< that belongs to `start`, as the next
+    MotionValues startTerms; ///< of the further terms; all zero: some are tried
 };
 
 /// Minimises sum (y - x - offset)^2, x the motion of the family of MotionTerms under the force as it is held,
@@ -32,8 +33,9 @@ struct MotionOptions : ContinuousTimeOptions {
 /// Converged; NotConverged with the last iterate; TooFewSamples when N <= p; NotIdentifiable with words when
 /// the data does not determine the parameters. 2,000 samples: some 10 ms; with friction some 20 ms.
 ///
-/// Where samples were lost their forces are those that output error finds (completedRecord()), or a straight
-/// line where it finds none; their rows are skipped, and the errors grow as those of output error do.
+/// Where samples were lost their forces are those that output error finds, at first by m, b and k alone, then
+/// in positions without what the further terms add (known_forces.h); their rows are skipped, and the errors
+/// grow as those of output error do.
 [[nodiscard]] Estimate estimateMotion(const std::vector<double>& force, const std::vector<double>& position,
                                       const MotionOptions& options);
 

@@ -54,7 +54,7 @@ double positiveOr(double value, double fallback)
 
 /// The terms of the equation at one sample, each filtered alike.
 struct FilteredTerms {
-    double curvature = 0, slope = 0, value = 0, sign = 0, cube = 0, relaxed = 0, force = 0;
+    double curvature = 0, slope = 0, value = 0, sign = 0, square = 0, cube = 0, relaxed = 0, force = 0;
 
     [[nodiscard]] double of(P parameter) const
     {
@@ -81,7 +81,8 @@ struct FilteredTerms {
     }
 };
 
-/// Least squares of the family's own equation with every term filtered alike: a start, no estimate.
+/// Least squares of the family's own equation with every term filtered alike: a start, no estimate. Positions
+/// are measured from the first one, y = x - x0: a cubic spring has a square of y there too.
 class EquationRegression {
 public:
     EquationRegression(const MotionProblem& problem, double bandwidth, double tau)
@@ -92,13 +93,16 @@ public:
 
     [[nodiscard]] std::optional<MotionPoint> solve() const
     {
-        const auto columns = static_cast<Eigen::Index>(m_parameters.size()) + 1;
+        const auto own = static_cast<Eigen::Index>(m_parameters.size());
+        const Eigen::Index columns = own + (m_problem.terms.cubic ? 2 : 1);
         SequentialQr qr(columns + 1);
         forEachSample([&](const FilteredTerms& terms) {
             auto row = qr.nextRow();
             for (std::size_t i = 0; i < m_parameters.size(); ++i)
                 row(static_cast<Eigen::Index>(i)) = terms.of(m_parameters[i]);
-            row(columns - 1) = 1;
+            row(own) = 1;
+            if (m_problem.terms.cubic)
+                row(own + 1) = terms.square;
             row(columns) = terms.force;
         });
         const Eigen::MatrixXd& triangle = qr.triangle();
@@ -116,7 +120,7 @@ private:
     {
         const double squared = m_bandwidth * m_bandwidth;
         SecondOrderFilter force(squared, 2 * m_bandwidth, m_problem.hold);
-        std::array<SecondOrderFilter, 3> filters; // of y, of the sign of its slope, of y^3
+        std::array<SecondOrderFilter, 4> filters; // of y, of the sign of its slope, of y^2, of y^3
         filters.fill(SecondOrderFilter(squared, 2 * m_bandwidth, ForceHold::First));
         FirstOrderFilter relaxed(m_tau, 0);
         const std::ptrdiff_t settled =
@@ -126,7 +130,8 @@ private:
             const double y = m_samples.position(t) - m_first;
             if (t >= settled)
                 use(FilteredTerms{filters[0].curvature(y), filters[0].slope(), filters[0].value(),
-                                  filters[1].value(), filters[2].value(), relaxed.value(), force.value()});
+                                  filters[1].value(), filters[2].value(), filters[3].value(), relaxed.value(),
+                                  force.value()});
             const std::ptrdiff_t after = std::min(t + 1, m_samples.count - 1);
             const double next = m_samples.position(after) - m_first;
             const double slope = filters[0].slope();
@@ -134,10 +139,28 @@ private:
             force.advance(m_samples.force(t), m_samples.force(after));
             filters[0].advance(y, next);
             filters[1].advance(signBefore, sign);
-            filters[2].advance(y * y * y, next * next * next);
+            filters[2].advance(y * y, next * next);
+            filters[3].advance(y * y * y, next * next * next);
             relaxed.advance(filters[0].value());
             signBefore = sign;
         }
+    }
+
+    /// The spring's slope at y, from its terms k, k3 and that of the square.
+    static double slopeAt(const MotionValues& p, double square, double y)
+    {
+        return p[P::Stiffness] + 2 * square * y + 3 * p[P::Cubic] * y * y;
+    }
+    /// Where the spring is at rest, beside the first position.
+    static double restPosition(const MotionValues& p, double square, double constant)
+    {
+        constexpr int iterations = 20;
+        double y = -constant / p[P::Stiffness];
+        for (int i = 0; i < iterations && p[P::Cubic] != 0; ++i) {
+            const double force = constant + y * (p[P::Stiffness] + y * (square + y * p[P::Cubic]));
+            y -= force / slopeAt(p, square, y);
+        }
+        return y;
     }
 
     [[nodiscard]] std::optional<MotionPoint> pointOf(const Eigen::VectorXd& c) const
@@ -147,15 +170,19 @@ private:
         MotionValues& p = point.values;
         for (std::size_t i = 0; i < m_parameters.size(); ++i)
             p[m_parameters[i]] = c(static_cast<Eigen::Index>(i));
-        const double constant = c(c.size() - 1);
-        point.offset = m_first;
+        const auto own = static_cast<Eigen::Index>(m_parameters.size());
+        const double constant = c(own);
         if (terms.spring) {
-            p[P::Stiffness] = positiveOr(p[P::Stiffness], 0);
-            if (p[P::Stiffness] == 0)
+            const double square = terms.cubic ? c(own + 1) : 0;
+            const double rest = m_problem.freeOffset ? restPosition(p, square, constant) : -m_first;
+            p[P::Stiffness] = positiveOr(slopeAt(p, square, rest), 0);
+            if (p[P::Stiffness] == 0 || !std::isfinite(rest))
                 return std::nullopt;
-            if (m_problem.freeOffset)
-                point.offset = m_first - constant / p[P::Stiffness];
+            // Where no offset is sought there is none.
+            point.offset = m_problem.freeOffset ? m_first + rest : 0;
             point.x0 = m_problem.seeksPosition() ? m_first - point.offset : 0;
+        } else {
+            point.offset = m_first; // the start
         }
         if (terms.forceOffset)
             p[P::ForceOffset] = -constant;
@@ -192,11 +219,32 @@ struct MotionCandidates : StartCandidates<MotionPoint> {
     }
 };
 
+/// Moved by least squares of its start alone: the first position, which noise and the time between the
+/// channels move, is a poor one for a spring that bends.
+std::optional<MotionPoint> refineStart(const MotionProblem& problem, const MotionPoint& point)
+{
+    const MotionLinearization linear = linearize(problem, point);
+    const Eigen::Index start = problem.startUnknowns();
+    if (!linear.finite || start == 0)
+        return std::nullopt;
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(linear.triangle.cols());
+    step.head(start) =
+        solvePivoted(linear.triangle.topLeftCorner(start, start), linear.residual.head(start)).solution;
+    return step.allFinite() ? std::optional(point.moved(problem, step)) : std::nullopt;
+}
+
 /// Shares of the further terms beside what is known of the linear motion; 0 where a term is off.
 template <std::size_t N>
 std::vector<double> sharesOf(bool on, const std::array<double, N>& shares)
 {
     return on ? std::vector<double>(shares.begin(), shares.end()) : std::vector<double>{0};
+}
+
+/// Not m, b and k alone.
+bool hasFurther(const MotionTerms& terms, const MotionValues& values)
+{
+    return std::ranges::any_of(
+        terms.parameters(), [&](P parameter) { return parameter > P::Stiffness && values[parameter] != 0; });
 }
 
 void offerVariants(MotionCandidates& candidates, const MotionPoint& other)
@@ -234,8 +282,13 @@ std::vector<MotionPoint> motionStarts(const MotionProblem& problem, const Motion
     for (const double bandwidth : filterBandwidths)
         for (const double share : sharesOf(problem.terms.relaxation, relaxationShares))
             if (const auto point =
-                    EquationRegression(problem, bandwidth, std::max(share * count, 1.0)).solve())
+                    EquationRegression(problem, bandwidth, std::max(share * count, 1.0)).solve()) {
                 candidates.offer(*point);
+                if (const auto refined = problem.terms.cubic ? refineStart(problem, *point) : std::nullopt)
+                    candidates.offer(*refined);
+            }
+    if (hasFurther(problem.terms, other.values))
+        candidates.offer(other);
     if (other.values[P::Stiffness] > 0)
         offerVariants(candidates, other);
     return candidates.best();

@@ -47,13 +47,10 @@ QJsonValue parametersJson(const Validation& validation)
     return object;
 }
 
-QJsonObject byName(const Eigen::Vector3d& values, std::optional<double> k3)
+QJsonObject byName(const Eigen::Vector3d& values)
 {
-    QJsonObject object{
+    return {
         {u"m"_s, jsonNumber(values(0))}, {u"b"_s, jsonNumber(values(1))}, {u"k"_s, jsonNumber(values(2))}};
-    if (k3)
-        object.insert(u"k3"_s, jsonNumber(*k3));
-    return object;
 }
 
 QJsonValue toJson(const Eigen::MatrixXd& matrix)
@@ -72,13 +69,9 @@ QJsonValue toJson(const Eigen::MatrixXd& matrix)
 QJsonObject motionJson(const MotionEstimate& motion, bool errors)
 {
     QJsonObject object{{u"m"_s, QJsonValue()}, {u"b"_s, QJsonValue()}, {u"k"_s, QJsonValue()}};
-    const std::vector<MotionParameter> parameters = motion.terms.parameters();
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const auto at = static_cast<Eigen::Index>(i);
-        object.insert(toString(parameters[i]),
-                      jsonNumber(errors ? std::sqrt(std::max(0.0, motion.covariance(at, at)))
-                                        : motion.values[parameters[i]]));
-    }
+    for (const MotionParameter parameter : motion.terms.parameters())
+        object.insert(toString(parameter), jsonNumber(errors ? motion.standardError(parameter)
+                                                             : std::optional(motion.values[parameter])));
     return object;
 }
 
@@ -115,8 +108,6 @@ QJsonValue covarianceOf(const Estimate& e)
 {
     if (e.motion)
         return motionCovariance(*e.motion);
-    if (e.cubic)
-        return toJson(Eigen::MatrixXd(e.cubic->covariance));
     return e.covariance ? toJson(Eigen::MatrixXd(*e.covariance)) : QJsonValue();
 }
 
@@ -152,10 +143,7 @@ QJsonValue foundJson(const Estimate& e)
 {
     if (e.motion)
         return motionJson(*e.motion, false);
-    std::optional<double> k3;
-    if (e.cubic)
-        k3 = e.cubic->k3;
-    return e.parameters ? QJsonValue(byName(e.parameters->vector(), k3)) : QJsonValue();
+    return e.parameters ? QJsonValue(byName(e.parameters->vector())) : QJsonValue();
 }
 
 QJsonValue errorsOf(const Estimate& e)
@@ -163,10 +151,7 @@ QJsonValue errorsOf(const Estimate& e)
     if (e.motion)
         return motionJson(*e.motion, true);
     const std::optional<Eigen::Vector3d> errors = e.standardErrors();
-    std::optional<double> k3;
-    if (e.cubic)
-        k3 = std::sqrt(std::max(0.0, e.cubic->covariance(3, 3)));
-    return errors ? QJsonValue(byName(*errors, k3)) : QJsonValue();
+    return errors ? QJsonValue(byName(*errors)) : QJsonValue();
 }
 
 QJsonObject toJson(const Estimate& e)
@@ -233,7 +218,7 @@ QJsonObject toJson(const HoldEvidence& own, const HoldEvidence& summed)
 {
     QJsonObject object = gainsOf(own);
     object.insert(u"other_parameters"_s,
-                  own.otherParameters ? QJsonValue(byName(own.otherParameters->vector(), {})) : QJsonValue());
+                  own.otherParameters ? QJsonValue(byName(own.otherParameters->vector())) : QJsonValue());
     QJsonObject sum = gainsOf(summed);
     sum.insert(u"squeezes"_s, summed.squeezes);
     object.insert(u"summed"_s, sum);

@@ -32,25 +32,6 @@ std::span<const double> rowSpan(const Eigen::RowVectorXd& row)
     return {row.data(), static_cast<std::size_t>(row.size())};
 }
 
-/// The estimate as a motion of the family, whichever estimator found it.
-MotionEstimate motionOf(const Estimate& estimate)
-{
-    if (estimate.motion)
-        return *estimate.motion;
-    MotionEstimate motion;
-    motion.terms.cubic = estimate.cubic.has_value();
-    motion.values[MotionParameter::Mass] = estimate.parameters->m;
-    motion.values[MotionParameter::Damping] = estimate.parameters->b;
-    motion.values[MotionParameter::Stiffness] = estimate.parameters->k;
-    if (estimate.cubic) {
-        motion.values[MotionParameter::Cubic] = estimate.cubic->k3;
-        motion.covariance = estimate.cubic->covariance;
-    } else if (estimate.covariance) {
-        motion.covariance = *estimate.covariance;
-    }
-    return motion;
-}
-
 /// Covariance of the logarithms of the parameters that are above zero, and of the others.
 std::optional<Eigen::MatrixXd> covarianceOfLogarithms(const MotionEstimate& motion)
 {
@@ -243,14 +224,14 @@ Validation validate(const Estimate& estimate, const PreparedRecord& record, Forc
         return out;
     }
     out.parameters = *estimate.parameters;
-    if (estimate.cubic)
-        out.k3 = estimate.cubic->k3;
+    const MotionEstimate motion = *motionOf(estimate);
+    if (motion.terms.cubic)
+        out.k3 = motion.values[MotionParameter::Cubic];
     if (out.validatedOn.count < fewestRecordSamples || record.position.size() != record.force.size()) {
         out.message = Words::say("too few samples without a loss to hold a model against");
         return out;
     }
     const PreparedRecord part = windowOf(record, out.validatedOn);
-    const MotionEstimate motion = motionOf(estimate);
     const std::optional<GivenModel> model = applyGivenModel(motion.terms, motion.values, part, hold);
     if (!model) {
         out.message = Words::say("with these parameters the motion leaves all bounds here");

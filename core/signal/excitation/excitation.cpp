@@ -16,6 +16,14 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+/// In the order of the enumerators.
+constexpr std::array knownKinds{ExcitationKind::Step,          ExcitationKind::Prbs,
+                                ExcitationKind::Multisine,     ExcitationKind::Chirp,
+                                ExcitationKind::InverseRepeat, ExcitationKind::FourLevel,
+                                ExcitationKind::PrbsSine,      ExcitationKind::PrbsHold};
+constexpr std::array<const char*, knownKinds.size()> kindNames{
+    "step", "prbs", "multisine", "chirp", "inverse-repeat", "four-level", "prbs-sine", "prbs-hold"};
+
 /// Harmonics times samples that a multisine may cost: about a second.
 constexpr double largestMultisineWork = 4e8;
 constexpr std::size_t largestSampleCount = mostSamples;
@@ -202,6 +210,30 @@ std::vector<double> chirp(const ExcitationOptions& options)
     return force;
 }
 
+/// Two levels for half the record, then `slow` of the share of the rest that is over.
+template <typename Slow>
+std::vector<double> prbsThen(const ExcitationOptions& options, const Slow& slow)
+{
+    ExcitationOptions first = options;
+    first.samples = (options.samples + 1) / 2;
+    std::vector<double> force = prbs(first);
+    const auto rest = static_cast<double>(options.samples - first.samples);
+    for (std::size_t i = first.samples; i < options.samples; ++i)
+        force.push_back(options.peak * slow(static_cast<double>(i - first.samples) / rest));
+    return force;
+}
+
+double slowSine(double share)
+{
+    return std::sin(2 * std::numbers::pi * share);
+}
+
+double rampAndHold(double share)
+{
+    constexpr double ramp = 0.25; // of the second half
+    return std::min(1.0, 2 * share / ramp - 1);
+}
+
 tl::unexpected<Error> refuse(const Finding& reason)
 {
     return failure(ErrorCode::Usage, {reason});
@@ -209,34 +241,24 @@ tl::unexpected<Error> refuse(const Finding& reason)
 
 } // namespace
 
+std::span<const ExcitationKind> excitationKinds()
+{
+    return knownKinds;
+}
+
 QString toString(ExcitationKind kind)
 {
-    switch (kind) {
-    case ExcitationKind::Step:
-        return u"step"_s;
-    case ExcitationKind::Prbs:
-        return u"prbs"_s;
-    case ExcitationKind::Multisine:
-        return u"multisine"_s;
-    case ExcitationKind::Chirp:
-        return u"chirp"_s;
-    case ExcitationKind::InverseRepeat:
-        return u"inverse-repeat"_s;
-    case ExcitationKind::FourLevel:
-        return u"four-level"_s;
-    }
-    return {};
+    const auto found = std::ranges::find(knownKinds, kind);
+    return found == knownKinds.end()
+               ? QString()
+               : QString::fromLatin1(kindNames[static_cast<std::size_t>(found - knownKinds.begin())]);
 }
 
 std::optional<ExcitationKind> excitationKindFromString(const QString& text)
 {
-    for (const ExcitationKind kind :
-         {ExcitationKind::Step, ExcitationKind::Prbs, ExcitationKind::Multisine, ExcitationKind::Chirp,
-          ExcitationKind::InverseRepeat, ExcitationKind::FourLevel}) {
-        if (text == toString(kind))
-            return kind;
-    }
-    return std::nullopt;
+    const auto found =
+        std::ranges::find_if(knownKinds, [&](ExcitationKind kind) { return toString(kind) == text; });
+    return found == knownKinds.end() ? std::nullopt : std::optional(*found);
 }
 
 std::optional<Error> ExcitationOptions::validate() const
@@ -301,6 +323,12 @@ Expected<std::vector<double>> makeExcitation(const ExcitationOptions& options)
         break;
     case ExcitationKind::FourLevel:
         force = fourLevel(options);
+        break;
+    case ExcitationKind::PrbsSine:
+        force = prbsThen(options, slowSine);
+        break;
+    case ExcitationKind::PrbsHold:
+        force = prbsThen(options, rampAndHold);
         break;
     }
     for (double& value : force) {

@@ -7,11 +7,15 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace gripscope {
 
-enum class ExcitationKind { Step, Prbs, Multisine, Chirp, InverseRepeat, FourLevel };
+enum class ExcitationKind { Step, Prbs, Multisine, Chirp, InverseRepeat, FourLevel, PrbsSine, PrbsHold };
+
+/// All of them, in the order of the enumerators.
+[[nodiscard]] std::span<const ExcitationKind> excitationKinds();
 
 [[nodiscard]] QString toString(ExcitationKind kind);
 [[nodiscard]] std::optional<ExcitationKind> excitationKindFromString(const QString& text);
@@ -36,6 +40,11 @@ enum class ExcitationKind { Step, Prbs, Multisine, Chirp, InverseRepeat, FourLev
 ///   FourLevel: as Prbs, two bits of the sequence a level: bias +- peak and bias +- peak / 3, each level
 ///   `bit_s`
 ///         long. Tells friction from stiffness, which two levels hide, for a third more error of m.
+///   PrbsSine: half the record as Prbs, then one slow sine over the rest: it takes the part slowly over all
+///   of
+///         its way, which tells friction best.
+///   PrbsHold: half the record as Prbs, then a ramp from -peak to peak over an eighth of the record, held to
+///         the end: a part that goes on yielding shows how far and how fast.
 struct ExcitationOptions {
     ExcitationKind kind = ExcitationKind::Prbs;
     double peak = 10; ///< force unit

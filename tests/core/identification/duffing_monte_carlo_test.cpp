@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Repeated experiments on a known cubic spring: the error of the estimate against the Cramer-Rao bound, and
 // what it says about its own error.
-#include "core/identification/duffing/duffing.h"
-#include "core/identification/duffing/duffing_model.h"
+#include "core/identification/motion/motion_model.h"
 #include "tests/core/identification/duffing_simulation.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"
@@ -23,15 +22,20 @@ constexpr double duffingFalseAlarm = 1e-4;
 /// The Cramer-Rao bound on ln m, ln b, ln k, k3 with x0, v0 and offset free: (J'J)^-1 s^2 at the truth.
 Eigen::Vector4d bound(const Synthetic& truth, double k3, const std::vector<double>& force, double deviation)
 {
-    DuffingProblem problem;
+    MotionProblem problem;
+    problem.terms.cubic = true;
     problem.force = force;
     problem.position.assign(force.size(), 0.0);
     problem.hold = truth.hold;
     problem.sampleTime_s = truth.sampleTime_s;
-    problem.substeps = 8;
-    const DuffingPoint point{truth.x0, truth.v0 * truth.sampleTime_s, truth.offset,
-                             problem.toTheta(truth.truth), k3};
-    const Eigen::MatrixXd j = duffingRows(problem, point).sensitivities;
+    MotionValues values;
+    values[MotionParameter::Mass] = truth.truth.m;
+    values[MotionParameter::Damping] = truth.truth.b;
+    values[MotionParameter::Stiffness] = truth.truth.k;
+    values[MotionParameter::Cubic] = k3;
+    const MotionPoint point{truth.x0, truth.v0 * truth.sampleTime_s, 0, truth.offset,
+                            inProblemUnits(problem, values)};
+    const Eigen::MatrixXd j = motionRows(problem, point)->sensitivities;
     const Eigen::MatrixXd inverse = (j.transpose() * j).inverse();
     return deviation * inverse.diagonal().tail<4>().cwiseSqrt();
 }
@@ -71,8 +75,7 @@ private slots:
             synthetic.truth, share, force,
             {synthetic.sampleTime_s, synthetic.hold, 0, synthetic.x0, synthetic.v0, synthetic.offset});
         const Eigen::Vector4d limit = bound(synthetic, share, force, noise);
-        DuffingOptions options;
-        options.sampleTime_s = synthetic.sampleTime_s;
+        MotionOptions options = test::duffingOptions(synthetic.sampleTime_s);
         options.hold = synthetic.hold;
 
         constexpr int runs = 200;
@@ -83,14 +86,14 @@ private slots:
             std::vector<double> position = clean;
             for (double& y : position)
                 y += noise * random();
-            const Estimate e = estimateDuffing(force, position, options);
+            const Estimate e = estimateMotion(force, position, options);
             QCOMPARE(toString(e.status), QStringLiteral("converged"));
             Eigen::Vector4d error;
             error << (e.parameters->vector() - synthetic.truth.vector())
                          .cwiseQuotient(synthetic.truth.vector()),
-                e.cubic->k3 - share;
+                test::cubicOf(e) - share;
             squared += error.cwiseQuotient(limit).cwiseAbs2();
-            const Eigen::Vector4d stated = e.cubic->covariance.diagonal().cwiseSqrt();
+            const Eigen::Vector4d stated = e.motion->covariance.diagonal().cwiseSqrt();
             for (Eigen::Index i = 0; i < 4; ++i) {
                 const double unit = i < 3 ? synthetic.truth.vector()(i) : 1;
                 covered += std::abs(error(i)) * unit < 1.959964 * stated(i) ? 1 : 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cubic spring on measured records of a public benchmark, read from outside the tree; skipped where they
 // are absent.
-#include "core/identification/duffing/duffing.h"
 #include "core/signal/recording/recording_csv.h"
+#include "tests/core/identification/duffing_simulation.h"
 #include "tests/support/test_registry.h"
 
 #include <QFileInfo>
@@ -29,9 +29,7 @@ Recording readSilverbox(const QString& name)
 Estimate silverboxEstimate(const Recording& recording, Window window)
 {
     const Recording part = slice(recording, window);
-    DuffingOptions options;
-    options.sampleTime_s = sampleTime_s;
-    return estimateDuffing(part.force, part.position, options);
+    return estimateMotion(part.force, part.position, test::duffingOptions(sampleTime_s));
 }
 
 double ratio(double a, double b)
@@ -60,7 +58,7 @@ private slots:
         QVERIFY(ratio(e.parameters->m, 5.16e-6) < 0.005);
         QVERIFY(ratio(e.parameters->b, 2.16e-4) < 0.01);
         QVERIFY(ratio(e.parameters->k, 0.951) < 0.005);
-        QVERIFY(ratio(e.cubic->k3, 3.8) < 0.03);
+        QVERIFY(ratio(test::cubicOf(e), 3.8) < 0.03);
     }
     void smallAndLargeAmplitudesAreTheSameObject()
     {

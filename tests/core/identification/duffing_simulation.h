@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/identification/duffing/duffing_model.h"
 #include "core/identification/model/discretization.h"
-#include "core/math/fit.h"
+#include "core/identification/motion/motion.h"
+
+#include <boost/numeric/odeint.hpp>
 
 #include <algorithm>
 #include <array>
@@ -12,45 +13,59 @@
 
 namespace gripscope::test {
 
-/// The positions that m x'' + b x' + k x + k3 x^3 = F gives, conventions as for simulate(): the estimator's
-/// own integration, its steps halved until that changes positions of about 1 by less than 1e-10. Empty when
-/// m, b, k are not positive numbers, or when a softening spring lets go.
+/// The positions that m x'' + b x' + k x + k3 x^3 = F gives, conventions as for simulate(), by an adaptive
+/// method of order 8 (Fehlberg 7(8)) with tolerances near rounding. Not for softening springs that let go.
 inline std::vector<double> simulateDuffing(const MassDampingStiffness& parameters, double k3,
                                            const std::vector<double>& force, const SimulationOptions& options)
 {
-    constexpr double exact = 1e-10;
-    constexpr int mostSubsteps = 256;
-    DuffingProblem problem;
-    problem.hold = options.hold;
-    problem.lag = LagAlignment(options.lag_s, options.sampleTime_s);
-    problem.sampleTime_s = options.sampleTime_s;
-    problem.forceScale = powerOfTwoScale(force);
-    problem.force = force;
-    for (double& value : problem.force)
-        value /= problem.forceScale;
-    const double swing = options.v0 * std::sqrt(parameters.m / parameters.k);
-    const std::array<double, 3> sizes{problem.forceScale / parameters.k, options.x0, swing};
-    problem.positionScale = powerOfTwoScale(sizes);
-    DuffingPoint point;
-    point.theta = problem.toTheta(parameters);
-    point.cubic = k3 / cubicUnit(problem);
-    point.x0 = options.x0 / problem.positionScale;
-    point.v0 = options.v0 * problem.sampleTime_s / problem.positionScale;
-    problem.substeps = suitableSubsteps(point, 1);
-    std::vector<double> positions = positionsAt(problem, point);
-    while (!positions.empty() && problem.substeps <= mostSubsteps) {
-        problem.substeps *= 2;
-        const std::vector<double> finer = positionsAt(problem, point);
-        double change = 0;
-        for (std::size_t i = 0; i < finer.size(); ++i)
-            change = std::max(change, std::abs(finer[i] - positions[i]));
-        positions = finer;
-        if (change < exact)
-            break;
+    namespace odeint = boost::numeric::odeint;
+    using State = std::array<double, 2>; // position, and speed over that of the part's own swing
+    const double swing = std::sqrt(parameters.k / parameters.m);
+    double size = std::abs(options.x0) + std::abs(options.v0) / swing;
+    for (const double value : force)
+        size = std::max(size, std::abs(value) / parameters.k);
+    const auto count = static_cast<std::ptrdiff_t>(force.size());
+    const double step = options.sampleTime_s;
+    const auto whole = static_cast<std::ptrdiff_t>(std::floor(options.lag_s / step));
+    const double rest = options.lag_s / step - static_cast<double>(whole);
+    std::vector<double> positions(force.size(), options.x0 + options.offset);
+    State state{options.x0, options.v0 / swing};
+    auto stepper = odeint::make_controlled(1e-13 * size, 1e-13, odeint::runge_kutta_fehlberg78<State>());
+    for (std::ptrdiff_t n = 0; n - whole < count; ++n) {
+        const double from = force[static_cast<std::size_t>(std::min(n, count - 1))];
+        const double to = options.hold == ForceHold::First
+                              ? force[static_cast<std::size_t>(std::min(n + 1, count - 1))]
+                              : from;
+        const auto motion = [&](const State& s, State& slope, double t) {
+            const double f = from + (to - from) * t / step;
+            slope = {swing * s[1],
+                     (f - parameters.b * swing * s[1] - parameters.k * s[0] - k3 * s[0] * s[0] * s[0]) /
+                         parameters.m / swing};
+        };
+        const auto run = [&](double begin, double end) {
+            if (end > begin)
+                odeint::integrate_adaptive(stepper, motion, state, begin, end, (end - begin) / 4);
+        };
+        run(0, rest * step);
+        if (n >= whole)
+            positions[static_cast<std::size_t>(n - whole)] = state[0] + options.offset;
+        run(rest * step, step);
     }
-    for (double& x : positions)
-        x = x * problem.positionScale + options.offset;
     return positions;
+}
+
+inline MotionOptions duffingOptions(double sampleTime_s)
+{
+    MotionOptions options;
+    options.sampleTime_s = sampleTime_s;
+    options.estimator = Estimator::Duffing;
+    options.terms.cubic = true;
+    return options;
+}
+
+inline double cubicOf(const Estimate& estimate)
+{
+    return estimate.motion->values[MotionParameter::Cubic];
 }
 
 } // namespace gripscope::test

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/comparison/hold_evidence.h"
 #include "core/identification/comparison/model_comparison.h"
-#include "core/identification/duffing/duffing.h"
 #include "core/identification/result/identification_json.h"
 #include "tests/core/identification/duffing_simulation.h"
 #include "tests/core/identification/synthetic.h"
@@ -34,14 +33,12 @@ ModelComparison compare(const Recording& recording, OutputErrorOptions options, 
 {
     options.sampleTime_s = recording.sampleTime_s;
     const Estimate linear = estimateOutputError(recording.force, recording.position, options);
-    std::optional<Estimate> duffing;
-    if (cubic) {
-        DuffingOptions duffingOptions;
-        duffingOptions.sampleTime_s = recording.sampleTime_s;
-        duffing = estimateDuffing(recording.force, recording.position, duffingOptions);
-    }
+    std::vector<Estimate> motions;
+    if (cubic)
+        motions.push_back(estimateMotion(recording.force, recording.position,
+                                         test::duffingOptions(recording.sampleTime_s)));
     return compareModels(recording.force, recording.position, options, linear,
-                         estimateOtherHold(recording.force, recording.position, options, linear), duffing);
+                         estimateOtherHold(recording.force, recording.position, options, linear), motions);
 }
 
 } // namespace

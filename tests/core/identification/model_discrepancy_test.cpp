@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/duffing/duffing.h"
 #include "core/identification/output_error/output_error.h"
 #include "core/identification/uncertainty/budget_lines.h"
 #include "core/identification/uncertainty/uncertainty_budget.h"
@@ -210,9 +209,8 @@ private slots:
                                                                         {u"multisine_a.csv"_s, 2048, 2048}}) {
             const Recording recording = silverbox(name, first, count);
             const OutputErrorOptions options = discrepancyOptions(recording);
-            DuffingOptions duffing;
-            duffing.sampleTime_s = options.sampleTime_s;
-            const Estimate e = cubic ? estimateDuffing(recording.force, recording.position, duffing)
+            const MotionOptions duffing = test::duffingOptions(options.sampleTime_s);
+            const Estimate e = cubic ? estimateMotion(recording.force, recording.position, duffing)
                                      : estimateOutputError(recording.force, recording.position, options);
             QVERIFY(e.status == EstimateStatus::Converged);
             BudgetOptions budgetOptions;

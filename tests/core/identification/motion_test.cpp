@@ -90,6 +90,60 @@ private slots:
         }
     }
 
+    void withoutAnOffsetTheTruthComesBack_data() { partRows(); }
+    void withoutAnOffsetTheTruthComesBack()
+    {
+        // From rest where no force is, so that nothing of the start is sought; the position some samples
+        // later.
+        const RealSqueeze squeeze = rowSqueeze();
+        std::vector<double> force = squeeze.force();
+        const double first = force.front();
+        for (double& value : force)
+            value -= first;
+        MotionOptions options = squeeze.options();
+        options.freeOffset = false;
+        options.freeInitialState = false;
+        options.lag_s = 12.4 * squeezeSampleTime_s;
+        std::vector<double> later = squeeze.times();
+        for (double& time : later)
+            time += options.lag_s;
+        const std::vector<double> position =
+            simulateRealPart(squeeze.part, squeeze.times(), force, squeeze.hold, later);
+        const Estimate found = estimateMotion(force, position, options);
+        QVERIFY2(found.status == EstimateStatus::Converged, qPrintable(found.message.describe()));
+        QVERIFY(!found.nuisance.offset && !found.nuisance.x0);
+        for (const P parameter : squeeze.terms.parameters()) {
+            const double truth = squeeze.truthOf(parameter);
+            const double value = found.motion->values[parameter];
+            // The other simulator is good to 1e-8 of the motion; tau and k1 are the worst determined.
+            QVERIFY2(std::abs(value / truth - 1) < 1e-5,
+                     qPrintable(u"%1: %2 of %3"_s.arg(toString(parameter)).arg(value).arg(truth)));
+        }
+    }
+
+    void forcesThatWereLostAreFoundBesideFurtherTerms_data() { partRows(); }
+    void forcesThatWereLostAreFoundBesideFurtherTerms()
+    {
+        // One sample in fifty, each by itself. The whole record's own errors are the measure: where the
+        // forces are found without the further terms, they move k by many of them.
+        const RealSqueeze squeeze = rowSqueeze();
+        const Estimate whole = squeeze.estimate();
+        QVERIFY(whole.status == EstimateStatus::Converged);
+        MotionOptions options = squeeze.options();
+        for (std::size_t i = 33; i < squeeze.samples; i += 50)
+            options.lost.push_back(i);
+        std::vector<double> force = squeeze.force();
+        for (const std::size_t lost : options.lost)
+            force[lost] = 1e3;
+        const Estimate found = estimateMotion(force, squeeze.position(), options);
+        QVERIFY2(found.status == EstimateStatus::Converged, qPrintable(found.message.describe()));
+        for (const P parameter : {P::Mass, P::Damping, P::Stiffness}) {
+            const double moved = (found.motion->values[parameter] - whole.motion->values[parameter]) /
+                                 *found.motion->standardError(parameter);
+            QVERIFY2(std::abs(moved) < 1, qPrintable(toString(parameter) + QString::number(moved)));
+        }
+    }
+
     void startsWrongByTenTimesAreMended_data() { partRows(); }
     void startsWrongByTenTimesAreMended()
     {

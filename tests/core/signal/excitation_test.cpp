@@ -237,6 +237,27 @@ private slots:
         QVERIFY(!force);
         QVERIFY2(force.error().describe().contains(word), qPrintable(force.error().describe()));
     }
+    void halfOfTheRecordIsSlow()
+    {
+        ExcitationOptions options = optionsOf(ExcitationKind::PrbsSine);
+        options.samples = 2001;
+        const std::vector<double> sine = *makeExcitation(options);
+        options.kind = ExcitationKind::PrbsHold;
+        const std::vector<double> hold = *makeExcitation(options);
+        options.kind = ExcitationKind::Prbs;
+        options.samples = 1001;
+        const std::vector<double> two = *makeExcitation(options);
+        QCOMPARE(sine.size(), std::size_t(2001));
+        QCOMPARE(hold.size(), std::size_t(2001));
+        QVERIFY(std::equal(two.begin(), two.end(), sine.begin()));
+        QVERIFY(std::equal(two.begin(), two.end(), hold.begin()));
+        for (std::size_t i = 0; i < 1000; ++i) {
+            const double wanted = 20 + 10 * std::sin(2 * std::numbers::pi * static_cast<double>(i) / 1000);
+            QVERIFY(std::abs(sine[1001 + i] - wanted) < 1e-9);
+            const double ramp = 20 + 10 * std::min(1.0, static_cast<double>(i) / 125 - 1);
+            QVERIFY(std::abs(hold[1001 + i] - ramp) < 1e-9);
+        }
+    }
     void aBitShorterThanASampleIsOneSample()
     {
         ExcitationOptions options = optionsOf(ExcitationKind::Prbs);
@@ -246,9 +267,8 @@ private slots:
     }
     void kindsReadBackFromTheirNames()
     {
-        for (const ExcitationKind kind :
-             {ExcitationKind::Step, ExcitationKind::Prbs, ExcitationKind::Multisine, ExcitationKind::Chirp,
-              ExcitationKind::InverseRepeat, ExcitationKind::FourLevel})
+        QCOMPARE(excitationKinds().size(), std::size_t(8));
+        for (const ExcitationKind kind : excitationKinds())
             QVERIFY(excitationKindFromString(toString(kind)) == kind);
         QVERIFY(!excitationKindFromString(u"noise"_s));
     }

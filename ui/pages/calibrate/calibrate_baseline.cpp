@@ -81,7 +81,7 @@ QWidget* CalibrateBaseline::makeMeasuring()
         "second", card);
     what->setWordWrap(true);
     column->addWidget(what);
-    d->recipe = new EnrollRecipeForm(d->bench, card);
+    d->recipe = new EnrollRecipeForm(d->bench, EnrollRecipeForm::Gripped::Nothing, card);
     column->addWidget(d->recipe);
     column->addWidget(makeRule(card));
 

@@ -131,7 +131,7 @@ QWidget* EnrollPage::makeRecipeStep()
     d->recipeHint->setObjectName("recipeHint");
     d->recipeHint->setWordWrap(true);
     column->addWidget(d->recipeHint);
-    d->recipe = new EnrollRecipeForm(workbench(), step);
+    d->recipe = new EnrollRecipeForm(workbench(), EnrollRecipeForm::Gripped::Part, step);
     column->addWidget(d->recipe);
     auto* row = new QHBoxLayout;
     QPushButton* back = makeButton(tr("Back"), {}, "", step);
@@ -214,10 +214,10 @@ void EnrollPage::showRecipe()
                                       "void: its parts are not "
                                       "recognised until it is approved again. Its recipe stays as it is.")
                                        .arg(session.typeName())
-        : known ? tr("%1 is known: its recipe stays as it is, so that all its squeezes can be compared.")
-                      .arg(session.typeName())
-                : tr("A preload, and on it pushes and releases. The crush limit is the most that this part "
-                     "bears: no squeeze of this type goes above it."));
+        : known
+            ? tr("%1 is known: its recipe stays as it is, so that all its squeezes can be compared.")
+                  .arg(session.typeName())
+            : tr("Pushes and releases about a preload; no squeeze of this type goes above the crush limit."));
     if (d->recipeOf == session.typeName() && !known)
         return; // what was typed stays
     d->recipeOf = session.typeName();

@@ -7,6 +7,7 @@
 #include "ui/context/workbench.h"
 #include "ui/format/recipe_words.h"
 #include "ui/format/shown_unit.h"
+#include "ui/pages/shared/expectation_view.h"
 #include "ui/pages/shared/force_picture.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/quantity_box.h"
@@ -22,7 +23,27 @@ using namespace Qt::StringLiterals;
 
 namespace gripscope {
 
-EnrollRecipeForm::EnrollRecipeForm(Workbench& workbench, QWidget* parent)
+namespace {
+
+/// Made for all of its time, which what it is made of depends on. Where it looks alike throughout the first
+/// second is enough; else all of it, in as many points as a picture has room for.
+std::vector<double> worthShowing(std::vector<double> force_N, ExcitationKind kind, double sampleTime_s)
+{
+    constexpr std::size_t mostPoints = 4000;
+    const bool changes = kind == ExcitationKind::PrbsSine || kind == ExcitationKind::PrbsHold;
+    const std::size_t all = force_N.size();
+    const std::size_t stride = changes ? all / mostPoints + 1 : 1;
+    const auto aSecond = static_cast<std::size_t>(std::ceil(1 / sampleTime_s));
+    const std::size_t shown = changes ? all / stride : std::min(all, aSecond);
+    for (std::size_t i = 0; i < shown; ++i)
+        force_N[i] = force_N[i * stride];
+    force_N.resize(shown);
+    return force_N;
+}
+
+} // namespace
+
+EnrollRecipeForm::EnrollRecipeForm(Workbench& workbench, Gripped gripped, QWidget* parent)
     : QWidget(parent), m_workbench(&workbench)
 {
     const ShownUnit force = fieldUnit(MechanicalQuantity::Force);
@@ -60,6 +81,10 @@ EnrollRecipeForm::EnrollRecipeForm(Workbench& workbench, QWidget* parent)
     m_summary->setWordWrap(true);
     m_summary->setMinimumHeight(40);
     grid->addWidget(m_summary, 6, 0, 1, 3);
+    if (gripped == Gripped::Part) {
+        m_expectation = new ExpectationView(workbench, this);
+        grid->addWidget(m_expectation, 7, 0, 1, 3);
+    }
     setFocusProxy(m_bias);
     connect(&workbench, &Workbench::connectionChanged, this, &EnrollRecipeForm::validate);
     setRecipe(recipeOfNewTypes(), false);
@@ -88,6 +113,8 @@ void EnrollRecipeForm::setRecipe(const Recipe& recipe, bool readOnly)
     const QSignalBlocker quiet(m_kind);
     m_kind->setCurrentIndex(m_kind->findData(static_cast<int>(recipe.kind)));
     m_kind->setEnabled(!readOnly);
+    if (m_expectation != nullptr) // there is nothing to choose by it
+        m_expectation->setVisible(!readOnly);
     validate();
 }
 
@@ -128,9 +155,7 @@ void EnrollRecipeForm::showForce(const Recipe& wanted)
     std::vector<double> force_N;
     if (!forceProblem(wanted, identity))
         force_N = makeExcitation(excitationOptions(wanted, identity, 1)).value_or(force_N);
-    // As it goes in all, which what it is made of depends on; further on it looks alike.
-    force_N.resize(std::min(force_N.size(), static_cast<std::size_t>(std::ceil(1 / identity.sampleTime_s))));
-    m_picture->show(std::move(force_N), wanted.maxForce_N);
+    m_picture->show(worthShowing(std::move(force_N), wanted.kind, identity.sampleTime_s), wanted.maxForce_N);
 }
 
 Recipe EnrollRecipeForm::recipe() const
@@ -189,6 +214,8 @@ void EnrollRecipeForm::validate()
                 : wrong);
     setRole(m_summary, m_valid ? "second" : "error");
     showForce(wanted);
+    if (m_expectation != nullptr)
+        m_expectation->show(wanted, gripper());
     emit changed();
 }
 

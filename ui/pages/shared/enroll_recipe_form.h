@@ -11,6 +11,7 @@ class QLabel;
 
 namespace gripscope {
 
+class ExpectationView;
 class ForcePicture;
 class QuantityBox;
 class Workbench;
@@ -21,7 +22,10 @@ struct GripperIdentity;
 class EnrollRecipeForm : public QWidget {
     Q_OBJECT
 public:
-    explicit EnrollRecipeForm(Workbench& workbench, QWidget* parent = nullptr);
+    /// What is between the fingers: of nothing there is nothing to be expected.
+    enum class Gripped { Part, Nothing };
+
+    EnrollRecipeForm(Workbench& workbench, Gripped gripped, QWidget* parent = nullptr);
     void setRecipe(const Recipe& recipe, bool readOnly);
     [[nodiscard]] Recipe recipe() const;
     [[nodiscard]] bool isValid() const { return m_valid; }
@@ -45,6 +49,7 @@ private:
     QComboBox* m_kind;
     ForcePicture* m_picture;
     QLabel* m_summary;
+    ExpectationView* m_expectation = nullptr; ///< of a part
     bool m_valid = true;
     QString m_name;
 };
