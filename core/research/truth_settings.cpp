@@ -95,11 +95,11 @@ TruthSetting pressed(TruthSetting setting, double bias, double amplitude)
     return setting;
 }
 
-/// The spring's force grows by this share more over the first two millimetres.
+/// A millimetre takes this share more force than a straight spring would, or less.
 TruthSetting bent(TruthSetting setting, double share)
 {
     constexpr double reach = 1e-3;
-    setting.name += u", stiffens %1 %"_s.arg(100 * share);
+    setting.name += (share > 0 ? u", stiffens %1 %"_s : u", softens %1 %"_s).arg(100 * std::abs(share));
     setting.part.cubic = share * setting.part.k / (reach * reach);
     return setting;
 }
