@@ -42,6 +42,14 @@ bool isWorthSearching(const Identification& identification, const PreparedRecord
                worthSearching(options.terms, record.force.size());
 }
 
+/// The gripper is known to have friction: a squeeze is not explained without it.
+bool isKnownToRub(const MotionOptions& options)
+{
+    constexpr double beyondDoubt = 2; // standard errors
+    return options.terms.friction && options.knownFriction &&
+           options.knownFriction->value > beyondDoubt * options.knownFriction->standardError;
+}
+
 /// motionOptions(), from the linear motion on where that was found.
 MotionOptions fromLinear(Estimator estimator, const Identification& identification,
                          const PreparedRecord& record, const EstimatorTask& task)
@@ -63,7 +71,8 @@ std::optional<Estimate> motionWith(Estimator estimator, const Identification& id
     const MotionOptions options = fromLinear(estimator, identification, record, task);
     if (const Estimate* const found = identification.find(estimator))
         motion = *found;
-    else if (isWorthSearching(identification, record, options))
+    else if (isWorthSearching(identification, record, options) ||
+             (isKnownToRub(options) && hasLinear(identification) && record.force.size() <= longestTried))
         motion = estimateMotion(record.force, record.position, options);
     if (motion && !motion->parameters)
         motion.reset();
@@ -142,9 +151,9 @@ ModelComparison comparisonOf(const Identification& identification, const Prepare
 {
     if (!hasLinear(identification))
         return {};
-    ModelComparison comparison =
-        compareModels(record.force, record.position, outputErrorOptions(record, task),
-                      *identification.find(Estimator::OutputError), otherHold, motionsOf(further));
+    ModelComparison comparison = compareModels(
+        record.force, record.position, outputErrorOptions(record, task),
+        *identification.find(Estimator::OutputError), otherHold, motionsOf(further), record.chain.friction);
     comparison.unsettledYielding = further.unsettledYielding;
     return comparison;
 }

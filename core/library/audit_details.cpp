@@ -59,6 +59,10 @@ QJsonObject auditDetails(const std::optional<MeasuringChainRecord>& before, cons
         {u"frame_compliance_uncertainty"_s, &MeasuringChain::frameComplianceUncertainty}};
     for (const auto& [key, member] : numbers)
         addChange(details, key, known.chain.*member, now.chain.*member);
+    const auto frictionOf = [](const MeasuringChain& chain) {
+        return chain.friction ? QJsonValue(chain.friction->value) : QJsonValue();
+    };
+    addChange(details, u"friction"_s, frictionOf(known.chain), frictionOf(now.chain));
     addChange(details, u"baseline"_s, numbersOf(known.chain.baseline), numbersOf(now.chain.baseline));
     return details;
 }

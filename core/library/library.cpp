@@ -307,6 +307,8 @@ Expected<void> Library::addMeasuringChain(const NewMeasuringChain& measured)
         numbers.insert(numbers.end(), chain.baseline->standardErrors.begin(),
                        chain.baseline->standardErrors.end());
     }
+    if (chain.friction)
+        numbers.insert(numbers.end(), {chain.friction->value, chain.friction->standardError});
     if (!std::all_of(numbers.begin(), numbers.end(), [](double value) { return std::isfinite(value); }))
         return failure(ErrorCode::Usage,
                        {Words::tr("A number that was measured of the gripper is not finite.")});
@@ -325,6 +327,12 @@ Expected<void> Library::addMeasuringChain(const NewMeasuringChain& measured)
 Expected<std::optional<MeasuringChainRecord>> Library::measuringChain(const QString& gripperSerial) const
 {
     return measuring_chain_table::newest(*d->database, gripperSerial);
+}
+
+Expected<std::vector<MeasuringChainRecord>> Library::measuringChains(const QString& gripperSerial,
+                                                                     int limit) const
+{
+    return measuring_chain_table::list(*d->database, gripperSerial, limit);
 }
 
 } // namespace gripscope

@@ -226,6 +226,9 @@ public:
     [[nodiscard]] Expected<void> addMeasuringChain(const NewMeasuringChain& measured);
     [[nodiscard]] Expected<std::optional<MeasuringChainRecord>>
     measuringChain(const QString& gripperSerial) const; ///< the newest
+    /// Newest first.
+    [[nodiscard]] Expected<std::vector<MeasuringChainRecord>> measuringChains(const QString& gripperSerial,
+                                                                              int limit) const;
 
     /// A sensor against a reference, in force from now on. Usage: no serial number or unit, no due date, or
     /// points that evaluateCalibration() refuses.

@@ -44,6 +44,7 @@ QString keyInWords(const QString& key)
         {"format", QT_TRANSLATE_NOOP("Words", "format")},
         {"frame_compliance", QT_TRANSLATE_NOOP("Words", "compliance of the frame")},
         {"frame_compliance_uncertainty", QT_TRANSLATE_NOOP("Words", "uncertainty of the frame's compliance")},
+        {"friction", QT_TRANSLATE_NOOP("Words", "friction of the empty gripper")},
         {"from", QT_TRANSLATE_NOOP("Words", "from")},
         {"idle", QT_TRANSLATE_NOOP("Words", "after nothing was done")},
         {"inspections", QT_TRANSLATE_NOOP("Words", "inspections")},

@@ -210,6 +210,37 @@
     </message>
 </context>
 <context>
+    <name>GripperTexts</name>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>Empty gripper</source>
+        <translation>Leerer Greifer</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Noise of the force</source>
+        <translation>Rauschen der Kraft</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Gestell</translation>
+    </message>
+    <message>
+        <source>Lag of the position</source>
+        <translation>Zeitversatz des Wegs</translation>
+    </message>
+    <message>
+        <source>Lag</source>
+        <translation>Zeitversatz</translation>
+    </message>
+</context>
+<context>
     <name>InspectHint</name>
     <message>
         <source>Squeezing…</source>
@@ -5638,6 +5669,30 @@ m  %3</translation>
         <source>A sum of sines as long as this has too many tones: choose a longer shortest push, or a shorter squeeze.</source>
         <translation>Eine so lange Summe von Sinus hat zu viele Töne: ein längeres kürzestes Drücken oder einen kürzeren Druckversuch wählen.</translation>
     </message>
+    <message>
+        <source>friction of the gripper is known: with what the squeeze tells of it, it is up to %1 % of the force&apos;s range, and k may be %2 % lower</source>
+        <translation>die Reibung des Greifers ist bekannt: mit dem, was der Druckversuch von ihr zeigt, beträgt sie bis zu %1 % des Kraftbereichs, und k kann %2 % kleiner sein</translation>
+    </message>
+    <message>
+        <source>the friction of a gripper itself</source>
+        <translation>die Reibung eines Greifers selbst</translation>
+    </message>
+    <message>
+        <source>friction of the empty gripper</source>
+        <translation>Reibung des leeren Greifers</translation>
+    </message>
+    <message>
+        <source>no stiffness was found</source>
+        <translation>es wurde keine Steifigkeit gefunden</translation>
+    </message>
+    <message>
+        <source>There is no compliance that was measured well enough to be used.</source>
+        <translation>Es gibt keine Nachgiebigkeit, die gut genug gemessen wurde, um verwendet zu werden.</translation>
+    </message>
+    <message>
+        <source>rigid block, %1 squeezes</source>
+        <translation>starrer Block, %1 Druckversuche</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>
@@ -6292,72 +6347,6 @@ m  %3</translation>
     </message>
 </context>
 <context>
-    <name>gripscope::CalibrateBaseline</name>
-    <message>
-        <source>The empty gripper</source>
-        <translation>Der leere Greifer</translation>
-    </message>
-    <message numerus="yes">
-        <source>Fingers and drive have a mass, a damping and a stiffness of their own, which add to the part&apos;s. Take everything out of the gripper and measure it with the force that the parts are squeezed with: it squeezes nothing, %n times.</source>
-        <translation>
-            <numerusform>Finger und Antrieb haben eigene Masse, Dämpfung und Steifigkeit, die zu denen des Teils hinzukommen. Alles aus dem Greifer nehmen und ihn mit der Kraft messen, mit der die Teile gedrückt werden: Er drückt %n-mal ins Leere.</numerusform>
-            <numerusform>Finger und Antrieb haben eigene Masse, Dämpfung und Steifigkeit, die zu denen des Teils hinzukommen. Alles aus dem Greifer nehmen und ihn mit der Kraft messen, mit der die Teile gedrückt werden: Er drückt %n-mal ins Leere.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Squeeze nothing (Space)</source>
-        <translation>Leer drücken (Leertaste)</translation>
-    </message>
-    <message>
-        <source>Measure again (Space)</source>
-        <translation>Neu messen (Leertaste)</translation>
-    </message>
-    <message>
-        <source>Change the forces above first.</source>
-        <translation>Erst die Kräfte oben ändern.</translation>
-    </message>
-    <message>
-        <source>Take it off from now on</source>
-        <translation>Ab jetzt abziehen</translation>
-    </message>
-    <message>
-        <source>Taken off now</source>
-        <translation>Wird jetzt abgezogen</translation>
-    </message>
-    <message>
-        <source>Take nothing off any more</source>
-        <translation>Nichts mehr abziehen</translation>
-    </message>
-    <message>
-        <source>k %1</source>
-        <translation>k %1</translation>
-    </message>
-    <message>
-        <source>Not valid, so nothing changes: %1</source>
-        <translation>Ungültig, also ändert sich nichts: %1</translation>
-    </message>
-    <message>
-        <source>m %1, b %2, k %3 (95 %)</source>
-        <translation>m %1, b %2, k %3 (95 %)</translation>
-    </message>
-    <message>
-        <source>In use for gripper %1: %2.</source>
-        <translation>In Gebrauch für Greifer %1: %2.</translation>
-    </message>
-    <message>
-        <source>The empty gripper: %1.</source>
-        <translation>Der leere Greifer: %1.</translation>
-    </message>
-    <message>
-        <source>These are taken off every later squeeze before it is shown, enrolled or judged, and their uncertainty goes into its error bars. Types that were enrolled without this include the fingers: enroll them again. Measure anew when the fingers are changed.</source>
-        <translation>Diese werden von jedem späteren Druckversuch abgezogen, bevor er gezeigt, eingelernt oder beurteilt wird, und ihre Unsicherheit geht in seine Fehlerbalken ein. Ohne dies eingelernte Typen enthalten die Finger: neu einlernen. Nach einem Wechsel der Finger neu messen.</translation>
-    </message>
-    <message>
-        <source>Nothing. The m, b and k of a part include those of the fingers, in enrolled types and in inspections alike, so that they still compare on this gripper.</source>
-        <translation>Nichts. m, b und k eines Teils enthalten die der Finger, in eingelernten Typen wie in Prüfungen, sodass sie auf diesem Greifer vergleichbar bleiben.</translation>
-    </message>
-</context>
-<context>
     <name>gripscope::CalibrateCheck</name>
     <message>
         <source>Check on a reference spring</source>
@@ -6397,6 +6386,57 @@ m  %3</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::CalibrateGripper</name>
+    <message>
+        <source>What a gripper is characterised by, one after the other</source>
+        <translation>Was einen Greifer kennzeichnet, eins nach dem anderen</translation>
+    </message>
+    <message>
+        <source>1  Empty gripper</source>
+        <translation>1  Leerer Greifer</translation>
+    </message>
+    <message>
+        <source>2  Frame</source>
+        <translation>2  Gestell</translation>
+    </message>
+    <message>
+        <source>3  Lag</source>
+        <translation>3  Zeitversatz</translation>
+    </message>
+    <message>
+        <source>Next: the frame</source>
+        <translation>Weiter: das Gestell</translation>
+    </message>
+    <message>
+        <source>Next: the lag</source>
+        <translation>Weiter: der Zeitversatz</translation>
+    </message>
+    <message>
+        <source>Known of this gripper</source>
+        <translation>Bekannt von diesem Greifer</translation>
+    </message>
+    <message>
+        <source>Take nothing off any more</source>
+        <translation>Nichts mehr abziehen</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>stated by the gripper</source>
+        <translation>Angabe des Greifers</translation>
+    </message>
+    <message>
+        <source>The empty gripper is taken off every later squeeze before it is shown, enrolled or judged, and its uncertainty goes into the error bars. Types that were enrolled without this include the fingers: enroll them again. Measure anew when the fingers are changed.</source>
+        <translation>Der leere Greifer wird von jedem späteren Druckversuch abgezogen, bevor dieser gezeigt, eingelernt oder beurteilt wird, und seine Unsicherheit geht in die Fehlerbalken ein. Ohne das eingelernte Typen enthalten die Finger: neu einlernen. Nach einem Wechsel der Finger neu messen.</translation>
+    </message>
+    <message>
+        <source>Nothing is taken off. The m, b and k of a part include those of the fingers, in enrolled types and in inspections alike, so that they still compare on this gripper.</source>
+        <translation>Nichts wird abgezogen. m, b und k eines Teils enthalten die der Finger, in eingelernten Typen wie in Prüfungen, sodass sie sich an diesem Greifer trotzdem vergleichen lassen.</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::CalibratePage</name>
     <message>
         <source>Calibrate</source>
@@ -6415,8 +6455,8 @@ m  %3</translation>
         <translation>Federkontrolle</translation>
     </message>
     <message>
-        <source>Empty gripper</source>
-        <translation>Leerer Greifer</translation>
+        <source>This gripper</source>
+        <translation>Dieser Greifer</translation>
     </message>
 </context>
 <context>
@@ -7844,6 +7884,52 @@ sd</source>
     <message>
         <source>%1, %2, %3 samples</source>
         <translation>%1, %2, %3 Abtastwerte</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::EmptyGripperStep</name>
+    <message>
+        <source>Squeeze nothing (Space)</source>
+        <translation>Leer drücken (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Measure again (Space)</source>
+        <translation>Neu messen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Take it off from now on</source>
+        <translation>Ab jetzt abziehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Fingers and drive have m, b, k and friction of their own, which add to the part&apos;s. Take everything out of the gripper: it squeezes nothing, %n times, with the force of the parts.</source>
+        <translation>
+            <numerusform>Finger und Antrieb haben m, b, k und Reibung, die zu denen des Teils hinzukommen. Alles aus dem Greifer nehmen: Er drückt %n-mal ins Leere, mit der Kraft der Teile.</numerusform>
+            <numerusform>Finger und Antrieb haben m, b, k und Reibung, die zu denen des Teils hinzukommen. Alles aus dem Greifer nehmen: Er drückt %n-mal ins Leere, mit der Kraft der Teile.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>k %1</source>
+        <translation>k %1</translation>
+    </message>
+    <message>
+        <source>Not valid, so nothing changes: %1</source>
+        <translation>Ungültig, also ändert sich nichts: %1</translation>
+    </message>
+    <message>
+        <source>m %1, b %2, k %3 (95 %)</source>
+        <translation>m %1, b %2, k %3 (95 %)</translation>
+    </message>
+    <message>
+        <source>, friction %1</source>
+        <translation>, Reibung %1</translation>
+    </message>
+    <message>
+        <source>In use for gripper %1: %2.</source>
+        <translation>In Gebrauch für Greifer %1: %2.</translation>
+    </message>
+    <message>
+        <source>The empty gripper: %1.</source>
+        <translation>Der leere Greifer: %1.</translation>
     </message>
 </context>
 <context>
@@ -9537,6 +9623,44 @@ Vorh. %</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::FrameStep</name>
+    <message>
+        <source>Squeeze the block (Space)</source>
+        <translation>Den Block drücken (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Measure again (Space)</source>
+        <translation>Neu messen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Take it off from now on</source>
+        <translation>Ab jetzt abziehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Frame and fingers give way, which the position counts as the part&apos;s. Put in a steel block, which does not: it is squeezed %n times, with the force of the parts.</source>
+        <translation>
+            <numerusform>Gestell und Finger geben nach, was der Weg dem Teil zurechnet. Einen Stahlblock einlegen, der nicht nachgibt: Er wird %n-mal gedrückt, mit der Kraft der Teile.</numerusform>
+            <numerusform>Gestell und Finger geben nach, was der Weg dem Teil zurechnet. Einen Stahlblock einlegen, der nicht nachgibt: Er wird %n-mal gedrückt, mit der Kraft der Teile.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>k %1</source>
+        <translation>k %1</translation>
+    </message>
+    <message>
+        <source>Not valid, so nothing changes: %1</source>
+        <translation>Ungültig, also ändert sich nichts: %1</translation>
+    </message>
+    <message>
+        <source>In use for gripper %1: the frame has %2.</source>
+        <translation>In Gebrauch für Greifer %1: Das Gestell hat %2.</translation>
+    </message>
+    <message>
+        <source>The frame has %1 (95 %).</source>
+        <translation>Das Gestell hat %1 (95 %).</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::FrequencyPlot</name>
     <message>
         <source>Frequency (Hz)</source>
@@ -9561,6 +9685,13 @@ Vorh. %</translation>
     <message>
         <source>%1, model</source>
         <translation>%1, Modell</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::GripperStep</name>
+    <message>
+        <source>Change the forces above first.</source>
+        <translation>Erst die Kräfte oben ändern.</translation>
     </message>
 </context>
 <context>
@@ -11011,18 +11142,9 @@ Vorh. %</translation>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
-    <message>
-        <source>The position is sampled %1 (95 %) later than the force.</source>
-        <translation>Der Weg wird %1 (95 %) später abgetastet als die Kraft.</translation>
-    </message>
-    <message>
-        <source>In use: %1. It is kept for gripper %2, and its uncertainty goes into every error bar.</source>
-        <translation>In Gebrauch: %1. Er gilt für Greifer %2, und seine Unsicherheit geht in jeden Fehlerbalken ein.</translation>
-    </message>
-    <message>
-        <source>Use this lag</source>
-        <translation>Diesen Versatz verwenden</translation>
-    </message>
+</context>
+<context>
+    <name>gripscope::LagStep</name>
     <message>
         <source>Squeeze %1 times</source>
         <translation>%1-mal drücken</translation>
@@ -11032,8 +11154,20 @@ Vorh. %</translation>
         <translation>Neu messen</translation>
     </message>
     <message>
+        <source>Use this lag</source>
+        <translation>Diesen Versatz verwenden</translation>
+    </message>
+    <message>
         <source>A gripper samples the position a little later than the force. A lag of 100 µs that nobody knows of changes the mass of a can by a tenth. Grip something firm, a spring or a can of any type, and leave it there: the gripper squeezes it %1 times, with %2 for %3 s.</source>
         <translation>Ein Greifer tastet den Weg etwas später ab als die Kraft. Ein unbekannter Zeitversatz von 100 µs ändert die Masse einer Dose um ein Zehntel. Etwas Festes greifen, eine Feder oder eine Dose beliebigen Typs, und dort lassen: Der Greifer drückt sie %1-mal, mit %2, je %3 s lang.</translation>
+    </message>
+    <message>
+        <source>In use: %1. It is kept for gripper %2, and its uncertainty goes into every error bar.</source>
+        <translation>In Gebrauch: %1. Er gilt für Greifer %2, und seine Unsicherheit geht in jeden Fehlerbalken ein.</translation>
+    </message>
+    <message>
+        <source>The position is sampled %1 (95 %) later than the force.</source>
+        <translation>Der Weg wird %1 (95 %) später abgetastet als die Kraft.</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 
 namespace gripscope {
 
+class LagStep;
 class Workbench;
 
 /// What to type so that this user may open a gripper: a command a line, to be copied. Closes by itself when
@@ -27,18 +28,12 @@ class LagDialog : public Dialog {
     Q_OBJECT
 public:
     explicit LagDialog(Workbench& workbench, QWidget* parent = nullptr);
-    ~LagDialog() override;
 
 protected:
     void done(int result) override;
 
 private:
-    void build();
-    [[nodiscard]] QString found() const;
-    [[nodiscard]] QString outcome() const;
-
-    struct Private;
-    std::unique_ptr<Private> d;
+    LagStep* m_step;
 };
 
 /// Which gripper to connect to: those on USB, listed as they come and go while the menu is open, the virtual

@@ -31,8 +31,20 @@ std::vector<double> usedResiduals(const Estimate& e, const OutputErrorOptions& o
     return out;
 }
 
+/// Twice what the likelihood loses because the model's friction is not the one that is known: all of it where
+/// the model has none. A motion that was told of it and gave it up has friction of the part's own.
+double againstKnownFriction(const Estimate& e, const std::optional<GripperFriction>& known)
+{
+    if (!known || !(known->standardError > 0))
+        return 0;
+    if (e.motion && e.motion->terms.friction)
+        return std::pow(e.motion->offKnownFriction.value_or(0), 2);
+    return std::pow(known->value / known->standardError, 2);
+}
+
 /// Fills in likelihood and criterion; false when there is nothing to judge.
-bool judge(ComparedModel& model, const OutputErrorOptions& options)
+bool judge(ComparedModel& model, const OutputErrorOptions& options,
+           const std::optional<GripperFriction>& knownFriction)
 {
     const Estimate& e = model.estimate;
     if (e.status != EstimateStatus::Converged || !e.parameters)
@@ -43,9 +55,9 @@ bool judge(ComparedModel& model, const OutputErrorOptions& options)
         return false;
     model.noiseOrder = static_cast<int>(series->coefficients.size());
     model.parameters += 3 + model.noiseOrder + 1 + (e.nuisance.x0 ? 2 : 0) + (e.nuisance.offset ? 1 : 0);
-    model.logLikelihood = series->logLikelihood;
+    model.logLikelihood = series->logLikelihood - againstKnownFriction(e, knownFriction) / 2;
     model.criterion =
-        -2 * series->logLikelihood + model.parameters * std::log(static_cast<double>(residuals.size()));
+        -2 * model.logLikelihood + model.parameters * std::log(static_cast<double>(residuals.size()));
     return std::isfinite(model.criterion);
 }
 
@@ -266,7 +278,8 @@ const ComparedModel* ModelComparison::find(const QString& id) const
 
 ModelComparison compareModels(const std::vector<double>& force, const std::vector<double>& position,
                               const OutputErrorOptions& options, const Estimate& linear,
-                              const Estimate& otherHold, const std::vector<Estimate>& motions)
+                              const Estimate& otherHold, const std::vector<Estimate>& motions,
+                              const std::optional<GripperFriction>& knownFriction)
 {
     ModelComparison comparison;
     comparison.criterion = u"BIC"_s;
@@ -274,7 +287,7 @@ ModelComparison compareModels(const std::vector<double>& force, const std::vecto
         linear.residual.size() != force.size() || force.size() != position.size())
         return comparison;
     for (ComparedModel& model : candidates(force, position, options, linear, otherHold, motions)) {
-        if (!judge(model, options)) {
+        if (!judge(model, options, knownFriction)) {
             if (model.id == u"linear"_s)
                 return comparison;
             continue;

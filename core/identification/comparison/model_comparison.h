@@ -32,6 +32,7 @@ struct ComparedModel {
 /// Models ranked by the Bayesian information criterion BIC = -2 ln L + p ln N (Schwarz 1978). L is the
 /// Gaussian likelihood of the model's residuals under their own autoregressive noise (order by BIC, up to
 /// 20), since residuals are seldom white and a likelihood that takes them for white is sure of far too much.
+/// What is known of the gripper's own friction is part of the data.
 struct ModelComparison {
     std::vector<ComparedModel> ranked; ///< best first
     QString criterion;                 ///< "BIC"
@@ -53,10 +54,12 @@ inline constexpr double decisiveDelta = 10;
 /// better only where the criterion is decisively lower and m, b or k differ by more than two standard errors,
 /// the smaller of the two models' each where it explains more. Not among the ranked: one that does not settle
 /// within 30 iterations (the others need 3 to 12), and the one without an offset that is beyond doubt.
+/// `knownFriction`: the gripper's own, where somebody measured it.
 [[nodiscard]] ModelComparison compareModels(const std::vector<double>& force,
                                             const std::vector<double>& position,
                                             const OutputErrorOptions& options, const Estimate& linear,
                                             const Estimate& otherHold,
-                                            const std::vector<Estimate>& motions = {});
+                                            const std::vector<Estimate>& motions = {},
+                                            const std::optional<GripperFriction>& knownFriction = {});
 
 } // namespace gripscope

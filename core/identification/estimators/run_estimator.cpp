@@ -35,6 +35,9 @@ MotionOptions motionOptions(Estimator estimator, const PreparedRecord& record, c
     options.lost = record.lost;
     options.estimator = estimator;
     options.terms = motionTermsOf(estimator).value_or(MotionTerms());
+    if (options.terms.friction &&
+        options.terms.spring) // without a part it is the gripper's that is looked for
+        options.knownFriction = record.chain.friction;
     return options;
 }
 

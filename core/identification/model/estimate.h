@@ -110,6 +110,8 @@ struct MotionEstimate {
     MotionValues values;
     Eigen::MatrixXd covariance;          ///< of terms.parameters(), in their order
     std::optional<double> frictionLimit; ///< Fc is below it with 95 % confidence (one-sided)
+    /// How far Fc is from what was known of it, in that one's standard errors, where that was counted.
+    std::optional<double> offKnownFriction;
 
     /// Nothing for a parameter that its terms do not have.
     [[nodiscard]] std::optional<double> standardError(MotionParameter parameter) const;

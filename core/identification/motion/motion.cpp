@@ -173,6 +173,13 @@ std::optional<Eigen::MatrixXd> whiteCovariance(const MotionProblem& problem, con
                             root.transpose());
 }
 
+/// With what is known of the friction as one more, independent measurement of it, of this variance.
+Eigen::MatrixXd withKnownFriction(const Eigen::MatrixXd& covariance, Eigen::Index friction, double variance)
+{
+    const Eigen::VectorXd column = covariance.col(friction);
+    return covariance - column * column.transpose() / (column(friction) + variance);
+}
+
 /// Under the autoregressive noise that the residuals hold.
 std::optional<Eigen::MatrixXd> colouredCovariance(const MotionRows& rows, const Eigen::VectorXd& scales,
                                                   double positionScale, Estimate& estimate)
@@ -279,9 +286,16 @@ Estimate answer(const MotionProblem& problem, const MotionSearchResult& search,
     describe(problem, search, *rows, position, estimate);
     if (estimate.residuals.whitenessP && *estimate.residuals.whitenessP < certainColourP)
         if (auto coloured = colouredCovariance(*rows, scales, problem.positionScale, estimate))
-            covariance = std::move(coloured);
-    estimate.motion = MotionEstimate{problem.terms, values, *covariance,
-                                     frictionLimit(problem, search, values, *covariance)};
+            covariance =
+                problem.frictionPrior
+                    ? withKnownFriction(*coloured, problem.columnOf(P::Friction) - problem.startUnknowns(),
+                                        std::pow(options.knownFriction->standardError, 2))
+                    : *coloured;
+    estimate.motion = MotionEstimate{
+        problem.terms, values, *covariance, frictionLimit(problem, search, values, *covariance), {}};
+    if (problem.frictionPrior)
+        estimate.motion->offKnownFriction =
+            (values[P::Friction] - options.knownFriction->value) / options.knownFriction->standardError;
     fillLinearPart(estimate);
     return estimate;
 }
@@ -328,15 +342,61 @@ void widen(Estimate& estimate, double factor)
         estimate.motion->covariance *= factor * factor;
 }
 
+std::optional<MotionSearchResult> searchFreely(MotionProblem& problem, const MotionOptions& options)
+{
+    if (problem.terms.friction)
+        return searchWithFriction(problem, options);
+    return searchFrom(problem, startsFor(problem, linearPoint(problem, options), options),
+                      options.maxIterations);
+}
+
+/// The search from where one ended, with the friction known; its weight from the noise that was left there,
+/// twice, since knowing it changes what is left.
+std::optional<MotionSearchResult> searchWithPrior(MotionProblem& problem, const MotionSearchResult& free,
+                                                  const MotionOptions& options)
+{
+    constexpr int rounds = 2;
+    const double unit = problem.unitOf(P::Friction);
+    const GripperFriction& known = *options.knownFriction;
+    MotionSearchResult found = free;
+    found.point.values[P::Friction] = known.value / unit;
+    for (int i = 0; i < rounds; ++i) {
+        const double own = std::pow(problem.priorResidual(found.point.values[P::Friction]), 2);
+        const double variance = (found.cost() - own) / MotionSearchResult::degreesOfFreedom(problem);
+        problem.frictionPrior =
+            FrictionPrior{known.value / unit, std::sqrt(variance) / (known.standardError / unit)};
+        const auto next = searchFrom(problem, {found.point}, options.maxIterations);
+        if (!next || !next->isSettled())
+            return std::nullopt;
+        found = *next;
+    }
+    return found;
+}
+
+/// Beyond as many standard errors what was known of the friction is not true of this squeeze.
+constexpr double refutedBeyond = 4;
+
+/// With what is known of the friction, as long as the record does not refute that.
+std::optional<MotionSearchResult> bestMotion(MotionProblem& problem, const MotionOptions& options)
+{
+    const auto free = searchFreely(problem, options);
+    if (!free || !options.knownFriction || !problem.terms.friction || problem.terms.eachWay ||
+        !(options.knownFriction->standardError > 0) || !(free->cost() > 0) || !free->linear.finite)
+        return free;
+    const auto known = searchWithPrior(problem, *free, options);
+    const double variance = free->cost() / MotionSearchResult::degreesOfFreedom(problem);
+    if (known && known->cost() - free->cost() <= refutedBeyond * refutedBeyond * variance)
+        return known;
+    problem.frictionPrior.reset();
+    return free;
+}
+
 Estimate estimateKnown(KnownForces known, const std::vector<double>& position, const MotionOptions& options)
 {
     MotionProblem& problem = known.problem;
     if (const std::optional<Estimate> stop = obstacle(problem, options))
         return *stop;
-    const auto search = problem.terms.friction
-                            ? searchWithFriction(problem, options)
-                            : searchFrom(problem, startsFor(problem, linearPoint(problem, options), options),
-                                         options.maxIterations);
+    const std::optional<MotionSearchResult> search = bestMotion(problem, options);
     if (!search || search->outcome == SearchOutcome::Lost)
         return failed(options, EstimateStatus::NotIdentifiable, Words::say(noAnswer));
     Estimate estimate = failed(options, EstimateStatus::NotIdentifiable, Finding());

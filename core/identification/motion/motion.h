@@ -13,6 +13,9 @@ struct MotionOptions : ContinuousTimeOptions {
     int maxIterations = 40;
     Nuisance startNuisance;  ///< that belongs to `start`, as the next
     MotionValues startTerms; ///< of the further terms; all zero: some are tried
+    /// What is known of the friction beforehand, in the force's unit. Given up where the record refutes it:
+    /// the part may have friction of its own.
+    std::optional<GripperFriction> knownFriction;
 };
 
 /// Minimises sum (y - x - offset)^2, x the motion of the family of MotionTerms under the force as it is held,
@@ -27,7 +30,8 @@ struct MotionOptions : ContinuousTimeOptions {
 /// friction its speed moves nothing. Where the residuals are certainly not white the autoregressive noise
 /// that they hold is counted instead. Friction is not below zero: where the data would have it there, it is
 /// zero, its variance stays (so that the others carry what friction might still do), and
-/// `motion->frictionLimit` tells how large it may be.
+/// `motion->frictionLimit` tells how large it may be. Friction that is known beforehand counts as one more
+/// measurement of it (the estimate is then the most probable one, its covariance that of both together).
 ///
 /// All numbers must be finite, force and position equally long, the sample time positive. Statuses:
 /// Converged; NotConverged with the last iterate; TooFewSamples when N <= p; NotIdentifiable with words when

@@ -140,6 +140,17 @@ int MotionProblem::unknowns() const
     return startUnknowns() + static_cast<int>(terms.parameters().size());
 }
 
+Eigen::Index MotionProblem::columnOf(P parameter) const
+{
+    const std::vector<P> all = terms.parameters();
+    return startUnknowns() + (std::ranges::find(all, parameter) - all.begin());
+}
+
+double MotionProblem::priorResidual(double friction) const
+{
+    return frictionPrior ? frictionPrior->weight * (frictionPrior->value - friction) : 0;
+}
+
 double MotionProblem::unitOf(P parameter) const
 {
     const double stiffness = forceScale / positionScale;
@@ -234,6 +245,14 @@ MotionLinearization linearize(const MotionProblem& problem, const MotionPoint& p
         row(unknowns) = e;
         out.cost += e * e;
     });
+    if (problem.frictionPrior) {
+        const double e = problem.priorResidual(point.values[P::Friction]);
+        auto row = qr.nextRow();
+        row.setZero();
+        row(problem.columnOf(P::Friction)) = problem.frictionPrior->weight;
+        row(unknowns) = e;
+        out.cost += e * e;
+    }
     if (!bounded || !std::isfinite(out.cost))
         return out;
     const Eigen::MatrixXd& triangle = qr.triangle();
@@ -261,7 +280,7 @@ std::optional<MotionRows> motionRows(const MotionProblem& problem, const MotionP
 
 std::optional<double> costAt(const MotionProblem& problem, const MotionPoint& point)
 {
-    double cost = 0;
+    double cost = std::pow(problem.priorResidual(point.values[P::Friction]), 2);
     const bool bounded = forEachRow<double>(problem, point, [&](std::ptrdiff_t index, double x) {
         const double e = problem.position[static_cast<std::size_t>(index)] - x - point.offset;
         cost += e * e;

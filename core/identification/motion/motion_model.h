@@ -11,12 +11,19 @@
 
 namespace gripscope {
 
+/// What is known of the friction beforehand, in the problem's units: one more residual, weight (value - Fc).
+struct FrictionPrior {
+    double value = 0;
+    double weight = 0; ///< deviation of the positions' noise over that of the value
+};
+
 /// The problem of a motion with these terms, in the units of OutputErrorProblem.
 struct MotionProblem : OutputErrorProblem {
     MotionTerms terms;
     /// Friction holds a part at the start: its speed then moves nothing, and next to nothing where it is
     /// small.
     bool startsAtRest = false;
+    std::optional<FrictionPrior> frictionPrior = {}; ///< only where the terms have friction
 
     /// Without a spring no position is special: the start is the offset.
     [[nodiscard]] bool seeksPosition() const { return freeInitialState && terms.spring; }
@@ -26,6 +33,10 @@ struct MotionProblem : OutputErrorProblem {
     /// How many of x0, v0, x0 - q0 and the offset are free: the first unknowns.
     [[nodiscard]] int startUnknowns() const;
     [[nodiscard]] int unknowns() const;
+    /// The place of one of its parameters among the unknowns.
+    [[nodiscard]] Eigen::Index columnOf(MotionParameter parameter) const;
+    /// The prior's residual at a value of the friction; 0 without a prior.
+    [[nodiscard]] double priorResidual(double friction) const;
     /// What 1 in the problem's units is in those of the channels.
     [[nodiscard]] double unitOf(MotionParameter parameter) const;
 };
@@ -50,7 +61,7 @@ struct MotionPoint {
 /// positions as they are integrated.
 struct MotionLinearization {
     bool finite = false;
-    double cost = 0;          ///< sum of squared residuals
+    double cost = 0;          ///< sum of squared residuals, the prior's among them
     Eigen::MatrixXd triangle; ///< R factor of the sensitivities
     Eigen::VectorXd residual; ///< the residuals' part in its coordinates
 
@@ -59,14 +70,14 @@ struct MotionLinearization {
 };
 [[nodiscard]] MotionLinearization linearize(const MotionProblem& problem, const MotionPoint& point);
 
-/// All sensitivities, a row a measured position from firstRow() to endRow(), and the residuals.
+/// All sensitivities, a row a measured position from firstRow() to endRow(), and the residuals; no prior.
 struct MotionRows {
     Eigen::MatrixXd sensitivities;
     std::vector<double> residuals;
 };
 [[nodiscard]] std::optional<MotionRows> motionRows(const MotionProblem& problem, const MotionPoint& point);
 
-/// Sum of squared residuals; nothing when the motion leaves all bounds.
+/// Sum of squared residuals, the prior's among them; nothing when the motion leaves all bounds.
 [[nodiscard]] std::optional<double> costAt(const MotionProblem& problem, const MotionPoint& point);
 
 /// x + offset at every position's time; before the first force the start, after the last one its force is

@@ -119,10 +119,12 @@ inline constexpr double misfitLevel = 1e-3;
 /// the residuals hold, of deviation s, all that is not below zero alike before (a normal distribution cut at
 /// zero, its middle not below it): the estimate was moved by f times what the effect does to (ln m, ln b, ln
 /// k), so that the covariance is E f^2 times its square. With two levels of force friction acts as stiffness
-/// and s is large; with four it is small.
+/// and s is large; with four it is small. `known`: what was measured of the gripper's own, which f and s are
+/// then of both together, unless the record refutes it.
 [[nodiscard]] std::vector<BudgetLine> hiddenFrictionLines(const Estimate& estimate,
                                                           const LinearizedRecord& record,
-                                                          const std::vector<double>& effect);
+                                                          const std::vector<double>& effect,
+                                                          const std::optional<GripperFriction>& known = {});
 /// For an estimate with friction: it may begin to slide over some reach instead of at once (Bouc's and Wen's
 /// z, reach z' = v - |v| z), which acts as more stiffness after each turn and takes less energy. What a reach
 /// of a twentieth of the travel would do to (ln m, ln b, ln k), by its shape with the friction found anew and

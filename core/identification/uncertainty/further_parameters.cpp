@@ -105,12 +105,18 @@ std::vector<FurtherParameter> furtherParameters(const MotionEstimate& motion, co
         FurtherParameter further;
         further.parameter = parameters[i];
         further.value = motion.values[parameters[i]];
+        double ownVariance = 0;
+        if (parameters[i] == P::Friction && chain.friction && motion.terms.spring) {
+            further.value = std::max(0.0, further.value - chain.friction->value);
+            ownVariance = std::pow(chain.friction->standardError, 2);
+        }
         const ScalePowers powers = powersOf(parameters[i]);
         const double scale = further.value * std::hypot(powers.force * chain.forceScaleUncertainty,
                                                         powers.position * chain.positionScaleUncertainty);
         const BetweenParts between = betweenParts(motion, i, parts);
         const double away = awayFrom(otherForm, parameters[i], further.value);
-        const double variance = motion.covariance(at, at) + scale * scale + between.variance + away * away;
+        const double variance =
+            motion.covariance(at, at) + ownVariance + scale * scale + between.variance + away * away;
         if (!std::isfinite(variance) || variance < 0)
             continue;
         CombinedUncertainty& u = further.combined;

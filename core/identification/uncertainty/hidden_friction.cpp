@@ -46,6 +46,21 @@ std::optional<FrictionFound> regress(const LinearizedRecord& record, const std::
                : std::nullopt;
 }
 
+/// What the record holds of friction and what is known of the gripper's together; the record alone where it
+/// refutes that.
+FrictionFound together(const FrictionFound& found, const std::optional<GripperFriction>& known)
+{
+    constexpr double refutedBeyond = 4; // standard errors
+    if (!known || !(known->standardError > 0))
+        return found;
+    const double spread = std::hypot(found.deviation, known->standardError);
+    if (std::abs(found.value - known->value) > refutedBeyond * spread)
+        return found;
+    const double weight = std::pow(found.deviation / spread, 2); // of what is known
+    return {found.value + weight * (known->value - found.value),
+            found.deviation * known->standardError / spread};
+}
+
 /// E f^2 of a normal quantity that is not below zero.
 double secondMoment(const FrictionFound& f)
 {
@@ -117,7 +132,8 @@ std::vector<double> frictionEffect(const Estimate& estimate, const LinearizedRec
 }
 
 std::vector<BudgetLine> hiddenFrictionLines(const Estimate& estimate, const LinearizedRecord& record,
-                                            const std::vector<double>& effect)
+                                            const std::vector<double>& effect,
+                                            const std::optional<GripperFriction>& known)
 {
     if (!record.usable() || estimate.residual.size() != effect.size())
         return {};
@@ -125,19 +141,27 @@ std::vector<BudgetLine> hiddenFrictionLines(const Estimate& estimate, const Line
     const Eigen::Matrix3Xd shift = shiftsBy(record, std::vector<std::vector<double>>{effect});
     if (!found || shift.cols() != 1)
         return {};
+    found = together(*found, known);
     found->value = std::max(found->value, 0.0);
     const Eigen::Matrix3d relative = secondMoment(*found) * shift.col(0) * shift.col(0).transpose();
     if (!relative.allFinite() || !(relative.trace() > 0))
         return {};
     const auto [least, most] = std::ranges::minmax(record.forceAtSample);
     const double limit = found->value + normalQuantile(0.95) * found->deviation;
-    return {
-        lineOf(u"friction"_s,
-               Words::say("friction of the gripper is not known: up to %1 % of the force's range may hide "
-                          "in this squeeze, and k be %2 % lower; more levels of force tell more of it")
-                   .arg(100 * limit / (most - least), 'g', 2)
-                   .arg(100 * std::abs(shift(2, 0)) * limit, 'g', 2),
-               EvaluationType::B, estimate.parameters->vector(), relative)};
+    const char* const words =
+        known
+            ? QT_TRANSLATE_NOOP("Words",
+                                "friction of the gripper is known: with what the squeeze tells of it, it is "
+                                "up to %1 % of the force's range, and k may be %2 % lower")
+            : QT_TRANSLATE_NOOP("Words",
+                                "friction of the gripper is not known: up to %1 % of the force's range may "
+                                "hide in this squeeze, and k be %2 % lower; more levels of force tell more "
+                                "of it");
+    return {lineOf(u"friction"_s,
+                   Words::say(words)
+                       .arg(100 * limit / (most - least), 'g', 2)
+                       .arg(100 * std::abs(shift(2, 0)) * limit, 'g', 2),
+                   EvaluationType::B, estimate.parameters->vector(), relative)};
 }
 
 std::vector<BudgetLine> frictionFormLines(const Estimate& estimate, const LinearizedRecord& record,

@@ -146,7 +146,7 @@ UncertaintyBudget uncertaintyBudget(const Estimate& estimate, const std::vector<
     append(budget.lines, jitterLines(estimate, record));
     append(budget.lines, effectLines(measured, record, chain, budgetOptions.lagBound_s));
     if (hidesFriction)
-        append(budget.lines, hiddenFrictionLines(estimate, record, known.back()));
+        append(budget.lines, hiddenFrictionLines(estimate, record, known.back(), chain.friction));
     append(budget.lines, frictionFormLines(estimate, record, options.sampleTime_s));
     append(budget.lines, discrepancyLines(measured, budgetOptions.discrepancy, misfit));
 

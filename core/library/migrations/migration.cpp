@@ -131,6 +131,8 @@ const std::vector<Migration>& migrations()
              enterNewRows),
         step(20, QT_TRANSLATE_NOOP("Words", "how the force of a squeeze goes"), migrationScript20,
              enterNewRows),
+        step(21, QT_TRANSLATE_NOOP("Words", "the friction of a gripper itself"), migrationScript21,
+             enterNewRows),
     };
     return steps;
 }

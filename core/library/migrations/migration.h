@@ -64,5 +64,6 @@ extern const char* const migrationScript17;
 extern const char* const migrationScript18;
 extern const char* const migrationScript19;
 extern const char* const migrationScript20;
+extern const char* const migrationScript21;
 
 } // namespace gripscope

@@ -203,6 +203,10 @@ MeasuringChainRecord takeChain(Statement& row, const QString& gripperSerial)
         }
     if (complete)
         chain.baseline = baseline;
+    const std::optional<double> friction = row.takeOptionalReal();
+    const std::optional<double> frictionError = row.takeOptionalReal();
+    if (friction && frictionError)
+        chain.friction = GripperFriction{*friction, *frictionError};
     return record;
 }
 
@@ -218,7 +222,8 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const NewMeasur
         "position_scale_uncertainty, frame_compliance, "
         "frame_compliance_uncertainty, baseline_m, baseline_b, baseline_k, baseline_error_m, "
         "baseline_error_b, "
-        "baseline_error_k, serial) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "_s +
+        "baseline_error_k, friction, friction_error, serial) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "_s +
             nextSerial(u"measuring_chains"_s) + u')');
     const MeasuringChain& chain = measured.chain;
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc);
@@ -233,25 +238,33 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const NewMeasur
     for (const auto member : {&GripperBaseline::parameters, &GripperBaseline::standardErrors})
         for (std::size_t i = 0; i < 3; ++i)
             row.bind(chain.baseline ? std::optional((*chain.baseline.*member)[i]) : std::nullopt);
+    for (const auto member : {&GripperFriction::value, &GripperFriction::standardError})
+        row.bind(chain.friction ? std::optional(*chain.friction.*member) : std::nullopt);
     return row.run();
 }
 
-Expected<std::optional<MeasuringChainRecord>> newest(Database& database, const QString& gripperSerial)
+Expected<std::vector<MeasuringChainRecord>> list(Database& database, const QString& gripperSerial, int limit)
 {
-    std::optional<MeasuringChainRecord> found;
+    std::vector<MeasuringChainRecord> found;
     Statement query(
         database, Words::tr("read what is known of the gripper"),
         u"SELECT created_utc, operator_name, basis, force_lag_s, force_lag_uncertainty_s, "
         u"force_noise_deviation, force_scale_uncertainty, "
         "position_scale_uncertainty, frame_compliance, frame_compliance_uncertainty, baseline_m, baseline_b, "
-        "baseline_k, baseline_error_m, baseline_error_b, baseline_error_k FROM measuring_chains "
+        "baseline_k, baseline_error_m, baseline_error_b, baseline_error_k, friction, friction_error "
+        "FROM measuring_chains "
         "WHERE gripper_serial = ? ORDER BY "_s +
-            newestFirst + u" LIMIT 1"_s);
-    auto done =
-        query.bind(gripperSerial).forEach([&](Statement& row) { found = takeChain(row, gripperSerial); });
-    if (!done)
-        return tl::unexpected(done.error());
+            newestFirst + u" LIMIT ?"_s);
+    RETURN_IF_ERROR(query.bind(gripperSerial).bind(limit).forEach([&](Statement& row) {
+        found.push_back(takeChain(row, gripperSerial));
+    }));
     return found;
+}
+
+Expected<std::optional<MeasuringChainRecord>> newest(Database& database, const QString& gripperSerial)
+{
+    ASSIGN_OR_RETURN(const std::vector<MeasuringChainRecord> found, list(database, gripperSerial, 1));
+    return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
 } // namespace gripscope::measuring_chain_table

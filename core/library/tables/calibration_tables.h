@@ -24,6 +24,9 @@ namespace gripscope::measuring_chain_table {
 
 [[nodiscard]] Expected<void> insert(Database& database, const RowStamp& stamp,
                                     const NewMeasuringChain& measured);
+/// Of this gripper, newest first.
+[[nodiscard]] Expected<std::vector<MeasuringChainRecord>> list(Database& database,
+                                                               const QString& gripperSerial, int limit);
 /// The newest of this gripper.
 [[nodiscard]] Expected<std::optional<MeasuringChainRecord>> newest(Database& database,
                                                                    const QString& gripperSerial);

@@ -27,7 +27,7 @@ void bindPacked(Statement& row, const PackedRecording& packed);
 /// The bytes of a recording as the library keeps them, every number bit for bit. All values little-endian,
 /// doubles as IEEE 754 binary64, texts as a 32-bit count of bytes followed by UTF-8:
 ///
-///     "GSRB"  u16 version (1, or 2 with a measuring chain at the end)
+///     "GSRB"  u16 version (1, or 2 to 4 with a measuring chain at the end)
 ///     f64 sampleTime_s   f64 forceLag_s   u8 hold (0: not said, 1: zero-order, 2: first-order)
 ///     text forceUnit   text positionUnit
 ///     u32 n   n times (text key, text value)           provenance, sorted by key
@@ -41,6 +41,9 @@ void bindPacked(Statement& row, const PackedRecording& packed);
 ///     f64 forceLagUncertainty_s, forceScaleUncertainty, positionScaleUncertainty, frameCompliance,
 ///         frameComplianceUncertainty      u8 has a baseline (0, 1)
 ///     f64 parameters[3]   f64 standardErrors[3]        if it has one
+///
+/// Version 3 has f64 forceNoiseDeviation after frameComplianceUncertainty, version 4, for a gripper whose own
+/// friction is known, f64 value and standardError of that behind it.
 ///
 /// Usage when the channels differ in length.
 [[nodiscard]] Expected<QByteArray> encodeRecording(const Recording& recording);

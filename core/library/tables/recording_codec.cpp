@@ -19,6 +19,7 @@ constexpr QByteArrayView seriesMagic = "GSRP"; ///< columns as packedSeries()
 constexpr std::uint16_t plainVersion = 1;
 constexpr std::uint16_t chainVersion = 2;
 constexpr std::uint16_t forceNoiseVersion = 3; ///< the chain states the noise of the force as well
+constexpr std::uint16_t frictionVersion = 4;   ///< and the friction of the gripper itself
 enum Columns : std::uint8_t { HasSequence = 1, HasStatus = 2 };
 
 class Writer {
@@ -126,8 +127,12 @@ void putChain(Writer& out, const MeasuringChain& chain)
     out.put(chain.positionScaleUncertainty);
     out.put(chain.frameCompliance);
     out.put(chain.frameComplianceUncertainty);
-    if (chain.forceNoiseDeviation != 0)
+    if (chain.forceNoiseDeviation != 0 || chain.friction)
         out.put(chain.forceNoiseDeviation);
+    if (chain.friction) {
+        out.put(chain.friction->value);
+        out.put(chain.friction->standardError);
+    }
     out.put(std::uint8_t(chain.baseline ? 1 : 0));
     if (!chain.baseline)
         return;
@@ -145,8 +150,13 @@ MeasuringChain getChain(Reader& in, std::uint16_t version)
     chain.positionScaleUncertainty = in.get<double>();
     chain.frameCompliance = in.get<double>();
     chain.frameComplianceUncertainty = in.get<double>();
-    if (version == forceNoiseVersion)
+    if (version >= forceNoiseVersion)
         chain.forceNoiseDeviation = in.get<double>();
+    if (version >= frictionVersion) {
+        chain.friction.emplace();
+        chain.friction->value = in.get<double>();
+        chain.friction->standardError = in.get<double>();
+    }
     if (in.get<std::uint8_t>() == 0)
         return chain;
     chain.baseline.emplace();
@@ -168,7 +178,10 @@ void putHead(Writer& out, const Recording& recording)
     // The oldest layout that holds it all, so that earlier programs read on what they can.
     const bool hasChain = !(recording.chain == MeasuringChain());
     const bool statesForceNoise = recording.chain.forceNoiseDeviation != 0;
-    out.put(statesForceNoise ? forceNoiseVersion : hasChain ? chainVersion : plainVersion);
+    out.put(recording.chain.friction ? frictionVersion
+            : statesForceNoise       ? forceNoiseVersion
+            : hasChain               ? chainVersion
+                                     : plainVersion);
     out.put(recording.sampleTime_s);
     out.put(recording.forceLag_s);
     out.put(holdCode(recording.hold));
@@ -265,10 +278,10 @@ Expected<Recording> decodeRecording(const QByteArray& bytes)
     const QByteArray body = bytes.mid(plainMagic.size());
     Reader in(body);
     const auto version = in.get<std::uint16_t>();
-    if (version < plainVersion || version > forceNoiseVersion)
+    if (version < plainVersion || version > frictionVersion)
         return damaged(Words::tr("its layout has version %1; this program knows up to %2")
                            .arg(version)
-                           .arg(forceNoiseVersion));
+                           .arg(frictionVersion));
     Recording recording;
     recording.sampleTime_s = in.get<double>();
     recording.forceLag_s = in.get<double>();

@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 #include "core/identification/identification.h"
+#include "core/math/robust_statistics.h"
 #include "core/signal/preparation/preparation.h"
 #include "core/signal/recording/units.h"
 
@@ -35,6 +36,55 @@ tl::expected<RepeatedMeasurement, QString> measuredTogether(std::span<const Iden
     return tl::unexpected(Words::tr("no m, b and k above zero were found with their uncertainty"));
 }
 
+/// A gripper that springs hold back has m, b and k; one that runs freely `carriage` alone explains.
+Identification identifyEmpty(const Recording& recording)
+{
+    IdentificationOptions options;
+    options.estimators.push_back(Estimator::Friction);
+    Identification held = identify(recording, options);
+    if (held.validity.verdict != ValidityVerdict::Invalid)
+        return held;
+    options.estimators = {Estimator::Carriage};
+    Identification free = identify(recording, options);
+    return free.validity.verdict != ValidityVerdict::Invalid ? free : held;
+}
+
+/// One parameter of the motions that an estimator found in all squeezes; nothing where one found none.
+std::optional<ValueWithError> pooled(std::span<const Identification> squeezes, Estimator estimator,
+                                     MotionParameter parameter)
+{
+    std::vector<ValueWithError> found;
+    for (const Identification& squeeze : squeezes) {
+        const Estimate* const estimate = squeeze.find(estimator);
+        if (estimate == nullptr || !estimate->hasAnswer() || !estimate->motion)
+            return std::nullopt;
+        const std::optional<double> error = estimate->motion->standardError(parameter);
+        if (!error || !(*error > 0))
+            return std::nullopt;
+        found.push_back({estimate->motion->values[parameter], *error});
+    }
+    return found.empty() ? std::nullopt : std::optional(pooledMean(found));
+}
+
+bool areFree(std::span<const Identification> squeezes)
+{
+    return !squeezes.empty() && std::ranges::all_of(squeezes, [](const Identification& squeeze) {
+        return squeeze.recommended == Estimator::Carriage &&
+               squeeze.validity.verdict != ValidityVerdict::Invalid;
+    });
+}
+
+/// The middle one of those that had enough rest before them; 0 where none had.
+double restingNoise(std::span<const Identification> squeezes)
+{
+    std::vector<double> found;
+    for (const Identification& squeeze : squeezes)
+        for (const PreparationStep& step : squeeze.preparation)
+            if (step.id == u"force_noise"_s)
+                found.push_back(step.value);
+    return found.empty() ? 0 : quantile(found, 0.5);
+}
+
 MeasuredQuantities inSi(const RepeatedMeasurement& found, double toSi)
 {
     const Eigen::Vector3d values = toSi * found.parameters.vector();
@@ -61,6 +111,8 @@ void BaselineSession::clear()
 {
     JudgedSeries::clear();
     m_baseline.reset();
+    m_friction.reset();
+    m_forceNoise = 0;
     m_problem.clear();
 }
 
@@ -68,18 +120,33 @@ void BaselineSession::judge(const Recording& recording)
 {
     Recording whole = recording;
     whole.chain.baseline.reset(); // it is the empty gripper itself that is looked for
-    judgeBy([](const Recording& one) { return identify(one); }, std::move(whole));
+    whole.chain.friction.reset();
+    whole.chain.forceNoiseDeviation = 0;
+    judgeBy(identifyEmpty, std::move(whole));
 }
 
 void BaselineSession::conclude()
 {
-    const auto found = measuredTogether(squeezes());
-    if (!found) {
+    using P = MotionParameter;
+    const bool free = areFree(squeezes());
+    const Estimator motion = free ? Estimator::Carriage : Estimator::Friction;
+    if (free) {
+        const auto mass = pooled(squeezes(), motion, P::Mass);
+        const auto damping = pooled(squeezes(), motion, P::Damping);
+        if (mass && damping)
+            m_baseline = GripperBaseline{{mass->value, damping->value, 0},
+                                         {mass->standardError, damping->standardError, 0}};
+    } else if (const auto found = measuredTogether(squeezes())) {
+        const MassDampingStiffness& own = found->parameters;
+        m_baseline = GripperBaseline{{own.m, own.b, own.k}, found->ownErrors};
+    } else {
         m_problem = found.error();
-        return;
     }
-    const MassDampingStiffness& own = found->parameters;
-    m_baseline = GripperBaseline{{own.m, own.b, own.k}, found->ownErrors};
+    if (!m_baseline)
+        return;
+    if (const auto friction = pooled(squeezes(), motion, P::Friction))
+        m_friction = GripperFriction{friction->value, friction->standardError};
+    m_forceNoise = restingNoise(squeezes());
 }
 
 Expected<void> BaselineSession::accept()
@@ -89,6 +156,9 @@ Expected<void> BaselineSession::accept()
                        {Words::tr("There is no baseline that was measured well enough to be used.")});
     MeasuringChain chain = connection().measuringChain();
     chain.baseline = m_baseline;
+    chain.friction = m_friction;
+    if (m_forceNoise > 0)
+        chain.forceNoiseDeviation = m_forceNoise;
     return storeChain({serial(), connection().forceLag_s(), chain, operatorName(),
                        Words::tr("empty gripper, %1 squeezes").arg(squeezes().size())});
 }
@@ -100,6 +170,7 @@ Expected<void> BaselineSession::remove()
     clear();
     MeasuringChain chain = connection().measuringChain();
     chain.baseline.reset();
+    chain.friction.reset();
     return storeChain({connection().identity().serial, connection().forceLag_s(), chain, operatorName(),
                        Words::tr("the empty gripper is no longer taken off")});
 }

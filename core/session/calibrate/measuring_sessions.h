@@ -8,8 +8,10 @@
 
 namespace gripscope {
 
-/// Measures m, b, k of the empty gripper on some squeezes of nothing, and keeps them in the library as a
-/// property of that gripper: they are taken off what later squeezes show (withoutGripper()).
+/// Measures the empty gripper on some squeezes of nothing: m, b, k, the friction of its drive and the noise
+/// of its force at rest, and keeps them in the library as properties of that gripper: m, b and k are taken
+/// off what later squeezes show (withoutGripper()), its friction is known to them
+/// (MotionOptions::knownFriction). A gripper that nothing holds back has no k (`carriage`).
 ///
 /// Measured: baseline() or problem(). accept() stores it and puts it in force for the squeezes to come. What
 /// else is known of the gripper's channels stays as it is.
@@ -28,6 +30,9 @@ public:
     /// In the channels' units. Its errors are those of the squeezes' noise and scatter alone: what the
     /// channels are uncertain by is common to it and to the part, and counted there.
     [[nodiscard]] const std::optional<GripperBaseline>& baseline() const { return m_baseline; }
+    [[nodiscard]] const std::optional<GripperFriction>& friction() const { return m_friction; }
+    /// Standard deviation, in the force's unit; 0: no squeeze had enough rest before it.
+    [[nodiscard]] double forceNoise() const { return m_forceNoise; }
     [[nodiscard]] const QString& problem() const { return m_problem; }
 
 private:
@@ -36,6 +41,8 @@ private:
     void conclude() override;
 
     std::optional<GripperBaseline> m_baseline;
+    std::optional<GripperFriction> m_friction;
+    double m_forceNoise = 0;
     QString m_problem;
 };
 

@@ -193,6 +193,7 @@ PreparedRecord windowOf(const PreparedRecord& record, Window window)
     viewOf.sampleTime_s = record.sampleTime_s;
     viewOf.hold = record.hold;
     viewOf.forceLag_s = record.forceLag_s;
+    viewOf.chain.friction = record.chain.friction;
     const auto cut = [&](const std::vector<double>& all) {
         const auto begin = all.begin() + static_cast<std::ptrdiff_t>(window.first);
         return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(window.count));

@@ -79,7 +79,8 @@ struct PreparedRecord {
     [[nodiscard]] const PreparationStep* find(const QString& id) const;
 };
 
-/// Its samples [first, first + count) alone, without times, chain and steps.
+/// Its samples [first, first + count) alone, without times and steps; of the chain the gripper's own
+/// friction.
 [[nodiscard]] PreparedRecord windowOf(const PreparedRecord& record, Window window);
 
 /// Takes a recording through, in this order: the samples the device calls the squeeze (StatusMoving), the

@@ -13,6 +13,13 @@ struct GripperBaseline {
     friend bool operator==(const GripperBaseline&, const GripperBaseline&) = default;
 };
 
+/// Coulomb friction of the empty gripper itself, which adds to the object's: the force unit.
+struct GripperFriction {
+    double value = 0;
+    double standardError = 0; ///< above zero
+    friend bool operator==(const GripperFriction&, const GripperFriction&) = default;
+};
+
 /// What is known of the device that measured: systematic effects with their standard uncertainties (GUM, JCGM
 /// 100). A zero means: known exactly, or not there.
 struct MeasuringChain {
@@ -23,6 +30,7 @@ struct MeasuringChain {
     double frameCompliance = 0;            ///< of frame and fingers in series, position unit per force unit
     double frameComplianceUncertainty = 0; ///< same unit
     std::optional<GripperBaseline> baseline;
+    std::optional<GripperFriction> friction; ///< absent: nobody measured it
 
     friend bool operator==(const MeasuringChain&, const MeasuringChain&) = default;
 };

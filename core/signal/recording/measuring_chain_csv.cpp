@@ -27,6 +27,15 @@ constexpr std::array<NumberKey, 6> numberKeys{{
     {"frame_compliance_uncertainty", &MeasuringChain::frameComplianceUncertainty},
 }};
 
+struct FrictionKey {
+    std::string_view key;
+    double GripperFriction::*member;
+};
+constexpr std::array<FrictionKey, 2> frictionKeys{{
+    {"friction", &GripperFriction::value},
+    {"friction_uncertainty", &GripperFriction::standardError},
+}};
+
 struct TripleKey {
     std::string_view key;
     std::array<double, 3> GripperBaseline::*member;
@@ -72,6 +81,13 @@ void appendKey(QByteArray& text, std::string_view key)
     text += ": ";
 }
 
+void appendLine(QByteArray& text, std::string_view key, double value)
+{
+    appendKey(text, key);
+    append(text, value);
+    text += '\n';
+}
+
 } // namespace
 
 ChainSetting setMeasuringChain(MeasuringChain& chain, std::string_view key, std::string_view value)
@@ -83,6 +99,17 @@ ChainSetting setMeasuringChain(MeasuringChain& chain, std::string_view key, std:
         if (!number)
             return ChainSetting::BadValue;
         chain.*known.member = *number;
+        return ChainSetting::Taken;
+    }
+    for (const FrictionKey& known : frictionKeys) {
+        if (key != known.key)
+            continue;
+        const std::optional<double> number = fromZeroUp(value);
+        if (!number)
+            return ChainSetting::BadValue;
+        if (!chain.friction)
+            chain.friction.emplace();
+        (*chain.friction).*known.member = *number;
         return ChainSetting::Taken;
     }
     for (const TripleKey& known : tripleKeys) {
@@ -113,12 +140,12 @@ QByteArray measuringChainLines(const MeasuringChain& chain)
 {
     QByteArray text;
     for (const NumberKey& known : numberKeys) {
-        if (chain.*known.member == 0)
-            continue;
-        appendKey(text, known.key);
-        append(text, chain.*known.member);
-        text += '\n';
+        if (chain.*known.member != 0)
+            appendLine(text, known.key, chain.*known.member);
     }
+    if (chain.friction)
+        for (const FrictionKey& known : frictionKeys)
+            appendLine(text, known.key, (*chain.friction).*known.member);
     if (!chain.baseline)
         return text;
     for (const TripleKey& known : tripleKeys) {

@@ -14,7 +14,8 @@ namespace gripscope {
 
 /// The measuring chain in the head of a recording (CSV), one `key: value` a line, C locale:
 ///     force_lag_uncertainty_s, force_scale_uncertainty, position_scale_uncertainty, frame_compliance,
-///     frame_compliance_uncertainty      one number from 0 to largestReading
+///     frame_compliance_uncertainty, friction, friction_uncertainty
+///                                       one number from 0 to largestReading
 ///     baseline, baseline_uncertainty    three of them with commas between: m,b,k
 /// A key that is absent leaves the default.
 enum class ChainSetting {

@@ -23,6 +23,8 @@ bool chainInRange(const MeasuringChain& chain)
                              chain.frameCompliance,       chain.frameComplianceUncertainty};
     if (!std::all_of(numbers.begin(), numbers.end(), isReading))
         return false;
+    if (chain.friction && !(isReading(chain.friction->value) && isReading(chain.friction->standardError)))
+        return false;
     return !chain.baseline ||
            (std::all_of(chain.baseline->parameters.begin(), chain.baseline->parameters.end(), isReading) &&
             std::all_of(chain.baseline->standardErrors.begin(), chain.baseline->standardErrors.end(),

@@ -115,7 +115,7 @@ private slots:
         const auto chain = valueOf(library->measuringChain(u"0001"_s));
         QCOMPARE(chain.has_value(), version > 1);
         const MeasuringChain stored{
-            2e-6, 0, 0.002, 0.001, 1e-5, 1e-6, GripperBaseline{{0.01, 2, 300}, {0.001, 0.2, 30}}};
+            2e-6, 0, 0.002, 0.001, 1e-5, 1e-6, GripperBaseline{{0.01, 2, 300}, {0.001, 0.2, 30}}, {}};
         if (chain)
             QVERIFY(chain->chain == stored);
         const auto calibrations = valueOf(library->calibrations(u"0001"_s, 10));

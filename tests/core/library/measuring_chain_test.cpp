@@ -38,6 +38,7 @@ private slots:
         const LibraryFolder folder;
         NewMeasuringChain measured = measuredOf(u"0001"_s, 1e-4);
         measured.chain.baseline = GripperBaseline{{0.01, 2, 300}, {0.001, 0.2, 30}};
+        measured.chain.friction = GripperFriction{0.3, 0.01};
         valueOf(folder.open()->addMeasuringChain(measured));
         const auto found = valueOf(folder.open()->measuringChain(u"0001"_s));
         QVERIFY(found);
@@ -58,6 +59,18 @@ private slots:
         QCOMPARE(valueOf(library->measuringChain(u"0002"_s))->forceLag_s, 3e-4);
         QVERIFY(!valueOf(library->measuringChain(u"0001"_s))->chain.baseline);
         QVERIFY(!valueOf(library->measuringChain(u"0003"_s)));
+    }
+    void allOfAGripperAreListedNewestFirst()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        for (const double lag_s : {1e-4, 2e-4, 3e-4})
+            valueOf(library->addMeasuringChain(measuredOf(u"0001"_s, lag_s)));
+        valueOf(library->addMeasuringChain(measuredOf(u"0002"_s, 9e-4)));
+        const auto all = valueOf(library->measuringChains(u"0001"_s, 2));
+        QCOMPARE(all.size(), std::size_t(2));
+        QCOMPARE(all[0].forceLag_s, 3e-4);
+        QCOMPARE(all[1].forceLag_s, 2e-4);
     }
     void theNewestIsWhatCameLastWhateverTheClockSays()
     {

@@ -98,17 +98,23 @@ private slots:
     {
         QTest::addColumn<bool>("baseline");
         QTest::addColumn<double>("force_noise");
+        QTest::addColumn<bool>("friction");
         QTest::addColumn<int>("version");
-        QTest::newRow("without a baseline") << false << 0.0 << 2;
-        QTest::newRow("with one") << true << 0.0 << 2;
-        QTest::newRow("with the force's noise") << true << 0.02 << 3;
+        QTest::newRow("without a baseline") << false << 0.0 << false << 2;
+        QTest::newRow("with one") << true << 0.0 << false << 2;
+        QTest::newRow("with the force's noise") << true << 0.02 << false << 3;
+        QTest::newRow("with friction of its own") << false << 0.0 << true << 4;
+        QTest::newRow("with all") << true << 0.02 << true << 4;
     }
     void theMeasuringChainComesBack()
     {
         QFETCH(bool, baseline);
         QFETCH(double, force_noise);
+        QFETCH(bool, friction);
         Recording recording = awkwardRecording(3);
-        recording.chain = {1.0 / 3e5, force_noise, 0.001, 0.002, 1e-5, 1e-7, std::nullopt};
+        recording.chain = {1.0 / 3e5, force_noise, 0.001, 0.002, 1e-5, 1e-7, {}, {}};
+        if (friction)
+            recording.chain.friction = GripperFriction{0.3, 1.0 / 300};
         if (baseline)
             recording.chain.baseline = GripperBaseline{{0.0025, 1.0 / 7, 12}, {1e-5, 0.01, 2}};
         const QByteArray bytes = valueOf(encodeRecording(recording));

@@ -43,10 +43,13 @@ private slots:
                      qPrintable(QString::number(found.parameters[i])));
             QVERIFY(found.standardErrors[i] > 0 && found.standardErrors[i] < 0.05 * truth[i]);
         }
+        const GripperFriction friction = m_session->friction().value();
+        QVERIFY(friction.value < 4 * friction.standardError);
         QVERIFY(!storedChain());
         QVERIFY(m_session->accept());
         QVERIFY(until(State::Stored));
         QVERIFY(storedChain()->chain.baseline == found);
+        QVERIFY(storedChain()->chain.friction == friction);
         QCOMPARE(storedChain()->chain.forceScaleUncertainty, 0.003);
         QCOMPARE(storedChain()->forceLag_s, 1e-6);
         QCOMPARE(storedChain()->operatorName, u"Ada"_s);
@@ -84,10 +87,12 @@ private slots:
         MeasuringChain known;
         known.frameCompliance = 1e-6;
         known.baseline = GripperBaseline{{0.006, 4, 1000}, {1e-4, 0.1, 10}};
+        known.friction = GripperFriction{0.2, 0.01};
         m_connection->session.setMeasuringChain(0, known);
         QVERIFY(m_session->remove());
         QVERIFY(until(State::Stored));
-        QVERIFY(!storedChain()->chain.baseline && storedChain()->chain.frameCompliance == 1e-6);
+        QVERIFY(!storedChain()->chain.baseline && !storedChain()->chain.friction &&
+                storedChain()->chain.frameCompliance == 1e-6);
         QVERIFY(!m_connection->session.measuringChain().baseline);
     }
 

@@ -19,6 +19,7 @@ MeasuringChain fullChain()
     chain.frameCompliance = 1e-5;
     chain.frameComplianceUncertainty = 3e-7;
     chain.baseline = GripperBaseline{{0.0025, 1.0 / 7, 0}, {1e-5, 0, 2}};
+    chain.friction = GripperFriction{0.3, 0.001 / 3};
     return chain;
 }
 
@@ -64,7 +65,7 @@ private slots:
     void absentKeysAreTheDefaultsAndTheDefaultWritesNone()
     {
         const QByteArray text = toCsv(recordingWith(MeasuringChain()));
-        for (const char* key : {"uncertainty", "compliance", "baseline"})
+        for (const char* key : {"uncertainty", "compliance", "baseline", "friction"})
             QVERIFY(!text.contains(key));
         QVERIFY(parseRecordingCsv(text, u"x.csv"_s)->chain == MeasuringChain());
     }
@@ -78,6 +79,7 @@ private slots:
         QTest::newRow("below zero") << QByteArray("# force_scale_uncertainty: -0.01") << number;
         QTest::newRow("infinite") << QByteArray("# position_scale_uncertainty: inf") << number;
         QTest::newRow("huge") << QByteArray("# force_noise: 2.2e60") << number;
+        QTest::newRow("friction below zero") << QByteArray("# friction: -0.1") << number;
         QTest::newRow("empty") << QByteArray("# frame_compliance:") << number;
         QTest::newRow("two numbers") << QByteArray("# frame_compliance_uncertainty: 1,2") << number;
         QTest::newRow("two of three") << QByteArray("# baseline: 1,2") << three;
@@ -107,7 +109,8 @@ private:
         return {"# force_lag_uncertainty_s: 1e-5",      "# force_scale_uncertainty: 0.001",
                 "# position_scale_uncertainty: 0.002",  "# frame_compliance: 1e-5",
                 "# frame_compliance_uncertainty: 1e-7", "# baseline: 0.0025, 0.3, 12",
-                "# baseline_uncertainty: 1e-5,0.01,2"};
+                "# baseline_uncertainty: 1e-5,0.01,2",  "# friction: 0.3",
+                "# friction_uncertainty: 0.01"};
     }
 };
 

@@ -81,7 +81,7 @@ struct CalibratePage::Private {
     QStackedWidget* stack = nullptr;
     CalibrateSensors* sensors = nullptr;
     CalibrateCheck* check = nullptr;
-    CalibrateBaseline* baseline = nullptr;
+    CalibrateGripper* gripper = nullptr;
     bool active = false;
 };
 
@@ -96,9 +96,9 @@ CalibratePage::CalibratePage(Workbench& bench, QWidget* parent)
     d->stack = new QStackedWidget(this);
     d->sensors = new CalibrateSensors(bench, this);
     d->check = new CalibrateCheck(bench, this);
-    d->baseline = new CalibrateBaseline(bench, this);
+    d->gripper = new CalibrateGripper(bench, this);
     const std::pair<QWidget*, QString> parts[] = {
-        {d->sensors, tr("Sensors")}, {d->check, tr("Spring check")}, {d->baseline, tr("Empty gripper")}};
+        {d->sensors, tr("Sensors")}, {d->check, tr("Spring check")}, {d->gripper, tr("This gripper")}};
     for (const auto& [part, name] : parts) {
         d->tabs->addTab(name);
         d->stack->addWidget(part);
@@ -139,8 +139,8 @@ void CalibratePage::show(int part)
     // Nobody looks at it any more: nothing moves on.
     if (!d->active || shown != d->check)
         d->check->leave();
-    if (!d->active || shown != d->baseline)
-        d->baseline->leave();
+    if (!d->active || shown != d->gripper)
+        d->gripper->leave();
     d->sensors->setActive(d->active && shown == d->sensors);
     d->check->setActive(d->active && shown == d->check);
 }
@@ -155,7 +155,7 @@ void CalibratePage::setActive(bool active)
 
 bool CalibratePage::underWay() const
 {
-    return d->sensors->underWay() || d->check->underWay() || d->baseline->underWay();
+    return d->sensors->underWay() || d->check->underWay() || d->gripper->underWay();
 }
 
 void CalibratePage::keyPressEvent(QKeyEvent* event)
@@ -167,8 +167,8 @@ void CalibratePage::keyPressEvent(QKeyEvent* event)
         return shown == d->sensors ? d->sensors->undo() : void();
     if (shown == d->check)
         d->check->act();
-    else if (shown == d->baseline)
-        d->baseline->act();
+    else if (shown == d->gripper)
+        d->gripper->act();
     else
         d->sensors->act();
 }

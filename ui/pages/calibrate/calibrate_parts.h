@@ -21,6 +21,7 @@ class QTableView;
 namespace gripscope {
 
 struct CalibrationRecord;
+class GripperStep;
 class QuantityBox;
 class Workbench;
 
@@ -123,12 +124,13 @@ private:
     QPushButton* m_keep;
 };
 
-/// The empty gripper: its own m, b, k are measured on squeezes of nothing and taken off those of the parts.
-class CalibrateBaseline : public QWidget {
+/// What a gripper is characterised by, one after the other: the empty gripper, which is taken off the parts,
+/// the frame, the lag. Beside it what is known of the connected one, and since when.
+class CalibrateGripper : public QWidget {
     Q_OBJECT
 public:
-    explicit CalibrateBaseline(Workbench& workbench, QWidget* parent = nullptr);
-    ~CalibrateBaseline() override;
+    explicit CalibrateGripper(Workbench& workbench, QWidget* parent = nullptr);
+    ~CalibrateGripper() override;
 
     void act(); ///< what Space does
     void leave();
@@ -137,11 +139,11 @@ public:
 
 private:
     QWidget* makeMeasuring();
-    QWidget* makeInUse();
-    void showInUse();
+    QWidget* makeKnown();
+    void follow(GripperStep* step);
+    void reload(); ///< how it came to be known as it is
+    void showKnown();
     void remove();
-    [[nodiscard]] QString found() const;
-    [[nodiscard]] QString outcome() const;
 
     struct Private;
     std::unique_ptr<Private> d;

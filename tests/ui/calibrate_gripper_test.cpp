@@ -11,8 +11,8 @@ using namespace gripscope;
 using namespace gripscope::test;
 using namespace Qt::StringLiterals;
 
-/// The empty gripper, with a virtual one whose fingers are the object.
-class CalibrateBaselineTest : public QObject {
+/// What a gripper is characterised by, with a virtual one whose fingers, and whose frame, are the object.
+class CalibrateGripperTest : public QObject {
     Q_OBJECT
     static std::optional<MeasuringChainRecord> stored(WindowFixture& f)
     {
@@ -63,13 +63,40 @@ private slots:
         const auto kept = stored(f);
         QVERIFY(kept && kept->chain.baseline && kept->operatorName == u"Mai"_s);
         QVERIFY(std::abs(kept->chain.baseline->parameters[2] / 3000 - 1) < 0.05);
+        QVERIFY(kept->chain.friction && kept->chain.friction->standardError > 0);
         QTRY_VERIFY(f.find<QPushButton>("baselineRemove")->isVisible());
         QCOMPARE(newestReason(f), u"new fingers"_s);
         f.click(f.find<QPushButton>("baselineRemove"));
         f.sayWhy(u"fingers taken off"_s);
         QTRY_VERIFY_WITH_TIMEOUT(!f.bench->connection().measuringChain().baseline, longEnough_ms);
-        QVERIFY(!stored(f)->chain.baseline);
+        QVERIFY(!stored(f)->chain.baseline && !stored(f)->chain.friction);
         QCOMPARE(newestReason(f), u"fingers taken off"_s);
+    }
+
+    void theFrameFollowsAndBothAreKnownSinceWhen()
+    {
+        // What is measured of the frame is measured on a block that gives 1 µm a newton.
+        WindowFixture f(false, u"virtual:?object=0.05,100,1e6&seed=5&speed=0"_s);
+        f.window->showPage(u"calibrate"_s);
+        f.find<QTabBar>("calibrateTabs")->setCurrentIndex(2);
+        f.click(f.find<QPushButton>("nextFrame"));
+        auto* act = f.find<QPushButton>("frameAct");
+        QTRY_VERIFY(act->isVisible());
+        f.click(act); // arms
+        QTRY_VERIFY_WITH_TIMEOUT(act->text().startsWith(u"Squeeze the block"_s), longEnough_ms);
+        QTest::keyClick(f.page(u"calibrate"_s), Qt::Key_Space);
+        QTRY_COMPARE_WITH_TIMEOUT(act->text(), u"Take it off from now on"_s, longEnough_ms);
+        f.click(act);
+        f.sayWhy(u"new frame"_s);
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().measuringChain().frameCompliance > 0, longEnough_ms);
+        const auto kept = stored(f);
+        QVERIFY(kept && std::abs(kept->chain.frameCompliance / 1e-6 - 1) < 0.1);
+        QVERIFY(!kept->chain.baseline); // of the empty gripper nobody has measured anything
+        const QString today = QDate::currentDate().toString(Qt::ISODate);
+        QTRY_VERIFY(f.find<QLabel>("knownFrame")->text().contains(today + u", Mai"_s));
+        QVERIFY(f.find<QLabel>("knownEmpty")->text().endsWith(u"not measured"_s));
+        f.click(f.find<QPushButton>("nextLag"));
+        QTRY_VERIFY(f.find<QPushButton>("lagAct")->isVisible());
     }
 
     void withoutAGripperItSaysWhatToDo()
@@ -82,5 +109,5 @@ private slots:
     }
 };
 
-GRIPSCOPE_TEST(CalibrateBaselineTest)
-#include "calibrate_baseline_test.moc"
+GRIPSCOPE_TEST(CalibrateGripperTest)
+#include "calibrate_gripper_test.moc"
