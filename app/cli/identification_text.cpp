@@ -197,7 +197,8 @@ QString identificationText(const Identification& identification, const Recording
     QStringList lines{heading(identification, recording, file)};
     const ParameterUnits units = parameterUnits(recording.forceUnit, recording.positionUnit);
     for (const Estimate& estimate : identification.estimates)
-        lines << estimateLines(estimate, units, &estimate == identification.best());
+        lines << estimateLines(estimate, units,
+                               estimate.hasAnswer() && estimate.estimator == identification.recommended);
     lines << budgetLines(identification.budget, units);
     if (!identification.comparison.sentence.isEmpty())
         lines << u"  models: "_qs + identification.comparison.sentence.describe();

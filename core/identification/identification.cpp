@@ -102,6 +102,17 @@ UncertaintyBudget budgetOf(const Estimate& estimate, const PreparedRecord& recor
     return budget;
 }
 
+/// Of a stiffness between bounds; else why there is none.
+UncertaintyBudget heldBudget(const Estimate& estimate, const PreparedRecord& record)
+{
+    UncertaintyBudget budget;
+    budget.message = estimate.message;
+    if (estimate.stiffnessBounds && estimate.stiffnessBounds->upper)
+        budget.further = {boundedStiffness(estimate.stiffnessBounds->lower, *estimate.stiffnessBounds->upper,
+                                           record.chain, budget.coverage)};
+    return budget;
+}
+
 /// What keeps every estimator from starting, or nothing.
 std::optional<Finding> unusable(const PreparedRecord& record)
 {
@@ -252,14 +263,16 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     }
     if (isStopped(options.watch))
         return result;
-    result.recommended = recommend(result.estimates);
+    if (record.held && result.find(Estimator::Static) == nullptr)
+        result.estimates.push_back(runEstimator(Estimator::Static, record, task));
+    result.recommended = record.held ? Estimator::Static : recommend(result.estimates);
     const Estimate* const outputError = result.find(Estimator::OutputError);
-    const bool assessed = options.assess && !obstacle;
+    const bool assessed = options.assess && !obstacle && !record.held;
     FurtherTerms further;
     Estimate otherHold;
     // Side by side: somebody waits for the verdict.
     shareAmongThreads(FurtherTerms::parts + 1, 0, [&](std::int64_t part) {
-        if (part == FurtherTerms::parts && outputError != nullptr && !obstacle) {
+        if (part == FurtherTerms::parts && outputError != nullptr && !obstacle && !record.held) {
             const OutputErrorOptions declared = outputErrorOptions(record, task);
             otherHold = estimateOtherHold(record.force, record.position, declared, *outputError);
             result.holdEvidence = weighHolds(record.force, declared, *outputError, otherHold,
@@ -288,7 +301,9 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     judgeBaseline(result);
     result.validity.verdict = overallVerdict(result.validity.checks);
     const Estimate* const best = result.find(result.recommended);
-    if (best != nullptr && best->hasAnswer() && options.assess)
+    if (record.held && options.assess)
+        result.budget = heldBudget(*best, record);
+    else if (best != nullptr && best->hasAnswer() && options.assess)
         shareAmongThreads(2, 0, [&](std::int64_t part) {
             if (part == 0)
                 result.budget = budgetOf(*best, record, task, result.tellingHold());

@@ -11,8 +11,9 @@ namespace gripscope {
 /// Hold, lag and its uncertainty as identify() takes them to be declared: evidence that says nothing yet.
 [[nodiscard]] HoldEvidence holdDeclaration(const Recording& recording, const IdentificationOptions& options);
 
-/// Prepares the record (preparation.h), runs every estimator asked for, and judges the measurement. Pure;
-/// never throws for data.
+/// Prepares the record (preparation.h), runs every estimator asked for, and judges the measurement. Where the
+/// position is held, `static` is run and recommended whatever was asked for: no other applies. Pure; never
+/// throws for data.
 [[nodiscard]] Identification identify(const Recording& recording, const IdentificationOptions& options = {});
 
 /// m, b, k of one object from several squeezes, in the channels' units, without the empty gripper's where

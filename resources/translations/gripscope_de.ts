@@ -5693,6 +5693,50 @@ m  %3</translation>
         <source>rigid block, %1 squeezes</source>
         <translation>starrer Block, %1 Druckversuche</translation>
     </message>
+    <message>
+        <source>It is that of the part</source>
+        <translation>Sie ist die des Teils</translation>
+    </message>
+    <message>
+        <source>It is that of the part and the fingers together</source>
+        <translation>Sie ist die von Teil und Fingern zusammen</translation>
+    </message>
+    <message>
+        <source>k is between %1 and %2 while the force rises from %3 to %4, whatever the position does between its renewals and with clocks that are apart by up to %5 s. %6</source>
+        <translation>k liegt zwischen %1 und %2, während die Kraft von %3 auf %4 steigt, was der Weg zwischen seinen Erneuerungen auch tut und mit Uhren, die bis zu %5 s auseinander sind. %6</translation>
+    </message>
+    <message>
+        <source>k is at least %1 while the force rises from %2 to %3, which takes %4 s: with clocks that may be apart by up to %5 s, the part is not told from a rigid one. %6</source>
+        <translation>k ist mindestens %1, während die Kraft von %2 auf %3 steigt, was %4 s dauert: Mit Uhren, die bis zu %5 s auseinander sein können, ist das Teil von einem starren nicht zu unterscheiden. %6</translation>
+    </message>
+    <message>
+        <source>k is not told while the force rises from %1 to %2: the clocks may be apart by up to %3 s, and the record does not reach as far before or behind that. Record longer</source>
+        <translation>k ist nicht bestimmt, während die Kraft von %1 auf %2 steigt: Die Uhren können bis zu %3 s auseinander sein, und so weit reicht die Aufnahme davor oder danach nicht. Länger aufnehmen</translation>
+    </message>
+    <message>
+        <source>k is not told: the position does not close while the force rises from %1 to %2. Check which column is which, and the grip</source>
+        <translation>k ist nicht bestimmt: Die Finger schließen sich nicht, während die Kraft von %1 auf %2 steigt. Prüfen, welche Spalte welche ist, und wie das Teil gehalten wird</translation>
+    </message>
+    <message>
+        <source>the position is renewed only every %1 s, so that no motion is in it: mass and damping cannot be had. Sample force and position by one clock, faster than the part swings; the stiffness alone is told by static</source>
+        <translation>der Weg wird nur alle %1 s erneuert und enthält deshalb keine Bewegung: Masse und Dämpfung sind nicht zu haben. Kraft und Weg mit einer Uhr abtasten, schneller als das Teil schwingt; die Steifigkeit allein bestimmt static</translation>
+    </message>
+    <message>
+        <source>the position is renewed only every %1 s: no mass and no damping. %2</source>
+        <translation>der Weg wird nur alle %1 s erneuert: keine Masse und keine Dämpfung. %2</translation>
+    </message>
+    <message>
+        <source>the position falls as the force rises: it was read as the opening between the fingers, and its sign was turned</source>
+        <translation>der Weg nimmt ab, wenn die Kraft steigt: Er wurde als Öffnung zwischen den Fingern gelesen und sein Vorzeichen umgekehrt</translation>
+    </message>
+    <message>
+        <source>%1 samples outside of contact, where the force reads up to %2, were left out: spikes, or another touch</source>
+        <translation>%1 Abtastwerte außerhalb des Kontakts mit Kräften bis zu %2 wurden weggelassen: Ausreißer oder eine weitere Berührung</translation>
+    </message>
+    <message>
+        <source>the position stands still and is renewed only every %1 s, while the force goes on</source>
+        <translation>der Weg steht still und wird nur alle %1 s erneuert, während die Kraft weitergeht</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>
@@ -9078,6 +9122,18 @@ Vorh. %</translation>
     <message>
         <source>Yielding</source>
         <translation>Nachgeben</translation>
+    </message>
+    <message>
+        <source>Position renewed slowly</source>
+        <translation>Weg selten erneuert</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnung</translation>
+    </message>
+    <message>
+        <source>Spikes of the force</source>
+        <translation>Ausreißer der Kraft</translation>
     </message>
 </context>
 <context>

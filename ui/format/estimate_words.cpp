@@ -95,6 +95,7 @@ QString checkName(const QString& id)
         {u"feedback"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Force feedback")},
         {u"relaxation"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Yielding")},
         {u"preparation"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Recording as such")},
+        {u"position_held"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Position renewed slowly")},
         {u"quantisation"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Steps of the channels")},
     };
     const char* name = names.value(id, nullptr);
@@ -116,6 +117,9 @@ QString preparationName(const QString& id)
         {u"quantization"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Steps of the channels")},
         {u"force_noise"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Noise of the force")},
         {u"frame_compliance"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Give of the frame")},
+        {u"opening"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Opening")},
+        {u"force_spikes"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Spikes of the force")},
+        {u"position_held"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Position renewed slowly")},
     };
     const char* name = names.value(id, nullptr);
     return name ? estimateWord(name) : id;

@@ -2,6 +2,7 @@
 #include "core/identification/estimators/run_estimator.h"
 
 #include "core/identification/estimators/estimator_table.h"
+#include "core/identification/quasistatic/held_stiffness.h"
 
 namespace gripscope {
 
@@ -45,6 +46,12 @@ Estimate runEstimator(Estimator estimator, const PreparedRecord& record, const E
                       std::optional<PeriodicDiagnostics>* repetition)
 {
     const std::size_t samples = record.force.size();
+    if (record.held) {
+        Estimate estimate = estimator == Estimator::Static ? estimateHeldStiffness(*record.held, record.chain)
+                                                           : notOfHeldPosition(estimator, *record.held);
+        estimate.part = {0, samples};
+        return estimate;
+    }
     const EstimatorFacts& facts = factsOf(estimator);
     const Window part = facts.takesLost ? Window{0, samples} : longestKnownStretch(samples, record.lost);
     EstimatorTask own = task;

@@ -34,7 +34,8 @@ template <typename Options>
 /// One estimator on a prepared record. Output error, instrumental variables and motions with further terms
 /// take lost samples as unknown forces; the others get the longest stretch without any, said in
 /// Estimate::part, with a free initial state where that does not begin the record. What `periodic` tells
-/// besides goes to `repetition`, its window in samples of the record.
+/// besides goes to `repetition`, its window in samples of the record. Where the position is held `static`
+/// bounds the stiffness (quasistatic/held_stiffness.h), and no other estimator applies.
 [[nodiscard]] Estimate runEstimator(Estimator estimator, const PreparedRecord& record,
                                     const EstimatorTask& task,
                                     std::optional<PeriodicDiagnostics>* repetition = nullptr);

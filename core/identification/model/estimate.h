@@ -117,6 +117,12 @@ struct MotionEstimate {
     [[nodiscard]] std::optional<double> standardError(MotionParameter parameter) const;
 };
 
+/// k lies between these for certain, as far as what was assumed is true: limits, not a confidence interval.
+struct StiffnessBounds {
+    double lower = 0;
+    std::optional<double> upper; ///< none: the record does not tell the object from a rigid one
+};
+
 /// Residuals that are not white: e[t] = sum_i coefficients[i-1] e[t-i] + w[t] + sum_j movingAverage[j-1]
 /// w[t-j], w white.
 struct AutoregressiveNoise {
@@ -138,6 +144,7 @@ struct Estimate {
     std::optional<Eigen::Matrix3d> covariance;
     /// With terms that m, b and k do not tell. Where it lacks a mass or a spring there are no `parameters`.
     std::optional<MotionEstimate> motion;
+    std::optional<StiffnessBounds> stiffnessBounds; ///< of `static` where the position is held
     std::optional<AutoregressiveNoise> noise; ///< the model behind `covariance` where residuals are not white
     Nuisance nuisance;
     std::vector<double> lostForces; ///< found for the lost samples, in their order; output error only

@@ -31,7 +31,7 @@ std::vector<MotionParameter> MotionTerms::parameters() const
             all.insert(all.end(), some);
     };
     add(mass, {P::Mass});
-    add(true, {P::Damping});
+    add(damping, {P::Damping});
     add(spring, {P::Stiffness});
     add(friction, {P::Friction});
     add(relaxation, {P::Relaxing, P::RelaxationTime});

@@ -44,6 +44,7 @@ struct MotionTerms {
     bool cubic = false;
     bool eachWay = false;     ///< damping and friction of their own for motion back
     bool forceOffset = false; ///< where no spring takes it up
+    bool damping = true;      ///< false: only of what is found at rest, never of a motion in time
 
     [[nodiscard]] std::vector<MotionParameter> parameters() const;
     friend bool operator==(const MotionTerms&, const MotionTerms&) = default;

@@ -283,6 +283,11 @@ QJsonObject toJson(const Identification& identification, const Recording& record
         if (estimate.motion && estimate.motion->frictionLimit)
             object.insert(u"upper_limits"_s,
                           QJsonObject{{u"Fc"_s, jsonNumber(*estimate.motion->frictionLimit)}});
+        if (const auto& bounds = estimate.stiffnessBounds) {
+            object.insert(u"lower_limits"_s, QJsonObject{{u"k"_s, jsonNumber(bounds->lower)}});
+            if (bounds->upper)
+                object.insert(u"upper_limits"_s, QJsonObject{{u"k"_s, jsonNumber(*bounds->upper)}});
+        }
         if (estimate.estimator == Estimator::Periodic)
             object.insert(u"repetition"_s, identification.repetition
                                                ? QJsonValue(toJson(*identification.repetition))

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace gripscope {
 
@@ -89,6 +90,22 @@ double awayFrom(const std::optional<MotionEstimate>& otherForm, P parameter, dou
 }
 
 } // namespace
+
+FurtherParameter boundedStiffness(double lower, double upper, const MeasuringChain& chain, double coverage)
+{
+    FurtherParameter k;
+    k.parameter = P::Stiffness;
+    k.value = std::sqrt(lower) * std::sqrt(upper);
+    const double scale = std::hypot(chain.forceScaleUncertainty, chain.positionScaleUncertainty);
+    const double half = (std::log(upper) - std::log(lower)) / 2;
+    const double relative = std::hypot(half / std::numbers::sqrt3, scale);
+    // Student's factor of the scales alone, on top of all that is possible.
+    const double reach = half + coverageFactor(coverage, std::nullopt) * scale;
+    k.combined.standardUncertainty = relative * k.value;
+    k.combined.coverageFactor = relative > 0 ? reach / relative : 0;
+    k.interval = {k.value * std::exp(-reach), k.value * std::exp(reach), true};
+    return k;
+}
 
 std::vector<FurtherParameter> furtherParameters(const MotionEstimate& motion, const MeasuringChain& chain,
                                                 std::span<const MotionEstimate> parts,

@@ -112,6 +112,12 @@ struct FurtherParameter {
                                                               const std::optional<MotionEstimate>& otherForm,
                                                               double coverage);
 
+/// k that is known to lie between two bounds: at the middle of their logarithms, with the deviation of a
+/// rectangular distribution there (JCGM 100, 4.3.7). The interval is the bounds themselves, wider by what the
+/// channels' scales are uncertain by.
+[[nodiscard]] FurtherParameter boundedStiffness(double lower, double upper, const MeasuringChain& chain,
+                                                double coverage);
+
 /// The uncertainty of one estimate as a whole, in the manner of the Guide to the Expression of Uncertainty in
 /// Measurement (JCGM 100:2008): every effect a line, covariances added up, effective degrees of freedom after
 /// Welch and Satterthwaite (G.4.1), intervals after Student.

@@ -53,7 +53,31 @@ std::optional<Window> stuckForce(const Recording& recording, std::span<const dou
     return stuckStretch(force, position);
 }
 
+bool positionIsHeld(const Identification& data)
+{
+    return std::ranges::any_of(data.preparation,
+                               [](const PreparationStep& step) { return step.id == u"position_held"; });
+}
+
 } // namespace
+
+std::optional<ValidityCheck> heldPositionCheck(const Identification& data)
+{
+    const auto step = std::ranges::find(data.preparation, u"position_held"_s, &PreparationStep::id);
+    const Estimate* const estimate = data.find(Estimator::Static);
+    if (step == data.preparation.end() || estimate == nullptr)
+        return std::nullopt;
+    ValidityCheck check;
+    check.id = u"position_held"_s;
+    check.value = step->value;
+    check.limit = data.sampleTime_s;
+    check.ok = false;
+    check.decisive = estimate->status != EstimateStatus::Converged;
+    check.message = Words::say("the position is renewed only every %1 s: no mass and no damping. %2")
+                        .arg(step->value, 'g', 2)
+                        .arg(estimate->message.asSentence());
+    return check;
+}
 
 ValidityCheck saturation(const Identification& data, const Recording& recording)
 {
@@ -64,7 +88,9 @@ ValidityCheck saturation(const Identification& data, const Recording& recording)
     const Window window = data.choice.window;
     if (window.count == 0 || !hasChannels(recording, window))
         return check;
-    const SaturatedSamples found = saturatedSamples(recording, window);
+    SaturatedSamples found = saturatedSamples(recording, window);
+    if (positionIsHeld(data))
+        found.position.look = {};
     const std::size_t count = found.force.count() + found.position.count();
     const double share = static_cast<double>(count) / static_cast<double>(window.count);
     check.value = 100 * share;
@@ -88,7 +114,8 @@ ValidityCheck stuckChannel(const Identification& data, const Recording& recordin
         return std::span<const double>(values).subspan(window.first, window.count);
     };
     const auto force = part(recording.force), position = part(recording.position);
-    const std::optional<Window> positionStuck = stuckStretch(position, force);
+    const std::optional<Window> positionStuck =
+        positionIsHeld(data) ? std::nullopt : stuckStretch(position, force);
     const std::optional<Window> stuck =
         positionStuck ? positionStuck : stuckForce(recording, force, position);
     if (!stuck)

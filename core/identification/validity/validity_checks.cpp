@@ -41,7 +41,7 @@ ValidityCheck preparation(const Identification& data)
     check.limit = 0;
     Findings doubts;
     // These have checks of their own.
-    const QStringList elsewhere{u"saturation"_s, u"clock_drift"_s};
+    const QStringList elsewhere{u"saturation"_s, u"clock_drift"_s, u"position_held"_s};
     for (const PreparationStep& step : data.preparation)
         if (!step.ok && !elsewhere.contains(step.id))
             doubts.push_back(step.message);
@@ -322,7 +322,7 @@ ValidityCheck fitCheck(const Estimate& estimate)
     check.id = u"fit"_s;
     check.value = estimate.fit.simulationPercent;
     check.limit = smallestFitPercent;
-    if (!estimate.parameters && !isPartialMotion(estimate)) {
+    if ((!estimate.parameters && !isPartialMotion(estimate)) || estimate.stiffnessBounds) {
         check.message = Words::say("not judged without an estimate");
         check.noted = true;
         return check;
@@ -424,24 +424,28 @@ std::vector<ValidityCheck> checkValidity(const Identification& identification, c
     const Estimate& estimate = found != nullptr ? *found : none;
     // Output error says best whether the force was rich enough, also when another estimator found numbers.
     const Estimate* const outputError = identification.find(Estimator::OutputError);
-    return {samplesLost(identification, recording),
-            saturation(identification, recording),
-            stuckChannel(identification, recording),
-            deviceFault(recording),
-            clockAgainstComputer(recording),
-            statedSampleTime(identification, recording),
-            excitation(outputError != nullptr && !isPartialMotion(estimate) ? *outputError : estimate),
-            residualWhiteness(estimate),
-            inputIndependence(estimate),
-            hold(identification, recording, options),
-            convergence(estimate),
-            physicalRange(estimate, identification.sampleTime_s),
-            fitCheck(estimate),
-            calibration(recording),
-            linearity(estimate),
-            feedback(estimate),
-            relaxation(identification, estimate),
-            preparation(identification)};
+    std::vector<ValidityCheck> checks{
+        samplesLost(identification, recording),
+        saturation(identification, recording),
+        stuckChannel(identification, recording),
+        deviceFault(recording),
+        clockAgainstComputer(recording),
+        statedSampleTime(identification, recording),
+        excitation(outputError != nullptr && !isPartialMotion(estimate) ? *outputError : estimate),
+        residualWhiteness(estimate),
+        inputIndependence(estimate),
+        hold(identification, recording, options),
+        convergence(estimate),
+        physicalRange(estimate, identification.sampleTime_s),
+        fitCheck(estimate),
+        calibration(recording),
+        linearity(estimate),
+        feedback(estimate),
+        relaxation(identification, estimate),
+        preparation(identification)};
+    if (std::optional<ValidityCheck> held = heldPositionCheck(identification))
+        checks.push_back(*std::move(held));
+    return checks;
 }
 
 } // namespace gripscope

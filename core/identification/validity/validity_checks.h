@@ -5,8 +5,8 @@
 
 namespace gripscope {
 
-/// Every check of the contract, in its order, and after them `linearity` and `feedback`, on an identification
-/// whose estimates and recommendation are filled in.
+/// Every check of the contract, in its order, and after them `linearity` and `feedback` (and, where it
+/// applies, `position_held`), on an identification whose estimates and recommendation are filled in.
 ///
 /// The checks are a family. Residual whiteness (of the innovations where a noise model was found), input
 /// independence, linearity and feedback are tests with p-values and share one false-alarm rate of 1 % (Sidak
@@ -37,6 +37,10 @@ namespace gripscope {
 
 // Whether the two channels said what there was, within the window that was identified.
 
+/// `position_held`: a position that is renewed far more slowly than its rows come, with what can be said of
+/// the stiffness in spite of it; nothing for any other. Suspect, and invalid where that is no interval. value
+/// and limit: seconds between renewals, and between samples.
+[[nodiscard]] std::optional<ValidityCheck> heldPositionCheck(const Identification& data);
 /// `saturation`: samples at the end of a sensor's range, by the device's word or by their look. Suspect; from
 /// 1 % of the samples on invalid. value: percent.
 [[nodiscard]] ValidityCheck saturation(const Identification& data, const Recording& recording);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/signal/preparation/preparation.h"
 
+#include "core/math/normal_interval.h"
 #include "core/math/value_lattice.h"
 #include "core/signal/preparation/preparation_parts.h"
 #include "core/signal/preparation/sample_clock.h"
@@ -9,6 +10,8 @@
 #include <cmath>
 
 namespace gripscope {
+
+using namespace Qt::StringLiterals;
 
 namespace {
 
@@ -32,6 +35,53 @@ bool isUsable(const Recording& recording)
            allFinite(recording.position) && allFinite(recording.time_s);
 }
 
+/// Where the position is held: the squeeze with all around it, and what is known of its clocks.
+std::optional<HeldPosition> heldSqueeze(const Recording& recording, Window asked)
+{
+    std::optional<HeldPosition> held = heldPosition(
+        viewOf(recording.time_s, asked), viewOf(recording.force, asked), viewOf(recording.position, asked));
+    if (!held)
+        return std::nullopt;
+    held->forceUnit = recording.forceUnit;
+    held->positionUnit = recording.positionUnit;
+    if (lagIsStated(recording)) {
+        held->clockOffset_s = -recording.forceLag_s;
+        held->clockBound_s = normal95 * std::abs(recording.chain.forceLagUncertainty_s);
+    }
+    return held;
+}
+
+ContactPhases phasesOf(const HeldPosition& held)
+{
+    ContactPhases phases;
+    phases.hasApproach = true;
+    phases.touch = phases.loaded = held.contact.first;
+    phases.squeeze = held.contact;
+    phases.hasRelease = held.contact.first + held.contact.count < held.force.size();
+    return phases;
+}
+
+/// The phases within the part asked for, and whether the position is held or an opening.
+ContactPhases readPhases(PreparedRecord& prepared, const Recording& recording, Window asked)
+{
+    const auto force = viewOf(recording.force, asked), position = viewOf(recording.position, asked);
+    prepared.held = heldSqueeze(recording, asked);
+    if (prepared.held) {
+        if (prepared.held->opening)
+            prepared.steps.push_back(openingStep(asked.count));
+        if (prepared.held->spikes > 0)
+            prepared.steps.push_back(spikesStep(*prepared.held));
+        return phasesOf(*prepared.held);
+    }
+    const ContactPhases phases = findContact(force, position);
+    if (phases.hasApproach || phases.hasRelease)
+        return phases;
+    const std::optional<ContactPhases> opening = findOpening(force, position);
+    if (opening)
+        prepared.steps.push_back(openingStep(asked.count));
+    return opening.value_or(phases);
+}
+
 /// The squeeze's samples within the part the device calls one.
 Window chooseSqueeze(PreparedRecord& prepared, const Recording& recording, const PreparationOptions& options)
 {
@@ -41,7 +91,7 @@ Window chooseSqueeze(PreparedRecord& prepared, const Recording& recording, const
     prepared.phases.squeeze = asked;
     if (!options.findContact)
         return asked;
-    ContactPhases phases = findContact(viewOf(recording.force, asked), viewOf(recording.position, asked));
+    ContactPhases phases = readPhases(prepared, recording, asked);
     phases.touch += asked.first;
     phases.loaded += asked.first;
     phases.squeeze.first += asked.first;
@@ -104,6 +154,9 @@ Window fillGrid(PreparedRecord& prepared, const Recording& recording, Window squ
     prepared.force = std::move(grid.force);
     prepared.position = std::move(grid.position);
     prepared.lost = std::move(grid.lost);
+    if (prepared.find(u"opening"_s) != nullptr)
+        for (double& x : prepared.position)
+            x = -x;
     if (clock.jittered)
         prepared.steps.push_back(jitterStep(clock, moved));
     if (clock.gaps > 0)
@@ -153,8 +206,10 @@ void measureForceNoise(PreparedRecord& prepared, const Recording& recording)
 
 void notice(PreparedRecord& prepared, const Recording& recording, Window used)
 {
-    if (auto step = saturationStep(recording, used))
+    if (auto step = saturationStep(recording, used, prepared.held.has_value()))
         prepared.steps.push_back(*std::move(step));
+    if (prepared.held)
+        prepared.steps.push_back(heldStep(*prepared.held));
     const auto positions = viewOf(recording.position, used);
     prepared.positionStep = latticeStep(positions).value_or(0);
     if (auto step = quantizationStep(positions, prepared.positionStep, recording.positionUnit))
@@ -227,7 +282,7 @@ PreparedRecord prepare(const Recording& recording, const PreparationOptions& opt
     const Window squeeze = chooseSqueeze(prepared, recording, options);
     measureForceNoise(prepared, recording);
     prepared.choice.window = fillGrid(prepared, recording, squeeze, options);
-    if (options.findContact)
+    if (options.findContact && !prepared.held)
         exciseContactLoss(prepared);
     if (options.removeFrame)
         removeFrame(prepared, options.hold.value_or(recording.hold.value_or(ForceHold::First)));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/finding.h"
+#include "core/signal/preparation/held_position.h"
 #include "core/signal/recording/recording.h"
 
 #include <QString>
@@ -24,7 +25,7 @@ struct PreparationOptions {
 
 /// One thing that was done to a recording or noticed in it. Ids: unusable, contact, clock_drift,
 /// force_noise, clock_jitter, clock_break, samples_lost, window_cut, contact_loss, saturation, quantization,
-/// frame_compliance.
+/// frame_compliance, opening, force_spikes, position_held.
 struct PreparationStep {
     QString id;
     std::size_t count = 0; ///< samples or places it concerns
@@ -69,6 +70,8 @@ struct PreparedRecord {
     MeasuringChain chain;
     double lagBound_s = 0;   ///< of a lag that nobody measured (unmeasuredLagBound_s()); 0: it is known
     double positionStep = 0; ///< of the lattice that the positions came on (latticeStep()); 0: none
+    /// Where the position is renewed too slowly for any motion to be in it: the whole squeeze as it came.
+    std::optional<HeldPosition> held;
     std::vector<PreparationStep> steps;
 
     /// The recording's samples from the first to the last used; `eligible` those there are in the squeeze,
@@ -88,6 +91,10 @@ struct PreparedRecord {
 /// (restingForceNoise), the clock and the lost samples (readSampleClock), where more than
 /// `largestLostShare` are lost the best part between gaps, the regular grid (placeOnGrid, or resampleToGrid
 /// for a jittered clock), contact loss, the frame's compliance; and looks for saturation and quantisation.
+///
+/// A position that falls as the force rises, in a record with an approach, is the opening between the
+/// fingers: it comes out with its sign turned. Where the position is held (heldPosition()) the squeeze is the
+/// whole contact, and neither contact loss nor saturation of the position is looked for.
 ///
 /// A record to which none of this applies comes out bit for bit as it went in, with no steps. Data that can't
 /// be used (channels of different length, numbers that are not finite, no sample time) comes out as it is

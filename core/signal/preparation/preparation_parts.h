@@ -36,6 +36,12 @@ namespace gripscope {
 /// depends on scale. Both channels equally long; without phases the squeeze is everything.
 [[nodiscard]] ContactPhases findContact(std::span<const double> force, std::span<const double> position);
 
+/// The same where the position is the opening between the fingers: with its sign turned an approach is found,
+/// and in contact force and position as they are go against each other (their covariance is below zero).
+/// Nothing for any other record. To be asked where findContact() finds neither approach nor release.
+[[nodiscard]] std::optional<ContactPhases> findOpening(std::span<const double> force,
+                                                       std::span<const double> position);
+
 /// The samples at which a gripper that can only push had left the object: an object can't be pulled, so that
 /// while the command would pull, the force rests at zero and the gripper moves on its own. Such a run has
 /// three samples at rest or more, and in it the position leaves the squeeze's range (99 % of the positions
@@ -126,9 +132,13 @@ inline constexpr std::size_t leastRestingSamples = 20;
 [[nodiscard]] PreparationStep cutStep(Window used, Window squeeze);
 [[nodiscard]] PreparationStep contactLossStep(const std::vector<std::size_t>& away, std::size_t samples);
 [[nodiscard]] PreparationStep frameStep(double compliance);
+[[nodiscard]] PreparationStep openingStep(std::size_t samples);
+[[nodiscard]] PreparationStep spikesStep(const HeldPosition& held);
+[[nodiscard]] PreparationStep heldStep(const HeldPosition& held);
 
 /// Samples at a sensor's end by the device's word (status bits) or by their look (clippedSamples()).
-[[nodiscard]] std::optional<PreparationStep> saturationStep(const Recording& recording, Window used);
+[[nodiscard]] std::optional<PreparationStep> saturationStep(const Recording& recording, Window used,
+                                                            bool positionIsHeld);
 /// A position that comes in steps larger than its noise and than a ten-thousandth of its range: its errors
 /// are then neither white nor independent of the motion.
 /// `step` is that of their lattice, zero where there is none.

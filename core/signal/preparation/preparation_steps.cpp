@@ -143,9 +143,34 @@ PreparationStep frameStep(double compliance)
                 .arg(number(compliance))};
 }
 
-std::optional<PreparationStep> saturationStep(const Recording& recording, Window used)
+PreparationStep openingStep(std::size_t samples)
 {
-    const SaturatedSamples found = saturatedSamples(recording, used);
+    return {u"opening"_s, samples, 0, true,
+            Words::say("the position falls as the force rises: it was read as the opening between the "
+                       "fingers, and its sign was turned")};
+}
+
+PreparationStep spikesStep(const HeldPosition& held)
+{
+    return {u"force_spikes"_s, held.spikes, held.largestSpike, true,
+            Words::say("%1 samples outside of contact, where the force reads up to %2, were left out: "
+                       "spikes, or another touch")
+                .arg(held.spikes)
+                .arg(channelQuantity(MechanicalQuantity::Force, held.largestSpike, held.forceUnit))};
+}
+
+PreparationStep heldStep(const HeldPosition& held)
+{
+    return {u"position_held"_s, held.contact.count, held.interval_s, false,
+            Words::say("the position stands still and is renewed only every %1 s, while the force goes on")
+                .arg(held.interval_s, 'g', 2)};
+}
+
+std::optional<PreparationStep> saturationStep(const Recording& recording, Window used, bool positionIsHeld)
+{
+    SaturatedSamples found = saturatedSamples(recording, used);
+    if (positionIsHeld)
+        found.position.look = {};
     const std::size_t marked = found.force.marked + found.position.marked;
     const std::size_t count = found.force.count() + found.position.count();
     if (count == 0)

@@ -148,6 +148,19 @@ void cutRamps(ContactPhases& phases, std::span<const double> force, std::size_t 
         phases.loaded = phases.touch;
 }
 
+bool goAgainstEachOther(std::span<const double> force, std::span<const double> position)
+{
+    double forces = 0, positions = 0, sum = 0;
+    const auto count = static_cast<double>(force.size());
+    for (std::size_t i = 0; i < force.size(); ++i) {
+        forces += force[i] / count;
+        positions += position[i] / count;
+    }
+    for (std::size_t i = 0; i < force.size(); ++i)
+        sum += (force[i] - forces) * (position[i] - positions);
+    return sum < 0;
+}
+
 constexpr std::size_t shortestLoss = 3;
 constexpr std::size_t fewestLoaded = 20;
 constexpr double smallestWay = 1; ///< of the positions' range under load
@@ -240,6 +253,21 @@ ContactPhases findContact(std::span<const double> force, std::span<const double>
     if (phases.hasApproach || phases.hasRelease)
         cutRamps(phases, channels.force, end, limits.threshold);
     return phases;
+}
+
+std::optional<ContactPhases> findOpening(std::span<const double> force, std::span<const double> position)
+{
+    std::vector<double> closing(position.begin(), position.end());
+    for (double& x : closing)
+        x = -x;
+    const ContactPhases phases = findContact(force, closing);
+    if (!phases.hasApproach)
+        return std::nullopt;
+    const std::size_t end = phases.squeeze.first + phases.squeeze.count;
+    return goAgainstEachOther(force.subspan(phases.touch, end - phases.touch),
+                              position.subspan(phases.touch, end - phases.touch))
+               ? std::optional(phases)
+               : std::nullopt;
 }
 
 std::vector<std::size_t> findContactLoss(std::span<const double> force, std::span<const double> position)
