@@ -136,8 +136,10 @@ void FurtherTerms::findTogether(const Identification& identification, const Prep
     const double byCubic = gainOver(*linear, cubic);
     const double byFriction = gainOver(*linear, friction);
     const double byRelaxing = gainOver(*linear, relaxing);
-    const double least = std::min({byCubic, byFriction, byRelaxing});
-    if ((byCubic > much) + (byFriction > much) + (byRelaxing > much) < 2)
+    // Friction that is known to be there belongs to every motion.
+    const bool rubs = isKnownToRub(motionOptions(Estimator::Friction, record, task));
+    const double least = rubs ? std::min(byCubic, byRelaxing) : std::min({byCubic, byFriction, byRelaxing});
+    if ((byCubic > much) + (rubs || byFriction > much) + (byRelaxing > much) < 2)
         return;
     const Estimator both = least == byCubic      ? Estimator::FrictionZener
                            : least == byRelaxing ? Estimator::FrictionDuffing

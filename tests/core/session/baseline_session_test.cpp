@@ -14,6 +14,29 @@ using namespace Qt::StringLiterals;
 namespace {
 /// What moves where nothing is gripped.
 constexpr MassDampingStiffness fingers{0.012, 9, 3000};
+
+/// A drive that no spring holds back and whose weight the preload of 20 N balances: m v' = F - 20 N - b v -
+/// Fc s(v), in steps of 1 us, stopped where it would turn and the force is below Fc.
+std::vector<double> freeDrive(const std::vector<double>& force)
+{
+    constexpr double m = 0.5, b = 100, friction = 1, step_s = 1e-6, sampleTime_s = 5e-4;
+    double x = 0, v = 0;
+    std::vector<double> positions;
+    for (const double pushed : force) {
+        positions.push_back(x);
+        const double push = pushed - 20;
+        for (double t = 0; t < sampleTime_s - step_s / 2; t += step_s) {
+            const double sign = v != 0 ? std::copysign(1.0, v) : std::copysign(1.0, push);
+            const double pull = push - b * v - friction * sign;
+            if (v == 0 && pull * sign <= 0)
+                continue; // it sticks
+            const double next = v + step_s * pull / m;
+            v = v != 0 && next * v < 0 ? 0 : next;
+            x += step_s * v;
+        }
+    }
+    return positions;
+}
 } // namespace
 
 class BaselineSessionTest : public QObject, SeriesFixture<BaselineSession> {
@@ -69,6 +92,22 @@ private slots:
         const auto object = identify(job.recording()).object();
         QVERIFY(object && std::abs(object->parameters.k / part.k - 1) < 0.01);
         QVERIFY(std::abs(object->parameters.m / part.m - 1) < 0.05);
+    }
+
+    void aDriveThatNoSpringHoldsBackHasFrictionAndNoStiffness()
+    {
+        m_connection->gripper().moves = freeDrive;
+        QVERIFY(m_session->start({}, 3));
+        QVERIFY(until(State::Measured));
+        QVERIFY2(m_session->baseline(), qPrintable(m_session->problem()));
+        const GripperBaseline found = *m_session->baseline();
+        QCOMPARE(found.parameters[2], 0.0);
+        // A thousandth is what steps of 1 us are worth.
+        QVERIFY2(std::abs(found.parameters[0] - 0.5) < 5 * found.standardErrors[0] + 5e-4,
+                 qPrintable(QString::number(found.parameters[0])));
+        QVERIFY(m_session->friction());
+        QVERIFY2(std::abs(m_session->friction()->value - 1) < 5 * m_session->friction()->standardError + 1e-3,
+                 qPrintable(QString::number(m_session->friction()->value)));
     }
 
     void aSecondMeasurementIsOfTheWholeAgain()

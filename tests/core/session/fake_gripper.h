@@ -23,6 +23,8 @@ struct FakeGripper {
     std::optional<Error> error;
     LinkCounters counters;
     MassDampingStiffness object{0.0396, 43.0, 9990.0};
+    /// The positions under a force, sample by sample, where they are not the object's.
+    std::function<std::vector<double>(const std::vector<double>&)> moves;
     double noise_m = 1e-6;
     double forceGain = 1; ///< of what its force sensor says over what it was told to press
     double trueLag_s = 0; ///< of the position channel, whatever the identity says
@@ -106,7 +108,7 @@ struct FakeGripper {
         options.sampleTime_s = identity.sampleTime_s;
         options.x0 = rest_N / object.k;
         options.lag_s = trueLag_s;
-        const std::vector<double> position = simulate(object, force, options);
+        const std::vector<double> position = moves ? moves(force) : simulate(object, force, options);
         for (int i = 0; i < static_cast<int>(force.size()); ++i) {
             const int inside = i - 50;
             const bool moving = inside >= 0 && inside < static_cast<int>(commanded_N.size());
