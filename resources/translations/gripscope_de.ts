@@ -6472,12 +6472,12 @@ m  %3</translation>
         <translation>Angabe des Greifers</translation>
     </message>
     <message>
-        <source>The empty gripper is taken off every later squeeze before it is shown, enrolled or judged, and its uncertainty goes into the error bars. Types that were enrolled without this include the fingers: enroll them again. Measure anew when the fingers are changed.</source>
-        <translation>Der leere Greifer wird von jedem späteren Druckversuch abgezogen, bevor dieser gezeigt, eingelernt oder beurteilt wird, und seine Unsicherheit geht in die Fehlerbalken ein. Ohne das eingelernte Typen enthalten die Finger: neu einlernen. Nach einem Wechsel der Finger neu messen.</translation>
-    </message>
-    <message>
         <source>Nothing is taken off. The m, b and k of a part include those of the fingers, in enrolled types and in inspections alike, so that they still compare on this gripper.</source>
         <translation>Nichts wird abgezogen. m, b und k eines Teils enthalten die der Finger, in eingelernten Typen wie in Prüfungen, sodass sie sich an diesem Greifer trotzdem vergleichen lassen.</translation>
+    </message>
+    <message>
+        <source>The empty gripper is taken off every later squeeze, and its uncertainty goes into the error bars. Types that were enrolled without this include the fingers: enroll them again. Measure anew when the fingers are changed.</source>
+        <translation>Der leere Greifer wird von jedem späteren Druckversuch abgezogen, und seine Unsicherheit geht in die Fehlerbalken ein. Ohne das eingelernte Typen enthalten die Finger: neu einlernen. Nach einem Wechsel der Finger neu messen.</translation>
     </message>
 </context>
 <context>

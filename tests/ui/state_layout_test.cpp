@@ -92,6 +92,37 @@ private slots:
         QVERIFY(walk.sound());
     }
 
+    void gripperMeasured_data() { languageRows(); }
+    void gripperMeasured()
+    {
+        const RowLanguage language;
+        WindowFixture f(true, u"virtual:?object=0.012,9,3000&seed=5&speed=0"_s);
+        LayoutWalk walk(*f.window);
+        f.window->showPage(u"calibrate"_s);
+        f.find<QTabBar>("calibrateTabs")->setCurrentIndex(2);
+        auto* act = f.find<QPushButton>("baselineAct");
+        const QString arm = act->text();
+        f.clickWhenEnabled(act);
+        QTRY_VERIFY_WITH_TIMEOUT(act->isEnabled() && act->text() != arm, longEnough_ms);
+        const QString squeeze = act->text();
+        f.click(act);
+        QTRY_VERIFY_WITH_TIMEOUT(!f.find<QLabel>("baselineOutcome")->text().isEmpty() && act->isEnabled() &&
+                                     act->text() != squeeze,
+                                 longEnough_ms);
+        walk.whereTight(u"measured"_s);
+        f.click(act);
+        f.sayWhy(u"new fingers"_s);
+        QTRY_VERIFY_WITH_TIMEOUT(f.bench->connection().measuringChain().baseline, longEnough_ms);
+        QTRY_VERIFY(f.find<QPushButton>("baselineRemove")->isVisible());
+        walk.whereTight(u"in use"_s);
+        auto* steps = f.find<QTabBar>("gripperSteps");
+        for (int step = 1; step < steps->count(); ++step) {
+            steps->setCurrentIndex(step);
+            walk.whereTight(u"step "_s + steps->tabText(step));
+        }
+        QVERIFY(walk.sound());
+    }
+
     void liveHeldAndMeasured_data() { languageRows(); }
     void liveHeldAndMeasured()
     {

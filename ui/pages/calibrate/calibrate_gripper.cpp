@@ -108,22 +108,26 @@ QWidget* CalibrateGripper::makeKnown()
     auto* column = new QVBoxLayout(card);
     setSpacing(column, 16, 8);
     column->addWidget(makeLabel(tr("Known of this gripper"), "heading", card));
+    auto* known = new QWidget(card);
+    auto* inside = new QVBoxLayout(known);
+    setSpacing(inside, 0, 8);
     constexpr std::array names{"knownEmpty", "knownFrame", "knownLag"};
     for (std::size_t i = 0; i < d->facts.size(); ++i) {
-        column->addWidget(makeRule(card));
-        d->when[i] = makeLabel({}, "second", card);
+        inside->addWidget(makeRule(known));
+        d->when[i] = makeLabel({}, "second", known);
         d->when[i]->setWordWrap(true);
         d->when[i]->setObjectName(names[i]);
-        column->addWidget(d->when[i]);
+        inside->addWidget(d->when[i]);
         d->facts[i] = makeFactGrid();
-        column->addLayout(d->facts[i]);
+        inside->addLayout(d->facts[i]);
     }
-    column->addWidget(makeRule(card));
-    d->meaning = makeLabel({}, "second", card);
+    inside->addWidget(makeRule(known));
+    d->meaning = makeLabel({}, "second", known);
     d->meaning->setObjectName("baselineMeaning");
     d->meaning->setWordWrap(true);
-    column->addWidget(d->meaning);
-    column->addStretch(1);
+    inside->addWidget(d->meaning);
+    inside->addStretch(1);
+    column->addWidget(makeScroll(known, card), 1);
     d->remove = makeButton(tr("Take nothing off any more"), u"edit-delete"_s, "", card);
     d->remove->setObjectName("baselineRemove");
     connect(d->remove, &QPushButton::clicked, this, &CalibrateGripper::remove);
@@ -182,10 +186,10 @@ void CalibrateGripper::showKnown()
     const bool takesOff = known.chain.baseline.has_value();
     d->meaning->setText(
         takesOff
-            ? tr("The empty gripper is taken off every later squeeze before it is shown, enrolled or judged, "
-                 "and its uncertainty goes into the error bars. Types that were enrolled without this "
-                 "include "
-                 "the fingers: enroll them again. Measure anew when the fingers are changed.")
+            ? tr("The empty gripper is taken off every later squeeze, and its uncertainty goes into the "
+                 "error "
+                 "bars. Types that were enrolled without this include the fingers: enroll them again. "
+                 "Measure anew when the fingers are changed.")
             : tr("Nothing is taken off. The m, b and k of a part include those of the fingers, in enrolled "
                  "types and in inspections alike, so that they still compare on this gripper."));
     d->remove->setVisible(takesOff);

@@ -10,6 +10,7 @@
 #include "ui/pages/shared/enroll_recipe_form.h"
 #include "ui/widgets/controls.h"
 
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
@@ -31,11 +32,18 @@ void GripperStep::build(const QString& what, GuidedSqueezes::Script script)
 {
     auto* column = new QVBoxLayout(this);
     setSpacing(column, 0, 8);
-    auto* words = makeLabel(what, "second", this);
+    auto* told = new QWidget(this);
+    auto* inside = new QVBoxLayout(told);
+    setSpacing(inside, 0, 8);
+    auto* words = makeLabel(what, "second", told);
     words->setWordWrap(true);
-    column->addWidget(words);
+    inside->addWidget(words);
+    // What was found has the place that it needs; what was asked for is scrolled.
+    QScrollArea* const scroll = makeScroll(told, this);
+    scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    column->addWidget(scroll);
     if (m_forces) {
-        column->addWidget(m_forces);
+        inside->addWidget(m_forces);
         column->addWidget(makeRule(this));
         script.obstacle = [this] {
             return m_forces->isValid() ? QString() : tr("Change the forces above first.");
