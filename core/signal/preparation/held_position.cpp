@@ -105,6 +105,7 @@ bool risesMeanwhile(std::span<const double> position, std::span<const double> fo
 double standingTime(const std::vector<Window>& stands, std::span<const double> time_s)
 {
     std::vector<double> durations;
+    durations.reserve(stands.size());
     for (const Window& stand : stands)
         durations.push_back(time_s[std::min(stand.first + stand.count, time_s.size() - 1)] -
                             time_s[stand.first]);

@@ -49,6 +49,7 @@ void GripperStep::build(const QString& what, GuidedSqueezes::Script script)
             return m_forces->isValid() ? QString() : tr("Change the forces above first.");
         };
     }
+    inside->addStretch(1);
     m_usable = script.usable;
     m_guide = new GuidedSqueezes(*m_bench, *m_session, std::move(script), this);
     if (m_forces)
