@@ -125,7 +125,7 @@ QString valueInWords(const QString& key, const QJsonValue& value)
                            : Words::number(value.toDouble(), 'g', 15);
     if (value.isArray()) {
         QStringList parts;
-        for (const QJsonValue& one : value.toArray())
+        for (const auto& one : value.toArray())
             parts += valueInWords(key, one);
         return parts.join(u", "_s);
     }
