@@ -7956,10 +7956,6 @@ sd</source>
         <translation>k %1</translation>
     </message>
     <message>
-        <source>Not valid, so nothing changes: %1</source>
-        <translation>Ungültig, also ändert sich nichts: %1</translation>
-    </message>
-    <message>
         <source>m %1, b %2, k %3 (95 %)</source>
         <translation>m %1, b %2, k %3 (95 %)</translation>
     </message>
@@ -9704,10 +9700,6 @@ Vorh. %</translation>
         <translation>k %1</translation>
     </message>
     <message>
-        <source>Not valid, so nothing changes: %1</source>
-        <translation>Ungültig, also ändert sich nichts: %1</translation>
-    </message>
-    <message>
         <source>In use for gripper %1: the frame has %2.</source>
         <translation>In Gebrauch für Greifer %1: Das Gestell hat %2.</translation>
     </message>
@@ -9748,6 +9740,10 @@ Vorh. %</translation>
     <message>
         <source>Change the forces above first.</source>
         <translation>Erst die Kräfte oben ändern.</translation>
+    </message>
+    <message>
+        <source>Not valid, so nothing changes: %1</source>
+        <translation>Ungültig, also ändert sich nichts: %1</translation>
     </message>
 </context>
 <context>

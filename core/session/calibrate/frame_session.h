@@ -10,7 +10,6 @@ namespace gripscope {
 struct FrameCompliance {
     double value = 0;
     double standardError = 0;
-    friend bool operator==(const FrameCompliance&, const FrameCompliance&) = default;
 };
 
 /// Measures the compliance of frame and fingers on some squeezes of a rigid block, and keeps it in the

@@ -16,7 +16,6 @@ enum class GripperTrait {
     Frame,      ///< how far frame and fingers give way
     Lag,        ///< of the position behind the force
 };
-inline constexpr int gripperTraits = 5;
 
 /// Somebody measured it.
 [[nodiscard]] bool isKnown(GripperTrait trait, const NewMeasuringChain& chain);

@@ -41,14 +41,7 @@ struct CalibrateGripper::Private {
     QPushButton* remove = nullptr;
 
     [[nodiscard]] GripperStep* step() const { return all[static_cast<std::size_t>(stack->currentIndex())]; }
-    [[nodiscard]] bool busy() const
-    {
-        return std::ranges::any_of(all, [](const GripperStep* one) {
-            return one->state() == SeriesSession::State::Squeezing ||
-                   one->state() == SeriesSession::State::Judging ||
-                   one->state() == SeriesSession::State::Storing;
-        });
-    }
+    [[nodiscard]] bool busy() const { return std::ranges::any_of(all, &GripperStep::busy); }
 };
 
 CalibrateGripper::CalibrateGripper(Workbench& workbench, QWidget* parent)
@@ -187,9 +180,8 @@ void CalibrateGripper::showKnown()
     d->meaning->setText(
         takesOff
             ? tr("The empty gripper is taken off every later squeeze, and its uncertainty goes into the "
-                 "error "
-                 "bars. Types that were enrolled without this include the fingers: enroll them again. "
-                 "Measure anew when the fingers are changed.")
+                 "error bars. Types that were enrolled without this include the fingers: enroll them "
+                 "again. Measure anew when the fingers are changed.")
             : tr("Nothing is taken off. The m, b and k of a part include those of the fingers, in enrolled "
                  "types and in inspections alike, so that they still compare on this gripper."));
     d->remove->setVisible(takesOff);

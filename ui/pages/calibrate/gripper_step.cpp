@@ -79,6 +79,11 @@ QString GripperStep::serial() const
     return m_bench->connection().identity().serial;
 }
 
+QString GripperStep::refused(const QString& problem)
+{
+    return problem.isEmpty() ? QString() : tr("Not valid, so nothing changes: %1").arg(asSentence(problem));
+}
+
 EmptyGripperStep::EmptyGripperStep(Workbench& bench, QWidget* parent)
     : GripperStep(bench, m_session, parent), m_session(bench.connection(), bench.library())
 {
@@ -112,9 +117,7 @@ QString EmptyGripperStep::found() const
 QString EmptyGripperStep::outcome() const
 {
     if (!m_session.baseline())
-        return m_session.problem().isEmpty()
-                   ? QString()
-                   : tr("Not valid, so nothing changes: %1").arg(asSentence(m_session.problem()));
+        return refused(m_session.problem());
     const GripperIdentity identity = bench().connection().identity();
     const ParameterTexts texts = GripperTexts::baseline(*m_session.baseline(), identity);
     QString numbers = tr("m %1, b %2, k %3 (95 %)").arg(texts.m.text(), texts.b.text(), texts.k.text());
@@ -159,9 +162,7 @@ QString FrameStep::found() const
 QString FrameStep::outcome() const
 {
     if (!m_session.compliance())
-        return m_session.problem().isEmpty()
-                   ? QString()
-                   : tr("Not valid, so nothing changes: %1").arg(asSentence(m_session.problem()));
+        return refused(m_session.problem());
     const QString frame =
         GripperTexts::frame(m_session.compliance()->value, m_session.compliance()->standardError,
                             bench().connection().identity());

@@ -24,6 +24,7 @@ public:
     /// Squeezes are, or a person looks at what they found and has not taken it yet.
     [[nodiscard]] bool underWay() const;
     [[nodiscard]] SeriesSession::State state() const { return m_session->state(); }
+    [[nodiscard]] bool busy() const { return m_session->busy(); }
 
 signals:
     void changed(); ///< the session did
@@ -35,6 +36,8 @@ protected:
     EnrollRecipeForm* addForces(); ///< before build(); changed forces are looked at by Script::obstacle
     [[nodiscard]] Workbench& bench() const { return *m_bench; }
     [[nodiscard]] QString serial() const; ///< of the connected gripper
+    /// Why nothing was found; empty where nothing is wrong.
+    [[nodiscard]] static QString refused(const QString& problem);
 
 private:
     Workbench* m_bench;
