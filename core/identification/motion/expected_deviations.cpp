@@ -65,12 +65,10 @@ std::optional<std::vector<double>> expectedDeviations(const MotionTerms& terms, 
     MotionSearchResult there;
     there.linear = linearize(problem, truth);
     const std::vector<P> parameters = terms.parameters();
-    const std::vector<Eigen::Index> moving = there.linear.moving();
-    const auto all =
-        std::ranges::count_if(moving, [&](Eigen::Index i) { return i >= problem.startUnknowns(); });
-    if (all != static_cast<std::ptrdiff_t>(parameters.size()) || !there.isDetermined())
+    if (!there.isDetermined())
         return std::nullopt;
-    const Eigen::MatrixXd inverse = inverseOfTriangle(triangleOf(there.linear.triangle(Eigen::all, moving)));
+    const Eigen::MatrixXd inverse =
+        inverseOfTriangle(triangleOf(there.linear.triangle(Eigen::all, there.linear.moving())));
     std::vector<double> deviations;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const P parameter = parameters[i];

@@ -234,9 +234,18 @@ std::vector<Eigen::Index> MotionLinearization::moving() const
     return columns;
 }
 
+bool MotionLinearization::movesEveryParameter() const
+{
+    const std::vector<Eigen::Index> columns = moving();
+    const auto parameters =
+        std::ranges::count_if(columns, [this](Eigen::Index i) { return i >= startUnknowns; });
+    return parameters == triangle.cols() - startUnknowns;
+}
+
 MotionLinearization linearize(const MotionProblem& problem, const MotionPoint& point)
 {
     MotionLinearization out;
+    out.startUnknowns = problem.startUnknowns();
     const Eigen::Index unknowns = problem.unknowns();
     SequentialQr qr(unknowns + 1);
     const bool bounded = forEachLinearizedRow(problem, point, [&](double e, const auto& fill) {

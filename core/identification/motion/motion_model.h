@@ -64,9 +64,12 @@ struct MotionLinearization {
     double cost = 0;          ///< sum of squared residuals, the prior's among them
     Eigen::MatrixXd triangle; ///< R factor of the sensitivities
     Eigen::VectorXd residual; ///< the residuals' part in its coordinates
+    Eigen::Index startUnknowns = 0;
 
     /// The columns that are not zero: the start's speed moves nothing while the part sticks.
     [[nodiscard]] std::vector<Eigen::Index> moving() const;
+    /// No parameter's column is zero: friction on the way back is, where nothing ever moves back.
+    [[nodiscard]] bool movesEveryParameter() const;
 };
 [[nodiscard]] MotionLinearization linearize(const MotionProblem& problem, const MotionPoint& point);
 

@@ -194,7 +194,7 @@ private:
 
 bool MotionSearchResult::isDetermined() const
 {
-    return linear.finite &&
+    return linear.finite && linear.movesEveryParameter() &&
            scaledConditionNumber(linear.triangle(Eigen::all, linear.moving())) <= largestCondition;
 }
 

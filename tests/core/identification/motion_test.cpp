@@ -205,6 +205,45 @@ private slots:
         QVERIFY(squeeze.estimate().status == EstimateStatus::TooFewSamples);
     }
 
+    void whatNeverMovesBackHasNoFrictionBack()
+    {
+        constexpr int substeps = 100;
+        std::vector<double> force;
+        std::vector<double> position;
+        double x = 0;
+        double v = 0;
+        for (int i = 0; i < 600; ++i) {
+            force.push_back(1 + 0.5 * std::sin(0.07 * i) + 0.3 * std::sin(0.0004 * i * i));
+            position.push_back(x);
+            for (int j = 0; j < substeps; ++j) { // 0.2 kg, 4 N s/m, 0.1 N, always forwards
+                v += 0.001 / substeps * (force.back() - 4 * v - 0.1) / 0.2;
+                x += 0.001 / substeps * v;
+            }
+        }
+        QVERIFY(std::ranges::is_sorted(position));
+        GaussianNoise noise(8);
+        for (double& measured : position)
+            measured += 1e-6 * noise();
+        MotionOptions options;
+        options.sampleTime_s = 0.001;
+        options.hold = ForceHold::First;
+        options.estimator = Estimator::Carriage;
+        options.terms = {.spring = false, .friction = true, .eachWay = true};
+        MotionProblem problem{makeOutputErrorProblem(force, position, options), options.terms};
+        MotionPoint point;
+        point.values[P::Mass] = 0.2;
+        point.values[P::Damping] = point.values[P::DampingBack] = 4;
+        point.values[P::Friction] = point.values[P::FrictionBack] = 0.1;
+        point.values = inProblemUnits(problem, point.values);
+        MotionSearchResult there;
+        there.linear = linearize(problem, point);
+        QVERIFY(there.linear.finite && !there.linear.movesEveryParameter());
+        QVERIFY(!there.isDetermined());
+        const Estimate estimate = estimateMotion(force, position, options);
+        QVERIFY(estimate.status == EstimateStatus::NotIdentifiable);
+        QVERIFY(!estimate.motion);
+    }
+
     void termsOfASumComeInAnyOrder()
     {
         QVERIFY(estimatorFromString(u"zener+friction"_s) == Estimator::FrictionZener);
