@@ -2,7 +2,7 @@
 #include "app/cli/identification_csv.h"
 
 #include "core/base/csv.h"
-#include "core/math/normal_interval.h"
+#include "core/identification/result/determined_parameters.h"
 #include "core/signal/recording/units.h"
 
 #include <QStringList>
@@ -30,6 +30,11 @@ QString csvRow(QStringList cells)
     return cells.join(u',');
 }
 
+bool isRecommended(const Identification& identification, const Estimate& estimate)
+{
+    return estimate.estimator == identification.recommended && estimate.hasAnswer();
+}
+
 /// m, b and k with half their intervals, and what these count.
 struct CsvNumbers {
     std::optional<double> values[3], halves[3];
@@ -40,24 +45,20 @@ CsvNumbers csvNumbers(const Identification& identification, const Estimate& esti
 {
     CsvNumbers numbers;
     const UncertaintyBudget& budget = identification.budget;
-    const bool whole = &estimate == identification.best() && budget.parameters.has_value();
-    const auto& parameters = whole ? budget.parameters : estimate.parameters;
-    if (!parameters)
-        return numbers;
-    const Eigen::Vector3d values = parameters->vector();
-    const std::optional<Eigen::Vector3d> errors = estimate.standardErrors();
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto at = static_cast<Eigen::Index>(i);
-        numbers.values[i] = values[at];
-        if (whole)
-            numbers.halves[i] = (budget.intervals[i].upper - budget.intervals[i].lower) / 2;
-        else if (errors)
-            numbers.halves[i] = normal95 * (*errors)[at];
+    const bool whole =
+        isRecommended(identification, estimate) && (budget.parameters || !budget.further.empty());
+    const QString asMeasured = u"1"_qs;
+    for (const DeterminedParameter& one : whole ? determinedParameters(identification, asMeasured, asMeasured)
+                                                : determinedParameters(estimate, asMeasured, asMeasured)) {
+        const auto at = static_cast<std::size_t>(one.parameter); // m, b and k come first
+        if (at >= std::size(numbers.values) || one.isLowerBound)
+            continue;
+        numbers.values[at] = one.value;
+        if (!one.interval)
+            continue;
+        numbers.halves[at] = (one.interval->upper - one.interval->lower) / 2;
+        numbers.intervals = whole ? u"budget"_qs : u"noise"_qs;
     }
-    if (whole)
-        numbers.intervals = u"budget"_qs;
-    else if (errors)
-        numbers.intervals = u"noise"_qs;
     return numbers;
 }
 
@@ -77,7 +78,7 @@ QString identificationCsv(const Identification& identification, const Recording&
     for (const Estimate& estimate : identification.estimates) {
         const CsvNumbers numbers = csvNumbers(identification, estimate);
         QStringList cells{file, toString(estimate.estimator), toString(estimate.status),
-                          &estimate == identification.best() ? u"yes"_qs : u"no"_qs};
+                          isRecommended(identification, estimate) ? u"yes"_qs : u"no"_qs};
         for (std::size_t i = 0; i < 3; ++i)
             cells << exactText(numbers.values[i]) << exactText(numbers.halves[i]) << unit[i];
         cells << numbers.intervals << exactText(estimate.fit.simulationPercent)

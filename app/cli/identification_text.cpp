@@ -3,6 +3,7 @@
 
 #include "app/cli/output.h"
 #include "core/identification/estimators/estimator_table.h"
+#include "core/identification/result/determined_parameters.h"
 #include "core/signal/recording/units.h"
 
 #include <QStringList>
@@ -34,31 +35,6 @@ QString heading(const Identification& identification, const Recording& recording
         QString::number(identification.sampleTime_s, 'g', 6), lost,
         identification.hold == ForceHold::Zero ? u"held between samples (zoh)"_qs
                                                : u"straight between samples (foh)"_qs);
-}
-
-QString unitOf(MotionParameter parameter, const ParameterUnits& units)
-{
-    const QString force = units.k.section(u'/', 0, 0);
-    const QString position = units.k.section(u'/', 1);
-    switch (parameter) {
-    case MotionParameter::Mass:
-        return units.m;
-    case MotionParameter::Damping:
-    case MotionParameter::DampingBack:
-        return units.b;
-    case MotionParameter::Stiffness:
-    case MotionParameter::Relaxing:
-        return units.k;
-    case MotionParameter::RelaxationTime:
-        return u"s"_qs;
-    case MotionParameter::Cubic:
-        return position.isEmpty() ? u"1"_qs : u"%1/%2^3"_qs.arg(force, position);
-    case MotionParameter::Friction:
-    case MotionParameter::FrictionBack:
-    case MotionParameter::ForceOffset:
-        return force;
-    }
-    return u"1"_qs;
 }
 
 /// What a motion has besides m, b and k; all of it where it has no mass or no spring.

@@ -7701,6 +7701,53 @@ sd</source>
     </message>
 </context>
 <context>
+    <name>gripscope::DeterminedText</name>
+    <message>
+        <source>Mass m</source>
+        <translation>Masse m</translation>
+    </message>
+    <message>
+        <source>Damping b</source>
+        <translation>Dämpfung b</translation>
+    </message>
+    <message>
+        <source>Stiffness k</source>
+        <translation>Steifigkeit k</translation>
+    </message>
+    <message>
+        <source>Friction Fc</source>
+        <translation>Reibung Fc</translation>
+    </message>
+    <message>
+        <source>Yielding stiffness k1</source>
+        <translation>Nachgebende Steifigkeit k1</translation>
+    </message>
+    <message>
+        <source>Yields within τ</source>
+        <translation>Gibt nach in τ</translation>
+    </message>
+    <message>
+        <source>Cubic stiffness k3</source>
+        <translation>Kubische Steifigkeit k3</translation>
+    </message>
+    <message>
+        <source>Damping back b</source>
+        <translation>Dämpfung zurück b</translation>
+    </message>
+    <message>
+        <source>Friction back Fc</source>
+        <translation>Reibung zurück Fc</translation>
+    </message>
+    <message>
+        <source>Offset of the force</source>
+        <translation>Nullpunktversatz der Kraft</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::DeviceChip</name>
     <message>
         <source>Gripper: %1</source>
@@ -9298,14 +9345,6 @@ Vorh. %</translation>
         <translation>validiert…</translation>
     </message>
     <message>
-        <source>Open recording…</source>
-        <translation>Aufnahme öffnen…</translation>
-    </message>
-    <message>
-        <source>Read a recording (CSV) and identify it</source>
-        <translation>Eine Aufnahme (CSV) lesen und identifizieren</translation>
-    </message>
-    <message>
         <source>Identify again</source>
         <translation>Neu bestimmen</translation>
     </message>
@@ -9328,18 +9367,6 @@ Vorh. %</translation>
     <message>
         <source>No squeeze to look at yet</source>
         <translation>Noch kein Druckversuch zum Ansehen</translation>
-    </message>
-    <message>
-        <source>Squeeze a part on Inspect, double-click a row in History, or open a recording (CSV): drop the file here or press Open recording.</source>
-        <translation>Auf der Seite Prüfen ein Teil drücken, im Verlauf eine Zeile doppelklicken oder eine Aufnahme (CSV) öffnen: die Datei hier ablegen oder „Aufnahme öffnen“ drücken.</translation>
-    </message>
-    <message>
-        <source>Open recording</source>
-        <translation>Aufnahme öffnen</translation>
-    </message>
-    <message>
-        <source>reading %1…</source>
-        <translation>liest %1…</translation>
     </message>
     <message>
         <source>copied</source>
@@ -9368,10 +9395,6 @@ Vorh. %</translation>
     <message>
         <source>identifying… %1 %</source>
         <translation>identifiziert… %1 %</translation>
-    </message>
-    <message>
-        <source>Recordings (*.csv *.tsv *.txt);;All files (*)</source>
-        <translation>Aufnahmen (*.csv *.tsv *.txt);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Results, rounded (± 95 %)</source>
@@ -9412,6 +9435,18 @@ Vorh. %</translation>
     <message>
         <source>Back to History (Alt+Left)</source>
         <translation>Zurück zum Verlauf (Alt+Pfeil links)</translation>
+    </message>
+    <message>
+        <source>Open recordings…</source>
+        <translation>Aufnahmen öffnen…</translation>
+    </message>
+    <message>
+        <source>Read recordings (CSV) and identify them</source>
+        <translation>Aufnahmen (CSV) lesen und bestimmen</translation>
+    </message>
+    <message>
+        <source>Squeeze a part on Inspect, double-click a row in History, or open recordings (CSV): drop the files here or press Open recordings.</source>
+        <translation>Auf der Seite Prüfen ein Teil drücken, im Verlauf eine Zeile doppelklicken oder Aufnahmen (CSV) öffnen: die Dateien hier ablegen oder „Aufnahmen öffnen“ drücken.</translation>
     </message>
 </context>
 <context>
@@ -9522,18 +9557,6 @@ Vorh. %</translation>
     <message>
         <source>No estimate</source>
         <translation>Keine Schätzung</translation>
-    </message>
-    <message>
-        <source>Mass m</source>
-        <translation>Masse m</translation>
-    </message>
-    <message>
-        <source>Damping b</source>
-        <translation>Dämpfung b</translation>
-    </message>
-    <message>
-        <source>Stiffness k</source>
-        <translation>Steifigkeit k</translation>
     </message>
     <message>
         <source>length %1 · %2 samples · %3 between samples</source>
@@ -12123,6 +12146,37 @@ Vorh. %</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::OpenedRecordings</name>
+    <message>
+        <source>The recording before (Alt+Up)</source>
+        <translation>Die Aufnahme davor (Alt+Oben)</translation>
+    </message>
+    <message>
+        <source>The next recording (Alt+Down)</source>
+        <translation>Die nächste Aufnahme (Alt+Unten)</translation>
+    </message>
+    <message>
+        <source>Open recordings</source>
+        <translation>Aufnahmen öffnen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.tsv *.txt);;All files (*)</source>
+        <translation>Aufnahmen (*.csv *.tsv *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>reading %1 (%2 of %3)…</source>
+        <translation>liest %1 (%2 von %3)…</translation>
+    </message>
+    <message>
+        <source>reading %1…</source>
+        <translation>liest %1…</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::OperatorBox</name>
     <message>
         <source>Operator</source>
@@ -13412,6 +13466,10 @@ Vorh. %</translation>
     <message>
         <source>%1, %2, 95 % intervals</source>
         <translation>%1, %2, 95-%-Intervalle</translation>
+    </message>
+    <message>
+        <source>%1: at least %2</source>
+        <translation>%1: mindestens %2</translation>
     </message>
 </context>
 <context>

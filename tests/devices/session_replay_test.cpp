@@ -8,7 +8,7 @@
 #include "core/signal/recording/recording_csv.h"
 #include "devices/replay/capture_reader.h"
 #include "devices/replay/captured_session.h"
-#include "tests/devices/port_helpers.h"
+#include "tests/devices/connected_program.h"
 #include "tests/support/test_registry.h"
 
 #include <QTemporaryDir>
@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 
 using namespace gripscope;
 using namespace gripscope::test;
@@ -232,6 +233,42 @@ void writeWithoutNotes(const QString& from, const QString& to)
             out.write(encodeRecord(record.time_us, record.kind, record.bytes));
 }
 
+/// A session with one squeeze that a bad cable thins out, kept in as many parts as it can be.
+struct KeptSession {
+    QTemporaryDir place;
+    ConnectedProgram program;
+
+    bool squeeze()
+    {
+        KeepSessions keep{place.path(), {}, true};
+        keep.limits.partBytes = 1; // a part for each visit of the disk
+        program.factory.keepSessions(keep);
+        if (!program.connectTo(u"virtual:?speed=1&fault=loss:0.02"_qs))
+            return false;
+        program.connection.setCalibrations(twoPercentLess()); // the reports stay those of the device
+        constexpr double long_s = 1;
+        const bool done =
+            program.arm() && program.squeeze(long_s) && program.job.state() == SqueezeJob::State::Done;
+        program.connection.disconnect();
+        return done;
+    }
+};
+
+/// In real time: where a busy computer keeps the gripper waiting for so long that its watchdog ends the
+/// squeeze, another session's turn.
+std::unique_ptr<KeptSession> keptSession()
+{
+    constexpr int mostTries = 20;
+    for (int tries = 0; tries < mostTries; ++tries) {
+        auto kept = std::make_unique<KeptSession>();
+        if (kept->squeeze())
+            return kept;
+        if (const auto& error = kept->program.job.error())
+            qInfo("once more: %s", qPrintable(error->describe()));
+    }
+    return nullptr;
+}
+
 } // namespace
 
 class SessionReplayTest : public QObject {
@@ -389,30 +426,11 @@ private slots:
     }
     void aKeptSessionInPartsReplaysAsOne()
     {
-        const QTemporaryDir place;
-        DeviceFactory factory;
-        KeepSessions keep{place.path(), {}, true};
-        keep.limits.partBytes = 1; // a part for each visit of the disk
-        factory.keepSessions(keep);
-        ConnectSession connection(factory);
-        SqueezeJob job(connection);
-        const auto until = [&](const std::function<bool()>& done) {
-            return waitFor([&] {
-                connection.poll();
-                job.poll();
-                return done();
-            });
-        };
-        QVERIFY(connection.connectTo(u"virtual:?speed=1&fault=loss:0.02"_qs).has_value());
-        QVERIFY(until([&] { return connection.state() == ConnectSession::State::Connected; }));
-        connection.setCalibrations(twoPercentLess()); // the reports stay those of the device
-        QVERIFY(connection.arm(u"tester"_qs).has_value());
-        QVERIFY(until([&] { return connection.armed(); }));
-        QVERIFY(job.start(Recipe{}, 3).has_value());
-        QVERIFY(until([&] { return job.state() == SqueezeJob::State::Done; }));
-        connection.disconnect();
-
-        const QString session = job.recording().provenance.value(u"capture"_qs);
+        const std::unique_ptr<KeptSession> kept = keptSession();
+        QVERIFY(kept);
+        const QTemporaryDir& place = kept->place;
+        const Recording& recording = kept->program.job.recording();
+        const QString session = recording.provenance.value(u"capture"_qs);
         QVERIFY(!session.isEmpty());
         const QString first = place.filePath(session + u".part0001.gscap"_qs);
         QVERIFY(waitFor([&] {
@@ -424,9 +442,9 @@ private slots:
         QCOMPARE(replay.name, session);
         QCOMPARE(replay.squeezes.size(), std::size_t(1));
         const Recording& again = replay.squeezes.front().recording;
-        QCOMPARE(again.provenance, job.recording().provenance); // named first: a difference says where
-        QCOMPARE(again.sequence.size(), job.recording().sequence.size());
-        QVERIFY(sameBits(again, job.recording()));
+        QCOMPARE(again.provenance, recording.provenance); // named first: a difference says where
+        QCOMPARE(again.sequence.size(), recording.sequence.size());
+        QVERIFY(sameBits(again, recording));
         QVERIFY(!replay.squeezes.front().recording.provenance.value(u"position_correction"_qs).isEmpty());
     }
 

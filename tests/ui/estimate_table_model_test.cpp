@@ -92,7 +92,7 @@ private slots:
         EstimateTableModel model;
         model.setIdentification(found, QStringLiteral("N"), QStringLiteral("m"));
         QVERIFY(!cell(model, Estimator::Duffing, EstimateColumn::Mass).isValid());
-        QVERIFY(model.toTsv().contains(QStringLiteral("duffing\t\t\t\t\t\t\t\t\tnot applicable\t\t")));
+        QVERIFY(model.toTsv().contains(QStringLiteral("duffing\t\t\t\t\t\t\t\t\tnot applicable\n")));
     }
     void tabSeparatedTextReadsBack()
     {
@@ -120,12 +120,36 @@ private slots:
         EstimateTableModel model;
         model.setIdentification(found, QStringLiteral("N"), QStringLiteral("mm"));
         const int row = model.rowOf(Estimator::Duffing);
-        QCOMPARE(model.index(row, 0).data(EstimateTableModel::CubicRole).toString(),
-                 QString::fromUtf8("k3 = 3.8 ± 0.2\u00A0N/mm³")); // 1.96 times 0.1
-        QVERIFY(!model.index(0, 0).data(EstimateTableModel::CubicRole).isValid());
+        QCOMPARE(model.index(row, 0).data(EstimateTableModel::FurtherRole).toStringList(),
+                 QStringList{QString::fromUtf8("k3 = 3.8 ± 0.2\u00A0N/mm³")}); // 1.96 times 0.1
+        QVERIFY(!model.index(0, 0).data(EstimateTableModel::FurtherRole).isValid());
         const QStringList lines = model.toTsv().split(u'\n');
         QVERIFY(lines[0].endsWith(QString::fromUtf8("\tk3 (N/m³)\tk3 95 % half width (N/m³)")));
         QVERIFY(std::abs(lines[row + 1].section(u'\t', -2, -2).toDouble() / 3.8e9 - 1) < 1e-12);
+    }
+    void whatHasNoSpringHasItsMassAndFriction()
+    {
+        Identification found = test::identifiedCanA();
+        Estimate& carriage = found.estimates.emplace_back();
+        carriage.estimator = Estimator::Carriage;
+        carriage.status = EstimateStatus::Converged;
+        MotionEstimate& motion = carriage.motion.emplace();
+        motion.terms = {.spring = false, .friction = true};
+        motion.values[MotionParameter::Mass] = 95.1;
+        motion.values[MotionParameter::Damping] = 215;
+        motion.values[MotionParameter::Friction] = 20;
+        motion.covariance = Eigen::Vector3d(1, 4, 0.25).asDiagonal();
+        found.recommended = Estimator::Carriage;
+        EstimateTableModel model;
+        model.setIdentification(found, QStringLiteral("N"), QStringLiteral("m"));
+        QCOMPARE(cell(model, Estimator::Carriage, EstimateColumn::Mass).toDouble(), 95.1);
+        QVERIFY(!cell(model, Estimator::Carriage, EstimateColumn::Stiffness).isValid());
+        const int row = model.rowOf(Estimator::Carriage);
+        QCOMPARE(model.index(row, 0).data(EstimateTableModel::FurtherRole).toStringList(),
+                 QStringList{QString::fromUtf8("Fc = 20.0 ± 1.0\u00A0N")});
+        QVERIFY(model.toTsv().contains(QStringLiteral("\tFc (N)\tFc 95 % half width (N)\n")));
+        QCOMPARE(cell(model, Estimator::Carriage, EstimateColumn::Verdict).toString(),
+                 QStringLiteral("recommended"));
     }
     void smallNumbersWithoutAPrefixGetAPower()
     {

@@ -215,7 +215,7 @@ private slots:
         QVERIFY(writeRecordingCsv(simulatedSqueeze(test::canA, 4), file));
         FitPage page(fixture.bench);
         page.show();
-        page.openRecording(file);
+        page.openRecordings({file});
         QTRY_VERIFY_WITH_TIMEOUT(fixture.bench.navigator().fitSubject().has_value(), test::longEnough_ms);
         QCOMPARE(fixture.bench.navigator().fitSubject()->title, QStringLiteral("squeeze.csv"));
         const Estimate* best = fixture.bench.navigator().fitSubject()->identification.best();
@@ -227,7 +227,7 @@ private slots:
         test::PageFixture fixture;
         FitPage page(fixture.bench);
         page.show();
-        page.openRecording(fixture.folder.filePath(QStringLiteral("absent.csv")));
+        page.openRecordings({fixture.folder.filePath(QStringLiteral("absent.csv"))});
         QTRY_COMPARE_WITH_TIMEOUT(fixture.reports.size(), 1, test::longEnough_ms);
         QVERIFY(fixture.reports.first().first().toString().contains(QStringLiteral("absent.csv")));
         QVERIFY(!fixture.bench.navigator().fitSubject());

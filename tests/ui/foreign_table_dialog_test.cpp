@@ -94,7 +94,7 @@ private slots:
     void aTableOfAnotherProgramIsAskedAboutAndIdentified()
     {
         Opened opened;
-        opened.page.openRecording(opened.file(germanSqueeze()));
+        opened.page.openRecordings({opened.file(germanSqueeze())});
         QVERIFY(opened.asked());
         QCOMPARE(opened.box("importForce")->currentText(), u"Kraft"_s);
         QCOMPARE(opened.box("importTimeUnit")->currentText(), u"ms"_s);
@@ -127,14 +127,14 @@ private slots:
         QVERIFY(QGuiApplication::clipboard()->text().contains(u"\n$m = ("_s));
 
         // Another table of this layout comes with what was said.
-        opened.page.openRecording(opened.file(germanSqueeze(), u"again.txt"_s));
+        opened.page.openRecordings({opened.file(germanSqueeze(), u"again.txt"_s)});
         QVERIFY(opened.asked());
         QCOMPARE(opened.box("importHold")->currentIndex(), 1);
     }
     void whatIsChosenIsTriedAtOnce()
     {
         Opened opened;
-        opened.page.openRecording(opened.file(germanSqueeze()));
+        opened.page.openRecordings({opened.file(germanSqueeze())});
         QVERIFY(opened.asked());
         QVERIFY(opened.import()->isEnabled());
         opened.box("importDecimalMark")->setCurrentIndex(0); // a point
@@ -160,7 +160,7 @@ private slots:
         Opened opened;
         const QByteArray text = germanSqueeze("9999,5;ERR;1,0\n");
         QVERIFY(text.size() > tableHeadBytes); // not in the preview
-        opened.page.openRecording(opened.file(text));
+        opened.page.openRecordings({opened.file(text)});
         QVERIFY(opened.asked());
         QVERIFY(opened.import()->isEnabled());
         opened.import()->click();
@@ -174,8 +174,8 @@ private slots:
     void aDamagedRecordingOfGripscopeIsReported()
     {
         Opened opened;
-        opened.page.openRecording(
-            opened.file("# gripscope-recording: 1\ntime_s,force,position\n0,1,2\n0.1,x,3\n0.2,1,3\n"));
+        opened.page.openRecordings(
+            {opened.file("# gripscope-recording: 1\ntime_s,force,position\n0,1,2\n0.1,x,3\n0.2,1,3\n")});
         QTRY_COMPARE_WITH_TIMEOUT(opened.fixture.reports.size(), 1, test::longEnough_ms);
         QVERIFY(opened.fixture.reports.first().first().toString().contains(u":4:2"_s));
         QVERIFY(!opened.dialog());

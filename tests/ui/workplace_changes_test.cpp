@@ -431,13 +431,13 @@ void WorkplaceChangesTest::theIdentificationOfAFileCanBeCancelled()
         QTest::mouseClick(button, Qt::LeftButton);
     });
     look.start(0);
-    page.openRecording(file);
+    page.openRecordings({file});
     QTRY_VERIFY_WITH_TIMEOUT(cancelled || fixture.bench.navigator().fitSubject(), longEnough_ms);
     QVERIFY(cancelled);
     QVERIFY(!button->isEnabled()); // there is nothing to identify
     QTest::qWait(1500);
     QVERIFY(!fixture.bench.navigator().fitSubject());
-    page.openRecording(file);
+    page.openRecordings({file});
     QTRY_VERIFY_WITH_TIMEOUT(fixture.bench.navigator().fitSubject().has_value(), longEnough_ms);
     QCOMPARE(button->text(), u"Identify again"_s);
     QVERIFY(button->isEnabled());

@@ -55,7 +55,7 @@ QString estimateVerdict(const Identification& identification, const Estimate& es
     if (!status.isEmpty())
         return status;
     const Estimate* best = identification.best();
-    if (best == &estimate || (best && best->estimator == estimate.estimator))
+    if (estimate.estimator == identification.recommended && estimate.hasAnswer())
         return estimateWord(QT_TRANSLATE_NOOP("gripscope::EstimateWords", "recommended"));
     if (!best || !best->parameters || !estimate.parameters)
         return estimateWord(QT_TRANSLATE_NOOP("gripscope::EstimateWords", "no comparison"));

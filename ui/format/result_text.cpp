@@ -2,9 +2,8 @@
 #include "ui/format/result_text.h"
 
 #include "core/base/csv.h"
+#include "core/identification/result/determined_parameters.h"
 #include "core/identification/uncertainty/derived_quantities.h"
-#include "core/math/normal_interval.h"
-#include "core/signal/recording/units.h"
 #include "ui/format/estimate_words.h"
 #include "ui/format/number_format.h"
 #include "ui/format/shown_budget.h"
@@ -41,6 +40,19 @@ constexpr std::array symbols{Symbol{u"natural_frequency", u"f0", u"f_0"},
                              Symbol{u"time_constant_slow", u"tau_slow", u"\\tau_\\mathrm{slow}"},
                              Symbol{u"time_constant_fast", u"tau_fast", u"\\tau_\\mathrm{fast}"}};
 
+/// In the order of MotionParameter. (tau is a decay time among what follows from m, b and k.)
+constexpr std::array<Symbol, motionParameters> parameterNames{
+    Symbol{u"mass", u"m", u"m"},
+    Symbol{u"damping", u"b", u"b"},
+    Symbol{u"stiffness", u"k", u"k"},
+    Symbol{u"friction", u"Fc", u"F_\\mathrm{c}"},
+    Symbol{u"yielding stiffness", u"k1", u"k_1"},
+    Symbol{u"relaxation time", u"tau_relaxation", u"\\tau_\\mathrm{r}"},
+    Symbol{u"cubic stiffness", u"k3", u"k_3"},
+    Symbol{u"damping back", u"b_back", u"b_\\mathrm{back}"},
+    Symbol{u"friction back", u"Fc_back", u"F_\\mathrm{c,back}"},
+    Symbol{u"force offset", u"force_offset", u"F_0"}};
+
 void addDerived(std::vector<ReportedResult>& results, const UncertaintyBudget& budget)
 {
     for (const DerivedQuantity& one : derivedFrom(budget)) {
@@ -53,6 +65,7 @@ void addDerived(std::vector<ReportedResult>& results, const UncertaintyBudget& b
                               one.interval.lower,
                               one.interval.upper,
                               one.interval.onlyUpperBound,
+                              false,
                               one.unit};
         for (const Symbol& symbol : symbols)
             if (one.id == QStringView(symbol.id)) {
@@ -86,6 +99,8 @@ QString reportedText(const ReportedResult& result)
     const RoundedNumber number = roundedForReport(result.value, result.lower, result.upper, result.unit);
     const QString unit = number.unit.isEmpty() ? QString() : QChar(QChar::Nbsp) + number.unit;
     const QString name = result.symbol;
+    if (result.onlyLowerBound)
+        return ResultWords::tr("%1: at least %2").arg(name, localNumber(number.value) + unit);
     if (!hasInterval(result))
         return ResultWords::tr("%1 = %2 (no interval)").arg(name, localNumber(number.value) + unit);
     if (result.onlyUpperBound)
@@ -123,6 +138,8 @@ QString latexOf(const ReportedResult& result)
 {
     const RoundedNumber number = roundedForReport(result.value, result.lower, result.upper, result.unit);
     const QString unit = number.unit.isEmpty() ? QString() : u"\\,\\mathrm{%1}"_s.arg(latexUnit(number.unit));
+    if (result.onlyLowerBound)
+        return u"$%1 \\ge %2%3$"_s.arg(result.latex, number.value, unit);
     if (!hasInterval(result))
         return u"$%1 = %2%3$"_s.arg(result.latex, number.value, unit);
     if (result.onlyUpperBound)
@@ -160,33 +177,25 @@ std::vector<ReportedResult> reportedResults(const Identification& identification
                                             const QString& positionUnit)
 {
     std::vector<ReportedResult> results;
-    const Estimate* best = identification.best();
-    if (best == nullptr || !best->parameters)
-        return results;
-    const UncertaintyBudget* budget = shownBudget(identification);
-    const double factor = siFactor(forceUnit, positionUnit).value_or(1);
-    const ParameterUnits units = comparableUnits(forceUnit, positionUnit);
-    const Eigen::Vector3d values = (budget ? *budget->parameters : *best->parameters).vector();
-    const std::optional<Eigen::Vector3d> errors = best->standardErrors();
-    const std::array names{u"mass"_s, u"damping"_s, u"stiffness"_s};
-    const std::array letters{u"m"_s, u"b"_s, u"k"_s};
-    const std::array unit{units.m, units.b, units.k};
-    for (int i = 0; i < 3; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        ReportedResult result{names[at],          letters[at],        letters[at], values[i] * factor,
-                              values[i] * factor, values[i] * factor, false,       unit[at]};
-        if (budget) {
-            const CoverageInterval& interval = budget->intervals[at];
-            result.lower = interval.lower * factor;
-            result.upper = interval.upper * factor;
-            result.onlyUpperBound = interval.onlyUpperBound;
-        } else if (errors) {
-            result.lower -= normal95 * (*errors)[i] * factor;
-            result.upper += normal95 * (*errors)[i] * factor;
+    for (const DeterminedParameter& one : determinedParameters(identification, forceUnit, positionUnit)) {
+        const auto& [name, symbol, latex] = parameterNames[static_cast<std::size_t>(one.parameter)];
+        ReportedResult result{QString::fromUtf16(name),
+                              QString::fromUtf16(symbol),
+                              QString::fromUtf16(latex),
+                              one.value,
+                              one.value,
+                              one.value,
+                              false,
+                              one.isLowerBound,
+                              one.unit};
+        if (one.interval) {
+            result.lower = one.interval->lower;
+            result.upper = one.interval->upper;
+            result.onlyUpperBound = one.interval->onlyUpperBound;
         }
         results.push_back(std::move(result));
     }
-    if (budget)
+    if (const UncertaintyBudget* budget = shownBudget(identification))
         addDerived(results, *budget);
     return results;
 }
@@ -195,9 +204,11 @@ QString resultsAsText(const Identification& identification, const QString& title
                       const QString& positionUnit)
 {
     QStringList lines;
-    if (const Estimate* best = identification.best())
-        lines << ResultWords::tr("%1, %2, 95 % intervals").arg(title, estimatorName(best->estimator));
-    for (const ReportedResult& result : reportedResults(identification, forceUnit, positionUnit))
+    const std::vector<ReportedResult> results = reportedResults(identification, forceUnit, positionUnit);
+    if (!results.empty())
+        lines << ResultWords::tr("%1, %2, 95 % intervals")
+                     .arg(title, estimatorName(identification.recommended));
+    for (const ReportedResult& result : results)
         lines << reportedText(result);
     lines << validityText(identification);
     return lines.join(u'\n') + u'\n';
@@ -207,11 +218,12 @@ QString resultsAsLatex(const Identification& identification, const QString& titl
                        const QString& positionUnit)
 {
     QStringList lines;
-    if (const Estimate* best = identification.best())
+    const std::vector<ReportedResult> results = reportedResults(identification, forceUnit, positionUnit);
+    if (!results.empty())
         // A line end within the title would end the comment.
         lines << u"% %1, estimator %2, 95 % intervals, measurement %3"_s.arg(
-            factText(title), toString(best->estimator), toString(identification.validity.verdict));
-    for (const ReportedResult& result : reportedResults(identification, forceUnit, positionUnit))
+            factText(title), toString(identification.recommended), toString(identification.validity.verdict));
+    for (const ReportedResult& result : results)
         lines << latexOf(result) + u" % "_s + result.name;
     return lines.join(u'\n') + u'\n';
 }
@@ -223,9 +235,10 @@ QString resultsAsCsv(const Identification& identification, const QString& forceU
     const QString validity = toString(identification.validity.verdict);
     for (const ReportedResult& result : reportedResults(identification, forceUnit, positionUnit)) {
         const bool interval = hasInterval(result);
-        QStringList cells{result.symbol, exactText(result.value)};
+        const bool bound = result.onlyLowerBound;
+        QStringList cells{result.symbol, bound ? QString() : exactText(result.value)};
         cells << (interval ? exactText((result.upper - result.lower) / 2) : QString())
-              << (interval ? exactText(result.lower) : QString())
+              << (interval || bound ? exactText(result.lower) : QString())
               << (interval ? exactText(result.upper) : QString()) << result.unit << validity;
         for (QString& cell : cells)
             cell = csvCell(cell);

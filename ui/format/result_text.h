@@ -9,7 +9,7 @@
 
 namespace gripscope {
 
-/// A number of an identification for a paper: m, b, k, or what follows from them.
+/// A number of an identification for a paper: m, b, k, what else was determined, or what follows from them.
 struct ReportedResult {
     QString name;   ///< in English: "mass"
     QString symbol; ///< "m"
@@ -17,7 +17,8 @@ struct ReportedResult {
     double value = 0;
     double lower = 0, upper = 0; ///< of the 95 % interval; equal to the value without one
     bool onlyUpperBound = false;
-    QString unit; ///< SI where the channels allow it; "1" for a bare number
+    bool onlyLowerBound = false; ///< at least `value`
+    QString unit;                ///< SI where the channels allow it; "1" for a bare number
 };
 
 /// Of the recommended estimate, with the intervals of the uncertainty budget where there is one, which are
@@ -34,7 +35,7 @@ reportedResults(const Identification& identification, const QString& forceUnit, 
 [[nodiscard]] QString resultsAsLatex(const Identification& identification, const QString& title,
                                      const QString& forceUnit, const QString& positionUnit);
 /// A table (RFC 4180, decimal points) with all digits: quantity, value, half_width_95, lower_95, upper_95,
-/// unit, validity. Cells without a number are empty.
+/// unit, validity. Cells without a number are empty; of a bound there is `value`, empty, and the bound.
 [[nodiscard]] QString resultsAsCsv(const Identification& identification, const QString& forceUnit,
                                    const QString& positionUnit);
 

@@ -32,19 +32,37 @@ RecordingOpener::Opened RecordingOpener::read(const QString& file)
 }
 
 void RecordingOpener::open(const QString& file, std::function<void(Recording)> then,
-                           std::function<void()> otherwise)
+                           std::function<void()> otherwise, Asking asking)
 {
     m_workbench->background().compute<Opened>(
         this, [file] { return read(file); },
-        [this, then = std::move(then), otherwise = std::move(otherwise)](Opened opened) {
+        [this, asking, then = std::move(then), otherwise = std::move(otherwise)](Opened opened) {
             if (opened.recording) {
                 then(std::move(*opened.recording));
             } else if (opened.foreign) {
-                ask(*opened.foreign, then, otherwise);
+                const auto before = layoutIn(m_workbench->settings().importLayouts(), opened.foreign->table);
+                if (before && asking == Asking::OnlyOfNew)
+                    readAsBefore(*opened.foreign, *before, then, otherwise);
+                else
+                    ask(*opened.foreign, then, otherwise);
             } else {
                 m_workbench->messages().report(opened.recording.error().describe());
                 otherwise();
             }
+        });
+}
+
+void RecordingOpener::readAsBefore(const Foreign& foreign, const CsvReadOptions& before,
+                                   std::function<void(Recording)> then, std::function<void()> otherwise)
+{
+    m_workbench->background().compute<Expected<Recording>>(
+        this, [file = foreign.file, before] { return readForeignTable(file, before); },
+        [this, foreign, then = std::move(then),
+         otherwise = std::move(otherwise)](Expected<Recording> recording) {
+            if (recording)
+                then(std::move(*recording));
+            else
+                ask(foreign, then, otherwise); // which says what is wrong
         });
 }
 

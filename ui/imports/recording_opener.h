@@ -21,9 +21,12 @@ class RecordingOpener : public QObject {
 public:
     RecordingOpener(Workbench& workbench, QWidget* page);
 
+    /// Of a table of another program: whether to ask although tables of its layout were asked about before.
+    enum class Asking { Always, OnlyOfNew };
     /// `then` gets the recording; `otherwise` is called where there is none: it could not be read, which the
     /// message bar says, or the person did not want it after all.
-    void open(const QString& file, std::function<void(Recording)> then, std::function<void()> otherwise);
+    void open(const QString& file, std::function<void(Recording)> then, std::function<void()> otherwise,
+              Asking asking = Asking::Always);
 
 private:
     /// The beginning of a table of another program.
@@ -37,6 +40,8 @@ private:
         std::optional<Foreign> foreign;
     };
     [[nodiscard]] static Opened read(const QString& file);
+    void readAsBefore(const Foreign& foreign, const CsvReadOptions& before,
+                      std::function<void(Recording)> then, std::function<void()> otherwise);
     void ask(const Foreign& foreign, std::function<void(Recording)> then, std::function<void()> otherwise);
 
     Workbench* m_workbench;

@@ -2,8 +2,8 @@
 #include "ui/models/estimate_table_model.h"
 
 #include "core/base/csv.h"
-#include "core/math/normal_interval.h"
 #include "core/signal/recording/units.h"
+#include "ui/format/determined_text.h"
 #include "ui/format/estimate_words.h"
 #include "ui/format/number_format.h"
 #include "ui/format/shown_unit.h"
@@ -25,6 +25,20 @@ int parameterOf(EstimateTableModel::Column column)
     return int(column) - int(EstimateTableModel::Column::Mass);
 }
 
+/// Of m, b and k; more than they are for the others.
+std::size_t linearPlace(MotionParameter parameter)
+{
+    return static_cast<std::size_t>(parameter);
+}
+
+/// "Fc = 0.40 ± 0.02 N", "k at least 1.5 kN/m".
+QString furtherLine(const DeterminedParameter& one)
+{
+    const QString text = determinedText(one);
+    const bool isBound = one.isLowerBound || (one.interval && one.interval->onlyUpperBound);
+    return isBound ? toString(one.parameter) + u' ' + text : u"%1 = %2"_s.arg(toString(one.parameter), text);
+}
+
 bool isParameter(EstimateTableModel::Column column)
 {
     return column >= EstimateTableModel::Column::Mass && column <= EstimateTableModel::Column::Stiffness;
@@ -37,27 +51,28 @@ void EstimateTableModel::setIdentification(const Identification& identification,
 {
     beginResetModel();
     m_rows.clear();
-    const std::optional<double> si = siFactor(forceUnit, positionUnit);
     const ParameterUnits units = comparableUnits(forceUnit, positionUnit);
     m_units = {units.m, units.b, units.k};
-    m_cubicUnit = cubicStiffnessUnit(forceUnit, positionUnit);
-    const double cubic = cubicSiFactor(forceUnit, positionUnit).value_or(1);
+    // The recommended estimate chooses the prefix: a wild one beside it must not.
+    std::array<double, 3> largest{};
     for (const Estimate& estimate : identification.estimates) {
         Row row{estimate.estimator, estimateVerdict(identification, estimate), {}, {}, {}, estimate.fit};
-        if (estimate.parameters)
-            row.parameters = estimate.parameters->vector() * si.value_or(1);
-        if (const auto errors = estimate.standardErrors(); errors && estimate.parameters)
-            row.halfWidths = *errors * (normal95 * si.value_or(1));
-        const auto& motion = estimate.motion;
-        if (const auto error = motion ? motion->standardError(MotionParameter::Cubic) : std::nullopt)
-            row.cubic = std::pair(motion->values[MotionParameter::Cubic] * cubic, normal95 * cubic * *error);
+        for (DeterminedParameter& one : determinedParameters(estimate, forceUnit, positionUnit)) {
+            const std::size_t i = linearPlace(one.parameter);
+            if (i >= row.parameters.size() || one.isLowerBound) {
+                row.further.push_back(std::move(one));
+                continue;
+            }
+            row.parameters[i] = one.value;
+            if (one.interval)
+                row.halfWidths[i] = (one.interval->upper - one.interval->lower) / 2;
+            if (estimate.estimator == identification.recommended)
+                largest[i] = one.value;
+        }
         m_rows.push_back(std::move(row));
     }
-    // The recommended estimate chooses the prefix: a wild one beside it must not.
-    const Estimate* best = identification.best();
     for (int i = 0; i < 3; ++i) {
-        const double largest = best && best->parameters ? best->parameters->vector()[i] * si.value_or(1) : 0;
-        const ShownUnit shown = shownUnit(m_units[std::size_t(i)], largest);
+        const ShownUnit shown = shownUnit(m_units[std::size_t(i)], largest[std::size_t(i)]);
         m_shownUnits[std::size_t(i)] = shown.unit;
         m_factors[i] = shown.factor;
     }
@@ -93,7 +108,8 @@ QVariant EstimateTableModel::number(const Row& row, Column column) const
     case Column::Damping:
     case Column::Stiffness: {
         const int i = parameterOf(column);
-        return row.parameters ? QVariant((*row.parameters)[i] * m_factors[i]) : QVariant();
+        const std::optional<double>& value = row.parameters[std::size_t(i)];
+        return value ? QVariant(*value * m_factors[i]) : QVariant();
     }
     case Column::SimulationFit:
         return optionalNumber(row.fit.simulationPercent);
@@ -106,15 +122,6 @@ QVariant EstimateTableModel::number(const Row& row, Column column) const
     return {};
 }
 
-QVariant EstimateTableModel::cubicText(const Row& row) const
-{
-    if (!row.cubic)
-        return {};
-    const auto [k3, half] = *row.cubic;
-    const ShownUnit shown = cubicShownUnit(m_cubicUnit, std::max(std::abs(k3), half));
-    return u"k3 = %1"_s.arg(formatNumber(k3 * shown.factor, half * shown.factor, shown.unit).text());
-}
-
 QVariant EstimateTableModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid() || index.row() >= int(m_rows.size()))
@@ -122,13 +129,17 @@ QVariant EstimateTableModel::data(const QModelIndex& index, int role) const
     const Row& row = m_rows[std::size_t(index.row())];
     const auto column = Column(index.column());
     if (role == HalfWidthRole) {
-        if (!isParameter(column) || !row.halfWidths)
-            return {};
         const int i = parameterOf(column);
-        return (*row.halfWidths)[i] * m_factors[i];
+        const std::optional<double> half =
+            isParameter(column) ? row.halfWidths[std::size_t(i)] : std::nullopt;
+        return half ? QVariant(*half * m_factors[i]) : QVariant();
     }
-    if (role == CubicRole)
-        return cubicText(row);
+    if (role == FurtherRole) {
+        QStringList lines;
+        for (const DeterminedParameter& one : row.further)
+            lines << furtherLine(one);
+        return lines.isEmpty() ? QVariant() : QVariant(lines);
+    }
     if (role == Qt::ToolTipRole && column == Column::Estimator) // a narrow window cuts both
         return estimatorName(row.estimator) + u'\n' + row.verdict;
     if (role == Qt::ToolTipRole)
@@ -181,28 +192,47 @@ QVariant EstimateTableModel::head(int section, int role) const
     return {};
 }
 
+std::vector<DeterminedParameter> EstimateTableModel::furtherColumns() const
+{
+    std::vector<DeterminedParameter> columns;
+    for (const Row& row : m_rows)
+        for (const DeterminedParameter& one : row.further)
+            if (std::ranges::find(columns, one.parameter, &DeterminedParameter::parameter) == columns.end())
+                columns.push_back(one);
+    std::ranges::sort(columns, {}, &DeterminedParameter::parameter);
+    return columns;
+}
+
 QString EstimateTableModel::toTsv() const
 {
-    const auto at = [](const std::optional<Eigen::Vector3d>& values, int i) {
-        return values ? std::optional((*values)[i]) : std::nullopt;
-    };
+    const auto inUnit = [](const QString& unit) { return unit == u"1" ? QString() : u" (%1)"_s.arg(unit); };
+    const std::vector<DeterminedParameter> further = furtherColumns();
     QStringList header{u"estimator"_s};
     for (const auto& [name, i] : {std::pair(u"m"_s, 0), std::pair(u"b"_s, 1), std::pair(u"k"_s, 2)}) {
-        const QString unit =
-            m_units[std::size_t(i)] == u"1" ? QString() : u" (%1)"_s.arg(m_units[std::size_t(i)]);
+        const QString unit = inUnit(m_units[std::size_t(i)]);
         header << name + unit << name + u" 95 % half width"_s + unit;
     }
-    const QString unit = m_cubicUnit == u"1" ? QString() : u" (%1)"_s.arg(m_cubicUnit);
-    header << u"simulation fit (%)"_s << u"prediction fit (%)"_s << u"verdict"_s << u"k3"_s + unit
-           << u"k3 95 % half width"_s + unit;
+    header << u"simulation fit (%)"_s << u"prediction fit (%)"_s << u"verdict"_s;
+    for (const DeterminedParameter& column : further) {
+        const QString name = toString(column.parameter) + (column.isLowerBound ? u" at least"_s : QString());
+        header << name + inUnit(column.unit)
+               << toString(column.parameter) + u" 95 % half width"_s + inUnit(column.unit);
+    }
     QString text = header.join(u'\t') + u'\n';
     for (const Row& row : m_rows) {
         QStringList cells{toString(row.estimator)};
-        for (int i = 0; i < 3; ++i)
-            cells << exactText(at(row.parameters, i)) << exactText(at(row.halfWidths, i));
+        for (std::size_t i = 0; i < row.parameters.size(); ++i)
+            cells << exactText(row.parameters[i]) << exactText(row.halfWidths[i]);
         cells << exactText(row.fit.simulationPercent) << exactText(row.fit.predictionPercent) << row.verdict;
-        cells << (row.cubic ? exactText(row.cubic->first) : QString())
-              << (row.cubic ? exactText(row.cubic->second) : QString());
+        for (const DeterminedParameter& column : further) {
+            const auto found =
+                std::ranges::find(row.further, column.parameter, &DeterminedParameter::parameter);
+            const bool has = found != row.further.end();
+            cells << (has ? exactText(found->value) : QString())
+                  << (has && found->interval
+                          ? exactText((found->interval->upper - found->interval->lower) / 2)
+                          : QString());
+        }
         text += cells.join(u'\t') + u'\n';
     }
     return text;
@@ -226,19 +256,18 @@ EstimateDelegate::Lines EstimateDelegate::linesOf(const QModelIndex& index)
     if (column == EstimateColumn::Estimator)
         return {index.data().toString(),
                 index.siblingAtColumn(int(EstimateColumn::Verdict)).data().toString(),
-                index.data(EstimateTableModel::CubicRole).toString()};
+                index.data(EstimateTableModel::FurtherRole).toStringList()};
     if (column == EstimateColumn::Verdict)
-        return {index.data().toString(), {}, {}};
+        return {index.data().toString(), {}};
     const QVariant value = index.data(EstimateTableModel::SortRole);
     if (!value.isValid())
-        return {QString(QChar(0x2013)), {}, {}};
+        return {QString(QChar(0x2013)), {}};
     if (column == EstimateColumn::SimulationFit)
-        return {
-            fitText(value), fitText(index.siblingAtColumn(int(EstimateColumn::PredictionFit)).data()), {}};
+        return {fitText(value), fitText(index.siblingAtColumn(int(EstimateColumn::PredictionFit)).data())};
     const QVariant half = index.data(EstimateTableModel::HalfWidthRole);
     const FormattedNumber number =
         formatNumber(value.toDouble(), half.isValid() ? std::optional(half.toDouble()) : std::nullopt, {});
-    return {number.value, number.error.isEmpty() ? QString() : QStringLiteral("± ") + number.error, {}};
+    return {number.value, number.error.isEmpty() ? QString() : QStringLiteral("± ") + number.error};
 }
 
 QSize EstimateDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const
@@ -249,7 +278,7 @@ QSize EstimateDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&
     const int width =
         name ? first.horizontalAdvance(lines.first)
              : std::max(first.horizontalAdvance(lines.first), second.horizontalAdvance(lines.second));
-    const int smallLines = lines.third.isEmpty() ? 1 : 2;
+    const int smallLines = 1 + int(lines.further.size());
     return {width + 2 * estimateSide, first.height() + smallLines * second.height() + 10};
 }
 
@@ -280,7 +309,8 @@ void EstimateDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
     const QFont small = Theme::font(metrics::fontSmall);
     draw(lines.first, Theme::font(metrics::fontBase), tokens.text);
     draw(lines.second, small, tokens.secondText);
-    draw(lines.third, small, tokens.secondText);
+    for (const QString& line : lines.further)
+        draw(line, small, tokens.secondText);
     painter->restore();
 }
 

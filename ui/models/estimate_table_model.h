@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/identification/identification.h"
+#include "core/identification/result/determined_parameters.h"
 #include "ui/models/row_table_model.h"
 
+#include <QStringList>
 #include <QStyledItemDelegate>
 
 #include <array>
@@ -20,7 +22,9 @@ public:
     enum Role {
         SortRole = Qt::UserRole, ///< the raw number
         HalfWidthRole,           ///< half the 95 % interval, same unit; invalid when there is none
-        CubicRole, ///< "k3 = 3.80 ± 0.05 N/mm³" for an estimator that has a cubic spring; else invalid
+        /// What the estimator has besides m, b and k, each "k3 = 3.80 ± 0.05 N/mm³"; invalid where there is
+        /// nothing.
+        FurtherRole,
     };
 
     using RowTableModel::RowTableModel;
@@ -43,21 +47,20 @@ private:
     struct Row {
         Estimator estimator = Estimator::OutputError;
         QString verdict;
-        std::optional<Eigen::Vector3d> parameters, halfWidths; ///< SI where the channels allow it
-        std::optional<std::pair<double, double>> cubic;        ///< k3 and half its interval, in m_cubicUnit
+        std::array<std::optional<double>, 3> parameters, halfWidths; ///< SI where the channels allow it
+        std::vector<DeterminedParameter> further;
         Fit fit;
     };
     [[nodiscard]] QVariant number(const Row& row, Column column) const;
-    [[nodiscard]] QVariant cubicText(const Row& row) const;
+    [[nodiscard]] std::vector<DeterminedParameter> furtherColumns() const;
 
     std::vector<Row> m_rows;
     std::array<QString, 3> m_units, m_shownUnits;
-    QString m_cubicUnit;
     Eigen::Vector3d m_factors = Eigen::Vector3d::Ones(); ///< from m_units to m_shownUnits
 };
 
 /// Two lines a row of EstimateTableModel: name over verdict, value over the half width of its 95 % interval,
-/// simulation fit over prediction fit; a third one for the cubic spring of an estimator that has one.
+/// simulation fit over prediction fit; below them a line for each that an estimator has besides m, b and k.
 class EstimateDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:
@@ -69,7 +72,8 @@ public:
 
 private:
     struct Lines {
-        QString first, second, third;
+        QString first, second;
+        QStringList further = {};
     };
     [[nodiscard]] static Lines linesOf(const QModelIndex& index);
 };

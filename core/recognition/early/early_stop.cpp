@@ -86,6 +86,14 @@ bool EarlyStop::add(double force, double position)
     return m_possible && m_decider.add(force, position - m_setup.chain.frameCompliance * force);
 }
 
+bool EarlyStop::measuresEnough(const EarlyJudgement& judgement)
+{
+    if (!judgement.covarianceLog)
+        return false;
+    const Eigen::Vector3d deviations = judgement.covarianceLog->diagonal().cwiseSqrt();
+    return deviations(0) <= largestLogDeviation && deviations(2) <= largestLogDeviation;
+}
+
 bool EarlyStop::verdictAgrees(const EarlyEnd& end, const EarlyJudgement& judgement) const
 {
     if (!judgement.parameters || !judgement.covarianceLog)
@@ -113,7 +121,7 @@ std::optional<EarlyEnd> EarlyStop::look()
         end.type = m_setup.models->types[*judgement.best].name;
     }
     end.posterior = judgement.best ? judgement.posterior[*judgement.best] : judgement.posterior.back();
-    return verdictAgrees(end, judgement) ? std::optional(end) : std::nullopt;
+    return measuresEnough(judgement) && verdictAgrees(end, judgement) ? std::optional(end) : std::nullopt;
 }
 
 namespace {

@@ -43,7 +43,8 @@ struct EarlyEnd {
 
 /// Follows a squeeze and says when more of it would change nothing: when the sequential test has decided
 /// (EarlyDecider) and the verdict on the estimate so far, with its covariance, is the same (judge()). The
-/// second keeps a squeeze going whose type is plain but whose estimate is still too rough for the gates.
+/// second keeps a squeeze going whose type is plain but whose estimate is still too rough for the gates. Nor
+/// does a squeeze end before its record would be a valid measurement.
 ///
 /// A decision for a type leaves open at most the wrong-type rate for all others together; every decision at
 /// most the smaller of the false-reject and the stranger-accept rate. A value; the same samples and looks
@@ -60,6 +61,10 @@ public:
     [[nodiscard]] std::optional<EarlyEnd> look();
 
 private:
+    /// A record in which m or k is known no better than to a fourth would be no valid measurement (which asks
+    /// for a half), or only just: few squeezes of one type alone decide as early as that.
+    static constexpr double largestLogDeviation = 0.25;
+    [[nodiscard]] static bool measuresEnough(const EarlyJudgement& judgement);
     [[nodiscard]] bool verdictAgrees(const EarlyEnd& end, const EarlyJudgement& judgement) const;
 
     EarlyStopSetup m_setup;

@@ -7,20 +7,18 @@
 #include "ui/charts/fit_plots.h"
 #include "ui/charts/region_plot.h"
 #include "ui/context/workbench.h"
-#include "ui/imports/recording_opener.h"
 #include "ui/pages/fit/fit_page_bode.h"
 #include "ui/pages/fit/fit_page_export.h"
 #include "ui/pages/fit/fit_page_squeezes.h"
 #include "ui/pages/fit/fit_page_summary.h"
 #include "ui/pages/fit/fit_page_validation.h"
+#include "ui/pages/fit/opened_recordings.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/tool_button.h"
-#include "ui/windows/file_dialog.h"
 
 #include <QDragEnterEvent>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QJsonDocument>
 #include <QLabel>
@@ -44,6 +42,7 @@ struct FitPage::Private {
     std::optional<FitSubject> subject;
     int generation = 0;                     ///< answers for an older subject are dropped
     std::shared_ptr<WorkWatch> identifying; ///< by every estimator; null: it is done
+    bool identifiesOpened = false;          ///< a recording that is not in view yet
 
     Estimator shown = Estimator::OutputError;  ///< whose model is in the plots
     std::optional<EmpiricalResponse> measured; ///< the subject's; none yet
@@ -55,7 +54,7 @@ struct FitPage::Private {
     FitSummary* summary = nullptr;
     FitExporter* exporter = nullptr;
     ValidationChooser* chooser = nullptr;
-    RecordingOpener* opener = nullptr;
+    OpenedRecordings* files = nullptr;
     ElidedLabel* state = nullptr;
     QToolButton* back = nullptr;
     QPushButton* all = nullptr;
@@ -83,13 +82,25 @@ Identification identifyByAll(const Recording& recording, std::shared_ptr<WorkWat
     return identify(recording, options);
 }
 
+QStringList localFiles(const QMimeData& dropped)
+{
+    QStringList files;
+    for (const QUrl& url : dropped.urls())
+        if (url.isLocalFile())
+            files << url.toLocalFile();
+    return files;
+}
+
 } // namespace
 
 FitPage::FitPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d(std::make_unique<Private>())
 {
     setAcceptDrops(true);
-    d->opener = new RecordingOpener(bench, this);
     d->state = new ElidedLabel;
+    d->files = new OpenedRecordings(bench, this);
+    connect(d->files, &OpenedRecordings::stateChanged, d->state, &ElidedLabel::setFullText);
+    connect(d->files, &OpenedRecordings::opened, this, &FitPage::identifyOpened);
+    connect(d->files, &OpenedRecordings::chosen, &bench.navigator(), &Navigator::setFitSubject);
     d->plots = new FitPlots;
     d->summary = new FitSummary;
     auto* plotCard = makeCard();
@@ -187,8 +198,8 @@ QWidget* FitPage::buildBar()
     auto* bar = new QWidget;
     auto* line = new QHBoxLayout(bar);
     setSpacing(line, 0, metrics::step);
-    auto* open = makeButton(tr("Open recording…"), u"document-open"_s);
-    open->setToolTip(tr("Read a recording (CSV) and identify it"));
+    auto* open = makeButton(tr("Open recordings…"), u"document-open"_s);
+    open->setToolTip(tr("Read recordings (CSV) and identify them"));
     d->all = makeButton(tr("Identify again"), u"view-refresh"_s);
     d->all->setObjectName("identifyAgain");
     d->all->setToolTip(tr("Run every estimator on this squeeze"));
@@ -216,14 +227,17 @@ QWidget* FitPage::buildBar()
     buildBack();
     line->addWidget(d->back);
     line->addWidget(open);
+    line->addWidget(d->files);
     line->addWidget(d->all);
     line->addWidget(d->bodeShown);
     line->addWidget(d->copy);
     line->addWidget(d->save);
     line->addWidget(d->state, 1);
-    connect(open, &QPushButton::clicked, this, [this] { chooseFile(); });
-    connect(d->all, &QPushButton::clicked, this,
-            [this] { d->identifying ? stopIdentifying() : runAllEstimators(); });
+    connect(open, &QPushButton::clicked, this, [this] { d->files->choose(); });
+    connect(d->all, &QPushButton::clicked, this, [this] {
+        d->files->cancel();
+        d->identifying ? stopIdentifying() : runAllEstimators();
+    });
     connect(&workbench(), &Workbench::ticked, this, [this] {
         if (d->identifying)
             d->state->setFullText(identifyingWords());
@@ -265,8 +279,8 @@ QWidget* FitPage::buildEmpty()
     setSpacing(column, 3 * metrics::step, metrics::step);
     auto* head = makeLabel(tr("No squeeze to look at yet"), "title");
     auto* text = makeLabel(
-        tr("Squeeze a part on Inspect, double-click a row in History, or open a recording (CSV): drop "
-           "the file here or press Open recording."),
+        tr("Squeeze a part on Inspect, double-click a row in History, or open recordings (CSV): drop "
+           "the files here or press Open recordings."),
         "second");
     text->setWordWrap(true);
     text->setAlignment(Qt::AlignCenter);
@@ -300,7 +314,8 @@ void FitPage::takeSubject()
         showBack();
         return;
     }
-    stopIdentifying();
+    if (!d->identifiesOpened)
+        stopIdentifying();
     d->subject = subject;
     d->measured.reset();
     ++d->generation;
@@ -348,6 +363,7 @@ void FitPage::stopIdentifying()
         return;
     d->identifying->stop();
     d->identifying.reset();
+    d->identifiesOpened = false;
     d->all->setEnabled(d->subject.has_value());
     nameButton(tr("Identify again"));
     d->state->setFullText({});
@@ -372,10 +388,10 @@ void FitPage::showSubject()
     if (!d->measured)
         measureResponse();
     d->state->setFullText(d->identifying ? identifyingWords() : QString());
+    d->files->follow(subject);
     d->summary->show(subject.title, subject.identification, lengthSeconds(subject.recording),
                      subject.recording.forceUnit, subject.recording.positionUnit);
-    const Estimate* best = subject.identification.best();
-    showPlots(best ? best->estimator : subject.identification.recommended);
+    showPlots(subject.identification.recommended);
 }
 
 void FitPage::showPlots(Estimator estimator)
@@ -405,45 +421,39 @@ void FitPage::measureResponse()
         });
 }
 
-void FitPage::chooseFile()
+void FitPage::identifyOpened(const QString& name, const Recording& recording)
 {
-    auto* dialog = new FileDialog(this, tr("Open recording"), QString(),
-                                  tr("Recordings (*.csv *.tsv *.txt);;All files (*)"));
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { openRecording(file); });
-    dialog->open();
+    const std::shared_ptr<WorkWatch> watch = beginIdentifying();
+    d->identifiesOpened = true;
+    workbench().background().compute<FitSubject>(
+        this,
+        [name, recording, watch] {
+            return FitSubject{name, recording, identifyByAll(recording, watch)};
+        },
+        [this, watch](FitSubject subject) {
+            if (watch->stopped()) {
+                d->files->skip();
+                return;
+            }
+            stopIdentifying();
+            d->files->add(std::move(subject));
+        });
 }
 
-void FitPage::openRecording(const QString& file)
+void FitPage::openRecordings(const QStringList& files)
 {
-    const QString name = QFileInfo(file).fileName();
-    d->state->setFullText(tr("reading %1…").arg(name));
-    const auto identifyIt = [this, name](const Recording& recording) {
-        const std::shared_ptr<WorkWatch> watch = beginIdentifying();
-        workbench().background().compute<FitSubject>(
-            this,
-            [name, recording, watch] {
-                return FitSubject{name, recording, identifyByAll(recording, watch)};
-            },
-            [this, watch](FitSubject subject) {
-                if (watch->stopped())
-                    return;
-                stopIdentifying();
-                workbench().navigator().setFitSubject(std::move(subject));
-            });
-    };
-    d->opener->open(file, identifyIt, [this] { d->state->setFullText({}); });
+    d->files->open(files);
 }
 
 void FitPage::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile())
+    if (!localFiles(*event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 
 void FitPage::dropEvent(QDropEvent* event)
 {
-    openRecording(event->mimeData()->urls().first().toLocalFile());
+    openRecordings(localFiles(*event->mimeData()));
 }
 
 void FitPage::prepareTour()

@@ -28,8 +28,9 @@ public:
     void prepareTour() override;
     [[nodiscard]] bool tourReady() const override;
 
-    /// Reads a recording (CSV) and identifies it, in the pool; errors go to the message bar.
-    void openRecording(const QString& file);
+    /// Reads recordings (CSV) and identifies them, in the pool; errors go to the message bar. The first is
+    /// shown, the others are an arrow away.
+    void openRecordings(const QStringList& files);
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -42,7 +43,7 @@ private:
     void showBack(); ///< where the squeeze was chosen on another page
     void prepareExport();
     void prepareValidation();
-    void chooseFile();
+    void identifyOpened(const QString& name, const Recording& recording);
     /// Copies the numbers of `subject`, as it is then, in one of several forms, and tells `copied`
     /// (fit_page_numbers.cpp).
     [[nodiscard]] static QMenu* makeCopyMenu(QWidget* parent, std::function<const FitSubject&()> subject,

@@ -55,7 +55,7 @@ void EstimatorPanel::setIdentification(const Identification& identification, con
 {
     m_model->setIdentification(identification, forceUnit, positionUnit);
     QStringList notes;
-    if (identification.budget.parameters)
+    if (identification.budget.parameters || !identification.budget.further.empty())
         notes << tr("The error bars here are those of noise alone; the intervals above count everything that "
                     "is known (see Uncertainty).");
     if (identification.baseline)
@@ -69,8 +69,7 @@ void EstimatorPanel::setIdentification(const Identification& identification, con
     m_note->setText(notes.join(u"\n\n"_s));
     m_note->setVisible(!notes.isEmpty());
     fitPanelTable(m_table);
-    if (const Estimate* best = identification.best())
-        m_table->selectRow(m_model->rowOf(best->estimator));
+    m_table->selectRow(m_model->rowOf(identification.recommended));
 }
 
 ModelPanel::ModelPanel(QWidget* parent)

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/fit/fit_page_summary.h"
 
-#include "core/math/normal_interval.h"
-#include "core/signal/recording/units.h"
 #include "ui/charts/region_plot.h"
-#include "ui/format/interval_text.h"
+#include "ui/format/determined_text.h"
 #include "ui/format/number_format.h"
 #include "ui/format/shown_budget.h"
-#include "ui/format/shown_unit.h"
 #include "ui/models/estimate_table_model.h"
 #include "ui/pages/fit/fit_page_validation.h"
 #include "ui/theme/theme.h"
@@ -43,33 +40,6 @@ QString withCoverage(const QString& number)
         .arg(number.toHtmlEscaped())
         .arg(metrics::fontSmall)
         .arg(tokens.secondText.name());
-}
-
-struct ShownValue {
-    QString text;
-    bool hasInterval = false;
-};
-
-/// m, b or k (0, 1, 2) with its interval: the budget's where there is one, else from noise alone.
-ShownValue shownValue(const Identification& identification, const Estimate& best, int parameter,
-                      const QString& forceUnit, const QString& positionUnit)
-{
-    const std::optional<double> si = siFactor(forceUnit, positionUnit);
-    const ParameterUnits units = comparableUnits(forceUnit, positionUnit);
-    const UncertaintyBudget* budget = shownBudget(identification);
-    const double raw = (budget ? *budget->parameters : *best.parameters).vector()[parameter];
-    const QString unit = std::array{units.m, units.b, units.k}[std::size_t(parameter)];
-    const ShownUnit shown = shownUnit(unit, std::abs(raw * si.value_or(1)));
-    const double factor = si.value_or(1) * shown.factor;
-    if (budget) {
-        CoverageInterval interval = budget->intervals[std::size_t(parameter)];
-        interval.lower *= factor;
-        interval.upper *= factor;
-        return {intervalText(raw * factor, interval, shown.unit), true};
-    }
-    const auto errors = best.standardErrors();
-    const auto half = errors ? std::optional((*errors)[parameter] * normal95 * factor) : std::nullopt;
-    return {formatNumber(raw * factor, half, shown.unit).text(), half.has_value()};
 }
 
 } // namespace
@@ -187,7 +157,7 @@ void FitSummary::show(const QString& title, const Identification& identification
     m_tabs->setTabText(checksTab, failed > 0 ? tr("Checks (%1)").arg(failed) : tr("Checks"));
     m_uncertainty->setIdentification(identification, forceUnit, positionUnit);
     m_models->setIdentification(identification, forceUnit, positionUnit);
-    if (!identification.best())
+    if (determinedParameters(identification, forceUnit, positionUnit).empty())
         m_tabs->setCurrentIndex(checksTab); // without an estimate they are all there is to read
 }
 
@@ -197,21 +167,23 @@ void FitSummary::showBest()
         delete item->widget();
         delete item;
     }
-    const Estimate* best = m_identification.best();
-    if (!best || !best->parameters) {
+    const std::vector<DeterminedParameter> all =
+        determinedParameters(m_identification, m_forceUnit, m_positionUnit);
+    if (all.empty()) {
         m_best->addWidget(makeLabel(tr("No estimate"), "heading"), m_best->rowCount(), 0, 1, 2);
         return;
     }
-    const char* look = width() < narrowWidth ? "heading" : "number";
-    const QString names[] = {tr("Mass m"), tr("Damping b"), tr("Stiffness k")};
-    for (int i = 0; i < 3; ++i) {
-        const ShownValue shown = shownValue(m_identification, *best, i, m_forceUnit, m_positionUnit);
+    // Six numbers of the large ones would leave the tabs no room.
+    constexpr std::size_t mostLarge = 3;
+    const char* look = width() < narrowWidth || all.size() > mostLarge ? "heading" : "number";
+    for (const DeterminedParameter& one : all) {
+        const QString name = parameterName(one.parameter);
+        const QString text = determinedText(one);
         const int at = m_best->rowCount();
-        auto* value =
-            makeMarkedLabel(shown.hasInterval ? withCoverage(shown.text) : shown.text.toHtmlEscaped(), look);
+        auto* value = makeMarkedLabel(one.interval ? withCoverage(text) : text.toHtmlEscaped(), look);
         value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-        value->setAccessibleName(u"%1: %2"_s.arg(names[i], shown.text));
-        m_best->addWidget(makeLabel(names[i], "second"), at, 0, Qt::AlignBaseline);
+        value->setAccessibleName(u"%1: %2"_s.arg(name, text));
+        m_best->addWidget(makeLabel(name, "second"), at, 0, Qt::AlignBaseline);
         m_best->addWidget(value, at, 1, Qt::AlignBaseline);
     }
 }

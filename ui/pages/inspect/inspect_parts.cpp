@@ -7,6 +7,7 @@
 #include "ui/charts/type_map.h"
 #include "ui/context/connection_words.h"
 #include "ui/context/workbench.h"
+#include "ui/format/determined_text.h"
 #include "ui/format/number_format.h"
 #include "ui/format/outcome_words.h"
 #include "ui/format/parameter_text.h"
@@ -125,6 +126,10 @@ InspectMeasurement::InspectMeasurement(QWidget* parent) : QFrame(parent)
     m_k = add(tr("stiffness k (95 %)"));
     m_b = add(tr("damping b (95 %)"));
     m_m = add(tr("moving mass m (95 %)"));
+    m_further = makeLabel({}, "caption", this);
+    m_further->setObjectName("furtherLabel");
+    m_further->setWordWrap(true);
+    numbers->addWidget(m_further);
     m_map = new TypeMap(this);
     m_note = makeLabel(tr("This says nothing about the part: it is neither good nor bad. The squeeze is kept "
                           "under its number, but counts neither in the yield nor towards the batch."),
@@ -148,10 +153,27 @@ void InspectMeasurement::showResult(const std::optional<InspectSession::Result>&
     m_map->setVisible(!invalid);
     m_note->setVisible(invalid);
     const std::optional<CorrectedParameters> object = result ? result->identification.object() : std::nullopt;
-    if (object)
-        return showObject(*result, *object);
     for (QLabel* label : {m_m, m_b, m_k})
         label->setText(u"–"_s);
+    std::vector<DeterminedParameter> all;
+    if (result)
+        all = determinedParameters(result->identification, result->recording.forceUnit,
+                                   result->recording.positionUnit);
+    m_further->setText(furtherText(all));
+    m_further->setVisible(!m_further->text().isEmpty());
+    if (object)
+        return showObject(*result, *object);
+    // A record without m, b and k may still tell one of them.
+    for (const DeterminedParameter& one : all) {
+        QLabel* const label = one.parameter == MotionParameter::Mass        ? m_m
+                              : one.parameter == MotionParameter::Damping   ? m_b
+                              : one.parameter == MotionParameter::Stiffness ? m_k
+                                                                            : nullptr;
+        if (label == nullptr)
+            continue;
+        label->setEnabled(false);
+        label->setText(determinedText(one));
+    }
     m_map->setPart(std::nullopt, std::nullopt);
 }
 

@@ -59,6 +59,7 @@ public:
 private:
     void showObject(const InspectSession::Result& result, const CorrectedParameters& object);
     QLabel *m_m, *m_b, *m_k;
+    QLabel* m_further; ///< friction, yielding: where the squeeze tells it
     TypeMap* m_map;
     QLabel* m_note; ///< in the map's place, where the measurement says nothing of the part
 };
