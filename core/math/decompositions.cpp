@@ -179,6 +179,18 @@ SymmetricAxes symmetricAxes(const Eigen::Matrix3d& matrix)
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
+SmallSymmetricAxes
+smallSymmetricAxes(const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>& matrix)
+{
+    if (matrix.rows() == 3) {
+        const SymmetricAxes axes = symmetricAxes(matrix);
+        return {axes.values, axes.directions};
+    }
+    using Matrix = std::decay_t<decltype(matrix)>;
+    const Eigen::SelfAdjointEigenSolver<Matrix> solver(matrix);
+    return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
 PrincipalAxes principalAxes(const Eigen::MatrixXd& items)
 {
     PrincipalAxes axes;

@@ -57,6 +57,15 @@ struct SymmetricAxes {
 
 [[nodiscard]] SymmetricAxes symmetricAxes(const Eigen::Matrix3d& matrix);
 
+/// The same for up to 6 x 6, without memory of their own; of 3 x 3 the very same numbers.
+struct SmallSymmetricAxes {
+    Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1> values;
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6> directions;
+};
+
+[[nodiscard]] SmallSymmetricAxes smallSymmetricAxes(
+    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>& matrix);
+
 /// Where a table lies and along which directions it spreads, the widest first.
 struct PrincipalAxes {
     Eigen::RowVectorXd mean;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/math/distributions.h"
 #include "core/quality/drift.h"
-#include "core/recognition/types/dimensions.h"
 #include "core/recognition/types/gates.h"
 #include "core/recognition/types/predictive.h"
 
@@ -28,7 +27,7 @@ double scoreOfStudent(double t, double degrees)
 double radiusOf(double squaredDistance, double degrees)
 {
     const double chance = std::max(leastChance, chanceBeyond(squaredDistance, degrees));
-    return std::sqrt(chiSquaredQuantileAbove(chance, dimensions));
+    return std::sqrt(chiSquaredQuantileAbove(chance, 3));
 }
 
 constexpr int states = 60;
@@ -61,8 +60,9 @@ double SelfStartingChart::tSquared() const
 
 void SelfStartingChart::add(const Eigen::Vector3d& log, const std::optional<Eigen::Matrix3d>& noise)
 {
-    const TypePrediction expected = predictType(m_models, m_models.types[m_place], log, noise, {});
-    if (!(expected.degreesOfFreedom >= dimensions))
+    const TypePrediction expected = predictType(m_models, m_models.types[m_place], log,
+                                                noise ? std::optional<LogMatrix>(*noise) : std::nullopt, {});
+    if (!(expected.degreesOfFreedom >= 3))
         return;
     if (m_degrees == 0) {
         m_degrees = expected.degreesOfFreedom;

@@ -199,7 +199,7 @@ Expected<DriftReport> findDrift(const TypeModels& models, const std::vector<Type
     for (std::size_t place = 0; place < models.types.size(); ++place) {
         const TypeModel& type = models.types[place];
         std::vector<TypeSqueeze> squeezes = ofType(recent, type.name);
-        if (squeezes.empty())
+        if (squeezes.empty() || models.space != QuantitySpace{}) // the charts are of m, b and k
             continue;
         TypeDrift drift;
         drift.type = type.name;

@@ -6,6 +6,7 @@
 #include "core/math/gaussian.h"
 #include "core/recognition/types/gates.h"
 #include "core/recognition/types/predictive.h"
+#include "core/recognition/types/squeeze_values.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -24,6 +25,7 @@ constexpr int types = 4;
 constexpr double scatter = 0.039;
 constexpr double neighbourDeviations = 3.5;
 constexpr int promisePoints = 20'000;
+constexpr double rangeMargin = 5; ///< standard deviations beyond the types, StrangersInRange
 
 QString typeName(int type)
 {
@@ -34,34 +36,37 @@ QString typeName(int type)
 class Source {
 public:
     Source(const RecognitionScenario& scenario, std::uint64_t seed)
-        : m_kind(scenario.kind), m_squeezes(scenario.squeezes), m_noise(seed)
+        : m_kind(scenario.kind), m_squeezes(scenario.squeezes), m_space(scenario.space), m_noise(seed),
+          m_toLogs(scatter * LogMatrix::Identity(m_space.dimensions(), m_space.dimensions()))
     {
-        if (scenario.unlikeScatter) {
+        if (scenario.unlikeScatter && m_space == QuantitySpace{}) {
             const Eigen::Vector3d shape(1, 1.5, 2);
             const Eigen::Matrix3d axes = rotation(), directions = rotation();
             m_toLogs = scatter * std::sqrt(3.0) * axes * shape.normalized().asDiagonal() * directions;
         }
     }
 
-    Eigen::Vector3d normals()
+    LogVector normals()
     {
-        Eigen::Vector3d z;
+        LogVector z(m_space.dimensions());
         for (double& value : z)
             value = m_noise();
         return z;
     }
 
-    [[nodiscard]] Eigen::Vector3d mean(int type) const
+    [[nodiscard]] LogVector mean(int type) const
     {
+        LogVector at = LogVector::Zero(m_space.dimensions());
         if (m_kind == ScenarioKind::Neighbours && type == 1)
-            return {neighbourDeviations, 0, 0};
-        constexpr double apart = 60; // 4 sd are a gate; nothing is mistaken at this distance
-        return {0, apart * type, 0};
+            at(0) = neighbourDeviations;
+        else
+            at(axisOfTypes()) = apart() * type;
+        return at;
     }
 
-    Eigen::Vector3d squeeze(int type)
+    LogVector squeeze(int type)
     {
-        const Eigen::Vector3d z = normals();
+        const LogVector z = normals();
         if (m_kind == ScenarioKind::HeavyTails) {
             constexpr int tail = 5; // of unit covariance: variance 5/3 of the t taken out
             double chiSquared = 0;
@@ -72,15 +77,39 @@ public:
         return mean(type) + (m_kind == ScenarioKind::TwiceTheSpread && type == 0 ? 2 : 1) * z;
     }
 
-    [[nodiscard]] Eigen::Vector3d logs(const Eigen::Vector3d& deviations) const
+    [[nodiscard]] LogVector logs(const LogVector& deviations) const { return m_toLogs * deviations; }
+
+    [[nodiscard]] TypeSqueeze squeezeOf(const QString& type, const LogVector& deviations) const
     {
-        return m_toLogs * deviations;
+        if (m_space != QuantitySpace{})
+            return squeezeAt(type, m_space, logs(deviations));
+        const Eigen::Vector3d p = logs(deviations).array().exp();
+        return {type, {p(0), p(1), p(2)}};
     }
 
-    [[nodiscard]] MassDampingStiffness parameters(const Eigen::Vector3d& deviations) const
+    /// Evenly over range(), in standard deviations.
+    LogVector stranger()
     {
-        const Eigen::Vector3d p = logs(deviations).array().exp();
-        return {p(0), p(1), p(2)};
+        LogVector at(m_space.dimensions());
+        for (Eigen::Index i = 0; i < at.size(); ++i)
+            at(i) = m_noise.uniform() * widthOf(i) - rangeMargin;
+        return at;
+    }
+
+    [[nodiscard]] InstrumentRange range() const
+    {
+        const auto bounds = [&](TypeQuantity quantity) {
+            const Eigen::Index place = m_space.placeOf(quantity).value_or(0);
+            return QuantityRange{std::exp(-scatter * rangeMargin),
+                                 std::exp(scatter * (widthOf(place) - rangeMargin))};
+        };
+        const QuantityRange m = bounds(TypeQuantity::Mass), b = bounds(TypeQuantity::Damping),
+                            k = bounds(TypeQuantity::Stiffness);
+        return {{m.lowest, b.lowest, k.lowest},
+                {m.highest, b.highest, k.highest},
+                bounds(TypeQuantity::RelaxingShare),
+                bounds(TypeQuantity::RelaxationTime),
+                bounds(TypeQuantity::Friction)};
     }
 
     TypeModels enrol()
@@ -88,11 +117,19 @@ public:
         std::vector<TypeSqueeze> enrolled;
         for (int type = 0; type < types; ++type)
             for (int i = 0; i < m_squeezes; ++i)
-                enrolled.push_back({typeName(type), parameters(squeeze(type))});
-        return fitTypeModels(enrolled);
+                enrolled.push_back(squeezeOf(typeName(type), squeeze(type)));
+        return fitTypeModels(enrolled, m_space);
     }
 
 private:
+    [[nodiscard]] Eigen::Index axisOfTypes() const { return m_space.dimensions() > 1 ? 1 : 0; }
+    /// 4 sd are a gate; at 60 nothing is mistaken.
+    [[nodiscard]] double apart() const { return m_kind == ScenarioKind::StrangersInRange ? 10 : 60; }
+    [[nodiscard]] double widthOf(Eigen::Index coordinate) const
+    {
+        return 2 * rangeMargin + (coordinate == axisOfTypes() ? apart() * (types - 1) : 0);
+    }
+
     Eigen::Matrix3d rotation()
     {
         const double w = m_noise(), x = m_noise(), y = m_noise(), z = m_noise();
@@ -101,17 +138,17 @@ private:
 
     ScenarioKind m_kind;
     int m_squeezes;
+    QuantitySpace m_space;
     GaussianNoise m_noise;
-    Eigen::Matrix3d m_toLogs = scatter * Eigen::Matrix3d::Identity();
+    LogMatrix m_toLogs;
 };
 
 /// Those who know both neighbours' means and covariance, on the same squeeze.
-void countOracles(const Eigen::Vector3d& deviations, int type, const VerdictOptions& options,
-                  EnrolmentTally& tally)
+void countOracles(const LogVector& deviations, int type, const VerdictOptions& options, EnrolmentTally& tally)
 {
-    const double gate = chiSquaredGate(options.falseReject);
+    const double gate = chiSquaredGate(options.falseReject, int(deviations.size()));
     const double other = neighbourDeviations - deviations(0);
-    const double radial = deviations.tail<2>().squaredNorm();
+    const double radial = deviations.tail(deviations.size() - 1).squaredNorm();
     const double nearest = std::min(std::abs(deviations(0)), std::abs(other));
     if (nearest * nearest + radial > gate)
         return;
@@ -132,16 +169,15 @@ void countOracles(const Eigen::Vector3d& deviations, int type, const VerdictOpti
 /// Whether this enrolment keeps the rate, by its gate and what it thinks of the first type.
 bool keepsPromise(const TypeModels& models, Source& source, const VerdictOptions& options)
 {
-    const Verdict verdict = judge(models, source.parameters(source.mean(0)), options);
+    const Verdict verdict = judge(models, source.squeezeOf({}, source.mean(0)), options);
     if (!verdict.gate)
         return true; // it says that it cannot tell, and refuses nobody
     const std::vector<TypePrediction> predictions =
         predictTypes(models, source.logs(source.mean(0)), {}, {options.robust});
-    const Eigen::LLT<Eigen::Matrix3d> cholesky(predictions[0].covariance);
+    const Eigen::LLT<LogMatrix> cholesky(predictions[0].covariance);
     int outside = 0;
     for (int i = 0; i < promisePoints; ++i) {
-        const Eigen::Vector3d difference =
-            source.logs(source.mean(0) + source.normals()) - predictions[0].meanLog;
+        const LogVector difference = source.logs(source.mean(0) + source.normals()) - predictions[0].meanLog;
         outside += cholesky.matrixL().solve(difference).squaredNorm() > *verdict.gate;
     }
     return outside <= options.falseReject * promisePoints;
@@ -193,6 +229,8 @@ QString toString(ScenarioKind kind)
         return u"twice_the_spread"_s;
     case ScenarioKind::HeavyTails:
         return u"heavy_tails"_s;
+    case ScenarioKind::StrangersInRange:
+        return u"strangers_in_range"_s;
     case ScenarioKind::NoiseMismatch:
         return u"noise_mismatch"_s;
     }
@@ -201,6 +239,8 @@ QString toString(ScenarioKind kind)
 
 double RecognitionScenario::statedRate() const
 {
+    if (kind == ScenarioKind::StrangersInRange)
+        return options.strangerAccept;
     return kind == ScenarioKind::Neighbours ? options.wrongType : options.falseReject;
 }
 
@@ -211,6 +251,8 @@ QString RecognitionScenario::name() const
         name += u"-%1sd"_s.arg(deviations);
     if (unlikeScatter)
         name += u"-unlike"_s;
+    if (space != QuantitySpace{})
+        name += u"-%1"_s.arg(toString(space));
     return options.robust ? name + u"-robust"_s : name;
 }
 
@@ -234,25 +276,33 @@ EnrolmentTally runScenario(const RecognitionScenario& scenario, std::uint64_t se
         tally.counts[u"kept"_s] = keepsPromise(models, source, scenario.options);
         return tally;
     }
+    VerdictOptions options = scenario.options;
+    if (scenario.kind == ScenarioKind::StrangersInRange)
+        options.range = source.range();
     for (int i = 0; i < scenario.judged; ++i) {
+        if (scenario.kind == ScenarioKind::StrangersInRange) {
+            const Verdict verdict = judge(models, source.squeezeOf({}, source.stranger()), options);
+            tally.cases += 1;
+            tally.counts[u"accepted"_s] += verdict.kind == VerdictKind::Type;
+            continue;
+        }
         if (scenario.kind == ScenarioKind::Strangers) {
-            const Eigen::Vector3d off =
-                scenario.deviations * source.normals().normalized() + source.normals();
-            const Verdict verdict = judge(models, source.parameters(source.mean(0) + off), scenario.options);
+            const LogVector off = scenario.deviations * source.normals().normalized() + source.normals();
+            const Verdict verdict = judge(models, source.squeezeOf({}, source.mean(0) + off), options);
             tally.cases += 1;
             tally.counts[u"accepted"_s] += verdict.kind == VerdictKind::Type;
             tally.counts[u"oracle_accepted"_s] +=
-                off.squaredNorm() <= chiSquaredGate(scenario.options.falseReject);
+                off.squaredNorm() <= chiSquaredGate(options.falseReject, int(off.size()));
             continue;
         }
         const int judgedTypes = scenario.kind == ScenarioKind::TwiceTheSpread ? 1
                                 : scenario.kind == ScenarioKind::Neighbours   ? 2
                                                                               : types;
         const int type = i % judgedTypes;
-        const Eigen::Vector3d at = source.squeeze(type);
-        count(judge(models, source.parameters(at), scenario.options), typeName(type), tally);
+        const LogVector at = source.squeeze(type);
+        count(judge(models, source.squeezeOf({}, at), options), typeName(type), tally);
         if (scenario.kind == ScenarioKind::Neighbours)
-            countOracles(at, type, scenario.options, tally);
+            countOracles(at, type, options, tally);
     }
     return tally;
 }

@@ -39,13 +39,14 @@ struct StudyTally {
                                                     const std::function<EnrolmentTally(int)>& one);
 
 enum class ScenarioKind {
-    KnownParts,     ///< the model's assumptions: four types far apart, all spread alike, Gaussian
-    Promise,        ///< the same; counted is in how many enrolments the rate is kept
-    Neighbours,     ///< the first two types 3.5 standard deviations apart
-    Strangers,      ///< parts of no type, so many standard deviations from one
-    TwiceTheSpread, ///< one type with twice the standard deviations; only it is judged
-    HeavyTails,     ///< squeezes follow Student's t with 5 degrees of freedom
-    NoiseMismatch,  ///< enrolled at 95 % noise fit, judged at 85 %, everything identified from records
+    KnownParts,       ///< the model's assumptions: four types far apart, all spread alike, Gaussian
+    Promise,          ///< the same; counted is in how many enrolments the rate is kept
+    Neighbours,       ///< the first two types 3.5 standard deviations apart
+    Strangers,        ///< parts of no type, so many standard deviations from one
+    TwiceTheSpread,   ///< one type with twice the standard deviations; only it is judged
+    HeavyTails,       ///< squeezes follow Student's t with 5 degrees of freedom
+    StrangersInRange, ///< parts of no type, evenly over a range that is hardly larger than the gates
+    NoiseMismatch,    ///< enrolled at 95 % noise fit, judged at 85 %, everything identified from records
 };
 [[nodiscard]] QString toString(ScenarioKind kind); ///< "known_parts", "promise", ...
 
@@ -53,7 +54,8 @@ enum class ScenarioKind {
 struct RecognitionScenario {
     ScenarioKind kind = ScenarioKind::KnownParts;
     int squeezes = 10; ///< a type
-    /// falseReject is the stated rate of every row but Neighbours, where it is wrongType.
+    /// falseReject is the stated rate of every row but Neighbours, where it is wrongType, and
+    /// StrangersInRange, where it is strangerAccept.
     VerdictOptions options;
     double deviations = 0; ///< Strangers: from the mean of the first type, in random directions
     int judged = 100;      ///< squeezes an enrolment
@@ -61,18 +63,21 @@ struct RecognitionScenario {
     /// for each enrolment, and so is the direction in which neighbours lie. 3.9 % are the root of the mean
     /// variance.
     bool unlikeScatter = false;
-    /// "known_parts-10-0.01", "heavy_tails-10-0.01-robust", "neighbours-3-0.01-unlike"
+    /// What the squeezes determine. unlikeScatter is of m, b and k alone.
+    QuantitySpace space = {};
+    /// "known_parts-10-0.01", "heavy_tails-10-0.01-robust", "neighbours-3-0.01-unlike",
+    /// "known_parts-10-0.01-k"
     [[nodiscard]] QString name() const;
     [[nodiscard]] double statedRate() const;
 };
 
-/// The Gaussian scenarios. Scatter of a squeeze: 3.9 % in each of m, b and k. Counted for every judged
-/// squeeze:
+/// The Gaussian scenarios. Scatter of a squeeze: 3.9 % in each of m, b and k, or of what else is determined.
+/// Counted for every judged squeeze:
 ///     type (its own), wrong_type, unknown, inconclusive; Promise: kept (a case is an enrolment, its rejected
 ///     share counted on 20,000 squeezes); Neighbours also oracle_posterior and oracle_rate, those who know
 /// the true types and name one when its posterior is at least 1 - rate, or whenever that keeps the rate;
 ///     Strangers: accepted, named a type, and oracle_accepted, by one who knows the types and has the
-/// chi-square gate.
+/// chi-square gate. StrangersInRange: types 10 deviations apart, the range 5 beyond them; accepted.
 [[nodiscard]] EnrolmentTally runScenario(const RecognitionScenario& scenario, std::uint64_t seed);
 
 /// The same for NoiseMismatch: 400 samples 0.05 s apart, PRBS with 0.5 s bits, output error with x0, v0 and

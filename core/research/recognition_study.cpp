@@ -26,11 +26,40 @@ RecognitionScenario scenario(ScenarioKind kind, int squeezes, double rate)
     made.options.siUnits = false; // no instrument's range: strangers are a row of their own
     if (kind == ScenarioKind::Neighbours)
         made.options.wrongType = rate;
+    else if (kind == ScenarioKind::StrangersInRange)
+        made.options.strangerAccept = rate;
     else
         made.options.falseReject = rate;
     if (kind == ScenarioKind::Promise)
         made.options.confidence = 0.95;
     return made;
+}
+
+/// What else squeezes may determine: a slow gripper k, with or without its relaxation; a fast one of a
+/// viscoelastic part all but friction, or all.
+std::vector<QuantitySpace> otherSpaces()
+{
+    using enum TypeQuantity;
+    return {{{Stiffness}},
+            {{Stiffness, RelaxingShare, RelaxationTime}},
+            {{Mass, Damping, Stiffness, RelaxingShare, RelaxationTime}},
+            {{Mass, Damping, Stiffness, RelaxingShare, RelaxationTime, Friction}}};
+}
+
+/// The three rates in other spaces than m, b, k.
+std::vector<RecognitionScenario> scenariosOfSpaces()
+{
+    std::vector<RecognitionScenario> all;
+    for (const QuantitySpace& space : otherSpaces()) {
+        for (const ScenarioKind kind :
+             {ScenarioKind::KnownParts, ScenarioKind::Neighbours, ScenarioKind::StrangersInRange}) {
+            for (const auto& setting : settings) {
+                all.push_back(scenario(kind, setting.first, setting.second));
+                all.back().space = space;
+            }
+        }
+    }
+    return all;
 }
 
 std::vector<RecognitionScenario> scenarios()
@@ -62,6 +91,10 @@ std::vector<RecognitionScenario> scenarios()
     RecognitionScenario mismatch = scenario(ScenarioKind::NoiseMismatch, 10, 0.01);
     mismatch.judged = 200;
     all.push_back(mismatch);
+    for (const auto& setting : settings)
+        all.push_back(scenario(ScenarioKind::StrangersInRange, setting.first, setting.second));
+    for (RecognitionScenario& other : scenariosOfSpaces())
+        all.push_back(std::move(other));
     return all;
 }
 
@@ -100,6 +133,10 @@ std::vector<StudyLimit> limitsOf(const RecognitionScenario& scenario, const Stud
         return {bounded(limitOf(tally, u"kept"_s, 1, u"enrolments that keep the rate"_s), 0.94, {})};
     case ScenarioKind::Neighbours:
         // As many as the rate allows can be named only by who knows the true types: shown, held to nothing.
+        // Nor is it where the scatter may be of any shape, which fewer squeezes cannot tell.
+        if (scenario.space != QuantitySpace{})
+            return {bounded(limitOf(tally, u"wrong_type"_s, stated, u"wrong type / stated"_s), {}, 1.2),
+                    decidedOver(tally, u"oracle_rate"_s, u"decided / oracle_rate's"_s)};
         if (scenario.unlikeScatter)
             return {decidedOver(tally, u"oracle_rate"_s, u"decided / oracle_rate's"_s)};
         return {bounded(limitOf(tally, u"wrong_type"_s, stated, u"wrong type / stated"_s), {}, 1.2),
@@ -113,6 +150,8 @@ std::vector<StudyLimit> limitsOf(const RecognitionScenario& scenario, const Stud
     case ScenarioKind::NoiseMismatch:
         return {bounded(limitOf(tally, u"wrong_type"_s, 1, u"wrong type"_s), {}, 0.001),
                 bounded(limitOf(tally, u"type"_s, 1, u"named as themselves"_s), 0.98, {})};
+    case ScenarioKind::StrangersInRange:
+        return {bounded(limitOf(tally, u"accepted"_s, stated, u"accepted / stated"_s), {}, 1.2)};
     case ScenarioKind::Strangers:
         break;
     }

@@ -174,6 +174,8 @@ QJsonObject rowJson(const RecognitionRow& row)
                      {u"cases"_s, jsonNumber(row.tally.cases)},
                      {u"shares"_s, shares},
                      {u"limits"_s, limits}};
+    if (row.scenario.space != QuantitySpace{})
+        json[u"space"_s] = toString(row.scenario.space);
     if (row.scenario.kind == ScenarioKind::Strangers)
         json[u"deviations"_s] = row.scenario.deviations;
     if (row.tally.shares.contains(u"wrong_type"_s) && row.scenario.kind != ScenarioKind::Strangers) {

@@ -5737,6 +5737,74 @@ m  %3</translation>
         <source>the position stands still and is renewed only every %1 s, while the force goes on</source>
         <translation>der Weg steht still und wird nur alle %1 s erneuert, während die Kraft weitergeht</translation>
     </message>
+    <message>
+        <source>The quantities are each near those of the others, but do not go together as theirs do: %1 standard deviations away.</source>
+        <translation>Die Größen liegen einzeln nahe denen der anderen, passen aber nicht so zusammen wie bei diesen: %1 Standardabweichungen entfernt.</translation>
+    </message>
+    <message>
+        <source>mass %1</source>
+        <translation>Masse %1</translation>
+    </message>
+    <message>
+        <source>damping %1</source>
+        <translation>Dämpfung %1</translation>
+    </message>
+    <message>
+        <source>stiffness %1</source>
+        <translation>Steifigkeit %1</translation>
+    </message>
+    <message>
+        <source>relaxing share %1</source>
+        <translation>Relaxationsanteil %1</translation>
+    </message>
+    <message>
+        <source>relaxation time %1</source>
+        <translation>Relaxationszeit %1</translation>
+    </message>
+    <message>
+        <source>friction %1</source>
+        <translation>Reibung %1</translation>
+    </message>
+    <message>
+        <source>damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>relaxing share</source>
+        <translation>Relaxationsanteil</translation>
+    </message>
+    <message>
+        <source>relaxation time</source>
+        <translation>Relaxationszeit</translation>
+    </message>
+    <message>
+        <source>%1 is where %2 sits; it is the only type enrolled.</source>
+        <translation>%1 liegt, wo %2 liegt; kein anderer Typ ist eingelernt.</translation>
+    </message>
+    <message>
+        <source>Every quantity is where %1 sits; it is the only type enrolled.</source>
+        <translation>Jede Größe liegt, wo %1 liegt; kein anderer Typ ist eingelernt.</translation>
+    </message>
+    <message>
+        <source>Each quantity alone could be %1, but not all of them together.</source>
+        <translation>Jede Größe könnte einzeln %1 sein, aber nicht alle zusammen.</translation>
+    </message>
+    <message>
+        <source>The squeeze does not determine %1, by which the types are told apart.</source>
+        <translation>Aus dem Druckversuch sind nicht bestimmt: %1; danach werden die Typen unterschieden.</translation>
+    </message>
+    <message>
+        <source>Judged by %1 alone: the squeezes enrolled determine no more.</source>
+        <translation>Allein nach %1 beurteilt: Mehr bestimmen die eingelernten Druckversuche nicht.</translation>
+    </message>
+    <message>
+        <source>Judged by %1: the squeezes enrolled determine no more.</source>
+        <translation>Beurteilt nach %1: Mehr bestimmen die eingelernten Druckversuche nicht.</translation>
+    </message>
+    <message>
+        <source>The squeezes enrolled have no quantity in common to judge by.</source>
+        <translation>Die eingelernten Druckversuche haben keine Größe gemeinsam, nach der zu urteilen wäre.</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>

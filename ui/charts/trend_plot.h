@@ -24,9 +24,9 @@ namespace gripscope {
 /// Where the squeezes of an enrolled type lie.
 struct TrendBand {
     QString type;
-    int sign = 0; ///< which colour and shape, see paintTypeSign()
-    std::array<TypeInterval, 3> intervals;
-    std::optional<GateIntervals> gate; ///< beyond it in one of them a squeeze is called unknown
+    int sign = 0;                        ///< which colour and shape, see paintTypeSign()
+    std::vector<TypeInterval> intervals; ///< of m, b and k
+    std::optional<GateIntervals> gate;   ///< beyond it in one of them a squeeze is called unknown
 };
 
 /// Squeezes over time or one after another, as much of them as is in view.

@@ -50,7 +50,8 @@ std::vector<CandidateType> candidateTypes(const EarlyStopSetup& setup)
 {
     std::vector<CandidateType> candidates;
     const bool usable = setup.models && setup.factor > 0 && std::isfinite(setup.factor);
-    if (!usable || setup.models->degreesOfFreedom < 3)
+    // A record is followed by m, b and k alone; in other spaces nothing is decided early.
+    if (!usable || setup.models->degreesOfFreedom < 3 || setup.models->space != QuantitySpace{})
         return candidates;
     const std::vector<TypeModel>& types = setup.models->types;
     const Eigen::Vector3d gripper = gripperAlone(setup.chain);

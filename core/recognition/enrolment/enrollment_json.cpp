@@ -36,11 +36,10 @@ QJsonObject toJson(const EnrollmentProgress& progress)
 
 QJsonObject toJson(const SqueezeOutlier& outlier)
 {
-    constexpr const char16_t* names[] = {u"m", u"b", u"k"};
     const bool alone = outlier.parameter >= 0;
     return {{u"deviations"_s, jsonNumber(outlier.deviations)},
             {u"chance"_s, jsonNumber(outlier.chance)},
-            {u"parameter"_s, alone ? QJsonValue(QString::fromUtf16(names[outlier.parameter])) : QJsonValue()},
+            {u"parameter"_s, alone ? QJsonValue(symbolOf(TypeQuantity(outlier.parameter))) : QJsonValue()},
             {u"reason"_s, outlier.reason.english()}};
 }
 

@@ -15,7 +15,7 @@ namespace gripscope {
 /// squeezes, more_for_gate, gate, gate_limit, strangers_passing, strangers_limit, more_for_most (null: over
 /// 100), stiffness_uncertainty, words.
 [[nodiscard]] QJsonObject toJson(const EnrollmentProgress& progress);
-/// deviations, chance, parameter ("m", "b", "k" or null), reason.
+/// deviations, chance, parameter ("m", "b", "k", "k1/k", "tau", "Fc" or null), reason.
 [[nodiscard]] QJsonObject toJson(const SqueezeOutlier& outlier);
 /// other, undecided, wrong, undecided_of_other, words.
 [[nodiscard]] QJsonObject toJson(const TypeOverlap& overlap);

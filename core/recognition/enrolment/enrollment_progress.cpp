@@ -3,7 +3,6 @@
 
 #include "core/base/words.h"
 #include "core/math/distributions.h"
-#include "core/recognition/types/dimensions.h"
 #include "core/recognition/types/gates.h"
 #include "core/recognition/types/predictive.h"
 #include "core/recognition/verdict/quantity_text.h"
@@ -34,24 +33,25 @@ struct Knowledge {
 };
 
 /// Squared, on (x - mean)' S^-1 (x - mean).
-std::optional<double> gateOf(const Knowledge& known, const VerdictOptions& options)
+std::optional<double> gateOf(const Knowledge& known, const VerdictOptions& options, int dimensions)
 {
     if (!(known.squeezes >= 1))
         return {};
     if (options.confidence)
         return toleranceGate(int(std::min(1e6, known.squeezes) + 1e-6), known.degreesOfFreedom,
-                             options.falseReject, *options.confidence);
-    return falseRejectGate(known.squeezes, known.degreesOfFreedom, options.falseReject);
+                             options.falseReject, *options.confidence, dimensions);
+    return falseRejectGate(known.squeezes, known.degreesOfFreedom, options.falseReject, dimensions);
 }
 
-double strangersPassing(const Knowledge& known, double gate)
+double strangersPassing(const Knowledge& known, double gate, int dimensions)
 {
     const double v = known.degreesOfFreedom;
+    const double fisher = v - (dimensions - 1); // degrees of freedom of the denominator
     const double away = strangerDeviations * strangerDeviations / known.spread();
-    return nonCentralFisherBelow(gate / known.spread() * (v - 2) / (dimensions * v), dimensions, v - 2, away);
+    return nonCentralFisherBelow(gate / known.spread() * fisher / (dimensions * v), dimensions, fisher, away);
 }
 
-double limitOfStrangers(double gate)
+double limitOfStrangers(double gate, int dimensions)
 {
     return nonCentralChiSquaredBelow(gate, dimensions, strangerDeviations * strangerDeviations);
 }
@@ -75,10 +75,11 @@ std::optional<int> fewestMore(const Enough& enough)
 
 std::optional<double> stiffnessUncertainty(const TypeModels& models, const TypeModel& model)
 {
-    if (models.degreesOfFreedom < 1)
+    const std::optional<int> place = models.space.placeOf(TypeQuantity::Stiffness);
+    if (models.degreesOfFreedom < 1 || !place)
         return {};
     const double halfWidth =
-        studentQuantile(0.975, models.degreesOfFreedom) * std::sqrt(model.meanCovarianceLog(2, 2));
+        studentQuantile(0.975, models.degreesOfFreedom) * std::sqrt(model.meanCovarianceLog(*place, *place));
     return std::isfinite(halfWidth) ? std::optional(std::expm1(std::min(halfWidth, 10.0))) : std::nullopt;
 }
 
@@ -113,19 +114,20 @@ EnrollmentProgress enrollmentProgress(const TypeModels& models, const QString& t
         }
         progress.stiffnessUncertainty = stiffnessUncertainty(models, *model);
     }
-    const double limit = chiSquaredGate(options.falseReject);
+    const int p = models.space.dimensions();
+    const double limit = chiSquaredGate(options.falseReject, p);
     progress.gateLimit = std::sqrt(limit);
-    progress.strangersLimit = limitOfStrangers(limit);
+    progress.strangersLimit = limitOfStrangers(limit, p);
     progress.moreForGate = fewestMore([&](int more) {
-                               return gateOf(known.after(more), options).has_value();
+                               return gateOf(known.after(more), options, p).has_value();
                            }).value_or(mostAhead);
     progress.moreForMost = fewestMore([&](int more) {
-        const auto gate = gateOf(known.after(more), options);
+        const auto gate = gateOf(known.after(more), options, p);
         return gate && std::sqrt(*gate) <= nearLimit * progress.gateLimit;
     });
-    if (const auto gate = gateOf(known, options)) {
+    if (const auto gate = gateOf(known, options, p)) {
         progress.gate = std::sqrt(*gate);
-        progress.strangersPassing = strangersPassing(known, *gate);
+        progress.strangersPassing = strangersPassing(known, *gate, p);
     }
     return progress;
 }

@@ -29,7 +29,7 @@ struct EnrollmentProgress {
     /// Squeezes until the gate is within a quarter of its limit; 0: it is. Absent: over 100.
     std::optional<int> moreForMost;
     /// How far the type's stiffness may lie from what was found (95 %, a share of it); absent where nothing
-    /// is known of how squeezes differ.
+    /// is known of how squeezes differ, or in a space without stiffness.
     std::optional<double> stiffnessUncertainty;
 };
 

@@ -21,13 +21,14 @@ struct Part {
     std::vector<std::size_t> squeezes;
 };
 
-std::vector<Part> partsOf(const std::vector<TypeSqueeze>& squeezes, const QStringList& types)
+std::vector<Part> partsOf(const std::vector<TypeSqueeze>& squeezes, const QuantitySpace& space,
+                          const QStringList& types)
 {
     std::vector<Part> parts;
     QMap<std::pair<QString, QString>, std::size_t> known;
     for (std::size_t i = 0; i < squeezes.size(); ++i) {
         const TypeSqueeze& squeeze = squeezes[i];
-        if (!isUsable(squeeze.parameters))
+        if (!coordinatesOf(squeeze, space))
             continue;
         const auto key = std::make_pair(squeeze.type, squeeze.part);
         const bool again = !squeeze.part.isEmpty() && known.contains(key);
@@ -102,28 +103,27 @@ struct Tally {
 HeldOutConfusion heldOutConfusion(const std::vector<TypeSqueeze>& squeezes, const VerdictOptions& options)
 {
     HeldOutConfusion result;
+    const QuantitySpace space = spaceOf(squeezes);
     for (const TypeSqueeze& squeeze : squeezes)
-        if (isUsable(squeeze.parameters))
+        if (coordinatesOf(squeeze, space))
             result.types.append(squeeze.type);
     result.types.removeDuplicates();
     result.types.sort();
     const auto types = std::size_t(result.types.size());
     result.counts = Eigen::MatrixXi::Zero(result.types.size(), result.types.size() + 2);
-    const std::vector<Part> parts = partsOf(squeezes, result.types);
+    const std::vector<Part> parts = partsOf(squeezes, space, result.types);
     std::vector<int> perType(types);
     for (const Part& part : parts)
         ++perType[std::size_t(part.type)];
     result.untested = int(std::count(perType.begin(), perType.end(), 1));
     std::vector<Tally> tallies(types);
     for (const std::vector<std::size_t>& fold : foldsOf(parts, perType)) {
-        const TypeModels models = fitTypeModels(without(squeezes, parts, fold));
+        const TypeModels models = fitTypeModels(without(squeezes, parts, fold), space);
         for (const std::size_t number : fold) {
             const Part& part = parts[number];
             bool wrong = false, unknown = false;
             for (const std::size_t place : part.squeezes) {
-                const TypeSqueeze& squeeze = squeezes[place];
-                const int column =
-                    columnOf(judge(models, squeeze.parameters, options, squeeze.covariance), result.types);
+                const int column = columnOf(judge(models, squeezes[place], options), result.types);
                 ++result.counts(part.type, column);
                 ++result.squeezes;
                 wrong = wrong || (column < int(types) && column != part.type);

@@ -11,7 +11,8 @@
 
 namespace gripscope {
 
-/// What the enrolled squeezes are called when each is judged by models that do not know it.
+/// What the enrolled squeezes are called when each is judged by models that do not know it, in
+/// spaceOf(squeezes).
 ///
 /// Squeezes of one part are left out together, and a part counts once in the bounds, wrong when any of its
 /// squeezes is: squeezes of one part are not independent. Up to 400 parts are left out one at a time; of a

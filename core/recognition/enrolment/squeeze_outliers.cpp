@@ -3,7 +3,6 @@
 
 #include "core/base/words.h"
 #include "core/math/distributions.h"
-#include "core/recognition/types/dimensions.h"
 #include "core/recognition/types/gates.h"
 #include "core/recognition/types/predictive.h"
 #include "core/recognition/types/squeeze_values.h"
@@ -30,11 +29,11 @@ constexpr int lentSqueezes = 30;
 class Enrolled {
 public:
     Enrolled(const std::vector<TypeSqueeze>& squeezes, const QString& type)
-        : m_squeezes(squeezes), m_type(type)
+        : m_squeezes(squeezes), m_type(type), m_space(spaceOf(squeezes))
     {
         QMap<QString, int> lent;
         for (std::size_t i = 0; i < squeezes.size(); ++i) {
-            if (!isUsable(squeezes[i].parameters))
+            if (!coordinatesOf(squeezes[i], m_space))
                 continue;
             if (squeezes[i].type == type)
                 m_kept.push_back(i);
@@ -43,8 +42,14 @@ public:
         }
     }
 
+    [[nodiscard]] const QuantitySpace& space() const { return m_space; }
     [[nodiscard]] const std::vector<std::size_t>& kept() const { return m_kept; }
     void takeOut(std::size_t index) { m_kept.erase(std::find(m_kept.begin(), m_kept.end(), index)); }
+
+    [[nodiscard]] LogVector logOf(std::size_t index) const
+    {
+        return coordinatesOf(m_squeezes[index], m_space).value_or(LogVector::Zero(m_space.dimensions()));
+    }
 
     /// The type without this squeeze (where it is still in), as seen from it.
     [[nodiscard]] std::optional<TypePrediction> seenFrom(std::size_t index) const
@@ -53,41 +58,42 @@ public:
         for (const std::size_t own : m_kept)
             if (own != index)
                 without.push_back(m_squeezes[own]);
-        const TypeModels models = fitTypeModels(without);
+        const TypeModels models = fitTypeModels(without, m_space);
         const TypeModel* model = models.find(m_type);
         if (!model || models.degreesOfFreedom < 1)
             return {};
-        const TypeSqueeze& squeeze = m_squeezes[index];
-        return predictType(models, *model, logOf(squeeze.parameters), noiseOf(squeeze), {});
+        return predictType(models, *model, logOf(index), noiseOf(m_squeezes[index], m_space), {});
     }
 
 private:
     const std::vector<TypeSqueeze>& m_squeezes;
     QString m_type;
+    QuantitySpace m_space;
     std::vector<TypeSqueeze> m_others;
     std::vector<std::size_t> m_kept;
 };
 
 /// How improbable it is that a squeeze of the type lies as far out as this one.
 struct Improbability {
-    Eigen::Vector3d offset = Eigen::Vector3d::Zero();     ///< of log(m, b, k) from the mean
-    Eigen::Vector3d deviations = Eigen::Vector3d::Zero(); ///< each on its own
-    double together = 1;                                  ///< probability of D^2
-    double alone = 1;                                     ///< that of the least probable parameter, of three
+    LogVector offset;     ///< of the logarithms from the mean
+    LogVector deviations; ///< each on its own
+    double together = 1;  ///< probability of D^2
+    double alone = 1;     ///< that of the least probable quantity, of p
     [[nodiscard]] double probability() const { return std::min(1.0, 2 * std::min(together, alone)); }
 };
 
-Improbability improbability(const TypeSqueeze& squeeze, const TypePrediction& seen)
+Improbability improbability(const LogVector& log, const TypePrediction& seen)
 {
+    const auto p = int(log.size());
     const double v = seen.degreesOfFreedom;
     Improbability result;
-    result.offset = squeeze.parameters.vector().array().log().matrix() - seen.meanLog;
+    result.offset = log - seen.meanLog;
     const double spread = std::sqrt(1 + 1 / seen.effectiveSqueezes); // the others' mean is an estimate too
     result.deviations = result.offset.cwiseQuotient(spread * seen.covariance.diagonal().cwiseSqrt());
-    if (v >= dimensions)
-        result.together = chanceBeyond(seen.squaredDistance, v);
+    if (v >= p)
+        result.together = chanceBeyond(seen.squaredDistance, v, p);
     const double farthest = result.deviations.cwiseAbs().maxCoeff();
-    result.alone = dimensions * 2 * studentAbove(farthest, v);
+    result.alone = p * 2 * studentAbove(farthest, v);
     return result;
 }
 
@@ -97,14 +103,14 @@ struct Farthest {
     double probability = 2; ///< above 1: there is none
 };
 
-Farthest farthest(const Enrolled& enrolled, const std::vector<TypeSqueeze>& squeezes)
+Farthest farthest(const Enrolled& enrolled)
 {
     Farthest result;
     for (const std::size_t index : enrolled.kept()) {
         const auto seen = enrolled.seenFrom(index);
         if (!seen || !(seen->degreesOfFreedom >= 1))
             continue;
-        const double probability = improbability(squeezes[index], *seen).probability();
+        const double probability = improbability(enrolled.logOf(index), *seen).probability();
         if (probability < result.probability)
             result = {index, probability};
     }
@@ -122,19 +128,25 @@ Finding comparedWithOthers(double offset)
     return Words::say("%1 % below the others").arg(shortNumber(100 * (1 - ratio)));
 }
 
-SqueezeOutlier describe(const TypeSqueeze& squeeze, std::size_t index, const TypePrediction& seen)
+SqueezeOutlier describe(const Enrolled& enrolled, std::size_t index, const TypePrediction& seen)
 {
     SqueezeOutlier outlier;
     outlier.index = index;
-    const Improbability found = improbability(squeeze, seen);
+    const Improbability found = improbability(enrolled.logOf(index), seen);
     outlier.deviations = std::sqrt(seen.squaredDistance);
     Eigen::Index most = 0;
     const double alone = found.deviations.cwiseAbs().maxCoeff(&most);
     if (found.alone <= found.together || alone >= outlier.deviations / 2) {
-        outlier.parameter = int(most);
-        outlier.reason = Words::say("%1 is %2, %3 of their standard deviations.")
-                             .arg(nameOf(MechanicalQuantity(most)), comparedWithOthers(found.offset(most)),
-                                  shortNumber(alone));
+        const TypeQuantity quantity = enrolled.space().quantities[std::size_t(most)];
+        outlier.parameter = int(quantity);
+        outlier.reason =
+            Words::say("%1 is %2, %3 of their standard deviations.")
+                .arg(nameOf(quantity), comparedWithOthers(found.offset(most)), shortNumber(alone));
+    } else if (enrolled.space() != QuantitySpace{}) {
+        outlier.reason =
+            Words::say("The quantities are each near those of the others, but do not go together as "
+                       "theirs do: %1 standard deviations away.")
+                .arg(shortNumber(outlier.deviations));
     } else {
         outlier.reason =
             Words::say("Mass, damping and stiffness are each near those of the others, but do not go "
@@ -158,7 +170,7 @@ std::vector<SqueezeOutlier> findOutliers(const std::vector<TypeSqueeze>& squeeze
     std::vector<Farthest> takenOut;
     std::size_t beyond = 0; ///< as many of them are outliers
     for (std::size_t step = 0; step < steps; ++step) {
-        Farthest found = farthest(enrolled, squeezes);
+        Farthest found = farthest(enrolled);
         if (found.probability > 1)
             break;
         found.probability *= double(enrolled.kept().size() * steps);
@@ -175,7 +187,7 @@ std::vector<SqueezeOutlier> findOutliers(const std::vector<TypeSqueeze>& squeeze
     for (std::size_t i = 0; i < beyond; ++i) {
         const std::size_t index = takenOut[i].index;
         if (const auto seen = clean.seenFrom(index)) {
-            outliers.push_back(describe(squeezes[index], index, *seen));
+            outliers.push_back(describe(clean, index, *seen));
             outliers.back().chance = std::min(1.0, takenOut[i].probability);
         }
     }

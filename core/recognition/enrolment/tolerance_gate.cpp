@@ -2,8 +2,8 @@
 #include "core/math/decompositions.h"
 #include "core/math/distributions.h"
 #include "core/math/gaussian.h"
-#include "core/recognition/types/dimensions.h"
 #include "core/recognition/types/gates.h"
+#include "core/recognition/types/quantity_space.h"
 
 #include <algorithm>
 #include <array>
@@ -40,16 +40,16 @@ double chiSquared(GaussianNoise& noise, double degreesOfFreedom)
 }
 
 /// Eigenvalues of a Wishart matrix of unit mean, by Bartlett's decomposition.
-Eigen::Vector3d wishartEigenvalues(GaussianNoise& noise, double degreesOfFreedom)
+LogVector wishartEigenvalues(GaussianNoise& noise, double degreesOfFreedom, int dimensions)
 {
-    Eigen::Matrix3d factor = Eigen::Matrix3d::Zero();
+    LogMatrix factor = LogMatrix::Zero(dimensions, dimensions);
     for (int i = 0; i < dimensions; ++i) {
         for (int j = 0; j < i; ++j)
             factor(i, j) = noise();
         factor(i, i) = std::sqrt(chiSquared(noise, degreesOfFreedom - i));
     }
-    const Eigen::Matrix3d matrix = factor * factor.transpose() / degreesOfFreedom;
-    return symmetricAxes(matrix).values;
+    const LogMatrix matrix = factor * factor.transpose() / degreesOfFreedom;
+    return smallSymmetricAxes(matrix).values;
 }
 
 /// Quantile 1 - rate of chi-square distributions, from a table: a gate asks for thousands.
@@ -86,11 +86,11 @@ private:
 
 /// Quantile of sum_i (z_i - shift_i)^2 / eigenvalue_i, z ~ N(0, I), by the chi-square distribution of the
 /// same mean, variance and skewness.
-double contentQuantile(const Eigen::Vector3d& eigenvalues, const Eigen::Vector3d& shift,
+double contentQuantile(const LogVector& eigenvalues, const LogVector& shift,
                        const ChiSquaredQuantiles& quantiles)
 {
     std::array<double, 3> moments{};
-    for (int i = 0; i < dimensions; ++i) {
+    for (Eigen::Index i = 0; i < eigenvalues.size(); ++i) {
         const double weight = 1 / eigenvalues(i);
         double power = weight;
         for (int order = 1; order <= 3; ++order, power *= weight)
@@ -100,16 +100,18 @@ double contentQuantile(const Eigen::Vector3d& eigenvalues, const Eigen::Vector3d
     return (quantiles(h) - h) * std::sqrt(moments[1] / h) + moments[0];
 }
 
-double simulatedGate(int squeezes, double degreesOfFreedom, double rate, double confidence)
+double simulatedGate(int squeezes, double degreesOfFreedom, double rate, double confidence, int dimensions)
 {
     constexpr std::uint64_t seed = 1;
     GaussianNoise noise(seed);
     const ChiSquaredQuantiles quantiles(rate);
     std::vector<double> gates(draws);
     for (double& gate : gates) {
-        const Eigen::Vector3d eigenvalues = wishartEigenvalues(noise, degreesOfFreedom);
-        const Eigen::Vector3d shift =
-            Eigen::Vector3d(noise(), noise(), noise()) / std::sqrt(double(squeezes));
+        const LogVector eigenvalues = wishartEigenvalues(noise, degreesOfFreedom, dimensions);
+        LogVector shift(dimensions);
+        for (Eigen::Index i = dimensions; i > 0; --i) // the last first
+            shift(i - 1) = noise();
+        shift /= std::sqrt(double(squeezes));
         gate = contentQuantile(eigenvalues, shift, quantiles);
     }
     const auto place = std::min<std::ptrdiff_t>(draws - 1, std::ptrdiff_t(std::ceil(confidence * draws)));
@@ -118,11 +120,11 @@ double simulatedGate(int squeezes, double degreesOfFreedom, double rate, double 
 }
 
 /// Simulated gates, each once in the life of the program.
-double rememberedGate(int squeezes, double degreesOfFreedom, double rate, double confidence)
+double rememberedGate(int squeezes, double degreesOfFreedom, double rate, double confidence, int dimensions)
 {
     static std::mutex guard;
-    static std::map<std::tuple<int, double, double, double>, double> known;
-    const std::tuple key(squeezes, degreesOfFreedom, rate, confidence);
+    static std::map<std::tuple<int, double, double, double, int>, double> known;
+    const std::tuple key(squeezes, degreesOfFreedom, rate, confidence, dimensions);
     const std::lock_guard lock(guard);
     const auto found = known.find(key);
     if (found != known.end())
@@ -130,7 +132,7 @@ double rememberedGate(int squeezes, double degreesOfFreedom, double rate, double
     constexpr std::size_t most = 10'000; // what a few libraries need; then it starts again
     if (known.size() >= most)
         known.clear();
-    return known[key] = simulatedGate(squeezes, degreesOfFreedom, rate, confidence);
+    return known[key] = simulatedGate(squeezes, degreesOfFreedom, rate, confidence, dimensions);
 }
 
 /// The nodes about a number of degrees of freedom.
@@ -148,17 +150,19 @@ std::pair<double, double> nodesAbout(double degreesOfFreedom)
 
 } // namespace
 
-std::optional<double> toleranceGate(int squeezes, double degreesOfFreedom, double rate, double confidence)
+std::optional<double> toleranceGate(int squeezes, double degreesOfFreedom, double rate, double confidence,
+                                    int dimensions)
 {
-    const bool possible = squeezes >= 1 && degreesOfFreedom >= dimensions && rate > 0 && rate < 1 &&
-                          confidence > 0 && confidence < 1;
+    const bool possible = squeezes >= 1 && dimensions >= 1 && dimensions <= mostDimensions &&
+                          degreesOfFreedom >= dimensions && rate > 0 && rate < 1 && confidence > 0 &&
+                          confidence < 1;
     if (!possible)
         return {};
     const auto nodes = nodesAbout(std::min(degreesOfFreedom, asGoodAsKnown));
-    const double below = rememberedGate(squeezes, nodes.first, rate, confidence);
+    const double below = rememberedGate(squeezes, nodes.first, rate, confidence, dimensions);
     if (nodes.first == nodes.second)
         return below;
-    const double above = rememberedGate(squeezes, nodes.second, rate, confidence);
+    const double above = rememberedGate(squeezes, nodes.second, rate, confidence, dimensions);
     // The logarithm is nearly straight in 1/v.
     const double v = std::min(degreesOfFreedom, asGoodAsKnown);
     const double share = (1 / nodes.first - 1 / v) / (1 / nodes.first - 1 / nodes.second);

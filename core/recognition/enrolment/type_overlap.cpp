@@ -5,6 +5,7 @@
 #include "core/math/distributions.h"
 #include "core/math/gaussian.h"
 #include "core/recognition/types/predictive.h"
+#include "core/recognition/types/squeeze_values.h"
 #include "core/recognition/verdict/quantity_text.h"
 
 #include <Eigen/Cholesky>
@@ -18,31 +19,30 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double leastDegrees = 3; ///< as for a gate
-
-/// Squeezes of a type as its predictive distribution says: mean + L z sqrt(v / chi2_{v-2}), L L' = V.
+/// Squeezes of a type as its predictive distribution says: mean + L z sqrt(v / chi2_{v-p+1}), L L' = V.
 class PredictedSqueezes {
 public:
     explicit PredictedSqueezes(const TypePrediction& type)
         : m_mean(type.meanLog), m_degrees(type.degreesOfFreedom),
-          m_factor(Eigen::Matrix3d((1 + 1 / type.effectiveSqueezes) * type.covariance).llt().matrixL())
+          m_factor(LogMatrix((1 + 1 / type.effectiveSqueezes) * type.covariance).llt().matrixL())
     {
     }
 
-    Eigen::Vector3d operator()()
+    LogVector operator()()
     {
-        Eigen::Vector3d z;
+        LogVector z(m_mean.size());
         for (double& value : z)
             value = m_noise();
-        const double chiSquared = chiSquaredQuantile(1 - m_noise.uniform(), m_degrees - 2);
+        const double chiSquared =
+            chiSquaredQuantile(1 - m_noise.uniform(), m_degrees - double(m_mean.size() - 1));
         return m_mean + std::sqrt(m_degrees / chiSquared) * (m_factor * z);
     }
 
 private:
     GaussianNoise m_noise{1};
-    Eigen::Vector3d m_mean;
+    LogVector m_mean;
     double m_degrees;
-    Eigen::Matrix3d m_factor;
+    LogMatrix m_factor;
 };
 
 void count(const Verdict& verdict, const QString& type, double share, ExpectedVerdicts& expected)
@@ -80,14 +80,12 @@ std::optional<ExpectedVerdicts> expectedVerdicts(const TypeModels& models, const
     if (!model || models.degreesOfFreedom < 1 || draws < 1)
         return {};
     const TypePrediction own = predictType(models, *model, model->meanLog, {}, {options.robust});
-    if (!(own.degreesOfFreedom >= leastDegrees))
+    if (!(own.degreesOfFreedom >= models.space.dimensions()))
         return {};
     PredictedSqueezes next(own);
     ExpectedVerdicts expected;
-    for (int draw = 0; draw < draws; ++draw) {
-        const Eigen::Vector3d p = next().array().exp();
-        count(judge(models, {p(0), p(1), p(2)}, options), type, 1.0 / draws, expected);
-    }
+    for (int draw = 0; draw < draws; ++draw)
+        count(judge(models, squeezeAt({}, models.space, next()), options), type, 1.0 / draws, expected);
     return expected;
 }
 

@@ -2,7 +2,6 @@
 #include "core/recognition/types/gates.h"
 
 #include "core/math/distributions.h"
-#include "core/recognition/types/dimensions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,34 +14,37 @@ constexpr double tailDegrees = 5;
 
 } // namespace
 
-std::optional<double> predictiveGate(double degreesOfFreedom, double rate)
+std::optional<double> predictiveGate(double degreesOfFreedom, double rate, int dimensions)
 {
     const double v = degreesOfFreedom;
-    if (!(v >= dimensions) || !(rate > 0 && rate < 1))
+    if (!(dimensions >= 1 && v >= dimensions) || !(rate > 0 && rate < 1))
         return {};
-    const double quantile = fisherQuantileAbove(rate, dimensions, v - 2);
-    const double gate = dimensions * v / (v - 2) * quantile;
-    return std::isfinite(gate) ? std::optional(gate) : std::nullopt; // a rate next to 0 and v = 3
+    const double quantile = fisherQuantileAbove(rate, dimensions, v - (dimensions - 1));
+    const double gate = dimensions * v / (v - (dimensions - 1)) * quantile;
+    return std::isfinite(gate) ? std::optional(gate) : std::nullopt; // a rate next to 0 and v = p
 }
 
-double chanceBeyond(double squaredDistance, double degreesOfFreedom, double count)
+double chanceBeyond(double squaredDistance, double degreesOfFreedom, int dimensions,
+                    std::optional<double> count)
 {
-    const double ratio = squaredDistance * (degreesOfFreedom - 2) / (count * degreesOfFreedom);
+    const double components = count.value_or(dimensions);
+    const double known = degreesOfFreedom - (dimensions - 1);
+    const double ratio = squaredDistance * known / (components * degreesOfFreedom);
     if (!std::isfinite(ratio))
         return 0;
-    return fisherAbove(std::max(0.0, ratio), count, degreesOfFreedom - 2);
+    return fisherAbove(std::max(0.0, ratio), components, known);
 }
 
-double chiSquaredGate(double rate)
+double chiSquaredGate(double rate, int dimensions)
 {
     return chiSquaredQuantileAbove(rate, dimensions);
 }
 
-double heavyTailFactor(double rate)
+double heavyTailFactor(double rate, int dimensions)
 {
     const double heavy =
         dimensions * (tailDegrees - 2) / tailDegrees * fisherQuantileAbove(rate, dimensions, tailDegrees);
-    return std::max(1.0, heavy / chiSquaredGate(rate));
+    return std::max(1.0, heavy / chiSquaredGate(rate, dimensions));
 }
 
 } // namespace gripscope

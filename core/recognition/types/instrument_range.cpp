@@ -1,19 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/types/instrument_range.h"
 
-#include <Eigen/Core>
-
 #include <cmath>
 
 namespace gripscope {
 
-std::optional<double> InstrumentRange::logVolume() const
+QuantityRange InstrumentRange::of(TypeQuantity quantity) const
 {
-    const Eigen::Vector3d low = lowest.vector();
-    const Eigen::Vector3d high = highest.vector();
-    if (!low.allFinite() || !high.allFinite() || !(low.minCoeff() > 0) || !((high - low).minCoeff() > 0))
+    switch (quantity) {
+    case TypeQuantity::Mass:
+        return {lowest.m, highest.m};
+    case TypeQuantity::Damping:
+        return {lowest.b, highest.b};
+    case TypeQuantity::Stiffness:
+        return {lowest.k, highest.k};
+    case TypeQuantity::RelaxingShare:
+        return relaxingShare;
+    case TypeQuantity::RelaxationTime:
+        return relaxationTime;
+    case TypeQuantity::Friction:
+        return friction;
+    }
+    return {};
+}
+
+std::optional<double> InstrumentRange::logVolume(const QuantitySpace& space) const
+{
+    if (space.quantities.empty())
         return {};
-    return (high.array().log() - low.array().log()).prod();
+    double volume = 1;
+    for (const TypeQuantity quantity : space.quantities) {
+        const QuantityRange range = of(quantity);
+        if (!(range.lowest > 0 && range.highest > range.lowest && std::isfinite(range.highest)))
+            return {};
+        volume *= std::log(range.highest) - std::log(range.lowest);
+    }
+    return volume;
 }
 
 } // namespace gripscope

@@ -3,7 +3,6 @@
 
 #include "core/math/decompositions.h"
 #include "core/math/distributions.h"
-#include "core/recognition/types/dimensions.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -17,24 +16,29 @@ namespace gripscope {
 
 namespace {
 
-/// Enough candidates that the best lies within a fifth in spread of the true one; the first is the least
-/// with a mean and some margin.
-constexpr std::array<double, 10> likenesses{6, 8, 10, 13, 18, 25, 35, 50, 75, 120};
+/// Less p. Enough candidates that the best lies within a fifth in spread of the true one; the first is the
+/// least with a mean and some margin.
+constexpr std::array<double, 10> likenesses{3, 5, 7, 10, 15, 22, 32, 47, 72, 117};
 constexpr double leastSpreadGain = 2;
 
-/// Logarithm of the multivariate gamma function in 3 dimensions, up to a constant.
-double logGamma3(double a)
+/// Logarithm of the multivariate gamma function in p dimensions, up to a constant.
+double logMultivariateGamma(double a, Eigen::Index p)
 {
-    return logGamma(a) + logGamma(a - 0.5) + logGamma(a - 1);
+    double sum = 0;
+    for (Eigen::Index i = 0; i < p; ++i)
+        sum += logGamma(a - double(i) / 2);
+    return sum;
 }
 
 /// Logarithm of the marginal density of A, less that of one shared covariance.
 double logLikelihoodGain(const OwnScatter& type, double likeness)
 {
     const double f = type.degreesOfFreedom;
+    const Eigen::Index p = type.sum.rows();
+    const auto dimensions = double(p);
     const double scale = likeness - dimensions - 1;
-    const Eigen::Matrix3d sum = scale * Eigen::Matrix3d::Identity() + type.sum;
-    const double own = logGamma3((likeness + f) / 2) - logGamma3(likeness / 2) +
+    const LogMatrix sum = scale * LogMatrix::Identity(p, p) + type.sum;
+    const double own = logMultivariateGamma((likeness + f) / 2, p) - logMultivariateGamma(likeness / 2, p) +
                        likeness / 2 * dimensions * std::log(scale) -
                        (likeness + f) / 2 * std::log(sum.determinant());
     const double shared = -dimensions * f / 2 * std::numbers::ln2 - type.sum.trace() / 2;
@@ -52,7 +56,10 @@ std::optional<double> likelyDegrees(const std::vector<OwnScatter>& scatters)
 {
     double best = leastSpreadGain;
     std::optional<double> likeness;
-    for (const double candidate : likenesses) {
+    if (scatters.empty())
+        return likeness;
+    for (const double beyond : likenesses) {
+        const double candidate = beyond + double(scatters.front().sum.rows());
         double gain = 0;
         for (const OwnScatter& scatter : scatters)
             if (scatter.degreesOfFreedom > 0)
@@ -65,9 +72,10 @@ std::optional<double> likelyDegrees(const std::vector<OwnScatter>& scatters)
     return likeness;
 }
 
-Eigen::Matrix3d ownCovariance(const OwnScatter& type, double likeness)
+LogMatrix ownCovariance(const OwnScatter& type, double likeness)
 {
-    return ((likeness - dimensions - 1) * Eigen::Matrix3d::Identity() + type.sum) /
+    const Eigen::Index p = type.sum.rows();
+    return ((likeness - double(p) - 1) * LogMatrix::Identity(p, p) + type.sum) /
            (likeness + type.degreesOfFreedom);
 }
 
@@ -83,17 +91,17 @@ namespace {
 constexpr int halvings = 60;
 constexpr double leastScatterVariance = 1e-8; ///< as small as any scatter is taken for
 
-/// The t of tr((t I + C)^-1 W) = 3, for W that is nowhere less than C.
-double variance(const Eigen::Matrix3d& total, const Eigen::Matrix3d& noise)
+/// The t of tr((t I + C)^-1 W) = p, for W that is nowhere less than C.
+double variance(const LogMatrix& total, const LogMatrix& noise)
 {
-    const SymmetricAxes eigen = symmetricAxes(noise);
-    const Eigen::Vector3d known = eigen.values.cwiseMax(0);
-    const Eigen::Vector3d found = (eigen.directions.transpose() * total * eigen.directions).diagonal();
+    const SmallSymmetricAxes eigen = smallSymmetricAxes(noise);
+    const LogVector known = eigen.values.cwiseMax(0);
+    const LogVector found = (eigen.directions.transpose() * total * eigen.directions).diagonal();
     double low = leastScatterVariance, high = std::max(leastScatterVariance, found.mean());
     for (int halving = 0; halving < halvings; ++halving) {
         const double middle = (low + high) / 2;
         const double trace = found.cwiseQuotient((known.array() + middle).matrix()).sum();
-        (trace > 3 ? low : high) = middle;
+        (trace > double(total.rows()) ? low : high) = middle;
     }
     return high;
 }
@@ -104,12 +112,13 @@ std::optional<double> alikeVariance(const Scatter& scatter)
 {
     if (!(scatter.degreesOfFreedom > 0))
         return {};
-    const Eigen::Matrix3d noise = scatter.noiseKnown ? scatter.noise : Eigen::Matrix3d::Zero().eval();
+    const Eigen::Index p = scatter.total.rows();
+    const LogMatrix noise = scatter.noiseKnown ? scatter.noise : LogMatrix::Zero(p, p).eval();
     const double found = variance(scatter.total, noise);
-    const Eigen::LLT<Eigen::Matrix3d> alike(noise + found * Eigen::Matrix3d::Identity());
+    const Eigen::LLT<LogMatrix> alike(noise + found * LogMatrix::Identity(p, p));
     if (alike.info() != Eigen::Success)
         return {};
-    const Eigen::Matrix3d half = alike.matrixL().solve(scatter.total);
+    const LogMatrix half = alike.matrixL().solve(scatter.total);
     OwnScatter seen;
     seen.sum = scatter.degreesOfFreedom * alike.matrixL().solve(half.transpose().eval());
     seen.degreesOfFreedom = scatter.degreesOfFreedom;

@@ -9,22 +9,22 @@ namespace gripscope {
 
 /// One type as it is seen from a squeeze that is to be judged.
 struct TypePrediction {
-    Eigen::Vector3d meanLog = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of a squeeze about the true mean, S_i + C
-    double degreesOfFreedom = 0;                          ///< behind it
+    LogVector meanLog = Eigen::Vector3d::Zero();
+    LogMatrix covariance = Eigen::Matrix3d::Zero(); ///< of a squeeze about the true mean, S_i + C
+    double degreesOfFreedom = 0;                    ///< behind it
     double effectiveSqueezes = 1; ///< as many of the squeeze's own noise give the type's mean as well
-    Eigen::Vector3d variance = Eigen::Vector3d::Zero(); ///< the diagonal of V
+    LogVector variance = Eigen::Vector3d::Zero(); ///< the diagonal of V
     /// d' V^-1 d, V = S_i + C + covariance of the mean, d from the mean.
     double squaredDistance = 0;
     double logDeterminant = 0; ///< of V
-    /// Of the squeeze's log(m, b, k) if it is of this type: Student t with v - 2 degrees of freedom and scale
-    /// V v/(v - 2),
-    ///     ln G((v+1)/2) - ln G((v-2)/2) - (3/2) ln(pi v) - (1/2) ln|V| - (v+1)/2 ln(1 + d' V^-1 d / v).
+    /// Of the squeeze's logarithms if it is of this type: Student t in p dimensions with v - p + 1 degrees of
+    /// freedom and scale V v/(v - p + 1),
+    ///     ln G((v+1)/2) - ln G((v-p+1)/2) - (p/2) ln(pi v) - (1/2) ln|V| - (v+1)/2 ln(1 + d' V^-1 d / v).
     double logDensity = 0;
     double logDensityAtMean = 0; ///< the same at d = 0
-    double tailDegrees = 3;      ///< v of these densities, at least 3
-    /// S + C where S is alike in log m, log b and log k; absent: the squeezes speak against that.
-    std::optional<Eigen::Matrix3d> alikeCovariance = {};
+    double tailDegrees = 3;      ///< v of these densities, at least p
+    /// S + C where S is alike in all coordinates; absent: the squeezes speak against that.
+    std::optional<LogMatrix> alikeCovariance = {};
 };
 
 /// How a squeeze is held against types.
@@ -36,15 +36,14 @@ struct PredictionOptions {
 
 /// One type, which need not be one of `models`, with the scatter they share. `noise`: as below.
 [[nodiscard]] TypePrediction predictType(const TypeModels& models, const TypeModel& type,
-                                         const Eigen::Vector3d& log,
-                                         const std::optional<Eigen::Matrix3d>& noise,
+                                         const LogVector& log, const std::optional<LogMatrix>& noise,
                                          const PredictionOptions& options);
 
-/// All types in their order. `noise`: the squeeze's own covariance in logs, absent where not known. `models`
-/// has at least one degree of freedom. (Murphy, Conjugate Bayesian analysis of the Gaussian distribution,
-/// 2007.)
-[[nodiscard]] std::vector<TypePrediction> predictTypes(const TypeModels& models, const Eigen::Vector3d& log,
-                                                       const std::optional<Eigen::Matrix3d>& noise,
+/// All types in their order. `log`: in models.space, as `noise` is. `noise`: the squeeze's own covariance in
+/// logs, absent where not known. `models` has at least one degree of freedom. (Murphy, Conjugate Bayesian
+/// analysis of the Gaussian distribution, 2007.)
+[[nodiscard]] std::vector<TypePrediction> predictTypes(const TypeModels& models, const LogVector& log,
+                                                       const std::optional<LogMatrix>& noise,
                                                        const PredictionOptions& options);
 
 } // namespace gripscope

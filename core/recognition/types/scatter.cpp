@@ -25,30 +25,52 @@ constexpr double leastShrinkage = 1e-10;
 /// Where no C differs from the average by more than this share of the scatter, likelihood gains nothing.
 constexpr double alikeNoise = 0.1;
 
-/// Fewer degrees of freedom say too little about the six entries of S to weigh squeezes by it.
-constexpr double enoughForLikelihood = 8;
+/// Fewer degrees of freedom say too little about the entries of S (six of p = 3) to weigh squeezes by it.
+double enoughForLikelihood(Eigen::Index p)
+{
+    return double(p * (p + 1)) / 2 + 2;
+}
 
-/// p (p + 1): the expected square of a Wishart matrix of unit mean is this over its degrees of freedom.
-constexpr double squareTimesDegrees = 12;
+/// The expected square of a Wishart matrix of unit mean is this over its degrees of freedom.
+double squareTimesDegrees(Eigen::Index p)
+{
+    return double(p * (p + 1));
+}
 
-Eigen::Matrix3d lowerFactor(const Eigen::Matrix3d& covariance)
+/// Zeros of the size of the squeezes; of m, b, k where there are none.
+Scatter nothingKnown(const std::vector<std::vector<LogSqueeze>>& types)
+{
+    Scatter scatter;
+    for (const std::vector<LogSqueeze>& squeezes : types) {
+        if (squeezes.empty())
+            continue;
+        const Eigen::Index p = squeezes.front().x.size();
+        scatter.between = scatter.noise = scatter.total = scatter.factor = LogMatrix::Zero(p, p);
+        scatter.noiseFactor = LogMatrix::Identity(p, p);
+        scatter.uncertainty = SymmetricCovariance::Zero(p * (p + 1) / 2, p * (p + 1) / 2);
+        return scatter;
+    }
+    return scatter;
+}
+
+LogMatrix lowerFactor(const LogMatrix& covariance)
 {
     return covariance.llt().matrixL();
 }
 
 /// L^-1 M L^-T
-Eigen::Matrix3d whitened(const Eigen::Matrix3d& matrix, const Eigen::Matrix3d& factor)
+LogMatrix whitened(const LogMatrix& matrix, const LogMatrix& factor)
 {
     const auto lower = factor.triangularView<Eigen::Lower>();
-    const Eigen::Matrix3d half = lower.solve(matrix);
-    const Eigen::Matrix3d full = lower.solve(half.transpose().eval());
+    const LogMatrix half = lower.solve(matrix);
+    const LogMatrix full = lower.solve(half.transpose().eval());
     return (full + full.transpose()) / 2;
 }
 
 /// The pooled covariance of whole squeezes, S + C, and how uncertain it is, in its own metric.
 void pool(const PartScatter& parts, Scatter& scatter)
 {
-    Eigen::Matrix3d pooled;
+    LogMatrix pooled;
     if (parts.withinDegrees == 0) {
         pooled = parts.between;
         scatter.degreesOfFreedom = parts.betweenDegrees;
@@ -60,12 +82,16 @@ void pool(const PartScatter& parts, Scatter& scatter)
     }
     pooled.diagonal() = pooled.diagonal().cwiseMax(leastScatter * leastScatter);
     const double v = parts.betweenDegrees + parts.withinDegrees;
-    scatter.shrinkage = std::max(leastShrinkage, 1 / (1 + v * v * v));
+    double power = v * v * v;
+    for (Eigen::Index i = 3; i < pooled.rows(); ++i)
+        power *= v;
+    scatter.shrinkage = std::max(leastShrinkage, 1 / (1 + power));
     scatter.total = (1 - scatter.shrinkage) * pooled;
     scatter.total.diagonal() = pooled.diagonal();
     scatter.factor = lowerFactor(scatter.total);
     if (scatter.degreesOfFreedom > 0) {
-        scatter.uncertainty = wishartCovariance(Eigen::Matrix3d::Identity(), scatter.degreesOfFreedom);
+        scatter.uncertainty =
+            wishartCovariance(LogMatrix::Identity(pooled.rows(), pooled.rows()), scatter.degreesOfFreedom);
         return;
     }
     scatter.uncertainty = wishartCovariance(whitened(parts.between, scatter.factor), parts.betweenDegrees) +
@@ -81,32 +107,32 @@ void separateParts(const PartScatter& parts, Scatter& scatter)
     scatter.regrip = parts.within;
     if (parts.betweenDegrees == 0)
         return;
-    const SymmetricAxes eigen =
-        symmetricAxes(whitened(parts.between - parts.meanInverse * parts.within, scatter.factor));
-    const Eigen::Matrix3d half =
+    const SmallSymmetricAxes eigen =
+        smallSymmetricAxes(whitened(parts.between - parts.meanInverse * parts.within, scatter.factor));
+    const LogMatrix half =
         scatter.factor * eigen.directions * eigen.values.cwiseMax(0).cwiseSqrt().asDiagonal();
     scatter.partToPart = half * half.transpose();
 }
 
 /// Takes the known noise out of the total: S, G and G C G'.
-void separateNoise(const Eigen::Matrix3d& noise, Scatter& scatter)
+void separateNoise(const LogMatrix& noise, Scatter& scatter)
 {
-    const SymmetricAxes eigen = symmetricAxes(whitened(noise, scatter.factor));
-    const Eigen::Vector3d shares = eigen.values.cwiseMax(0); // of the total that is noise
-    const Eigen::Matrix3d axes = scatter.factor * eigen.directions;
+    const SmallSymmetricAxes eigen = smallSymmetricAxes(whitened(noise, scatter.factor));
+    const LogVector shares = eigen.values.cwiseMax(0); // of the total that is noise
+    const LogMatrix axes = scatter.factor * eigen.directions;
     scatter.between = axes * (1 - shares.array()).cwiseMax(0).matrix().asDiagonal() * axes.transpose();
     scatter.noise = axes * shares.cwiseMin(1).asDiagonal() * axes.transpose();
-    const Eigen::Vector3d roots = shares.cwiseMax(1).cwiseSqrt().cwiseInverse();
+    const LogVector roots = shares.cwiseMax(1).cwiseSqrt().cwiseInverse();
     scatter.noiseFactor = axes * roots.asDiagonal() * axes.inverse();
 }
 
-Eigen::Matrix3d scaledNoise(const Scatter& scatter, const Eigen::Matrix3d& noise)
+LogMatrix scaledNoise(const Scatter& scatter, const LogMatrix& noise)
 {
     return scatter.noiseFactor * noise * scatter.noiseFactor.transpose();
 }
 
-bool noiseIsAlike(const std::vector<std::vector<LogSqueeze>>& types, const Eigen::Matrix3d& average,
-                  const Eigen::Matrix3d& factor)
+bool noiseIsAlike(const std::vector<std::vector<LogSqueeze>>& types, const LogMatrix& average,
+                  const LogMatrix& factor)
 {
     for (const std::vector<LogSqueeze>& squeezes : types)
         for (const LogSqueeze& squeeze : squeezes)
@@ -123,8 +149,7 @@ void refine(const std::vector<std::vector<LogSqueeze>>& types, Scatter& scatter)
     for (const std::vector<LogSqueeze>& squeezes : types) {
         std::vector<WhitenedSqueeze> type;
         for (const LogSqueeze& squeeze : squeezes) {
-            const Eigen::Matrix3d noise =
-                squeeze.noise ? scaledNoise(scatter, *squeeze.noise) : scatter.noise;
+            const LogMatrix noise = squeeze.noise ? scaledNoise(scatter, *squeeze.noise) : scatter.noise;
             type.push_back({scatter.factor.triangularView<Eigen::Lower>().solve(squeeze.x),
                             whitened(noise, scatter.factor)});
         }
@@ -134,14 +159,13 @@ void refine(const std::vector<std::vector<LogSqueeze>>& types, Scatter& scatter)
         maximizeLikelihood(whitenedTypes, whitened(scatter.between, scatter.factor));
     if (!found.converged)
         return;
-    const Eigen::Matrix3d between = scatter.factor * found.between * scatter.factor.transpose();
-    const Eigen::Matrix3d total = between + scatter.noise;
-    const Eigen::LLT<Eigen::Matrix3d> cholesky(total);
+    const LogMatrix between = scatter.factor * found.between * scatter.factor.transpose();
+    const LogMatrix total = between + scatter.noise;
+    const Eigen::LLT<LogMatrix> cholesky(total);
     if (cholesky.info() != Eigen::Success || !total.allFinite())
         return;
     // The uncertainty belongs to the coordinates of the new total.
-    const Eigen::Matrix3d turn =
-        Eigen::Matrix3d(cholesky.matrixL()).triangularView<Eigen::Lower>().solve(scatter.factor);
+    const LogMatrix turn = LogMatrix(cholesky.matrixL()).triangularView<Eigen::Lower>().solve(scatter.factor);
     scatter.uncertainty = transformed(found.uncertainty, turn);
     scatter.between = between;
     scatter.total = total;
@@ -152,7 +176,7 @@ void refine(const std::vector<std::vector<LogSqueeze>>& types, Scatter& scatter)
 /// All but whether the scatter is alike in m, b and k.
 Scatter estimateCovariances(const std::vector<std::vector<LogSqueeze>>& types)
 {
-    Scatter scatter;
+    Scatter scatter = nothingKnown(types);
     const PartScatter parts = partScatter(types);
     if (parts.betweenDegrees + parts.withinDegrees == 0)
         return scatter;
@@ -163,7 +187,7 @@ Scatter estimateCovariances(const std::vector<std::vector<LogSqueeze>>& types)
     if (!parts.noise)
         return scatter;
     separateNoise(*parts.noise, scatter);
-    if (parts.withinDegrees == 0 && scatter.degreesOfFreedom >= enoughForLikelihood &&
+    if (parts.withinDegrees == 0 && scatter.degreesOfFreedom >= enoughForLikelihood(scatter.total.rows()) &&
         !noiseIsAlike(types, *parts.noise, scatter.factor))
         refine(types, scatter);
     return scatter;
@@ -171,25 +195,27 @@ Scatter estimateCovariances(const std::vector<std::vector<LogSqueeze>>& types)
 
 } // namespace
 
-Scatter estimateScatter(const std::vector<std::vector<LogSqueeze>>& types)
+Scatter estimateScatter(const std::vector<std::vector<LogSqueeze>>& types, bool alike)
 {
     Scatter scatter = estimateCovariances(types);
-    scatter.alikeVariance = alikeVariance(scatter);
+    if (alike)
+        scatter.alikeVariance = alikeVariance(scatter);
     return scatter;
 }
 
-Eigen::Matrix3d covarianceOfSqueeze(const Scatter& scatter, const std::optional<Eigen::Matrix3d>& noise)
+LogMatrix covarianceOfSqueeze(const Scatter& scatter, const std::optional<LogMatrix>& noise)
 {
     if (!noise)
         return scatter.total;
     if (!scatter.noiseKnown) {
-        const SymmetricAxes eigen = symmetricAxes(whitened(*noise, scatter.factor));
-        const Eigen::Matrix3d axes = scatter.factor * eigen.directions;
+        const SmallSymmetricAxes eigen = smallSymmetricAxes(whitened(*noise, scatter.factor));
+        const LogMatrix axes = scatter.factor * eigen.directions;
         return axes * eigen.values.cwiseMax(1).asDiagonal() * axes.transpose();
     }
-    const Eigen::Matrix3d own = scatter.between + scaledNoise(scatter, *noise);
-    const double enough = std::max(3.0, scatter.degreesOfFreedom / 2);
-    if (scatter.degreesOfFreedom < 3 || degreesOfFreedom(scatter, own) >= enough)
+    const LogMatrix own = scatter.between + scaledNoise(scatter, *noise);
+    const auto p = double(own.rows());
+    const double enough = std::max(p, scatter.degreesOfFreedom / 2);
+    if (scatter.degreesOfFreedom < p || degreesOfFreedom(scatter, own) >= enough)
         return own;
     double low = 0, high = 1;
     for (int halving = 0; halving < 10; ++halving) {
@@ -199,51 +225,52 @@ Eigen::Matrix3d covarianceOfSqueeze(const Scatter& scatter, const std::optional<
     return own + high * scatter.noise;
 }
 
-double degreesOfFreedom(const Scatter& scatter, const Eigen::Matrix3d& covariance)
+double degreesOfFreedom(const Scatter& scatter, const LogMatrix& covariance)
 {
     constexpr double most = 1e6; // as good as known
-    const Eigen::LLT<Eigen::Matrix3d> cholesky(whitened(covariance, scatter.factor));
+    const Eigen::LLT<LogMatrix> cholesky(whitened(covariance, scatter.factor));
     if (cholesky.info() != Eigen::Success)
         return 0;
-    const Eigen::Matrix3d precision = cholesky.solve(Eigen::Matrix3d::Identity());
+    const LogMatrix precision = cholesky.solve(LogMatrix::Identity(covariance.rows(), covariance.rows()));
     const double square = expectedSquare(scatter.uncertainty, precision);
-    const double found = square * most > squareTimesDegrees ? squareTimesDegrees / square : most;
-    // A squeeze like those enrolled has v, not v less a rounding error: at v = 3 a gate depends on it.
+    const double known = squareTimesDegrees(covariance.rows());
+    const double found = square * most > known ? known / square : most;
+    // A squeeze like those enrolled has v, not v less a rounding error: at v = p a gate depends on it.
     const double v = scatter.degreesOfFreedom;
     return std::abs(found - v) < 1e-9 * v ? v : found;
 }
 
 TypeMean estimateMean(const Scatter& scatter, const std::vector<LogSqueeze>& squeezes)
 {
+    const Eigen::Index p = scatter.total.rows();
     TypeMean result;
     const std::vector<PartSqueezes> parts = byPart(squeezes);
     const bool weighted = scatter.noiseKnown && parts.size() == squeezes.size();
     if (!weighted) {
+        result.mean = LogVector::Zero(p);
         double inverse = 0;
         for (const PartSqueezes& part : parts) {
             result.mean += meanOf(part) / double(parts.size());
             inverse += 1 / double(part.size()) / double(parts.size());
         }
-        const Eigen::Matrix3d within = scatter.regrip.value_or(Eigen::Matrix3d::Zero());
-        const Eigen::Matrix3d ofPart =
-            scatter.partToPart ? Eigen::Matrix3d(*scatter.partToPart + inverse * within) : scatter.total;
-        result.covariance =
-            (scatter.regrip && !scatter.partToPart ? Eigen::Matrix3d(inverse * within) : ofPart) /
-            double(parts.size());
+        const LogMatrix within = scatter.regrip.value_or(LogMatrix::Zero(p, p));
+        const LogMatrix ofPart =
+            scatter.partToPart ? LogMatrix(*scatter.partToPart + inverse * within) : scatter.total;
+        result.covariance = (scatter.regrip && !scatter.partToPart ? LogMatrix(inverse * within) : ofPart) /
+                            double(parts.size());
         return result;
     }
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d weightedSum = Eigen::Vector3d::Zero();
+    LogMatrix sum = LogMatrix::Zero(p, p);
+    LogVector weightedSum = LogVector::Zero(p);
     const auto lower = scatter.factor.triangularView<Eigen::Lower>();
     for (const LogSqueeze& squeeze : squeezes) {
-        const Eigen::Matrix3d covariance =
-            squeeze.noise ? Eigen::Matrix3d(scatter.between + scaledNoise(scatter, *squeeze.noise))
-                          : scatter.total;
-        const Eigen::Matrix3d precision = whitened(covariance, scatter.factor).inverse();
+        const LogMatrix covariance =
+            squeeze.noise ? LogMatrix(scatter.between + scaledNoise(scatter, *squeeze.noise)) : scatter.total;
+        const LogMatrix precision = whitened(covariance, scatter.factor).inverse();
         sum += precision;
         weightedSum += precision * lower.solve(squeeze.x - squeezes.front().x);
     }
-    const Eigen::Matrix3d inverse = sum.inverse();
+    const LogMatrix inverse = sum.inverse();
     result.mean = squeezes.front().x + scatter.factor * inverse * weightedSum;
     result.covariance = scatter.factor * inverse * scatter.factor.transpose();
     return result;

@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
@@ -16,24 +17,29 @@ namespace {
 
 /// Sums before they are divided.
 struct Sums {
+    explicit Sums(Eigen::Index p) : noise(LogMatrix::Zero(p, p))
+    {
+        scatter.between = scatter.within = LogMatrix::Zero(p, p);
+    }
+
     PartScatter scatter;
     double inverse = 0;
-    Eigen::Matrix3d noise = Eigen::Matrix3d::Zero();
+    LogMatrix noise;
     double noiseWeight = 0;
 
     void add(const std::vector<LogSqueeze>& squeezes)
     {
         const std::vector<PartSqueezes> parts = byPart(squeezes);
-        Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+        LogVector mean = LogVector::Zero(noise.rows());
         for (const PartSqueezes& part : parts)
             mean += meanOf(part) / double(parts.size());
         // 1 - 1/n: what a squeeze's own noise leaves of itself in its distance from the mean.
         const double weight = 1 - 1.0 / double(parts.size());
         for (const PartSqueezes& part : parts) {
-            const Eigen::Vector3d partMean = meanOf(part);
+            const LogVector partMean = meanOf(part);
             scatter.between += (partMean - mean) * (partMean - mean).transpose();
             for (const LogSqueeze* squeeze : part) {
-                const Eigen::Vector3d difference = squeeze->x - partMean;
+                const LogVector difference = squeeze->x - partMean;
                 scatter.within += difference * difference.transpose();
                 addNoise(*squeeze, part.size() > 1 || weight == 0 ? 1 : weight);
             }
@@ -72,9 +78,9 @@ std::vector<PartSqueezes> byPart(const std::vector<LogSqueeze>& squeezes)
     return parts;
 }
 
-Eigen::Vector3d meanOf(const PartSqueezes& squeezes)
+LogVector meanOf(const PartSqueezes& squeezes)
 {
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    LogVector mean = LogVector::Zero(squeezes.empty() ? 0 : squeezes.front()->x.size());
     for (const LogSqueeze* squeeze : squeezes)
         mean += squeeze->x / double(squeezes.size());
     return mean;
@@ -82,7 +88,11 @@ Eigen::Vector3d meanOf(const PartSqueezes& squeezes)
 
 PartScatter partScatter(const std::vector<std::vector<LogSqueeze>>& types)
 {
-    Sums sums;
+    const auto some = std::find_if(types.begin(), types.end(),
+                                   [](const std::vector<LogSqueeze>& squeezes) { return !squeezes.empty(); });
+    if (some == types.end())
+        return {};
+    Sums sums(some->front().x.size());
     for (const std::vector<LogSqueeze>& squeezes : types)
         if (!squeezes.empty())
             sums.add(squeezes);
@@ -100,22 +110,42 @@ PartScatter partScatter(const std::vector<std::vector<LogSqueeze>>& types)
 
 namespace {
 
-constexpr int entries = 6;
-constexpr std::array<std::pair<int, int>, entries> entryAt{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+using EntryPlaces = std::vector<std::pair<int, int>>;
+
+EntryPlaces placesOfEntries(int p)
+{
+    EntryPlaces places;
+    for (int i = 0; i < p; ++i)
+        places.emplace_back(i, i);
+    for (int i = 0; i < p; ++i)
+        for (int j = i + 1; j < p; ++j)
+            places.emplace_back(i, j);
+    return places;
+}
+
+/// Of the entries of a symmetric p x p matrix, in the order of SymmetricCovariance.
+const EntryPlaces& entriesOf(Eigen::Index p)
+{
+    static const std::array<EntryPlaces, mostDimensions + 1> all{
+        placesOfEntries(0), placesOfEntries(1), placesOfEntries(2), placesOfEntries(3),
+        placesOfEntries(4), placesOfEntries(5), placesOfEntries(6)};
+    return all[std::size_t(p)];
+}
 
 constexpr int mostIterations = 40;
 constexpr double convergedStep = 1e-9;
 /// Keeps S + C invertible where both are zero; the pooled covariance is one.
 constexpr double leastLikelyVariance = 1e-9;
 
-using Information = Eigen::Matrix<double, entries, entries>;
-using Entries = Eigen::Matrix<double, entries, 1>;
+using Information = SymmetricCovariance;
+using Entries = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostEntries, 1>;
+using Place = std::pair<int, int>;
 
 /// tr(P E_a Q E_b) with E_a = e_i e_j' + e_j e_i' (e_i e_i' on the diagonal), for symmetric P and Q.
-double traceOf(const Eigen::Matrix3d& p, int a, const Eigen::Matrix3d& q, int b)
+double traceOf(const LogMatrix& p, const Place& a, const LogMatrix& q, const Place& b)
 {
-    const auto [i, j] = entryAt[std::size_t(a)];
-    const auto [k, l] = entryAt[std::size_t(b)];
+    const auto [i, j] = a;
+    const auto [k, l] = b;
     double sum = p(l, i) * q(j, k);
     if (i != j)
         sum += p(l, j) * q(i, k);
@@ -126,143 +156,156 @@ double traceOf(const Eigen::Matrix3d& p, int a, const Eigen::Matrix3d& q, int b)
     return sum;
 }
 
-Eigen::Matrix3d fromEntries(const Entries& values)
+LogMatrix fromEntries(const Entries& values, Eigen::Index p)
 {
-    Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
-    for (int a = 0; a < entries; ++a) {
-        const auto [i, j] = entryAt[std::size_t(a)];
-        result(i, j) = values(a);
-        result(j, i) = values(a);
+    LogMatrix result(p, p);
+    const EntryPlaces& places = entriesOf(p);
+    for (std::size_t a = 0; a < places.size(); ++a) {
+        const auto [i, j] = places[a];
+        result(i, j) = values(Eigen::Index(a));
+        result(j, i) = values(Eigen::Index(a));
     }
     return result;
 }
 
 /// X_a += P E_a P
-void addProducts(std::array<Eigen::Matrix3d, entries>& sums, const Eigen::Matrix3d& p)
+void addProducts(std::vector<LogMatrix>& sums, const LogMatrix& p)
 {
-    for (int a = 0; a < entries; ++a) {
-        const auto [i, j] = entryAt[std::size_t(a)];
+    const EntryPlaces& places = entriesOf(p.rows());
+    for (std::size_t a = 0; a < places.size(); ++a) {
+        const auto [i, j] = places[a];
         if (i == j)
-            sums[std::size_t(a)] += p.col(i) * p.col(i).transpose();
+            sums[a] += p.col(i) * p.col(i).transpose();
         else
-            sums[std::size_t(a)] += p.col(i) * p.col(j).transpose() + p.col(j) * p.col(i).transpose();
+            sums[a] += p.col(i) * p.col(j).transpose() + p.col(j) * p.col(i).transpose();
     }
 }
 
 /// Score and expected information of the entries of S, summed over types.
 struct Derivatives {
-    Eigen::Matrix3d score = Eigen::Matrix3d::Zero(); ///< half its product with E_a, traced, is the score
-    Information information = Information::Zero();
+    explicit Derivatives(Eigen::Index p)
+        : places(entriesOf(p)), score(LogMatrix::Zero(p, p)),
+          information(Information::Zero(Eigen::Index(places.size()), Eigen::Index(places.size())))
+    {
+    }
 
-    void add(const std::vector<WhitenedSqueeze>& squeezes, const Eigen::Matrix3d& between)
+    const EntryPlaces& places;
+    LogMatrix score; ///< half its product with E_a, traced, is the score
+    Information information;
+
+    void add(const std::vector<WhitenedSqueeze>& squeezes, const LogMatrix& between)
     {
         if (squeezes.size() < 2)
             return; // one squeeze says only where its type is
-        std::vector<Eigen::Matrix3d> precisions;
-        Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-        Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
+        std::vector<LogMatrix> precisions;
+        LogMatrix sum = LogMatrix::Zero(between.rows(), between.rows());
+        LogVector weighted = LogVector::Zero(between.rows());
         for (const WhitenedSqueeze& squeeze : squeezes) {
-            Eigen::Matrix3d covariance = between + squeeze.noise;
+            LogMatrix covariance = between + squeeze.noise;
             covariance.diagonal().array() += leastLikelyVariance;
             precisions.push_back(covariance.inverse());
             sum += precisions.back();
             weighted += precisions.back() * squeeze.x;
         }
-        const Eigen::Matrix3d meanCovariance = sum.inverse();
-        const Eigen::Vector3d mean = meanCovariance * weighted;
-        std::array<Eigen::Matrix3d, entries> products;
-        products.fill(Eigen::Matrix3d::Zero());
+        const LogMatrix meanCovariance = sum.inverse();
+        const LogVector mean = meanCovariance * weighted;
+        std::vector<LogMatrix> products(places.size(), LogMatrix::Zero(between.rows(), between.rows()));
         for (std::size_t j = 0; j < squeezes.size(); ++j) {
-            const Eigen::Matrix3d& p = precisions[j];
-            const Eigen::Matrix3d q = p * meanCovariance * p;
-            const Eigen::Vector3d residual = p * (squeezes[j].x - mean);
+            const LogMatrix& p = precisions[j];
+            const LogMatrix q = p * meanCovariance * p;
+            const LogVector residual = p * (squeezes[j].x - mean);
             score += residual * residual.transpose() - p + q;
             addProducts(products, p);
-            for (int a = 0; a < entries; ++a)
-                for (int b = 0; b <= a; ++b)
-                    information(a, b) +=
-                        (traceOf(p, a, p, b) - traceOf(p, a, q, b) - traceOf(q, a, p, b)) / 2;
+            for (std::size_t a = 0; a < places.size(); ++a)
+                for (std::size_t b = 0; b <= a; ++b)
+                    information(Eigen::Index(a), Eigen::Index(b)) +=
+                        (traceOf(p, places[a], p, places[b]) - traceOf(p, places[a], q, places[b]) -
+                         traceOf(q, places[a], p, places[b])) /
+                        2;
         }
-        for (int a = 0; a < entries; ++a)
-            for (int b = 0; b <= a; ++b)
-                information(a, b) += (meanCovariance * products[std::size_t(a)] * meanCovariance)
-                                         .cwiseProduct(products[std::size_t(b)])
-                                         .sum() /
-                                     2;
+        for (std::size_t a = 0; a < places.size(); ++a)
+            for (std::size_t b = 0; b <= a; ++b)
+                information(Eigen::Index(a), Eigen::Index(b)) +=
+                    (meanCovariance * products[a] * meanCovariance).cwiseProduct(products[b]).sum() / 2;
     }
 
     [[nodiscard]] Entries gradient() const
     {
-        Entries result;
-        for (int a = 0; a < entries; ++a) {
-            const auto [i, j] = entryAt[std::size_t(a)];
+        Entries result(information.rows());
+        for (Eigen::Index a = 0; a < result.size(); ++a) {
+            const auto [i, j] = places[std::size_t(a)];
             result(a) = i == j ? score(i, j) / 2 : score(i, j);
         }
         return result;
     }
 };
 
-Eigen::Matrix3d withoutNegativeParts(const Eigen::Matrix3d& matrix)
+LogMatrix withoutNegativeParts(const LogMatrix& matrix)
 {
-    const SymmetricAxes eigen = symmetricAxes(matrix);
+    const SmallSymmetricAxes eigen = smallSymmetricAxes(matrix);
     return eigen.directions * eigen.values.cwiseMax(0).asDiagonal() * eigen.directions.transpose();
 }
 
 } // namespace
 
-double expectedSquare(const SymmetricCovariance& covariance, const Eigen::Matrix3d& p)
+double expectedSquare(const SymmetricCovariance& covariance, const LogMatrix& p)
 {
+    const EntryPlaces& places = entriesOf(p.rows());
     double sum = 0;
-    for (int a = 0; a < entries; ++a)
-        for (int b = 0; b < entries; ++b)
-            sum += covariance(a, b) * traceOf(p, a, p, b);
+    for (std::size_t a = 0; a < places.size(); ++a)
+        for (std::size_t b = 0; b < places.size(); ++b)
+            sum += covariance(Eigen::Index(a), Eigen::Index(b)) * traceOf(p, places[a], p, places[b]);
     return sum;
 }
 
-SymmetricCovariance wishartCovariance(const Eigen::Matrix3d& v, double degreesOfFreedom)
+SymmetricCovariance wishartCovariance(const LogMatrix& v, double degreesOfFreedom)
 {
-    SymmetricCovariance result;
-    for (int a = 0; a < entries; ++a) {
-        for (int b = 0; b < entries; ++b) {
-            const auto [i, j] = entryAt[std::size_t(a)];
-            const auto [k, l] = entryAt[std::size_t(b)];
+    const EntryPlaces& places = entriesOf(v.rows());
+    const auto entries = Eigen::Index(places.size());
+    SymmetricCovariance result(entries, entries);
+    for (Eigen::Index a = 0; a < entries; ++a) {
+        for (Eigen::Index b = 0; b < entries; ++b) {
+            const auto [i, j] = places[std::size_t(a)];
+            const auto [k, l] = places[std::size_t(b)];
             result(a, b) = (v(i, k) * v(j, l) + v(i, l) * v(j, k)) / degreesOfFreedom;
         }
     }
     return result;
 }
 
-SymmetricCovariance transformed(const SymmetricCovariance& covariance, const Eigen::Matrix3d& t)
+SymmetricCovariance transformed(const SymmetricCovariance& covariance, const LogMatrix& t)
 {
-    Information map; // column b: entries of T E_b T'
-    for (int b = 0; b < entries; ++b) {
-        Entries unit = Entries::Zero();
+    const EntryPlaces& places = entriesOf(t.rows());
+    const auto entries = Eigen::Index(places.size());
+    Information map(entries, entries); // column b: entries of T E_b T'
+    for (Eigen::Index b = 0; b < entries; ++b) {
+        Entries unit = Entries::Zero(entries);
         unit(b) = 1;
-        const Eigen::Matrix3d moved = t * fromEntries(unit) * t.transpose();
-        for (int a = 0; a < entries; ++a)
-            map(a, b) = moved(entryAt[std::size_t(a)].first, entryAt[std::size_t(a)].second);
+        const LogMatrix moved = t * fromEntries(unit, t.rows()) * t.transpose();
+        for (Eigen::Index a = 0; a < entries; ++a)
+            map(a, b) = moved(places[std::size_t(a)].first, places[std::size_t(a)].second);
     }
     return map * covariance * map.transpose();
 }
 
 ScatterLikelihood maximizeLikelihood(const std::vector<std::vector<WhitenedSqueeze>>& types,
-                                     const Eigen::Matrix3d& start)
+                                     const LogMatrix& start)
 {
     ScatterLikelihood result;
     result.between = withoutNegativeParts(start);
     for (int iteration = 0; iteration < mostIterations; ++iteration) {
-        Derivatives derivatives;
+        Derivatives derivatives(start.rows());
         for (const std::vector<WhitenedSqueeze>& type : types)
             derivatives.add(type, result.between);
         const Information information = derivatives.information.selfadjointView<Eigen::Lower>();
         const Eigen::LDLT<Information> solver(information);
         if (solver.info() != Eigen::Success || !(solver.vectorD().minCoeff() > 0))
             return result;
-        result.uncertainty = solver.solve(Information::Identity());
-        const Eigen::Matrix3d step = fromEntries(solver.solve(derivatives.gradient()));
+        result.uncertainty = solver.solve(Information::Identity(information.rows(), information.rows()));
+        const LogMatrix step = fromEntries(solver.solve(derivatives.gradient()), start.rows());
         if (!step.allFinite())
             return result;
-        const Eigen::Matrix3d next = withoutNegativeParts(result.between + step);
+        const LogMatrix next = withoutNegativeParts(result.between + step);
         const double moved = (next - result.between).norm();
         result.between = next;
         if (moved < convergedStep) {

@@ -29,6 +29,18 @@ namespace gripscope {
     return squeeze.covariance ? logCovariance(squeeze.parameters, *squeeze.covariance) : std::nullopt;
 }
 
+/// The squeeze's logarithms in a space: of `determined` where that has every quantity, finite, else of m, b,
+/// k where these do. The two are not mixed, since how they vary together is not known. Nothing where neither
+/// does, or for a space of none.
+[[nodiscard]] std::optional<LogVector> coordinatesOf(const TypeSqueeze& squeeze, const QuantitySpace& space);
+
+/// The covariance of these; nothing where it is not known or none.
+[[nodiscard]] std::optional<LogMatrix> noiseOf(const TypeSqueeze& squeeze, const QuantitySpace& space);
+
+/// A squeeze that has these logarithms in this space, and their covariance where it is known.
+[[nodiscard]] TypeSqueeze squeezeAt(QString type, const QuantitySpace& space, const LogVector& log,
+                                    const std::optional<LogMatrix>& covariance = {});
+
 /// m, b, k and their covariance times `factor`, siFactor() of the channels' units for one.
 [[nodiscard]] inline TypeSqueeze scaledSqueeze(QString type, const MassDampingStiffness& p,
                                                const std::optional<Eigen::Matrix3d>& covariance,

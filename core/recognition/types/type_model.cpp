@@ -2,7 +2,6 @@
 #include "core/recognition/types/type_model.h"
 
 #include "core/math/distributions.h"
-#include "core/recognition/types/dimensions.h"
 #include "core/recognition/types/gates.h"
 #include "core/recognition/types/scatter_estimation.h"
 #include "core/recognition/types/squeeze_values.h"
@@ -24,14 +23,16 @@ namespace {
 constexpr double largestLogDeviation = 10;
 
 /// The squeezes of each type, the types by name, parts by number.
-QMap<QString, std::vector<LogSqueeze>> byType(const std::vector<TypeSqueeze>& squeezes)
+QMap<QString, std::vector<LogSqueeze>> byType(const std::vector<TypeSqueeze>& squeezes,
+                                              const QuantitySpace& space)
 {
     QMap<QString, std::vector<LogSqueeze>> types;
     QMap<std::pair<QString, QString>, int> parts;
     for (const TypeSqueeze& squeeze : squeezes) {
-        if (!isUsable(squeeze.parameters))
+        const std::optional<LogVector> coordinates = coordinatesOf(squeeze, space);
+        if (!coordinates)
             continue;
-        LogSqueeze log{logOf(squeeze.parameters), noiseOf(squeeze), -1};
+        LogSqueeze log{*coordinates, noiseOf(squeeze, space), -1};
         if (!squeeze.part.isEmpty()) {
             const auto key = std::make_pair(squeeze.type, squeeze.part);
             log.part = parts.contains(key) ? parts[key] : int(parts.size());
@@ -46,15 +47,16 @@ QMap<QString, std::vector<LogSqueeze>> byType(const std::vector<TypeSqueeze>& sq
 OwnScatter ownScatter(const Scatter& scatter, const std::vector<LogSqueeze>& squeezes)
 {
     OwnScatter own;
+    own.sum = LogMatrix::Zero(scatter.total.rows(), scatter.total.rows());
     const PartScatter parts = partScatter({squeezes});
     if (parts.betweenDegrees == 0)
         return own;
-    const Eigen::Matrix3d expected = covarianceOfSqueeze(scatter, parts.noise);
-    const Eigen::LLT<Eigen::Matrix3d> cholesky(expected);
+    const LogMatrix expected = covarianceOfSqueeze(scatter, parts.noise);
+    const Eigen::LLT<LogMatrix> cholesky(expected);
     if (cholesky.info() != Eigen::Success)
         return own;
-    const Eigen::Matrix3d total = parts.between + (1 - parts.meanInverse) * parts.within;
-    const Eigen::Matrix3d half = cholesky.matrixL().solve(total);
+    const LogMatrix total = parts.between + (1 - parts.meanInverse) * parts.within;
+    const LogMatrix half = cholesky.matrixL().solve(total);
     own.degreesOfFreedom = parts.betweenDegrees;
     own.sum = own.degreesOfFreedom * cholesky.matrixL().solve(half.transpose().eval());
     return own;
@@ -72,7 +74,7 @@ std::optional<Ellipsoid> ellipsoid(const Eigen::Vector3d& centre, const Eigen::M
         return {};
     const Eigen::Matrix3d factor = cholesky.matrixL();
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(factor, Eigen::ComputeFullU);
-    const double quantile = chiSquaredQuantile(share, dimensions);
+    const double quantile = chiSquaredQuantile(share, 3);
     Ellipsoid result;
     result.centre = centre;
     result.axes = svd.matrixU();
@@ -95,18 +97,25 @@ std::optional<Eigen::Matrix3d> logCovariance(const MassDampingStiffness& p, cons
         return {};
     Eigen::Matrix3d log;
     const Eigen::Vector3d x = p.vector();
-    for (int i = 0; i < dimensions; ++i)
-        for (int j = 0; j < dimensions; ++j)
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
             log(i, j) = (covariance(i, j) / x(i) + covariance(j, i) / x(i)) / x(j) / 2;
-    Eigen::Vector3d scale;
-    for (int i = 0; i < dimensions; ++i) {
+    const std::optional<LogMatrix> usable = usableLogCovariance(log);
+    return usable ? std::optional<Eigen::Matrix3d>(*usable) : std::nullopt;
+}
+
+std::optional<LogMatrix> usableLogCovariance(const LogMatrix& covariance)
+{
+    LogMatrix log = covariance;
+    LogVector scale(log.rows());
+    for (Eigen::Index i = 0; i < log.rows(); ++i) {
         if (!(log(i, i) >= 0) || !std::isfinite(log(i, i)))
             return {};
         scale(i) = std::min(1.0, largestLogDeviation / std::sqrt(log(i, i)));
     }
     log = scale.asDiagonal() * log * scale.asDiagonal();
-    // Rounding may leave a covariance of rank two with an eigenvalue just below zero.
-    Eigen::Matrix3d lifted = log;
+    // Rounding may leave a covariance of less than full rank with an eigenvalue just below zero.
+    LogMatrix lifted = log;
     lifted.diagonal() *= 1 + 1e-9;
     lifted.diagonal().array() += 1e-30;
     if (!log.allFinite() || lifted.llt().info() != Eigen::Success)
@@ -114,15 +123,16 @@ std::optional<Eigen::Matrix3d> logCovariance(const MassDampingStiffness& p, cons
     return lifted;
 }
 
-TypeModels fitTypeModels(const std::vector<TypeSqueeze>& squeezes)
+TypeModels fitTypeModels(const std::vector<TypeSqueeze>& squeezes, const QuantitySpace& space)
 {
-    const QMap<QString, std::vector<LogSqueeze>> logs = byType(squeezes);
+    const QMap<QString, std::vector<LogSqueeze>> logs = byType(squeezes, space);
     const std::vector<std::vector<LogSqueeze>> groups(logs.cbegin(), logs.cend());
     QHash<QString, int> places;
     for (const TypeSqueeze& squeeze : squeezes)
         places.insert(squeeze.type, squeeze.place);
     TypeModels models;
-    models.scatter = estimateScatter(groups);
+    models.space = space;
+    models.scatter = estimateScatter(groups, QuantitySpace{}.contains(space));
     models.covarianceLog = models.scatter.total;
     models.degreesOfFreedom = int(models.scatter.degreesOfFreedom + 1e-6);
     models.shrinkage = models.scatter.shrinkage;
@@ -144,26 +154,34 @@ TypeModels fitTypeModels(const std::vector<TypeSqueeze>& squeezes)
     return models;
 }
 
-std::optional<double> falseRejectGate(double squeezesOfType, double degreesOfFreedom, double rate)
+std::optional<double> falseRejectGate(double squeezesOfType, double degreesOfFreedom, double rate,
+                                      int dimensions)
 {
-    const std::optional<double> gate = predictiveGate(degreesOfFreedom, rate);
+    const std::optional<double> gate = predictiveGate(degreesOfFreedom, rate, dimensions);
     if (!gate || !(squeezesOfType > 0))
         return {};
     return (1 + 1 / squeezesOfType) * *gate;
 }
 
 std::optional<double> squaredDistance(const TypeModels& models, const TypeModel& type,
+                                      const TypeSqueeze& squeeze)
+{
+    const std::optional<LogVector> log = coordinatesOf(squeeze, models.space);
+    if (models.degreesOfFreedom == 0 || !log)
+        return {};
+    const LogVector difference = *log - type.meanLog;
+    return difference.dot(models.covarianceLog.llt().solve(difference));
+}
+
+std::optional<double> squaredDistance(const TypeModels& models, const TypeModel& type,
                                       const MassDampingStiffness& p)
 {
-    if (models.degreesOfFreedom == 0 || !isUsable(p))
-        return {};
-    const Eigen::Vector3d difference = logOf(p) - type.meanLog;
-    return difference.dot(models.covarianceLog.llt().solve(difference));
+    return squaredDistance(models, type, TypeSqueeze{{}, p});
 }
 
 std::optional<Ellipsoid> typeEllipsoid(const TypeModels& models, const TypeModel& type, double share)
 {
-    if (models.degreesOfFreedom == 0)
+    if (models.degreesOfFreedom == 0 || models.space != QuantitySpace{})
         return {};
     const Eigen::Vector3d centre = type.meanLog.array().exp();
     return ellipsoid(centre, centre.asDiagonal() * models.covarianceLog * centre.asDiagonal(), share);
@@ -175,17 +193,16 @@ std::optional<Ellipsoid> estimateEllipsoid(const MassDampingStiffness& p, const 
     return ellipsoid(p.vector(), covariance, share);
 }
 
-std::array<TypeInterval, 3> typeIntervals(const TypeModels& models, const TypeModel& type, double share)
+std::vector<TypeInterval> typeIntervals(const TypeModels& models, const TypeModel& type, double share)
 {
     if (!(share >= 0.5 && share <= 0.9999))
         share = 0.95;
     const double z = normalQuantile(0.5 + share / 2);
-    std::array<TypeInterval, 3> intervals;
-    for (std::size_t i = 0; i < intervals.size(); ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
+    std::vector<TypeInterval> intervals;
+    for (Eigen::Index row = 0; row < type.meanLog.size(); ++row) {
         const double spread = z * std::sqrt(std::max(0.0, models.covarianceLog(row, row)));
         const double mean = type.meanLog(row);
-        intervals[i] = {std::exp(mean), std::exp(mean - spread), std::exp(mean + spread)};
+        intervals.push_back({std::exp(mean), std::exp(mean - spread), std::exp(mean + spread)});
     }
     return intervals;
 }

@@ -2,7 +2,6 @@
 #include "core/recognition/types/type_shift.h"
 
 #include "core/base/words.h"
-#include "core/recognition/types/dimensions.h"
 #include "core/recognition/types/gates.h"
 #include "core/recognition/types/predictive.h"
 #include "core/recognition/types/squeeze_values.h"
@@ -24,11 +23,32 @@ Finding percentShift(double log, double deviation)
            Finding::number(100 * deviation * std::exp(log), 'f', 1) + u" %"_s;
 }
 
-Eigen::Matrix3d designOf(const TypeShift& shift, ShiftKind kind, const Eigen::Vector3d& centre)
+/// "mass +4.0 ± 1.1 %"
+Finding quantityShift(TypeQuantity quantity, const Finding& shift)
+{
+    switch (quantity) {
+    case TypeQuantity::Mass:
+        return Words::say("mass %1").arg(shift);
+    case TypeQuantity::Damping:
+        return Words::say("damping %1").arg(shift);
+    case TypeQuantity::Stiffness:
+        return Words::say("stiffness %1").arg(shift);
+    case TypeQuantity::RelaxingShare:
+        return Words::say("relaxing share %1").arg(shift);
+    case TypeQuantity::RelaxationTime:
+        return Words::say("relaxation time %1").arg(shift);
+    case TypeQuantity::Friction:
+        return Words::say("friction %1").arg(shift);
+    }
+    return {};
+}
+
+LogMatrix designOf(const TypeShift& shift, ShiftKind kind, const LogVector& logCentre)
 {
     if (kind == ShiftKind::Factor)
-        return Eigen::Matrix3d::Identity();
-    return centre.cwiseQuotient(shift.enrolled.vector()).asDiagonal();
+        return LogMatrix::Identity(logCentre.size(), logCentre.size());
+    const LogVector ratio = (logCentre - shift.enrolledLog).array().exp();
+    return ratio.asDiagonal();
 }
 
 } // namespace
@@ -36,40 +56,48 @@ Eigen::Matrix3d designOf(const TypeShift& shift, ShiftKind kind, const Eigen::Ve
 std::optional<TypeShift> typeShift(const TypeModels& models, const TypeModel& type,
                                    const std::vector<TypeSqueeze>& squeezes)
 {
-    if (models.degreesOfFreedom < 3)
+    const int p = models.space.dimensions();
+    if (models.degreesOfFreedom < p)
         return {};
     TypeShift shift;
     shift.type = type.name;
-    const Eigen::Vector3d mean = type.meanLog.array().exp();
-    shift.enrolled = {mean(0), mean(1), mean(2)};
-    Eigen::Matrix3d precision = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
+    shift.space = models.space;
+    shift.enrolledLog = type.meanLog;
+    LogMatrix precision = LogMatrix::Zero(p, p);
+    LogVector weighted = LogVector::Zero(p);
     double degrees = 1e300;
     for (const TypeSqueeze& squeeze : squeezes) {
-        if (squeeze.type != type.name || !isUsable(squeeze.parameters))
+        const std::optional<LogVector> log = coordinatesOf(squeeze, models.space);
+        if (squeeze.type != type.name || !log)
             continue;
-        const Eigen::Vector3d log = logOf(squeeze.parameters);
-        const TypePrediction seen = predictType(models, type, log, noiseOf(squeeze), {});
-        const Eigen::LLT<Eigen::Matrix3d> cholesky(seen.covariance);
-        precision += cholesky.solve(Eigen::Matrix3d::Identity());
-        weighted += cholesky.solve(log - type.meanLog);
+        const TypePrediction seen = predictType(models, type, *log, noiseOf(squeeze, models.space), {});
+        const Eigen::LLT<LogMatrix> cholesky(seen.covariance);
+        precision += cholesky.solve(LogMatrix::Identity(p, p));
+        weighted += cholesky.solve(*log - type.meanLog);
         degrees = std::min(degrees, seen.degreesOfFreedom);
         shift.squeezes += 1;
     }
-    if (shift.squeezes == 0 || !(degrees >= dimensions))
+    if (shift.squeezes == 0 || !(degrees >= p))
         return {};
-    const Eigen::LLT<Eigen::Matrix3d> total(precision);
+    const Eigen::LLT<LogMatrix> total(precision);
     shift.log = total.solve(weighted);
-    shift.covariance = total.solve(Eigen::Matrix3d::Identity()) + type.meanCovarianceLog;
+    shift.covariance = total.solve(LogMatrix::Identity(p, p)) + type.meanCovarianceLog;
     shift.degreesOfFreedom = degrees;
     shift.tSquared = shift.log.dot(shift.covariance.llt().solve(shift.log));
-    shift.pValue = chanceBeyond(shift.tSquared, degrees);
+    shift.pValue = chanceBeyond(shift.tSquared, degrees, p);
     return shift;
 }
 
-Finding changeInWords(const Eigen::Vector3d& log, const Eigen::Matrix3d& covariance)
+Finding changeInWords(const LogVector& log, const LogMatrix& covariance, const QuantitySpace& space)
 {
-    const Eigen::Vector3d deviation = covariance.diagonal().cwiseSqrt();
+    const LogVector deviation = covariance.diagonal().cwiseSqrt();
+    if (space != QuantitySpace{}) {
+        Findings each;
+        for (int i = 0; i < space.dimensions(); ++i)
+            each.push_back(
+                quantityShift(space.quantities[std::size_t(i)], percentShift(log(i), deviation(i))));
+        return Finding::joined(each, u", "_s);
+    }
     return Words::say("mass %1, damping %2, stiffness %3")
         .arg(percentShift(log(0), deviation(0)), percentShift(log(1), deviation(1)),
              percentShift(log(2), deviation(2)));
@@ -79,35 +107,37 @@ std::optional<CommonShift> commonShift(const std::vector<TypeShift>& shifts, Shi
 {
     if (shifts.empty())
         return {};
-    Eigen::Vector3d logCentre = Eigen::Vector3d::Zero();
+    const int p = shifts.front().space.dimensions();
+    LogVector logCentre = LogVector::Zero(p);
     double v = 1e300;
     for (const TypeShift& shift : shifts) {
-        logCentre += shift.enrolled.vector().array().log().matrix() / double(shifts.size());
+        logCentre += shift.enrolledLog / double(shifts.size());
         v = std::min(v, shift.degreesOfFreedom);
     }
-    const Eigen::Vector3d centre = logCentre.array().exp();
-    Eigen::Matrix3d precision = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
+    LogMatrix precision = LogMatrix::Zero(p, p);
+    LogVector weighted = LogVector::Zero(p);
     for (const TypeShift& shift : shifts) {
-        const Eigen::Matrix3d design = designOf(shift, kind, centre);
-        const Eigen::LLT<Eigen::Matrix3d> cholesky(shift.covariance);
+        const LogMatrix design = designOf(shift, kind, logCentre);
+        const Eigen::LLT<LogMatrix> cholesky(shift.covariance);
         precision += design.transpose() * cholesky.solve(design);
         weighted += design.transpose() * cholesky.solve(shift.log);
     }
-    const Eigen::LLT<Eigen::Matrix3d> total(precision);
+    const Eigen::LLT<LogMatrix> total(precision);
     if (!precision.allFinite() || total.info() != Eigen::Success)
         return {};
     CommonShift common;
+    common.space = shifts.front().space;
     common.value = total.solve(weighted);
-    common.covariance = total.solve(Eigen::Matrix3d::Identity());
-    common.pValue = chanceBeyond(common.value.dot(weighted), v);
+    common.covariance = total.solve(LogMatrix::Identity(p, p));
+    common.pValue = chanceBeyond(common.value.dot(weighted), v, p);
     for (const TypeShift& shift : shifts) {
-        const Eigen::Vector3d rest = shift.log - designOf(shift, kind, centre) * common.value;
+        const LogVector rest = shift.log - designOf(shift, kind, logCentre) * common.value;
         common.misfit += rest.dot(shift.covariance.llt().solve(rest));
     }
     if (shifts.size() > 1)
-        common.agreement = chanceBeyond(common.misfit, v, dimensions * double(shifts.size() - 1));
+        common.agreement = chanceBeyond(common.misfit, v, p, p * double(shifts.size() - 1));
     if (kind == ShiftKind::Addition) {
+        const LogVector centre = logCentre.array().exp();
         common.value = centre.cwiseProduct(common.value);
         common.covariance = centre.asDiagonal() * common.covariance * centre.asDiagonal();
     }
@@ -120,6 +150,7 @@ std::optional<LoneShift> loneShift(const std::vector<TypeShift>& shifts)
 {
     if (shifts.empty())
         return {};
+    const int p = shifts.front().space.dimensions();
     LoneShift lone;
     double v = 1e300;
     for (std::size_t i = 0; i < shifts.size(); ++i) {
@@ -130,7 +161,7 @@ std::optional<LoneShift> loneShift(const std::vector<TypeShift>& shifts)
     }
     lone.misfit = std::max(0.0, lone.misfit - shifts[lone.type].tSquared);
     if (shifts.size() > 1)
-        lone.agreement = chanceBeyond(lone.misfit, v, dimensions * double(shifts.size() - 1));
+        lone.agreement = chanceBeyond(lone.misfit, v, p, p * double(shifts.size() - 1));
     return lone;
 }
 

@@ -7,6 +7,7 @@
 #include "core/recognition/verdict/verdict_reasons.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -27,9 +28,19 @@ struct StrangerLimit {
     std::optional<double> leastLogDensity;
 };
 
+/// pi^(p/2) / G(p/2 + 1) q^(p/2) |V|^(1/2)
 double ellipsoidVolume(const TypePrediction& prediction, double squared)
 {
-    return 4 * std::numbers::pi / 3 * squared * std::sqrt(squared) * std::exp(prediction.logDeterminant / 2);
+    constexpr double pi = std::numbers::pi;
+    constexpr std::array<double, mostDimensions + 1> ofUnitBall{
+        1, 2, pi, 4 * pi / 3, pi * pi / 2, 8 * pi * pi / 15, pi * pi * pi / 6};
+    const Eigen::Index p = prediction.meanLog.size();
+    double volume = ofUnitBall[std::size_t(p)];
+    for (Eigen::Index i = 2; i <= p; i += 2)
+        volume *= squared;
+    if (p % 2 == 1)
+        volume *= std::sqrt(squared);
+    return volume * std::exp(prediction.logDeterminant / 2);
 }
 
 /// Squared distance at which the type's density falls to a level.
@@ -51,7 +62,6 @@ double volumeAbove(const std::vector<TypePrediction>& predictions, const std::ve
 
 /// The region of the likelihood ratio test of types against strangers that holds a share of at most `rate` of
 /// all strangers: density above a level, and inside the gate. `gates`: squared distances, one a type.
-/// (Volume of an ellipsoid d' V^-1 d <= q: 4/3 pi q^(3/2) |V|^(1/2).)
 StrangerLimit strangerLimit(const std::vector<TypePrediction>& predictions, const std::vector<double>& gates,
                             double logVolume, double rate)
 {
@@ -97,10 +107,9 @@ std::vector<double> normalised(std::vector<double> logWeights)
 
 } // namespace
 
-Judgement::Judgement(const TypeModels& models, const MassDampingStiffness& parameters,
-                     const std::optional<Eigen::Matrix3d>& noise, const VerdictOptions& options)
-    : m_models(models), m_parameters(parameters), m_noise(noise), m_options(options),
-      m_log(parameters.vector().array().log()),
+Judgement::Judgement(const TypeModels& models, LogVector log, const std::optional<LogMatrix>& noise,
+                     const VerdictOptions& options)
+    : m_models(models), m_noise(noise), m_options(options), m_log(std::move(log)),
       m_predictions(predictTypes(models, m_log, noise, {options.robust}))
 {
     findGates();
@@ -109,11 +118,12 @@ Judgement::Judgement(const TypeModels& models, const MassDampingStiffness& param
 
 std::optional<double> Judgement::gateOf(const TypePrediction& prediction) const
 {
+    const int p = m_models.space.dimensions();
     if (!m_options.confidence)
-        return predictiveGate(prediction.degreesOfFreedom, m_options.falseReject);
+        return predictiveGate(prediction.degreesOfFreedom, m_options.falseReject, p);
     const int squeezes = std::max(1, int(std::min(1e6, prediction.effectiveSqueezes) + 1e-6));
     const std::optional<double> gate =
-        toleranceGate(squeezes, prediction.degreesOfFreedom, m_options.falseReject, *m_options.confidence);
+        toleranceGate(squeezes, prediction.degreesOfFreedom, m_options.falseReject, *m_options.confidence, p);
     return gate ? std::optional(*gate / (1 + 1 / prediction.effectiveSqueezes)) : std::nullopt;
 }
 
@@ -121,7 +131,8 @@ void Judgement::findGates()
 {
     // Most types have the same number of squeezes, and one gate serves them all.
     std::map<std::pair<double, double>, std::optional<double>> known;
-    const double tails = m_options.robust ? heavyTailFactor(m_options.falseReject) : 1;
+    const double tails =
+        m_options.robust ? heavyTailFactor(m_options.falseReject, m_models.space.dimensions()) : 1;
     for (const TypePrediction& prediction : m_predictions) {
         const std::pair key(prediction.degreesOfFreedom,
                             m_options.confidence ? prediction.effectiveSqueezes : 0.0);
@@ -142,11 +153,10 @@ std::vector<GateIntervals> Judgement::gateIntervals() const
     for (std::size_t type = 0; type < m_gates.size(); ++type) {
         const TypePrediction& prediction = m_predictions[type];
         GateIntervals& intervals = all.emplace_back();
-        for (std::size_t i = 0; i < intervals.size(); ++i) {
-            const auto row = static_cast<Eigen::Index>(i);
+        for (Eigen::Index row = 0; row < prediction.meanLog.size(); ++row) {
             const double mean = prediction.meanLog(row);
             const double reach = std::sqrt(m_gates[type] * prediction.variance(row));
-            intervals[i] = {std::exp(mean), std::exp(mean - reach), std::exp(mean + reach)};
+            intervals.push_back({std::exp(mean), std::exp(mean - reach), std::exp(mean + reach)});
         }
     }
     return all;
@@ -169,7 +179,7 @@ void Judgement::findNearest()
 bool Judgement::heldForStranger(Verdict& verdict) const
 {
     const std::optional<InstrumentRange> range = m_options.strangerRange();
-    const std::optional<double> volume = range ? range->logVolume() : std::nullopt;
+    const std::optional<double> volume = range ? range->logVolume(m_models.space) : std::nullopt;
     if (!volume)
         return false;
     std::vector<double> logWeights;
@@ -196,7 +206,7 @@ void Judgement::describeType(Verdict& verdict) const
         if (i != m_nearest && (!next || distance < next->deviations))
             next = NextType{&m_models.types[i], distance};
     }
-    verdict.reasons = typeReasons(m_models, type, next, m_parameters, m_options);
+    verdict.reasons = typeReasons(m_models, type, next, m_log, m_options);
 }
 
 void Judgement::decide(Verdict& verdict) const
@@ -205,7 +215,7 @@ void Judgement::decide(Verdict& verdict) const
     const bool forStranger = heldForStranger(verdict);
     if (!inside(m_nearest)) {
         verdict.kind = VerdictKind::Unknown;
-        verdict.reasons = unknownReasons(m_models, nearest, m_parameters, verdict, m_options);
+        verdict.reasons = unknownReasons(m_models, nearest, m_log, verdict, m_options);
         return;
     }
     const SeparationOptions separation{m_options.wrongType, m_options.robust};

@@ -17,22 +17,71 @@ double rounded(double value)
     return QString::number(value, 'e', 2).toDouble();
 }
 
-} // namespace
-
-Finding nameOf(MechanicalQuantity quantity)
+Finding nameWithin(TypeQuantity quantity)
 {
     switch (quantity) {
-    case MechanicalQuantity::Mass:
-        return Words::say("Mass");
-    case MechanicalQuantity::Damping:
-        return Words::say("Damping");
-    case MechanicalQuantity::Stiffness:
-        return Words::say("Stiffness");
-    case MechanicalQuantity::Force:
-    case MechanicalQuantity::Length:
-        break;
+    case TypeQuantity::Mass:
+        return Words::say("mass");
+    case TypeQuantity::Damping:
+        return Words::say("damping");
+    case TypeQuantity::Stiffness:
+        return Words::say("stiffness");
+    case TypeQuantity::RelaxingShare:
+        return Words::say("relaxing share");
+    case TypeQuantity::RelaxationTime:
+        return Words::say("relaxation time");
+    case TypeQuantity::Friction:
+        return Words::say("friction");
     }
     return {};
+}
+
+} // namespace
+
+Finding nameOf(TypeQuantity quantity)
+{
+    switch (quantity) {
+    case TypeQuantity::Mass:
+        return Words::say("Mass");
+    case TypeQuantity::Damping:
+        return Words::say("Damping");
+    case TypeQuantity::Stiffness:
+        return Words::say("Stiffness");
+    case TypeQuantity::RelaxingShare:
+    case TypeQuantity::RelaxationTime:
+    case TypeQuantity::Friction:
+        return nameWithin(quantity).capitalized();
+    }
+    return {};
+}
+
+Finding valueOf(TypeQuantity quantity, double si)
+{
+    switch (quantity) {
+    case TypeQuantity::Mass:
+    case TypeQuantity::Damping:
+    case TypeQuantity::Stiffness:
+        return Finding::quantity(MechanicalQuantity(quantity), si);
+    case TypeQuantity::RelaxingShare:
+        break;
+    case TypeQuantity::RelaxationTime:
+        return shortNumber(si) + u" s"_s;
+    case TypeQuantity::Friction:
+        return Finding::quantity(MechanicalQuantity::Force, si);
+    }
+    return shortNumber(si);
+}
+
+Finding listed(const QuantitySpace& space)
+{
+    Findings names;
+    for (const TypeQuantity quantity : space.quantities)
+        names.push_back(nameWithin(quantity));
+    if (names.size() < 2)
+        return names.empty() ? Finding() : names.front();
+    const Finding last = names.back();
+    names.pop_back();
+    return Words::say("%1 and %2").arg(Finding::joined(names, u", "_s), last);
 }
 
 Finding shortNumber(double value)

@@ -28,14 +28,15 @@ std::vector<TypeShift> shiftsOf(const TypeModels& models, const std::vector<Type
 
 double logDensity(const TypeModels& models, const TypeModel& type, const TypeSqueeze& squeeze)
 {
-    return predictType(models, type, logOf(squeeze.parameters), noiseOf(squeeze), {}).logDensity;
+    const std::optional<LogVector> log = coordinatesOf(squeeze, models.space);
+    return log ? predictType(models, type, *log, noiseOf(squeeze, models.space), {}).logDensity : 0;
 }
 
 bool isNamed(const TypeModels& models, const TypeSqueeze& squeeze)
 {
     VerdictOptions options;
     options.siUnits = false; // strangers are no part of this
-    const Verdict verdict = judge(models, squeeze.parameters, options, squeeze.covariance);
+    const Verdict verdict = judge(models, squeeze, options);
     return verdict.kind == VerdictKind::Type && verdict.type == squeeze.type;
 }
 
@@ -45,7 +46,7 @@ void judgeBoth(const TypeModels& models, const TypeSqueeze& squeeze, const std::
 {
     const TypeModel* type = models.find(squeeze.type);
     const std::optional<CommonShift> error = commonShift(shiftsOf(models, others), ShiftKind::Factor);
-    if (type == nullptr || !error || !isUsable(squeeze.parameters))
+    if (type == nullptr || !error || !coordinatesOf(squeeze, models.space))
         return;
     const TypeSqueeze moved = adjusted(squeeze, *error);
     trial.squeezes += 1;
@@ -76,8 +77,9 @@ Findings inWords(const TransferReport& report)
         return {Words::say(
             "No squeeze of an enrolled type: nothing can be said of the transfer. Squeeze parts of two "
             "or more enrolled types on this gripper.")};
-    Findings words{Words::say("What this gripper finds differs from that of the enrolment: %1.")
-                       .arg(changeInWords(report.error->value, report.error->covariance))};
+    Findings words{
+        Words::say("What this gripper finds differs from that of the enrolment: %1.")
+            .arg(changeInWords(report.error->value, report.error->covariance, report.error->space))};
     if (report.error->agreement < 0.01)
         words.push_back(Words::say(
             "The types differ in it by more than chance: one adjustment does not serve them all."));
@@ -94,10 +96,27 @@ Findings inWords(const TransferReport& report)
     return words;
 }
 
+/// In the space of the error alone: what it says nothing of is not known on the first gripper.
+TypeSqueeze adjustedLogarithms(const TypeSqueeze& squeeze, const CommonShift& error)
+{
+    const std::optional<LogVector> log = coordinatesOf(squeeze, error.space);
+    if (!log)
+        return squeeze;
+    TypeSqueeze result = squeeze;
+    result.parameters = {};
+    result.covariance = {};
+    result.determined = DeterminedQuantities{error.space, *log - error.value, {}};
+    if (const std::optional<LogMatrix> noise = noiseOf(squeeze, error.space))
+        result.determined->covariance = *noise + error.covariance;
+    return result;
+}
+
 } // namespace
 
 TypeSqueeze adjusted(const TypeSqueeze& squeeze, const CommonShift& error)
 {
+    if (squeeze.determined || error.space != QuantitySpace{})
+        return adjustedLogarithms(squeeze, error);
     if (!isUsable(squeeze.parameters))
         return squeeze;
     TypeSqueeze result = squeeze;

@@ -19,7 +19,7 @@ struct TransferTrial {
 
 struct TransferReport {
     std::vector<TypeShift> types;     ///< the other gripper's squeezes less the enrolment, by type
-    std::optional<CommonShift> error; ///< of log(m, b, k), common to all types: the transfer error
+    std::optional<CommonShift> error; ///< of the logarithms, common to all types: the transfer error
     TransferTrial trial;              ///< each squeeze left out of the adjustment it is judged with
     /// Each type left out as a whole, which is how types that were not squeezed here will fare; with two
     /// types or more.
@@ -31,14 +31,14 @@ struct TransferReport {
 };
 
 /// `squeezes`: from the other gripper, of types that `models` knows. The transfer error is the mean shift of
-/// all types in log(m, b, k), by generalised least squares; a squeeze there is adjusted by dividing its m, b,
-/// k by exp(error). The error's own uncertainty counts where an adjusted squeeze is judged. Reports without
-/// `error`: no squeeze of a known type, or types without a gate (v < 3).
+/// all types in the logarithms, by generalised least squares; a squeeze there is adjusted by dividing its
+/// quantities by exp(error). The error's own uncertainty counts where an adjusted squeeze is judged. Reports
+/// without `error`: no squeeze of a known type, or types without a gate (v < p).
 [[nodiscard]] TransferReport measureTransfer(const TypeModels& models,
                                              const std::vector<TypeSqueeze>& squeezes);
 
 /// The squeeze as the first gripper would have found it, with the uncertainty of the adjustment in its
-/// covariance (where it has one). Unchanged when its parameters are not all positive and finite.
+/// covariance (where it has one). Unchanged where it does not determine all of the error's space.
 [[nodiscard]] TypeSqueeze adjusted(const TypeSqueeze& squeeze, const CommonShift& error);
 
 } // namespace gripscope

@@ -7,6 +7,9 @@
 #include "core/recognition/verdict/transfer.h"
 #include "core/recognition/verdict/verdict_reasons.h"
 
+#include <iterator>
+#include <utility>
+
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
@@ -18,7 +21,7 @@ constexpr double mostRate = 0.5;
 constexpr double leastConfidence = 0.5, mostConfidence = 0.9999;
 
 /// Nothing is known of how squeezes differ: the nearest in plain logarithms, and no more.
-Verdict withoutScatter(const TypeModels& models, const Eigen::Vector3d& log)
+Verdict withoutScatter(const TypeModels& models, const LogVector& log)
 {
     Verdict verdict;
     verdict.kind = VerdictKind::Inconclusive;
@@ -32,6 +35,17 @@ Verdict withoutScatter(const TypeModels& models, const Eigen::Vector3d& log)
         }
         verdict.posterior.insert(type.name, 1.0 / double(models.types.size()));
     }
+    return verdict;
+}
+
+Verdict judgeAt(const TypeModels& models, const LogVector& log, const std::optional<LogMatrix>& noise,
+                const VerdictOptions& options)
+{
+    Verdict verdict = models.degreesOfFreedom == 0 ? withoutScatter(models, log)
+                                                   : Judgement(models, log, noise, options).verdict();
+    if (!models.types.empty())
+        for (Finding& reason : spaceReasons(models.space))
+            verdict.reasons.push_back(std::move(reason));
     return verdict;
 }
 
@@ -99,28 +113,29 @@ std::optional<Error> VerdictOptions::validate() const
                           .arg(leastConfidence)
                           .arg(mostConfidence)
                           .arg(*confidence)}};
-    if (range && !range->logVolume())
+    const QuantitySpace all{{std::begin(allQuantities), std::end(allQuantities)}};
+    if (range && !range->logVolume(all))
         return Error{
             ErrorCode::Usage,
             {Words::say("The instrument's range must have lowest values above zero and below the highest.")}};
     return {};
 }
 
+Verdict judge(const TypeModels& models, const TypeSqueeze& squeeze, const VerdictOptions& options)
+{
+    const std::optional<LogVector> log = coordinatesOf(squeeze, models.space);
+    if (log)
+        return judgeAt(models, *log, noiseOf(squeeze, models.space), options);
+    Verdict verdict;
+    verdict.reasons = {missingReason(squeeze, models.space)};
+    verdict.validity.verdict = ValidityVerdict::Invalid;
+    return verdict;
+}
+
 Verdict judge(const TypeModels& models, const MassDampingStiffness& parameters, const VerdictOptions& options,
               const std::optional<Eigen::Matrix3d>& covariance)
 {
-    if (!isUsable(parameters)) {
-        Verdict verdict;
-        verdict.reasons = {Words::say("Mass, damping and stiffness are not all above zero.")};
-        verdict.validity.verdict = ValidityVerdict::Invalid;
-        return verdict;
-    }
-    if (models.degreesOfFreedom == 0)
-        return withoutScatter(models, logOf(parameters));
-    std::optional<Eigen::Matrix3d> noise;
-    if (covariance)
-        noise = logCovariance(parameters, *covariance);
-    return Judgement(models, parameters, noise, options).verdict();
+    return judge(models, TypeSqueeze{{}, parameters, covariance}, options);
 }
 
 Verdict judge(const TypeModels& models, const Identification& identification, double siScale,
@@ -134,7 +149,7 @@ Verdict judge(const TypeModels& models, const Identification& identification, do
         TypeSqueeze squeeze = scaledSqueeze({}, *object, siScale);
         if (transfer)
             squeeze = adjusted(squeeze, *transfer);
-        verdict = judge(models, squeeze.parameters, options, squeeze.covariance);
+        verdict = judge(models, squeeze, options);
     }
     verdict.validity = summaryOf(identification.validity);
     if (verdict.kind == VerdictKind::Invalid)
@@ -147,20 +162,19 @@ std::vector<GateIntervals> gateIntervals(const TypeModels& models, const Verdict
 {
     if (models.degreesOfFreedom == 0 || models.types.empty())
         return {};
-    const Eigen::Vector3d mean = models.types.front().meanLog.array().exp();
-    const MassDampingStiffness any{mean[0], mean[1], mean[2]}; // a gate is the same from anywhere
-    const std::optional<Eigen::Matrix3d> likeEnrolled;
+    const LogVector& any = models.types.front().meanLog; // a gate is the same from anywhere
+    const std::optional<LogMatrix> likeEnrolled;
     return Judgement(models, any, likeEnrolled, options).gateIntervals();
 }
 
 int leaveOneOutCorrect(const std::vector<TypeSqueeze>& squeezes, const VerdictOptions& options)
 {
+    const QuantitySpace space = spaceOf(squeezes);
     int correct = 0;
     for (std::size_t left = 0; left < squeezes.size(); ++left) {
         std::vector<TypeSqueeze> others = squeezes;
         others.erase(others.begin() + std::ptrdiff_t(left));
-        const Verdict verdict =
-            judge(fitTypeModels(others), squeezes[left].parameters, options, squeezes[left].covariance);
+        const Verdict verdict = judge(fitTypeModels(others, space), squeezes[left], options);
         correct += verdict.kind == VerdictKind::Type && verdict.type == squeezes[left].type;
     }
     return correct;

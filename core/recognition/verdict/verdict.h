@@ -10,7 +10,6 @@
 #include <QMap>
 #include <QString>
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -68,7 +67,8 @@ struct Verdict {
     [[nodiscard]] Findings allReasons() const;
 };
 
-/// The verdict on m, b, k and, where it is known, their covariance C.
+/// The verdict on a squeeze in models.space (m, b, k) and, where it is known, with its covariance C. Invalid
+/// where it does not determine all of that space.
 ///
 /// Unknown: outside every gate. distance and gate are (1 + 1/n) times d' V^-1 d (TypePrediction) and its
 /// limit: with one C for all squeezes the D^2 and the gate of falseRejectGate(), with `confidence` that of
@@ -76,7 +76,10 @@ struct Verdict {
 ///
 /// Type: also the most probable, every other type ruled out at the wrong-type rate (testNaming()), and the
 /// density above what keeps the stranger-accept rate (strangerLimit()). Posterior: predictive densities,
-/// equal priors; with v = 0 all are alike. Else, and without a gate (v < 3), Inconclusive.
+/// equal priors; with v = 0 all are alike. Else, and without a gate (v < p, 3 for m, b, k), Inconclusive.
+[[nodiscard]] Verdict judge(const TypeModels& models, const TypeSqueeze& squeeze,
+                            const VerdictOptions& options = {});
+/// The same for one of which m, b, k are known.
 [[nodiscard]] Verdict judge(const TypeModels& models, const MassDampingStiffness& parameters,
                             const VerdictOptions& options = {},
                             const std::optional<Eigen::Matrix3d>& covariance = {});
@@ -88,16 +91,17 @@ struct Verdict {
                             const VerdictOptions& options = {},
                             const std::optional<CommonShift>& transfer = {});
 
-/// Of m, b and k.
-using GateIntervals = std::array<TypeInterval, 3>;
+/// Of each quantity of models.space (m, b, k).
+using GateIntervals = std::vector<TypeInterval>;
 /// Where the gate of each type ends, in order of the models and in their units, for a squeeze as well known
 /// as those enrolled: exp(mean -+ sqrt(g V_ii)) with d' V^-1 d <= g the gate of judge(), the box about that
-/// ellipsoid. A squeeze beyond it in one of m, b, k is outside the gate; one within it need not be inside.
+/// ellipsoid. A squeeze beyond it in one of them is outside the gate; one within it need not be inside.
 /// Empty where there is no gate. Takes its time like toleranceGate().
 [[nodiscard]] std::vector<GateIntervals> gateIntervals(const TypeModels& models,
                                                        const VerdictOptions& options = {});
 
-/// Leave one out: how many of the squeezes get their own type back when the models are fitted without them.
+/// Leave one out, in spaceOf(squeezes): how many of the squeezes get their own type back when the models are
+/// fitted without them.
 [[nodiscard]] int leaveOneOutCorrect(const std::vector<TypeSqueeze>& squeezes,
                                      const VerdictOptions& options = {});
 

@@ -2,6 +2,7 @@
 #include "core/recognition/verdict/verdict_reasons.h"
 
 #include "core/base/words.h"
+#include "core/recognition/types/squeeze_values.h"
 #include "core/recognition/verdict/quantity_text.h"
 
 #include <algorithm>
@@ -13,26 +14,17 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// log(m, b, k) less the type's mean.
-Eigen::Vector3d offsets(const TypeModel& type, const MassDampingStiffness& parameters)
+/// The squeeze less the type's mean, in standard deviations of each quantity on its own.
+LogVector offsetsInDeviations(const TypeModels& models, const TypeModel& type, const LogVector& log)
 {
-    return parameters.vector().array().log().matrix() - type.meanLog;
-}
-
-/// The same in standard deviations of each parameter on its own.
-Eigen::Vector3d offsetsInDeviations(const TypeModels& models, const TypeModel& type,
-                                    const MassDampingStiffness& parameters)
-{
-    return offsets(type, parameters).cwiseQuotient(models.covarianceLog.diagonal().cwiseSqrt());
+    return (log - type.meanLog).cwiseQuotient(models.covarianceLog.diagonal().cwiseSqrt());
 }
 
 /// "Stiffness 9.98 kN/m", or only "Stiffness" where the numbers have no units.
-Finding named(int parameter, const MassDampingStiffness& parameters, bool siUnits)
+Finding named(const QuantitySpace& space, Eigen::Index place, const LogVector& log, bool siUnits)
 {
-    const auto quantity = MechanicalQuantity(parameter);
-    if (!siUnits)
-        return nameOf(quantity);
-    return nameOf(quantity) + u" "_s + Finding::quantity(quantity, parameters.vector()(parameter));
+    const TypeQuantity quantity = space.quantities[std::size_t(place)];
+    return siUnits ? nameOf(quantity) + u" "_s + valueOf(quantity, std::exp(log(place))) : nameOf(quantity);
 }
 
 Finding percent(double share)
@@ -54,38 +46,46 @@ Finding comparedWith(double offset, const QString& type)
 } // namespace
 
 Findings typeReasons(const TypeModels& models, const TypeModel& type, const std::optional<NextType>& next,
-                     const MassDampingStiffness& parameters, const VerdictOptions& options)
+                     const LogVector& log, const VerdictOptions& options)
 {
+    if (!next && models.space.dimensions() == 1)
+        return {Words::say("%1 is where %2 sits; it is the only type enrolled.")
+                    .arg(nameOf(models.space.quantities.front()), type.name)};
+    if (!next && models.space != QuantitySpace{})
+        return {Words::say("Every quantity is where %1 sits; it is the only type enrolled.").arg(type.name)};
     if (!next)
         return {Words::say("Mass, damping and stiffness are where %1 sits; it is the only type enrolled.")
                     .arg(type.name)};
-    // The parameter that tells the two types apart best.
-    Eigen::Index parameter = 0;
-    offsetsInDeviations(models, *next->type, parameters).cwiseAbs().maxCoeff(&parameter);
+    // The quantity that tells the two types apart best.
+    Eigen::Index place = 0;
+    offsetsInDeviations(models, *next->type, log).cwiseAbs().maxCoeff(&place);
     return {Words::say("%1 is where %2 sits; the next type, %3, is %4 sd away.")
-                .arg(named(int(parameter), parameters, options.siUnits), type.name, next->type->name,
+                .arg(named(models.space, place, log, options.siUnits), type.name, next->type->name,
                      shortNumber(next->deviations))};
 }
 
-Findings unknownReasons(const TypeModels& models, const TypeModel& nearest,
-                        const MassDampingStiffness& parameters, const Verdict& verdict,
-                        const VerdictOptions& options)
+Findings unknownReasons(const TypeModels& models, const TypeModel& nearest, const LogVector& log,
+                        const Verdict& verdict, const VerdictOptions& options)
 {
-    Eigen::Index parameter = 0;
-    const double most = offsetsInDeviations(models, nearest, parameters).cwiseAbs().maxCoeff(&parameter);
-    const double offset = offsets(nearest, parameters)(parameter);
+    Eigen::Index place = 0;
+    const double most = offsetsInDeviations(models, nearest, log).cwiseAbs().maxCoeff(&place);
+    const double offset = log(place) - nearest.meanLog(place);
     const double distance = std::sqrt(verdict.distance.value_or(0));
     const double gate = std::sqrt(verdict.gate.value_or(0));
     Findings reasons;
     reasons.push_back(
         Words::say("%1 is %2, the nearest type.")
-            .arg(named(int(parameter), parameters, options.siUnits), comparedWith(offset, nearest.name)));
+            .arg(named(models.space, place, log, options.siUnits), comparedWith(offset, nearest.name)));
     reasons.push_back(Words::say("That is %1 sd away; squeezes of %2 stay within %3 sd.")
                           .arg(shortNumber(distance), nearest.name, shortNumber(gate)));
-    if (most < gate / 2) // each is near its usual value, but they do not go together as they do in the type
+    // Each is near its usual value, but they do not go together as they do in the type.
+    if (most < gate / 2 && models.space == QuantitySpace{})
         reasons.push_back(
             Words::say("Each of mass, damping and stiffness alone could be %1, but not the three together.")
                 .arg(nearest.name));
+    else if (most < gate / 2 && models.space.dimensions() > 1)
+        reasons.push_back(
+            Words::say("Each quantity alone could be %1, but not all of them together.").arg(nearest.name));
     return reasons;
 }
 
@@ -123,7 +123,7 @@ Findings noGateReasons(const TypeModels& models)
 {
     if (models.types.empty())
         return {Words::say("No type is enrolled and approved yet.")};
-    const int missing = 3 - models.degreesOfFreedom;
+    const int missing = models.space.dimensions() - models.degreesOfFreedom;
     if (missing <= 0)
         return {
             Words::say("The rate of false alarms asked for is too small for so few squeezes; enrol more.")};
@@ -131,6 +131,32 @@ Findings noGateReasons(const TypeModels& models)
         return {Words::say("Too few squeezes are enrolled to say what is usual: 1 more is needed.")};
     return {
         Words::say("Too few squeezes are enrolled to say what is usual: %1 more are needed.").arg(missing)};
+}
+
+Finding missingReason(const TypeSqueeze& squeeze, const QuantitySpace& space)
+{
+    if (space == QuantitySpace{})
+        return Words::say("Mass, damping and stiffness are not all above zero.");
+    if (space.quantities.empty())
+        return Words::say("The squeezes enrolled have no quantity in common to judge by.");
+    QuantitySpace missing{{}};
+    for (const TypeQuantity quantity : space.quantities)
+        if (!coordinatesOf(squeeze, QuantitySpace{{quantity}}))
+            missing.quantities.push_back(quantity);
+    if (missing.quantities.empty()) // each is there, but from two sources
+        missing = space;
+    return Words::say("The squeeze does not determine %1, by which the types are told apart.")
+        .arg(listed(missing));
+}
+
+Findings spaceReasons(const QuantitySpace& space)
+{
+    if (space == QuantitySpace{} || space.quantities.empty())
+        return {};
+    if (space.dimensions() == 1)
+        return {
+            Words::say("Judged by %1 alone: the squeezes enrolled determine no more.").arg(listed(space))};
+    return {Words::say("Judged by %1: the squeezes enrolled determine no more.").arg(listed(space))};
 }
 
 Findings invalidReasons(const Identification& identification)

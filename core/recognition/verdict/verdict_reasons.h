@@ -13,19 +13,23 @@ struct NextType {
     const TypeModel* type = nullptr;
     double deviations = 0;
 };
-/// `next`: the nearest of the other types, absent when there is none.
+/// `log`: the squeeze in models.space. `next`: the nearest of the other types, absent when there is none.
 [[nodiscard]] Findings typeReasons(const TypeModels& models, const TypeModel& type,
-                                   const std::optional<NextType>& next,
-                                   const MassDampingStiffness& parameters, const VerdictOptions& options);
-/// Which of m, b, k is off most, by how much, and how far that is; `verdict` has distance and gate.
+                                   const std::optional<NextType>& next, const LogVector& log,
+                                   const VerdictOptions& options);
+/// Which quantity is off most, by how much, and how far that is; `verdict` has distance and gate.
 [[nodiscard]] Findings unknownReasons(const TypeModels& models, const TypeModel& nearest,
-                                      const MassDampingStiffness& parameters, const Verdict& verdict,
+                                      const LogVector& log, const Verdict& verdict,
                                       const VerdictOptions& options);
 /// Which two types, and, where the squeeze's own covariance is known, how much longer it should be.
 [[nodiscard]] Findings betweenTypesReasons(const Verdict& verdict, bool covarianceKnown);
 /// Within a gate, but where strangers are as likely as the type.
 [[nodiscard]] Findings strangerReasons(const Verdict& verdict);
 [[nodiscard]] Findings noGateReasons(const TypeModels& models);
+/// What the squeeze would have to determine to be judged in this space, and does not.
+[[nodiscard]] Finding missingReason(const TypeSqueeze& squeeze, const QuantitySpace& space);
+/// By which quantities it was judged, where these are not m, b, k.
+[[nodiscard]] Findings spaceReasons(const QuantitySpace& space);
 [[nodiscard]] Findings invalidReasons(const Identification& identification);
 
 } // namespace gripscope

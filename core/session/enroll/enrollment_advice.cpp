@@ -57,9 +57,13 @@ std::map<int, SqueezeOutlier> outliersByRow(const AdviceRequest& request, std::v
     return outliers;
 }
 
-std::optional<double> stiffnessDeviation(const std::optional<Eigen::Matrix3d>& covariance)
+std::optional<double> stiffnessDeviation(const QuantitySpace& space,
+                                         const std::optional<LogMatrix>& covariance)
 {
-    return covariance ? std::optional(std::sqrt(std::max(0.0, (*covariance)(2, 2)))) : std::nullopt;
+    const std::optional<int> place = space.placeOf(TypeQuantity::Stiffness);
+    if (!covariance || !place)
+        return {};
+    return std::sqrt(std::max(0.0, (*covariance)(*place, *place)));
 }
 
 } // namespace
@@ -117,8 +121,8 @@ EnrollmentReview reviewEnrollment(const AdviceRequest& request, const std::vecto
     review.advice = advise(request, library);
     review.overlap = worstOverlap(models, request.type, options);
     review.confusion = heldOutConfusion(all, options);
-    review.partDeviation = stiffnessDeviation(models.scatter.partToPart);
-    review.regripDeviation = stiffnessDeviation(models.scatter.regrip);
+    review.partDeviation = stiffnessDeviation(models.space, models.scatter.partToPart);
+    review.regripDeviation = stiffnessDeviation(models.space, models.scatter.regrip);
     return review;
 }
 
