@@ -9506,7 +9506,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Open recordings…</source>
-        <translation>Aufnahmen öffnen…</translation>
+        <translation>Öffnen…</translation>
     </message>
     <message>
         <source>Read recordings (CSV) and identify them</source>
@@ -9514,7 +9514,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Squeeze a part on Inspect, double-click a row in History, or open recordings (CSV): drop the files here or press Open recordings.</source>
-        <translation>Auf der Seite Prüfen ein Teil drücken, im Verlauf eine Zeile doppelklicken oder Aufnahmen (CSV) öffnen: die Dateien hier ablegen oder „Aufnahmen öffnen“ drücken.</translation>
+        <translation>Auf der Seite Prüfen ein Teil drücken, im Verlauf eine Zeile doppelklicken oder Aufnahmen (CSV) öffnen: die Dateien hier ablegen oder „Öffnen“ drücken.</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/signal/recording/recording_csv.h"
 #include "tests/ui/layout_languages.h"
 #include "tests/ui/layout_walk.h"
 #include "tests/ui/people_window.h"
 #include "tests/ui/workbench_fixture.h"
+#include "ui/pages/fit/fit_page.h"
+#include "ui/pages/fit/fit_page_squeezes.h"
+#include "ui/pages/fit/opened_recordings.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -10,13 +14,14 @@
 #include <QPushButton>
 #include <QTabBar>
 #include <QTableView>
+#include <QTemporaryDir>
 
 using namespace Qt::StringLiterals;
 using namespace gripscope;
 using namespace gripscope::test;
 
-/// States of Live, Types, Calibrate and History beside those of the tour, and the header where people sign
-/// in.
+/// States of Live, Fit, Types, Calibrate and History beside those of the tour, and the header where people
+/// sign in.
 class StateLayoutTest : public QObject {
     Q_OBJECT
 
@@ -120,6 +125,27 @@ private slots:
             steps->setCurrentIndex(step);
             walk.whereTight(u"step "_s + steps->tabText(step));
         }
+        QVERIFY(walk.sound());
+    }
+
+    void fitOfSeveralRecordings_data() { languageRows(); }
+    void fitOfSeveralRecordings()
+    {
+        const RowLanguage language;
+        WindowFixture f(true, u"virtual:"_s);
+        LayoutWalk walk(*f.window);
+        const QTemporaryDir folder;
+        QStringList files;
+        for (const QString& name : {u"a.csv"_s, u"b.csv"_s}) {
+            files << folder.filePath(name);
+            QVERIFY(writeRecordingCsv(simulatedSqueeze({0.0396, 43, 9990}, std::uint64_t(files.size())),
+                                      files.back()));
+        }
+        f.window->showPage(u"fit"_s);
+        f.window->findChild<FitPage*>()->openRecordings(files);
+        const auto* opened = f.find<OpenedRecordings>("openedRecordings");
+        QTRY_VERIFY_WITH_TIMEOUT(opened->isVisible() && !opened->isReading(), longEnough_ms);
+        walk.whereTight(u"two recordings"_s);
         QVERIFY(walk.sound());
     }
 
