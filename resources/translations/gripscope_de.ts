@@ -9505,7 +9505,7 @@ Vorh. %</translation>
         <translation>Zurück zum Verlauf (Alt+Pfeil links)</translation>
     </message>
     <message>
-        <source>Open recordings…</source>
+        <source>Open…</source>
         <translation>Öffnen…</translation>
     </message>
     <message>
@@ -9513,7 +9513,7 @@ Vorh. %</translation>
         <translation>Aufnahmen (CSV) lesen und bestimmen</translation>
     </message>
     <message>
-        <source>Squeeze a part on Inspect, double-click a row in History, or open recordings (CSV): drop the files here or press Open recordings.</source>
+        <source>Squeeze a part on Inspect, double-click a row in History, or open recordings (CSV): drop the files here or press Open.</source>
         <translation>Auf der Seite Prüfen ein Teil drücken, im Verlauf eine Zeile doppelklicken oder Aufnahmen (CSV) öffnen: die Dateien hier ablegen oder „Öffnen“ drücken.</translation>
     </message>
 </context>

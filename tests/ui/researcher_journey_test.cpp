@@ -110,7 +110,7 @@ private slots:
         WindowFixture f(false, QString());
         WindowFixture::clickWhenEnabled(f.find<QAbstractButton>("rail-fit"));
 
-        WindowFixture::click(button(f, u"Open recordings…"_s));
+        WindowFixture::click(button(f, u"Open…"_s));
         chooseFile(f.window.get(), table);
         auto* import = shown<ForeignTableDialog>(f);
         QVERIFY(import);

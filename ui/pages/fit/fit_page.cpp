@@ -198,7 +198,7 @@ QWidget* FitPage::buildBar()
     auto* bar = new QWidget;
     auto* line = new QHBoxLayout(bar);
     setSpacing(line, 0, metrics::step);
-    auto* open = makeButton(tr("Open recordings…"), u"document-open"_s);
+    auto* open = makeButton(tr("Open…"), u"document-open"_s);
     open->setToolTip(tr("Read recordings (CSV) and identify them"));
     d->all = makeButton(tr("Identify again"), u"view-refresh"_s);
     d->all->setObjectName("identifyAgain");
@@ -280,7 +280,7 @@ QWidget* FitPage::buildEmpty()
     auto* head = makeLabel(tr("No squeeze to look at yet"), "title");
     auto* text = makeLabel(
         tr("Squeeze a part on Inspect, double-click a row in History, or open recordings (CSV): drop "
-           "the files here or press Open recordings."),
+           "the files here or press Open."),
         "second");
     text->setWordWrap(true);
     text->setAlignment(Qt::AlignCenter);
