@@ -30,11 +30,6 @@ QString csvRow(QStringList cells)
     return cells.join(u',');
 }
 
-bool isRecommended(const Identification& identification, const Estimate& estimate)
-{
-    return estimate.estimator == identification.recommended && estimate.hasAnswer();
-}
-
 /// m, b and k with half their intervals, and what these count.
 struct CsvNumbers {
     std::optional<double> values[3], halves[3];
@@ -50,13 +45,13 @@ CsvNumbers csvNumbers(const Identification& identification, const Estimate& esti
     const QString asMeasured = u"1"_qs;
     for (const DeterminedParameter& one : whole ? determinedParameters(identification, asMeasured, asMeasured)
                                                 : determinedParameters(estimate, asMeasured, asMeasured)) {
-        const auto at = static_cast<std::size_t>(one.parameter); // m, b and k come first
-        if (at >= std::size(numbers.values) || one.isLowerBound)
+        const std::optional<std::size_t> at = linearPlaceOf(one.parameter);
+        if (!at || one.isLowerBound)
             continue;
-        numbers.values[at] = one.value;
+        numbers.values[*at] = one.value;
         if (!one.interval)
             continue;
-        numbers.halves[at] = (one.interval->upper - one.interval->lower) / 2;
+        numbers.halves[*at] = (one.interval->upper - one.interval->lower) / 2;
         numbers.intervals = whole ? u"budget"_qs : u"noise"_qs;
     }
     return numbers;

@@ -5742,30 +5742,6 @@ m  %3</translation>
         <translation>Die Größen liegen einzeln nahe denen der anderen, passen aber nicht so zusammen wie bei diesen: %1 Standardabweichungen entfernt.</translation>
     </message>
     <message>
-        <source>mass %1</source>
-        <translation>Masse %1</translation>
-    </message>
-    <message>
-        <source>damping %1</source>
-        <translation>Dämpfung %1</translation>
-    </message>
-    <message>
-        <source>stiffness %1</source>
-        <translation>Steifigkeit %1</translation>
-    </message>
-    <message>
-        <source>relaxing share %1</source>
-        <translation>Relaxationsanteil %1</translation>
-    </message>
-    <message>
-        <source>relaxation time %1</source>
-        <translation>Relaxationszeit %1</translation>
-    </message>
-    <message>
-        <source>friction %1</source>
-        <translation>Reibung %1</translation>
-    </message>
-    <message>
         <source>damping</source>
         <translation>Dämpfung</translation>
     </message>

@@ -39,6 +39,14 @@ struct OpenedTogether {
             qFatal("not written");
         return file;
     }
+    /// 0.csv to 3.csv
+    void openFour()
+    {
+        QStringList all;
+        for (int i = 0; i < 4; ++i)
+            all << recording(u"%1.csv"_s.arg(i), std::uint64_t(i + 1));
+        page.openRecordings(all);
+    }
     QString foreign(const QString& name, std::uint64_t seed)
     {
         const Recording squeeze = simulatedSqueeze(test::canA, seed);
@@ -148,10 +156,7 @@ private slots:
     void anArrowDoesNotLoseWhatIsStillRead()
     {
         OpenedTogether opened;
-        QStringList all;
-        for (int i = 0; i < 4; ++i)
-            all << opened.recording(u"%1.csv"_s.arg(i), std::uint64_t(i + 1));
-        opened.page.openRecordings(all);
+        opened.openFour();
         QVERIFY(QTest::qWaitFor([&] { return !opened.place().isEmpty(); }, test::longEnough_ms));
         QTest::mouseClick(opened.arrow(true), Qt::LeftButton);
         QVERIFY(opened.allRead());
@@ -160,10 +165,7 @@ private slots:
     void cancelLeavesThoseThatWereRead()
     {
         OpenedTogether opened;
-        QStringList all;
-        for (int i = 0; i < 4; ++i)
-            all << opened.recording(u"%1.csv"_s.arg(i), std::uint64_t(i + 1));
-        opened.page.openRecordings(all);
+        opened.openFour();
         QVERIFY(QTest::qWaitFor([&] { return opened.title() == u"0.csv"_s; }, test::longEnough_ms));
         auto* cancel = opened.page.findChild<QPushButton*>(u"identifyAgain"_s);
         QTRY_COMPARE_WITH_TIMEOUT(cancel->text(), u"Cancel"_s, test::longEnough_ms);

@@ -21,12 +21,6 @@ struct DeterminedWords {
     Q_DECLARE_TR_FUNCTIONS(gripscope::DeterminedText)
 };
 
-bool isLinearPart(MotionParameter parameter)
-{
-    return parameter == MotionParameter::Mass || parameter == MotionParameter::Damping ||
-           parameter == MotionParameter::Stiffness;
-}
-
 ShownUnit shownUnitOf(const DeterminedParameter& one)
 {
     switch (one.parameter) {
@@ -91,7 +85,7 @@ QString furtherText(const std::vector<DeterminedParameter>& all)
 {
     QStringList parts;
     for (const DeterminedParameter& one : all)
-        if (!isLinearPart(one.parameter))
+        if (!linearPlaceOf(one.parameter))
             parts << u"%1 %2"_s.arg(parameterName(one.parameter), determinedText(one));
     return parts.join(u" · "_s);
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 #include "core/identification/estimators/estimator_table.h"
+#include "core/identification/result/determined_parameters.h"
 
 #include <QCoreApplication>
 #include <QHash>
@@ -55,7 +56,7 @@ QString estimateVerdict(const Identification& identification, const Estimate& es
     if (!status.isEmpty())
         return status;
     const Estimate* best = identification.best();
-    if (estimate.estimator == identification.recommended && estimate.hasAnswer())
+    if (isRecommended(identification, estimate))
         return estimateWord(QT_TRANSLATE_NOOP("gripscope::EstimateWords", "recommended"));
     if (!best || !best->parameters || !estimate.parameters)
         return estimateWord(QT_TRANSLATE_NOOP("gripscope::EstimateWords", "no comparison"));

@@ -25,12 +25,6 @@ int parameterOf(EstimateTableModel::Column column)
     return int(column) - int(EstimateTableModel::Column::Mass);
 }
 
-/// Of m, b and k; more than they are for the others.
-std::size_t linearPlace(MotionParameter parameter)
-{
-    return static_cast<std::size_t>(parameter);
-}
-
 /// "Fc = 0.40 ± 0.02 N", "k at least 1.5 kN/m".
 QString furtherLine(const DeterminedParameter& one)
 {
@@ -58,16 +52,16 @@ void EstimateTableModel::setIdentification(const Identification& identification,
     for (const Estimate& estimate : identification.estimates) {
         Row row{estimate.estimator, estimateVerdict(identification, estimate), {}, {}, {}, estimate.fit};
         for (DeterminedParameter& one : determinedParameters(estimate, forceUnit, positionUnit)) {
-            const std::size_t i = linearPlace(one.parameter);
-            if (i >= row.parameters.size() || one.isLowerBound) {
+            const std::optional<std::size_t> i = linearPlaceOf(one.parameter);
+            if (!i || one.isLowerBound) {
                 row.further.push_back(std::move(one));
                 continue;
             }
-            row.parameters[i] = one.value;
+            row.parameters[*i] = one.value;
             if (one.interval)
-                row.halfWidths[i] = (one.interval->upper - one.interval->lower) / 2;
+                row.halfWidths[*i] = (one.interval->upper - one.interval->lower) / 2;
             if (estimate.estimator == identification.recommended)
-                largest[i] = one.value;
+                largest[*i] = one.value;
         }
         m_rows.push_back(std::move(row));
     }

@@ -4,6 +4,7 @@
 #include "core/base/words.h"
 #include "core/recognition/types/gates.h"
 #include "core/recognition/types/predictive.h"
+#include "core/recognition/types/quantity_name.h"
 #include "core/recognition/types/squeeze_values.h"
 
 #include <Eigen/Cholesky>
@@ -21,26 +22,6 @@ Finding percentShift(double log, double deviation)
 {
     return Finding(log < 0 ? QString() : u"+"_s) + Finding::number(100 * std::expm1(log), 'f', 1) + u" ± "_s +
            Finding::number(100 * deviation * std::exp(log), 'f', 1) + u" %"_s;
-}
-
-/// "mass +4.0 ± 1.1 %"
-Finding quantityShift(TypeQuantity quantity, const Finding& shift)
-{
-    switch (quantity) {
-    case TypeQuantity::Mass:
-        return Words::say("mass %1").arg(shift);
-    case TypeQuantity::Damping:
-        return Words::say("damping %1").arg(shift);
-    case TypeQuantity::Stiffness:
-        return Words::say("stiffness %1").arg(shift);
-    case TypeQuantity::RelaxingShare:
-        return Words::say("relaxing share %1").arg(shift);
-    case TypeQuantity::RelaxationTime:
-        return Words::say("relaxation time %1").arg(shift);
-    case TypeQuantity::Friction:
-        return Words::say("friction %1").arg(shift);
-    }
-    return {};
 }
 
 LogMatrix designOf(const TypeShift& shift, ShiftKind kind, const LogVector& logCentre)
@@ -94,8 +75,8 @@ Finding changeInWords(const LogVector& log, const LogMatrix& covariance, const Q
     if (space != QuantitySpace{}) {
         Findings each;
         for (int i = 0; i < space.dimensions(); ++i)
-            each.push_back(
-                quantityShift(space.quantities[std::size_t(i)], percentShift(log(i), deviation(i))));
+            each.push_back(nameWithin(space.quantities[std::size_t(i)]) + u" "_s +
+                           percentShift(log(i), deviation(i)));
         return Finding::joined(each, u", "_s);
     }
     return Words::say("mass %1, damping %2, stiffness %3")

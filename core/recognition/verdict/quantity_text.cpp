@@ -2,6 +2,7 @@
 #include "core/recognition/verdict/quantity_text.h"
 
 #include "core/base/words.h"
+#include "core/recognition/types/quantity_name.h"
 
 #include <cmath>
 
@@ -15,25 +16,6 @@ namespace {
 double rounded(double value)
 {
     return QString::number(value, 'e', 2).toDouble();
-}
-
-Finding nameWithin(TypeQuantity quantity)
-{
-    switch (quantity) {
-    case TypeQuantity::Mass:
-        return Words::say("mass");
-    case TypeQuantity::Damping:
-        return Words::say("damping");
-    case TypeQuantity::Stiffness:
-        return Words::say("stiffness");
-    case TypeQuantity::RelaxingShare:
-        return Words::say("relaxing share");
-    case TypeQuantity::RelaxationTime:
-        return Words::say("relaxation time");
-    case TypeQuantity::Friction:
-        return Words::say("friction");
-    }
-    return {};
 }
 
 } // namespace

@@ -22,6 +22,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include <array>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -164,16 +165,12 @@ void InspectMeasurement::showResult(const std::optional<InspectSession::Result>&
     if (object)
         return showObject(*result, *object);
     // A record without m, b and k may still tell one of them.
-    for (const DeterminedParameter& one : all) {
-        QLabel* const label = one.parameter == MotionParameter::Mass        ? m_m
-                              : one.parameter == MotionParameter::Damping   ? m_b
-                              : one.parameter == MotionParameter::Stiffness ? m_k
-                                                                            : nullptr;
-        if (label == nullptr)
-            continue;
-        label->setEnabled(false);
-        label->setText(determinedText(one));
-    }
+    const std::array labels{m_m, m_b, m_k};
+    for (const DeterminedParameter& one : all)
+        if (const auto place = linearPlaceOf(one.parameter)) {
+            labels[*place]->setEnabled(false);
+            labels[*place]->setText(determinedText(one));
+        }
     m_map->setPart(std::nullopt, std::nullopt);
 }
 
