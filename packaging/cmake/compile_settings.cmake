@@ -56,5 +56,10 @@ add_compile_definitions(QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII QT_NO_FOREACH 
 if(GRIPSCOPE_SANITIZE)
   set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1 -DNDEBUG")
   add_compile_options(-fsanitize=${GRIPSCOPE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  # Null pointers and sizes are the address sanitizer's, too; alignment is looked at where the fuzzers feed the parsers.
+  # At every access of the numerics these three took half of the time.
+  if(GRIPSCOPE_SANITIZE MATCHES "address" AND NOT GRIPSCOPE_FUZZ)
+    add_compile_options(-fno-sanitize=null,alignment,object-size)
+  endif()
   add_link_options(-fsanitize=${GRIPSCOPE_SANITIZE})
 endif()

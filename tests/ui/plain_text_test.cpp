@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever a gripper, a file or a person calls something: it is shown and never obeyed. Every page and dialog
 // on a library full of such names; the kernel says whether the file that they name was opened.
+#include "tests/support/patience.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/hostile_names.h"
 #include "ui/context/workbench.h"
@@ -112,8 +113,10 @@ private slots:
         window.resize(1024, 640);
         window.show();
         bench.connectTo(QStringLiteral("virtual:?object=A&seed=5"));
-        QTRY_COMPARE_WITH_TIMEOUT(bench.connection().state(), ConnectSession::State::Connected, 60000);
-        QTRY_COMPARE_WITH_TIMEOUT(bench.inspection().state(), InspectSession::State::Ready, 60000);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.connection().state(), ConnectSession::State::Connected,
+                                  test::longEnough_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.inspection().state(), InspectSession::State::Ready,
+                                  test::longEnough_ms);
         bench.messages().report(names.front() + names[2]);
         const auto look = [&](QWidget& top, const QString& where) {
             QTest::qWait(200); // for what is asked of the library

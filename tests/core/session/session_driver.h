@@ -3,6 +3,7 @@
 
 #include "core/session/connection/connect_session.h"
 #include "tests/core/session/fake_gripper.h"
+#include "tests/support/patience.h"
 
 #include <chrono>
 #include <functional>
@@ -13,7 +14,7 @@ namespace gripscope::test {
 /// Polls until `done`, as the owner of a session does; false when it takes longer than any of this should.
 inline bool pollUntil(const std::function<void()>& poll, const std::function<bool()>& done)
 {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    const auto end = std::chrono::steady_clock::now() + patience;
     while (!done()) {
         if (std::chrono::steady_clock::now() > end)
             return false;
