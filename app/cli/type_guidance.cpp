@@ -135,7 +135,7 @@ int guideEnrollment(const QStringList& arguments)
         ASSIGN_OR_RETURN(const auto type, requireNamed(library, line.text(u"type"_qs)));
         ASSIGN_OR_RETURN(const auto squeezes, readSqueezes(library, rates));
         ASSIGN_OR_RETURN(const auto away, outliersOf(library, type, squeezes.all));
-        const TypeModels models = fitTypeModels(squeezes.all);
+        const TypeModels models = fitTypeModels(squeezes.all, spaceOf(squeezes.all));
         tell(enrollmentProgress(models, type.name, squeezes.options), away,
              worstOverlap(models, type.name, squeezes.options), line.isSet(u"json"_qs));
         return {};

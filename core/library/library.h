@@ -159,8 +159,8 @@ public:
     /// The identify document that was stored with it; empty when there was none.
     [[nodiscard]] Expected<QJsonObject> identificationDocument(const QString& graspId) const;
     /// The accepted squeezes of all types in use, what fitTypeModels() takes: m, b, k of the recommended
-    /// estimate, in SI where the channels' units are known, else in the units they have. Squeezes without
-    /// parameters are left out.
+    /// estimate and what it determines besides or instead, in SI where the channels' units are known, else
+    /// in the units they have. Squeezes that determine nothing are left out.
     [[nodiscard]] Expected<std::vector<TypeSqueeze>> enrolledSqueezes() const;
     /// Those of approved types alone: what verdicts are made of.
     [[nodiscard]] Expected<std::vector<TypeSqueeze>> approvedSqueezes() const;

@@ -1892,10 +1892,6 @@ m  %3</translation>
         <translation>%1 ist außer Gebrauch. Erst wieder in Gebrauch nehmen oder einen anderen Namen wählen.</translation>
     </message>
     <message>
-        <source>No m, b and k could be found in it.</source>
-        <translation>Darin waren m, b und k nicht zu finden.</translation>
-    </message>
-    <message>
         <source>Peak force, bit, length and limits of a recipe must be above zero.</source>
         <translation>Spitzenkraft, Bit, Dauer und Grenzen eines Rezepts müssen größer als null sein.</translation>
     </message>
@@ -5781,6 +5777,26 @@ m  %3</translation>
         <source>The squeezes enrolled have no quantity in common to judge by.</source>
         <translation>Die eingelernten Druckversuche haben keine Größe gemeinsam, nach der zu urteilen wäre.</translation>
     </message>
+    <message>
+        <source>what squeezes determine besides m, b and k</source>
+        <translation>was Druckversuche außer m, b und k bestimmen</translation>
+    </message>
+    <message>
+        <source>what it determines is not what its recording does</source>
+        <translation>was er bestimmt, ist nicht, was seine Aufzeichnung bestimmt</translation>
+    </message>
+    <message>
+        <source>Judged by %1 alone: the squeeze determines no more.</source>
+        <translation>Allein nach %1 beurteilt: Mehr bestimmt der Druckversuch nicht.</translation>
+    </message>
+    <message>
+        <source>Judged by %1: the squeeze determines no more.</source>
+        <translation>Beurteilt nach %1: Mehr bestimmt der Druckversuch nicht.</translation>
+    </message>
+    <message>
+        <source>Nothing that parts can be told apart by was found in it.</source>
+        <translation>Nichts, woran Teile unterschieden werden können, wurde darin gefunden.</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>
@@ -8539,6 +8555,18 @@ max. (95 %)</translation>
     <message>
         <source>Try a squeeze…</source>
         <translation>Druckversuch ausprobieren…</translation>
+    </message>
+    <message>
+        <source>yielding share k1/k</source>
+        <translation>nachgebender Anteil k1/k</translation>
+    </message>
+    <message>
+        <source>yields within τ</source>
+        <translation>gibt nach in τ</translation>
+    </message>
+    <message>
+        <source>friction Fc</source>
+        <translation>Reibung Fc</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A gripper that measures wrongly, from its reports to the verdict on the part.
 #include "core/recognition/types/paper_appendix.h"
+#include "core/recognition/verdict/identified_squeeze.h"
 #include "core/recognition/verdict/verdict.h"
 #include "core/session/connection/connect_session.h"
 #include "core/session/squeeze/squeeze_job.h"
@@ -122,7 +123,8 @@ Verdict judged(const Recording& recording)
     static const TypeModels models = fitTypeModels(paperSqueezesInSi());
     IdentificationOptions options;
     options.assess = false;
-    return judge(models, identify(recording, options), 1);
+    const Identification found = identify(recording, options);
+    return judge(models, found, identifiedSqueeze({}, found, recording.forceUnit, recording.positionUnit));
 }
 
 QString inWords(const Verdict& verdict)

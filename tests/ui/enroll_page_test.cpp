@@ -285,8 +285,8 @@ void EnrollPageTest::reviewFindsMeanSpreadAndTheNearestType()
     }
     const TypeReview review = reviewType(squeezes, fitTypeModels(squeezes), u"one"_s, {});
     QCOMPARE(review.squeezes, 3);
-    QVERIFY(std::abs(review.mean.k - 10000) < 1e-6);
-    QVERIFY(std::abs((*review.spreadPercent)[2] - 2.0) < 1e-9); // sd of -2, 0, +2 %
+    QVERIFY(std::abs(review.quantities[2].mean - 10000) < 1e-6);
+    QVERIFY(std::abs(*review.quantities[2].deviation - 200) < 1e-6); // sd of -2, 0, +2 %
     QCOMPARE(review.nearest, u"two"_s);
     QVERIFY(review.gateSd && *review.nearestSd > *review.gateSd);
     QCOMPARE(review.squeezesOfAll.size(), std::size_t(9)); // for the map

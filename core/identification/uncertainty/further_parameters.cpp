@@ -76,6 +76,12 @@ BetweenParts betweenParts(const MotionEstimate& whole, std::size_t index,
     return {std::max(excess, 0.0), count - 1};
 }
 
+/// m, b or k, which the empty gripper has too.
+bool isLinear(P parameter)
+{
+    return parameter == P::Mass || parameter == P::Damping || parameter == P::Stiffness;
+}
+
 /// How far the parameter is from what it would be in the other form.
 double awayFrom(const std::optional<MotionEstimate>& otherForm, P parameter, double value)
 {
@@ -123,6 +129,13 @@ std::vector<FurtherParameter> furtherParameters(const MotionEstimate& motion, co
         further.parameter = parameters[i];
         further.value = motion.values[parameters[i]];
         double ownVariance = 0;
+        if (isLinear(parameters[i]) && chain.baseline) {
+            const auto linear = static_cast<std::size_t>(parameters[i]);
+            further.value -= chain.baseline->parameters[linear];
+            ownVariance = std::pow(chain.baseline->standardErrors[linear], 2);
+            if (!(further.value > 0))
+                continue; // not told from the empty gripper
+        }
         if (parameters[i] == P::Friction && chain.friction && motion.terms.spring) {
             further.value = std::max(0.0, further.value - chain.friction->value);
             ownVariance = std::pow(chain.friction->standardError, 2);

@@ -104,8 +104,9 @@ struct FurtherParameter {
 /// estimated on its own, with the same terms) differ by beyond their errors: Cochran's Q and the variance
 /// between them by moments, as discrepancyBetween(). `otherForm`, where there is one: the same with damping
 /// and friction of their own each way; a parameter that is another there (of two ways their mean) is
-/// uncertain by the difference. Friction's interval is cut at zero; the gripper's own, where it is known, is
-/// taken off.
+/// uncertain by the difference. Friction's interval is cut at zero; the gripper's own friction, and of
+/// m, b and k the empty gripper's, are taken off where they are known; what is not above zero then is left
+/// out.
 [[nodiscard]] std::vector<FurtherParameter> furtherParameters(const MotionEstimate& motion,
                                                               const MeasuringChain& chain,
                                                               std::span<const MotionEstimate> parts,

@@ -38,6 +38,7 @@ std::span<const LedgeredTable> ledgeredTables()
         {25, u"policies"_s, u"id"_s},
         {26, u"audit_entries"_s, u"number"_s},
         {31, u"inspection_voids"_s, u"id"_s},
+        {32, u"determined_quantities"_s, u"id"_s},
         {40, u"inspection_tallies"_s, u"id"_s},
     };
     return tables;

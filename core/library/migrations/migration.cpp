@@ -133,6 +133,8 @@ const std::vector<Migration>& migrations()
              enterNewRows),
         step(21, QT_TRANSLATE_NOOP("Words", "the friction of a gripper itself"), migrationScript21,
              enterNewRows),
+        step(22, QT_TRANSLATE_NOOP("Words", "what squeezes determine besides m, b and k"), migrationScript22,
+             enterNewRows),
     };
     return steps;
 }

@@ -65,5 +65,6 @@ extern const char* const migrationScript18;
 extern const char* const migrationScript19;
 extern const char* const migrationScript20;
 extern const char* const migrationScript21;
+extern const char* const migrationScript22;
 
 } // namespace gripscope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/identification/model/estimate.h"
+#include "core/recognition/types/type_model.h"
 #include "core/signal/recording/recording.h"
 
 #include <QDateTime>
@@ -27,6 +28,8 @@ struct NewGrasp {
     /// By how much the station's clock was ahead of UTC then; that of now where `recorded` is not valid.
     std::optional<qint64> utcOffset_s = {};
     QString program = {}; ///< the version that identified and judged it; empty: the one that stores it
+    /// What it determines besides m, b and k, or in their place, as determinedQuantities() says.
+    std::optional<DeterminedQuantities> determined = {};
 };
 
 struct GraspRecord {
@@ -41,6 +44,7 @@ struct GraspRecord {
     QString forceUnit, positionUnit;
     QString firstTypeId; ///< the type it was enrolled in; typeId is where it belongs now
     QString part;        ///< among the squeezes enrolled in that type; empty: not told
+    std::optional<DeterminedQuantities> determined = {}; ///< as in NewGrasp
 };
 
 } // namespace gripscope

@@ -8,10 +8,13 @@ namespace gripscope {
 
 std::optional<TypeSqueeze> typeSqueeze(const GraspRecord& grasp)
 {
-    if (!grasp.parameters)
+    if (!grasp.parameters && !grasp.determined)
         return {};
-    const double si = siFactor(grasp.forceUnit, grasp.positionUnit).value_or(1);
-    TypeSqueeze squeeze = scaledSqueeze(grasp.typeName, *grasp.parameters, grasp.covariance, si);
+    TypeSqueeze squeeze{grasp.typeName, {}};
+    if (grasp.parameters)
+        squeeze = scaledSqueeze(grasp.typeName, *grasp.parameters, grasp.covariance,
+                                siFactor(grasp.forceUnit, grasp.positionUnit).value_or(1));
+    squeeze = determining(std::move(squeeze), grasp.determined);
     const bool moved = grasp.firstTypeId != grasp.typeId && !grasp.part.isEmpty();
     squeeze.part = moved ? grasp.firstTypeId + u'/' + grasp.part : grasp.part;
     return squeeze;

@@ -10,8 +10,8 @@
 namespace gripscope {
 
 /// A stored squeeze as recognition takes it, under the name of the type it belongs to: in SI where the units
-/// are known, else in the units it has. Parts of types that were merged stay apart. Nothing without
-/// parameters.
+/// are known, else in the units it has. Parts of types that were merged stay apart. Nothing where it
+/// determined nothing.
 [[nodiscard]] std::optional<TypeSqueeze> typeSqueeze(const GraspRecord& grasp);
 
 } // namespace gripscope

@@ -5,6 +5,7 @@
 #include "core/base/json_value.h"
 #include "core/base/words.h"
 #include "core/library/packing/inflate.h"
+#include "core/library/records/determined_text.h"
 #include "core/library/tables/packed_recording.h"
 #include "core/recognition/verdict/rates_json.h"
 
@@ -239,6 +240,19 @@ std::optional<Verdict> toVerdict(const QJsonObject& document)
     return verdict;
 }
 
+QJsonValue toDocument(const std::optional<DeterminedQuantities>& determined)
+{
+    const auto text = determined ? determinedText(*determined) : std::nullopt;
+    return text ? QJsonValue(QJsonArray{text->quantities, text->logarithms, text->covariance}) : QJsonValue();
+}
+
+std::optional<DeterminedQuantities> determinedIn(const QJsonValue& value)
+{
+    const QJsonArray texts = value.toArray();
+    return determinedQuantities(
+        DeterminedText{texts.at(0).toString(), texts.at(1).toString(), texts.at(2).toString()});
+}
+
 QJsonObject toDocument(const NewGrasp& grasp)
 {
     QJsonArray estimates;
@@ -254,6 +268,7 @@ QJsonObject toDocument(const NewGrasp& grasp)
         {u"recorded"_s, grasp.recorded.isValid() ? grasp.recorded.toUTC().toString(spilledTime) : QString()},
         {u"utc_offset_s"_s, grasp.utcOffset_s ? QJsonValue(*grasp.utcOffset_s) : QJsonValue()},
         {u"program"_s, grasp.program},
+        {u"determined"_s, toDocument(grasp.determined)},
         {u"identification"_s, grasp.identification}};
 }
 
@@ -279,6 +294,7 @@ std::optional<NewGrasp> toGrasp(const QJsonObject& document)
     if (const QJsonValue offset = document.value(u"utc_offset_s"_s); offset.isDouble())
         grasp.utcOffset_s = offset.toInteger();
     grasp.program = document.value(u"program"_s).toString();
+    grasp.determined = determinedIn(document.value(u"determined"_s));
     grasp.identification = document.value(u"identification"_s).toObject();
     return grasp;
 }

@@ -5,6 +5,7 @@
 #include "core/calibration/calibration_facts.h"
 #include "core/library/records/type_squeeze.h"
 #include "core/library/sql/rows.h"
+#include "core/library/tables/determined_table.h"
 #include "core/library/tables/estimate_tables.h"
 #include "core/library/tables/type_tables.h"
 
@@ -20,16 +21,17 @@ QString readingSqueezes()
 }
 
 /// Where a squeeze belongs now, what its type is called, and its recommended estimate.
-const auto from =
-    u"FROM grasps g "_s + typeJoins() + u"LEFT JOIN estimates e ON e.grasp_id = g.id AND e.rank = 0 "_s;
+const auto from = u"FROM grasps g "_s + typeJoins() +
+                  u"LEFT JOIN estimates e ON e.grasp_id = g.id AND e.rank = 0 "
+                  "LEFT JOIN determined_quantities d ON d.grasp_id = g.id "_s;
 
 const auto selectSqueezes =
     u"SELECT g.id, COALESCE(p.type_id, g.type_id), s.name, g.type_id, g.part, g.source, g.operator_name, "
     u"g.recorded_utc, g.force_unit, g.position_unit, "
     "(SELECT COUNT(*) FROM recordings r WHERE r.grasp_id = g.id), COALESCE(p.accepted, 1), "
     "e.estimator, e.m, e.b, e.k, e.var_m, e.cov_mb, e.cov_mk, e.var_b, e.cov_bk, e.var_k, "
-    "e.simulation_fit_percent "_s +
-    from;
+    "e.simulation_fit_percent, "_s +
+    determined_table::columns + from;
 
 std::optional<Eigen::Matrix3d> takeCovariance(Statement& row)
 {
@@ -64,6 +66,7 @@ GraspRecord takeGrasp(Statement& row)
     grasp.parameters = estimate_table::takeParameters(row);
     grasp.covariance = takeCovariance(row);
     grasp.simulationFitPercent = row.takeOptionalReal();
+    grasp.determined = determined_table::take(row);
     return grasp;
 }
 
@@ -131,8 +134,9 @@ Expected<std::vector<TypeSqueeze>> enrolled(Database& database, Of which)
     Statement query(
         database, readingSqueezes(),
         u"SELECT COALESCE(p.type_id, g.type_id), s.name, g.type_id, g.part, g.force_unit, g.position_unit, "
-        u"e.m, e.b, e.k, e.var_m, e.cov_mb, e.cov_mk, e.var_b, e.cov_bk, e.var_k "_s +
-            from + u"WHERE g.type_id IS NOT NULL AND e.m IS NOT NULL AND COALESCE(p.accepted, 1) = 1 AND "_s +
+        u"e.m, e.b, e.k, e.var_m, e.cov_mb, e.cov_mk, e.var_b, e.cov_bk, e.var_k, "_s +
+            determined_table::columns + from +
+            u"WHERE g.type_id IS NOT NULL AND (e.m IS NOT NULL OR d.id IS NOT NULL) AND COALESCE(p.accepted, 1) = 1 AND "_s +
             (which == Of::ApprovedTypes ? u"s.status = 'approved'"_s
                                         : u"s.status IN ('enrolled', 'approved')"_s) +
             u" ORDER BY s.name, g.recorded_utc, g.id"_s);
@@ -147,6 +151,7 @@ Expected<std::vector<TypeSqueeze>> enrolled(Database& database, Of which)
         grasp.positionUnit = row.takeText();
         grasp.parameters = estimate_table::takeParameters(row);
         grasp.covariance = takeCovariance(row);
+        grasp.determined = determined_table::take(row);
         if (auto squeeze = typeSqueeze(grasp)) {
             squeeze->place = places.value(grasp.typeId, -1);
             squeezes.push_back(std::move(*squeeze));

@@ -2,6 +2,7 @@
 #include "core/library/tables/grasp_writer.h"
 
 #include "core/base/words.h"
+#include "core/library/tables/determined_table.h"
 #include "core/library/tables/document_table.h"
 #include "core/library/tables/estimate_tables.h"
 #include "core/library/tables/grasp_table.h"
@@ -50,6 +51,8 @@ Expected<QString> storeGrasp(Database& database, const NewGrasp& grasp, qint64 v
     for (std::size_t rank = 0; done && rank < grasp.estimates.size(); ++rank)
         done = estimate_table::insert(database, RowStamp::now(), stamp.id, int(rank), grasp.estimates[rank],
                                       estimate_table::programOf(grasp));
+    if (done && grasp.determined)
+        done = determined_table::insert(database, RowStamp::now(), stamp.id, *grasp.determined);
     if (done && !grasp.identification.isEmpty())
         done = document_table::insert(database, RowStamp::now(), stamp.id, grasp.identification);
     if (!done)

@@ -8,6 +8,7 @@
 #include "core/library/tables/grasp_table.h"
 #include "core/library/tables/recording_table.h"
 #include "core/library/verification/library_verification.h"
+#include "core/recognition/verdict/identified_squeeze.h"
 
 #include <cmath>
 
@@ -49,12 +50,31 @@ bool agrees(double stored, double again, double variance)
            std::max(std::sqrt(std::max(variance, 0.0)), rounding * std::abs(stored));
 }
 
+/// What is determined both then and now is the same; what is hardly known may be on one side alone.
+bool agree(const DeterminedQuantities& then, const DeterminedQuantities& now)
+{
+    for (int i = 0; i < then.space.dimensions(); ++i) {
+        const std::optional<int> place =
+            now.space.placeOf(then.space.quantities[static_cast<std::size_t>(i)]);
+        if (place && !agrees(then.log[i], now.log[*place], then.covariance ? (*then.covariance)(i, i) : 0))
+            return false;
+    }
+    return true;
+}
+
 /// Nothing where the stored estimate follows from the recording, or there is none to compare.
 std::optional<QString> problemOf(const GraspRecord& stored, const Recording& recording)
 {
-    if (!stored.parameters || !stored.covariance)
+    const bool isLinear = stored.parameters && stored.covariance;
+    if (!isLinear && !stored.determined)
         return {};
-    const std::optional<CorrectedParameters> again = identify(recording).object();
+    const Identification identification = identify(recording);
+    const auto determined = determinedQuantities(identification, stored.forceUnit, stored.positionUnit);
+    if (stored.determined && determined && !agree(*stored.determined, *determined))
+        return Words::tr("what it determines is not what its recording does");
+    if (!isLinear)
+        return {};
+    const std::optional<CorrectedParameters> again = identification.object();
     if (!again)
         return Words::tr("its m, b and k cannot be found in its recording");
     const MassDampingStiffness& then = *stored.parameters;

@@ -48,4 +48,18 @@ QString toString(const QuantitySpace& space)
     return symbols.join(u'+');
 }
 
+std::optional<QuantitySpace> quantitySpaceFromString(const QString& text)
+{
+    QuantitySpace space{{}};
+    for (const QString& symbol : text.split(u'+')) {
+        const auto* const found =
+            std::find_if(std::begin(allQuantities), std::end(allQuantities),
+                         [&](TypeQuantity quantity) { return symbolOf(quantity) == symbol; });
+        if (found == std::end(allQuantities) || space.placeOf(*found))
+            return {};
+        space.quantities.push_back(*found);
+    }
+    return space;
+}
+
 } // namespace gripscope

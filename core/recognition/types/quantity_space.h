@@ -41,5 +41,7 @@ struct QuantitySpace {
 
 /// "m+b+k", "k+k1/k+tau"
 [[nodiscard]] QString toString(const QuantitySpace& space);
+/// Nothing where a symbol is none of these, or comes twice.
+[[nodiscard]] std::optional<QuantitySpace> quantitySpaceFromString(const QString& text);
 
 } // namespace gripscope

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/types/squeeze_values.h"
 
+#include <QMap>
+
 #include <algorithm>
+#include <bit>
+#include <map>
 
 namespace gripscope {
 
@@ -29,6 +33,23 @@ bool isDetermined(const TypeSqueeze& squeeze, const QuantitySpace& space)
                        [&](int place) { return std::isfinite(known.log(place)); });
 }
 
+using QuantitySet = unsigned; ///< bit i: the i-th of allQuantities
+
+/// What a squeeze's `determined` has, and what its m, b and k tell: the two are not mixed.
+using Determines = std::pair<QuantitySet, QuantitySet>;
+
+Determines determinedBy(const TypeSqueeze& squeeze)
+{
+    Determines kind;
+    for (unsigned i = 0; i < mostDimensions; ++i)
+        if (isDetermined(squeeze, {{allQuantities[i]}}))
+            kind.first |= 1U << i;
+    for (const TypeQuantity quantity : QuantitySpace{}.quantities)
+        if (isUsable(squeeze.parameters))
+            kind.second |= 1U << static_cast<unsigned>(quantity);
+    return kind;
+}
+
 } // namespace
 
 std::optional<LogVector> coordinatesOf(const TypeSqueeze& squeeze, const QuantitySpace& space)
@@ -41,6 +62,21 @@ std::optional<LogVector> coordinatesOf(const TypeSqueeze& squeeze, const Quantit
         return {};
     const Eigen::Vector3d log = logOf(squeeze.parameters);
     return space == motion ? LogVector(log) : LogVector(log(placesIn(motion, space)));
+}
+
+QuantitySpace determinedPart(const TypeSqueeze& squeeze, const QuantitySpace& space)
+{
+    const auto [determined, linear] = determinedBy(squeeze);
+    QuantitySpace largest{{}};
+    for (const QuantitySet set : {determined, linear}) {
+        QuantitySpace part{{}};
+        for (const TypeQuantity quantity : space.quantities)
+            if ((set >> static_cast<unsigned>(quantity) & 1U) != 0)
+                part.quantities.push_back(quantity);
+        if (part.dimensions() > largest.dimensions())
+            largest = std::move(part);
+    }
+    return largest;
 }
 
 std::optional<LogMatrix> noiseOf(const TypeSqueeze& squeeze, const QuantitySpace& space)
@@ -71,28 +107,34 @@ TypeSqueeze squeezeAt(QString type, const QuantitySpace& space, const LogVector&
 
 QuantitySpace spaceOf(const std::vector<TypeSqueeze>& squeezes)
 {
-    std::vector<const TypeSqueeze*> usable;
+    // Many squeezes, few that determine different things.
+    QMap<QString, std::map<Determines, int>> kindsOfType;
     for (const TypeSqueeze& squeeze : squeezes)
-        if (std::any_of(std::begin(allQuantities), std::end(allQuantities), [&](TypeQuantity quantity) {
-                return coordinatesOf(squeeze, QuantitySpace{{quantity}}).has_value();
-            }))
-            usable.push_back(&squeeze);
-    if (usable.empty())
+        if (const Determines kind = determinedBy(squeeze); kind != Determines{})
+            ++kindsOfType[squeeze.type][kind];
+    if (kindsOfType.isEmpty())
         return {};
-    QuantitySpace largest{{}};
-    for (unsigned set = 1; set < 1U << mostDimensions; ++set) {
-        QuantitySpace space{{}};
-        for (unsigned i = 0; i < mostDimensions; ++i)
-            if ((set >> i & 1U) != 0)
-                space.quantities.push_back(allQuantities[i]);
-        const auto determines = [&](const TypeSqueeze* squeeze) {
-            return coordinatesOf(*squeeze, space).has_value();
-        };
-        if (space.dimensions() > largest.dimensions() &&
-            std::all_of(usable.begin(), usable.end(), determines))
-            largest = std::move(space);
-    }
-    return largest;
+    const auto mostDetermine = [](const std::map<Determines, int>& kinds, QuantitySet set) {
+        int all = 0;
+        int determine = 0;
+        for (const auto& [kind, count] : kinds) {
+            all += count;
+            if ((set & ~kind.first) == 0 || (set & ~kind.second) == 0)
+                determine += count;
+        }
+        return 2 * determine > all;
+    };
+    QuantitySet best = 0;
+    for (QuantitySet set = 1; set < 1U << mostDimensions; ++set)
+        if (std::popcount(set) > std::popcount(best) &&
+            std::all_of(kindsOfType.cbegin(), kindsOfType.cend(),
+                        [&](const auto& kinds) { return mostDetermine(kinds, set); }))
+            best = set;
+    QuantitySpace space{{}};
+    for (unsigned i = 0; i < mostDimensions; ++i)
+        if ((best >> i & 1U) != 0)
+            space.quantities.push_back(allQuantities[i]);
+    return space;
 }
 
 } // namespace gripscope

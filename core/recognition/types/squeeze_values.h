@@ -29,10 +29,24 @@ namespace gripscope {
     return squeeze.covariance ? logCovariance(squeeze.parameters, *squeeze.covariance) : std::nullopt;
 }
 
+/// The squeeze with what it determines besides m, b and k, or in their place: where that lacks one of them,
+/// they do not count together any more.
+[[nodiscard]] inline TypeSqueeze determining(TypeSqueeze squeeze,
+                                             std::optional<DeterminedQuantities> determined)
+{
+    if (determined && !determined->space.contains(QuantitySpace{}))
+        squeeze = {squeeze.type, {}, {}, squeeze.part, squeeze.place, {}};
+    squeeze.determined = std::move(determined);
+    return squeeze;
+}
+
 /// The squeeze's logarithms in a space: of `determined` where that has every quantity, finite, else of m, b,
 /// k where these do. The two are not mixed, since how they vary together is not known. Nothing where neither
 /// does, or for a space of none.
 [[nodiscard]] std::optional<LogVector> coordinatesOf(const TypeSqueeze& squeeze, const QuantitySpace& space);
+
+/// As many quantities of the space as the squeeze has coordinates in together; none where it has none.
+[[nodiscard]] QuantitySpace determinedPart(const TypeSqueeze& squeeze, const QuantitySpace& space);
 
 /// The covariance of these; nothing where it is not known or none.
 [[nodiscard]] std::optional<LogMatrix> noiseOf(const TypeSqueeze& squeeze, const QuantitySpace& space);

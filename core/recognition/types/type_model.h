@@ -57,6 +57,8 @@ struct TypeModels {
     /// is seen to spread otherwise than the others.
     std::optional<double> likeness = {};
     QuantitySpace space = {}; ///< what the coordinates of all of these are
+    /// All squeezes of these types determine more: this is for one that does not.
+    bool isPart = false;
 
     [[nodiscard]] const TypeModel* find(const QString& name) const;
 };
@@ -68,9 +70,10 @@ struct TypeModels {
 [[nodiscard]] TypeModels fitTypeModels(const std::vector<TypeSqueeze>& squeezes,
                                        const QuantitySpace& space = {});
 
-/// The largest space that all squeezes determine; of equally large ones that which comes first in order of
-/// TypeQuantity. Squeezes without any usable quantity do not count: m, b, k where none is left. Empty where
-/// squeezes have nothing in common.
+/// The largest space that more than half of each type's squeezes determine, so that one poor squeeze takes no
+/// quantity from all; those that lack it are then left out of the fit. Of equally large ones that which comes
+/// first in order of TypeQuantity. Squeezes without any usable quantity do not count: m, b, k where none is
+/// left. Empty where types have nothing in common.
 [[nodiscard]] QuantitySpace spaceOf(const std::vector<TypeSqueeze>& squeezes);
 
 /// Covariance of log(m, b, k) to first order, c_ij / (p_i p_j), errors beyond exp(10) times taken for that.

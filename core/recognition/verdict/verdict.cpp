@@ -44,7 +44,7 @@ Verdict judgeAt(const TypeModels& models, const LogVector& log, const std::optio
     Verdict verdict = models.degreesOfFreedom == 0 ? withoutScatter(models, log)
                                                    : Judgement(models, log, noise, options).verdict();
     if (!models.types.empty())
-        for (Finding& reason : spaceReasons(models.space))
+        for (Finding& reason : spaceReasons(models))
             verdict.reasons.push_back(std::move(reason));
     return verdict;
 }
@@ -138,19 +138,15 @@ Verdict judge(const TypeModels& models, const MassDampingStiffness& parameters, 
     return judge(models, TypeSqueeze{{}, parameters, covariance}, options);
 }
 
-Verdict judge(const TypeModels& models, const Identification& identification, double siScale,
-              const VerdictOptions& options, const std::optional<CommonShift>& transfer)
+Verdict judge(const TypeModels& models, const Identification& identification,
+              const std::optional<TypeSqueeze>& found, const VerdictOptions& options,
+              const std::optional<CommonShift>& transfer)
 {
-    const std::optional<CorrectedParameters> object = identification.object();
     Verdict verdict;
-    if (identification.validity.verdict == ValidityVerdict::Invalid || !object) {
+    if (identification.validity.verdict == ValidityVerdict::Invalid || !found)
         verdict.reasons = invalidReasons(identification);
-    } else {
-        TypeSqueeze squeeze = scaledSqueeze({}, *object, siScale);
-        if (transfer)
-            squeeze = adjusted(squeeze, *transfer);
-        verdict = judge(models, squeeze, options);
-    }
+    else
+        verdict = judge(models, transfer ? adjusted(*found, *transfer) : *found, options);
     verdict.validity = summaryOf(identification.validity);
     if (verdict.kind == VerdictKind::Invalid)
         verdict.validity.verdict = ValidityVerdict::Invalid;

@@ -83,12 +83,12 @@ struct Verdict {
 [[nodiscard]] Verdict judge(const TypeModels& models, const MassDampingStiffness& parameters,
                             const VerdictOptions& options = {},
                             const std::optional<Eigen::Matrix3d>& covariance = {});
-/// The verdict on a squeeze: Invalid when the measurement is, else judge() on the recommended estimate and
-/// its covariance. `siScale`: factor that takes the estimate to the units of the models, siFactor() of the
-/// recording's units where the models are in SI. `transfer`: the error of the gripper that squeezed, against
-/// the one the types were enrolled on (measureTransfer()); it is taken off first.
-[[nodiscard]] Verdict judge(const TypeModels& models, const Identification& identification, double siScale,
-                            const VerdictOptions& options = {},
+/// The verdict on a measurement: Invalid when it is, or where nothing was found, else judge() on what was
+/// found, identifiedSqueeze() of the identification, in the units of the models. `transfer`: the error of the
+/// gripper that squeezed, against the one the types were enrolled on (measureTransfer()); it is taken off
+/// first.
+[[nodiscard]] Verdict judge(const TypeModels& models, const Identification& identification,
+                            const std::optional<TypeSqueeze>& found, const VerdictOptions& options = {},
                             const std::optional<CommonShift>& transfer = {});
 
 /// Of each quantity of models.space (m, b, k).

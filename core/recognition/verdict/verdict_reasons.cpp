@@ -149,14 +149,20 @@ Finding missingReason(const TypeSqueeze& squeeze, const QuantitySpace& space)
         .arg(listed(missing));
 }
 
-Findings spaceReasons(const QuantitySpace& space)
+Findings spaceReasons(const TypeModels& models)
 {
-    if (space == QuantitySpace{} || space.quantities.empty())
+    const QuantitySpace& space = models.space;
+    if ((space == QuantitySpace{} && !models.isPart) || space.quantities.empty())
         return {};
-    if (space.dimensions() == 1)
-        return {
-            Words::say("Judged by %1 alone: the squeezes enrolled determine no more.").arg(listed(space))};
-    return {Words::say("Judged by %1: the squeezes enrolled determine no more.").arg(listed(space))};
+    const Finding by = listed(space);
+    const bool alone = space.dimensions() == 1;
+    if (models.isPart)
+        return {(alone ? Words::say("Judged by %1 alone: the squeeze determines no more.")
+                       : Words::say("Judged by %1: the squeeze determines no more."))
+                    .arg(by)};
+    return {(alone ? Words::say("Judged by %1 alone: the squeezes enrolled determine no more.")
+                   : Words::say("Judged by %1: the squeezes enrolled determine no more."))
+                .arg(by)};
 }
 
 Findings invalidReasons(const Identification& identification)

@@ -28,8 +28,8 @@ struct NextType {
 [[nodiscard]] Findings noGateReasons(const TypeModels& models);
 /// What the squeeze would have to determine to be judged in this space, and does not.
 [[nodiscard]] Finding missingReason(const TypeSqueeze& squeeze, const QuantitySpace& space);
-/// By which quantities it was judged, where these are not m, b, k.
-[[nodiscard]] Findings spaceReasons(const QuantitySpace& space);
+/// By which quantities it was judged, where these are not m, b, k or not all there are.
+[[nodiscard]] Findings spaceReasons(const TypeModels& models);
 [[nodiscard]] Findings invalidReasons(const Identification& identification);
 
 } // namespace gripscope

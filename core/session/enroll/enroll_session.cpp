@@ -4,6 +4,7 @@
 #include "core/base/words.h"
 #include "core/identification/identification.h"
 #include "core/library/sql/time_ordered_id.h"
+#include "core/recognition/verdict/identified_squeeze.h"
 #include "core/session/enroll/enroll_session_private.h"
 #include "core/session/squeeze/hold_history.h"
 
@@ -77,7 +78,9 @@ void EnrollSession::Private::identify(EnrollSqueeze squeeze)
 
 void EnrollSession::Private::identified(Identification identification)
 {
-    measured.reason = whyNotEnrolled(identification);
+    measured.determined =
+        determinedQuantities(identification, measured.recording.forceUnit, measured.recording.positionUnit);
+    measured.reason = whyNotEnrolled(identification, measured.determined);
     measured.identification = std::move(identification);
     squeezes.push_back(std::move(measured));
     measured = {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/identification/result/determined_parameters.h"
 #include "core/library/library_service.h"
 #include "core/library/records/enrollment_draft.h"
 #include "core/session/squeeze/squeeze_job.h"
@@ -23,7 +24,13 @@ struct EnrollSqueeze {
     QString part = {};    ///< which part of the type was squeezed, see setPart()
     QString source = {};  ///< file or device it came from
     QString draftId = {}; ///< under which the draft has it, see keepDrafts()
+    /// What it determines besides m, b and k, or in their place.
+    std::optional<DeterminedQuantities> determined = {};
 };
+
+/// What is known of it, as a person is told: the identification's where it is of this session, else what the
+/// library kept.
+[[nodiscard]] std::vector<DeterminedParameter> determinedParameters(const EnrollSqueeze& squeeze);
 
 /// Enrolment of one type, step by step. An accepted squeeze is in the library before accept() is reported
 /// done; starting again under the same name goes on where it stopped.

@@ -15,17 +15,21 @@ namespace {
 std::optional<TypeSqueeze> typeSqueezeOf(const QString& type, const EnrollSqueeze& squeeze)
 {
     const std::optional<CorrectedParameters> object = squeeze.identification.object();
-    if (!object)
+    if (!object && !squeeze.determined)
         return {};
     const double si = siFactor(squeeze.recording.forceUnit, squeeze.recording.positionUnit).value_or(1);
-    TypeSqueeze result = scaledSqueeze(type, *object, si);
+    TypeSqueeze result = object ? scaledSqueeze(type, *object, si) : TypeSqueeze{type, {}};
     result.part = squeeze.part;
-    return result;
+    return determining(std::move(result), squeeze.determined);
 }
 
 bool areSame(const TypeSqueeze& one, const TypeSqueeze& other)
 {
-    return one.type == other.type && one.parameters == other.parameters && one.part == other.part;
+    const auto logs = [](const TypeSqueeze& squeeze) {
+        return squeeze.determined ? std::optional(squeeze.determined->log) : std::nullopt;
+    };
+    return one.type == other.type && one.parameters == other.parameters && one.part == other.part &&
+           logs(one) == logs(other);
 }
 
 /// The accepted squeezes, then those of the other types.
@@ -107,7 +111,7 @@ EnrollmentAdvice advise(const AdviceRequest& request, const std::vector<TypeSque
 {
     std::vector<TypeSqueeze> all = withOthers(request, library);
     EnrollmentAdvice advice;
-    advice.progress = enrollmentProgress(fitTypeModels(all), request.type, optionsFor(request));
+    advice.progress = enrollmentProgress(fitTypeModels(all, spaceOf(all)), request.type, optionsFor(request));
     advice.outliers = outliersByRow(request, std::move(all));
     return advice;
 }
@@ -115,7 +119,7 @@ EnrollmentAdvice advise(const AdviceRequest& request, const std::vector<TypeSque
 EnrollmentReview reviewEnrollment(const AdviceRequest& request, const std::vector<TypeSqueeze>& library)
 {
     const std::vector<TypeSqueeze> all = withOthers(request, library);
-    const TypeModels models = fitTypeModels(all);
+    const TypeModels models = fitTypeModels(all, spaceOf(all));
     const VerdictOptions options = optionsFor(request);
     EnrollmentReview review;
     review.advice = advise(request, library);

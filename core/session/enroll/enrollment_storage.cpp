@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 #include "core/identification/result/identification_json.h"
+#include "core/recognition/verdict/identified_squeeze.h"
 #include "core/session/squeeze/comparable_units.h"
 
 #include <cmath>
@@ -17,8 +18,9 @@ NewGrasp makeGrasp(const Recording& recording, const Identification& identificat
     NewGrasp grasp;
     grasp.recording = recording;
     // The first one stands for the squeeze: the object alone. The others stay as they were measured.
-    if (const Estimate* best = identification.best()) {
-        Estimate alone = *best;
+    const Estimate* const recommended = identification.find(identification.recommended);
+    if (recommended != nullptr && recommended->hasAnswer()) {
+        Estimate alone = *recommended;
         const std::optional<CorrectedParameters> object = identification.object();
         alone.parameters = object ? std::optional(object->parameters) : std::nullopt;
         if (alone.covariance)
@@ -26,8 +28,9 @@ NewGrasp makeGrasp(const Recording& recording, const Identification& identificat
         grasp.estimates.push_back(std::move(alone));
     }
     for (const Estimate& estimate : identification.estimates)
-        if (&estimate != identification.best())
+        if (&estimate != recommended || !estimate.hasAnswer())
             grasp.estimates.push_back(estimate);
+    grasp.determined = determinedQuantities(identification, recording.forceUnit, recording.positionUnit);
     grasp.forceUnit = recording.forceUnit;
     grasp.positionUnit = recording.positionUnit;
     grasp.source = source;
@@ -127,6 +130,7 @@ EnrollSqueeze enrolledSqueeze(const GraspRecord& grasp)
     squeeze.decision = EnrollSqueeze::Decision::Accepted;
     squeeze.graspId = grasp.id;
     squeeze.part = grasp.part;
+    squeeze.determined = grasp.determined;
     squeeze.recording.forceUnit = grasp.forceUnit;
     squeeze.recording.positionUnit = grasp.positionUnit;
     Estimate estimate;
@@ -140,17 +144,29 @@ EnrollSqueeze enrolledSqueeze(const GraspRecord& grasp)
     return squeeze;
 }
 
-QString whyNotEnrolled(const Identification& identification)
+std::vector<DeterminedParameter> determinedParameters(const EnrollSqueeze& squeeze)
+{
+    const Recording& recording = squeeze.recording;
+    const bool isStored = squeeze.identification.validity.checks.empty();
+    if (isStored && squeeze.determined)
+        return determinedParameters(*squeeze.determined, recording.forceUnit, recording.positionUnit);
+    return determinedParameters(squeeze.identification, recording.forceUnit, recording.positionUnit);
+}
+
+QString whyNotEnrolled(const Identification& identification,
+                       const std::optional<DeterminedQuantities>& determined)
 {
     for (const ValidityCheck& check : identification.validity.checks)
         if (!check.ok && check.decisive)
             return check.message.describe();
-    if (const Estimate* best = identification.best())
-        return identification.validity.verdict == ValidityVerdict::Invalid ? best->message.describe()
+    const Estimate* const recommended = identification.find(identification.recommended);
+    if (recommended != nullptr && (identification.best() != nullptr || determined))
+        return identification.validity.verdict == ValidityVerdict::Invalid ? recommended->message.describe()
                                                                            : QString();
     const QString message =
         identification.estimates.empty() ? QString() : identification.estimates.back().message.describe();
-    return message.isEmpty() ? Words::tr("No m, b and k could be found in it.") : message;
+    return message.isEmpty() ? Words::tr("Nothing that parts can be told apart by was found in it.")
+                             : message;
 }
 
 std::optional<Error> recipeError(const Recipe& recipe)

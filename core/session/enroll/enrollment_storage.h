@@ -53,7 +53,8 @@ struct StoredSqueeze {
 [[nodiscard]] EnrollSqueeze enrolledSqueeze(const GraspRecord& grasp);
 
 /// Why a measurement may not be enrolled; empty when it may.
-[[nodiscard]] QString whyNotEnrolled(const Identification& identification);
+[[nodiscard]] QString whyNotEnrolled(const Identification& identification,
+                                     const std::optional<DeterminedQuantities>& determined);
 
 /// What is wrong with a recipe: Usage, or LimitExceeded when it asks for more than its own crush limit.
 [[nodiscard]] std::optional<Error> recipeError(const Recipe& recipe);

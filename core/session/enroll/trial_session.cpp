@@ -55,7 +55,7 @@ Expected<void> TrialSession::judgeBy(const ComparableTypes& types)
     VerdictOptions rates = m_rates;
     rates.siUnits = siFactor(m_recording.forceUnit, m_recording.positionUnit).has_value();
     m_task = inPool([recording = std::exchange(m_recording, {}), choice, rates] {
-        return gripscope::judge(*choice.models, identify(recording), choice.factor, rates);
+        return judgeRecording(*choice.types, identify(recording), recording, rates);
     });
     return {};
 }

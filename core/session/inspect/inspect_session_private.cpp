@@ -125,7 +125,10 @@ std::optional<EarlyStopSetup> InspectSession::Private::earlyStopSetup() const
         archive.comparable().modelsFor(identity.forceUnit, identity.positionUnit);
     if (!choice)
         return {};
-    EarlyStopSetup setup{choice->models, choice->factor, judge.rates, {}, connection.measuringChain()};
+    const std::shared_ptr<const TypeModels> models = choice->types->whole();
+    if (models->space != QuantitySpace{}) // what is known while a squeeze goes on is m, b and k
+        return {};
+    EarlyStopSetup setup{models, choice->factor, judge.rates, {}, connection.measuringChain()};
     setup.rates.siUnits = siFactor(identity.forceUnit, identity.positionUnit).has_value();
     setup.decision.sampleTime_s = identity.sampleTime_s;
     const IdentificationOptions& options = judge.identification;
@@ -243,9 +246,9 @@ Expected<void> InspectionJudge::start(Recording recording, const ComparableTypes
     m_ratesThen.siUnits = siFactor(recording.forceUnit, recording.positionUnit).has_value();
     m_measured = recording;
     m_task = inPool([recording = std::move(recording), withEarlier, judging = m_ratesThen, other = transfer,
-                     models = choice.models, factor = choice.factor] {
+                     types = choice.types] {
         Found found{identify(recording, withEarlier), {}};
-        found.verdict = judge(*models, found.identification, factor, judging, other);
+        found.verdict = judgeRecording(*types, found.identification, recording, judging, other);
         return found;
     });
     m_task.whenReady(wake);

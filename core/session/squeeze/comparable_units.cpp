@@ -2,6 +2,7 @@
 #include "core/session/squeeze/comparable_units.h"
 
 #include "core/base/words.h"
+#include "core/recognition/verdict/identified_squeeze.h"
 #include "core/signal/recording/units.h"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ ComparableTypes::ComparableTypes(const std::vector<TypeRecord>& types,
         m_unitsOf[system] = inWords(type->forceUnit, type->positionUnit);
     }
     for (auto it = bySystem.cbegin(); it != bySystem.cend(); ++it)
-        m_models[it.key()] = std::make_shared<const TypeModels>(fitTypeModels(it.value()));
+        m_models[it.key()] = std::make_shared<const ModelsBySpace>(it.value());
     if (m_models.contains(u"SI"_qs))
         m_main = m_models[u"SI"_qs];
     else if (!m_models.isEmpty())
@@ -72,6 +73,16 @@ Expected<ComparableTypes::Choice> ComparableTypes::modelsFor(const QString& forc
     if (found == m_models.cend())
         return failure(ErrorCode::UnitsDiffer, {inWords(forceUnit, positionUnit), m_unitsOf.first()});
     return Choice{*found, factorToSystem(forceUnit, positionUnit)};
+}
+
+Verdict judgeRecording(const ModelsBySpace& types, const Identification& identification,
+                       const Recording& recording, const VerdictOptions& rates,
+                       const std::optional<CommonShift>& transfer)
+{
+    const std::optional<TypeSqueeze> found =
+        identifiedSqueeze({}, identification, recording.forceUnit, recording.positionUnit);
+    const auto models = found ? types.modelsFor(*found) : types.whole();
+    return judge(*models, identification, found, rates, transfer);
 }
 
 } // namespace gripscope

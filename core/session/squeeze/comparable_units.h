@@ -3,7 +3,8 @@
 
 #include "core/base/error.h"
 #include "core/library/library.h"
-#include "core/recognition/types/type_model.h"
+#include "core/recognition/types/models_by_space.h"
+#include "core/recognition/verdict/verdict.h"
 
 #include <QMap>
 
@@ -23,23 +24,28 @@ namespace gripscope {
 class ComparableTypes {
 public:
     ComparableTypes() = default;
-    /// `squeezes`: as the library gives them, m, b, k in SI where the units of their types are known.
+    /// `squeezes`: as the library gives them, in SI where the units of their types are known.
     ComparableTypes(const std::vector<TypeRecord>& types, const std::vector<TypeSqueeze>& squeezes);
 
     struct Choice {
-        std::shared_ptr<const TypeModels> models;
+        std::shared_ptr<const ModelsBySpace> types;
         double factor = 1; ///< takes m, b, k to the units of the models
     };
     /// The models a squeeze in these units can be held against. Empty ones when there is nothing to be held
     /// against, UnitsDiffer when all that there is has units that cannot be compared.
     [[nodiscard]] Expected<Choice> modelsFor(const QString& forceUnit, const QString& positionUnit) const;
-    /// Those in SI where there are any, else the first others.
-    [[nodiscard]] const TypeModels& main() const { return *m_main; }
+    /// In m, b and k: those in SI where there are any, else the first others.
+    [[nodiscard]] const TypeModels& main() const { return *m_main->linear(); }
 
 private:
-    QMap<QString, std::shared_ptr<const TypeModels>> m_models; ///< by system of units
-    QMap<QString, QString> m_unitsOf;                          ///< of a system, in words
-    std::shared_ptr<const TypeModels> m_main = std::make_shared<TypeModels>();
+    QMap<QString, std::shared_ptr<const ModelsBySpace>> m_models; ///< by system of units
+    QMap<QString, QString> m_unitsOf;                             ///< of a system, in words
+    std::shared_ptr<const ModelsBySpace> m_main = std::make_shared<ModelsBySpace>();
 };
+
+/// judge() by the types in as much of their space as this recording determines.
+[[nodiscard]] Verdict judgeRecording(const ModelsBySpace& types, const Identification& identification,
+                                     const Recording& recording, const VerdictOptions& rates,
+                                     const std::optional<CommonShift>& transfer = {});
 
 } // namespace gripscope

@@ -76,6 +76,9 @@ inline void fillEveryTable(Library& library)
     for (int i = 0; i < 3; ++i)
         last = valueOf(library.addGrasp(aGrasp(a, 9990 + i))).id;
     valueOf(library.dropGrasp(last, u"slipped"_s, u"Ada"_s));
+    NewGrasp yielding = aGrasp(a);
+    yielding.determined = someQuantities();
+    valueOf(library.addGrasp(yielding));
     const PartPicture picture{newTimeOrderedId(), u"png"_s, 3, 2, QByteArray("\x89PNG\0bytes", 10)};
     valueOf(library.addPicture(picture));
     valueOf(library.setTypePicture(a, picture.id, u"Ada"_s));

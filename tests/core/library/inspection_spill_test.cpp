@@ -42,6 +42,7 @@ NewInspection aFullInspection()
     grasp.recorded = QDateTime(QDate(2026, 1, 2), QTime(3, 4, 5, 678), Qt::UTC);
     grasp.utcOffset_s = -12'600;
     grasp.program = u"0.0.1"_s;
+    grasp.determined = someQuantities();
     grasp.identification = {{u"recommended"_s, u"oe"_s}, {u"deep"_s, QJsonObject{{u"x"_s, 1e-300}}}};
     Estimate& first = grasp.estimates[0];
     first.message = u"Why."_s;
@@ -135,8 +136,8 @@ private slots:
         const NewInspection back = unpacked(valueOf(packInspection(inspection)));
         valueOf(later.open()->addInspection(back));
         RawDatabase one(atOnce.file()), two(later.file());
-        for (const QString& table :
-             {u"inspections"_s, u"grasps"_s, u"estimates"_s, u"recordings"_s, u"documents"_s}) {
+        for (const QString& table : {u"inspections"_s, u"grasps"_s, u"estimates"_s, u"recordings"_s,
+                                     u"documents"_s, u"determined_quantities"_s}) {
             QVERIFY2(one.count(table) > 0, qPrintable(table));
             QCOMPARE(rowsOf(two, table), rowsOf(one, table));
         }

@@ -72,6 +72,19 @@ inline NewGrasp aGrasp(const QString& typeId, double k = 9990)
     return grasp;
 }
 
+/// k, k1/k and tau, without a mass, with numbers that only a copy keeps.
+inline DeterminedQuantities someQuantities()
+{
+    DeterminedQuantities determined{
+        {{TypeQuantity::Stiffness, TypeQuantity::RelaxingShare, TypeQuantity::RelaxationTime}},
+        LogVector(3),
+        {}};
+    determined.log << 1.0 / 3, -1e-17, -3.0000000000000004;
+    determined.covariance = LogMatrix::Identity(3, 3) / 7;
+    (*determined.covariance)(0, 1) = (*determined.covariance)(1, 0) = -1e-300;
+    return determined;
+}
+
 inline NewInspection anInspection(VerdictKind kind = VerdictKind::Type, const QString& type = u"A"_s)
 {
     NewInspection inspection;

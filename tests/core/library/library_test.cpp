@@ -84,6 +84,45 @@ private slots:
         QVERIFY(valueOf(again->recording(added.id)) == *grasp.recording);
         QCOMPARE(valueOf(again->identificationDocument(added.id)), grasp.identification);
     }
+    void whatASqueezeDeterminesBesidesOrInsteadComesBack()
+    {
+        const LibraryFolder folder;
+        const TypeRecord type = valueOf(folder.open()->addType(u"A"_s, {}, u"N"_s, u"m"_s));
+        NewGrasp grasp = aGrasp(type.id);
+        grasp.determined = someQuantities();
+        const GraspRecord besides = valueOf(folder.open()->addGrasp(grasp));
+        grasp.estimates.resize(1);
+        grasp.estimates[0].parameters.reset(); // no mass was found
+        grasp.estimates[0].covariance.reset();
+        grasp.determined->covariance.reset();
+        const GraspRecord instead = valueOf(folder.open()->addGrasp(grasp));
+        const auto library = folder.open();
+        const GraspRecord first = *valueOf(library->grasp(besides.id));
+        QVERIFY(first.parameters && first.determined && first.determined->space == someQuantities().space);
+        QVERIFY(first.determined->log == someQuantities().log);
+        QVERIFY(*first.determined->covariance == *someQuantities().covariance);
+        const GraspRecord second = *valueOf(library->grasp(instead.id));
+        QVERIFY(!second.parameters && second.determined && !second.determined->covariance);
+        const auto squeezes = valueOf(library->enrolledSqueezes());
+        QCOMPARE(squeezes.size(), std::size_t(2));
+        for (const TypeSqueeze& squeeze : squeezes)
+            QVERIFY(squeeze.determined && squeeze.determined->log == someQuantities().log);
+        QCOMPARE(squeezes[1].parameters.k, 0.0);
+    }
+    void whatWasDeterminedMustBeNumbers()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        const TypeRecord type = valueOf(library->addType(u"A"_s, {}, u"N"_s, u"m"_s));
+        NewGrasp grasp = aGrasp(type.id);
+        grasp.determined = someQuantities();
+        grasp.determined->log[1] = std::nan("");
+        QCOMPARE(library->addGrasp(grasp).error().code, ErrorCode::Usage);
+        grasp.determined = someQuantities();
+        grasp.determined->covariance = LogMatrix::Identity(2, 2);
+        QCOMPARE(library->addGrasp(grasp).error().code, ErrorCode::Usage);
+        QVERIFY(valueOf(library->grasps(type.id)).empty());
+    }
     void squeezesAreInOrderOfRecording()
     {
         const LibraryFolder folder;

@@ -12,7 +12,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double rate = 0.01;
+constexpr double statedRate = 0.01;
 
 void everySpaceAndNumber()
 {
@@ -31,7 +31,7 @@ ClusteredShare shareIn(ScenarioKind kind, int p, int squeezes, const QString& na
     scenario.squeezes = squeezes;
     scenario.space = spaceOfDimensions(p);
     scenario.options.siUnits = false;
-    scenario.options.falseReject = scenario.options.wrongType = scenario.options.strangerAccept = rate;
+    scenario.options.falseReject = scenario.options.wrongType = scenario.options.strangerAccept = statedRate;
     std::vector<EnrolmentTally> tallies;
     for (int run = 0; run < 400; ++run)
         tallies.push_back(
@@ -55,9 +55,9 @@ private slots:
         QFETCH(int, p);
         QFETCH(int, squeezes);
         // 400 of 40,000; binomial it would be +- 20, clustered by enrolment it is up to six times that. Four
-        // standard errors, which a right rate exceeds once in 16,000 times.
+        // standard errors, which a right statedRate exceeds once in 16,000 times.
         const ClusteredShare unknown = shareIn(ScenarioKind::KnownParts, p, squeezes, u"unknown"_s);
-        QVERIFY2(std::abs(unknown.share - rate) < 4 * unknown.standardError, qPrintable(text(unknown)));
+        QVERIFY2(std::abs(unknown.share - statedRate) < 4 * unknown.standardError, qPrintable(text(unknown)));
         QVERIFY2(unknown.standardError < 0.0025, qPrintable(text(unknown)));
     }
     void neighboursAreMistakenAtMostAtTheStatedRate_data() { everySpaceAndNumber(); }
@@ -67,7 +67,7 @@ private slots:
         QFETCH(int, squeezes);
         // As the study holds it, 1.2 times, and three standard errors.
         const ClusteredShare wrong = shareIn(ScenarioKind::Neighbours, p, squeezes, u"wrong_type"_s);
-        QVERIFY2(wrong.share < 1.2 * rate + 3 * wrong.standardError, qPrintable(text(wrong)));
+        QVERIFY2(wrong.share < 1.2 * statedRate + 3 * wrong.standardError, qPrintable(text(wrong)));
         QVERIFY2(wrong.standardError < 0.0025, qPrintable(text(wrong)));
     }
     void strangersAreAcceptedAtMostAtTheStatedRate_data() { everySpaceAndNumber(); }
@@ -76,8 +76,8 @@ private slots:
         QFETCH(int, p);
         QFETCH(int, squeezes);
         const ClusteredShare accepted = shareIn(ScenarioKind::StrangersInRange, p, squeezes, u"accepted"_s);
-        QVERIFY2(accepted.share < rate + 4 * accepted.standardError, qPrintable(text(accepted)));
-        QVERIFY2(accepted.share > 0.8 * rate - 4 * accepted.standardError, qPrintable(text(accepted)));
+        QVERIFY2(accepted.share < statedRate + 4 * accepted.standardError, qPrintable(text(accepted)));
+        QVERIFY2(accepted.share > 0.8 * statedRate - 4 * accepted.standardError, qPrintable(text(accepted)));
     }
     void gatesWithConfidenceKeepTheirPromise_data()
     {

@@ -240,7 +240,7 @@ private slots:
                  u"The squeeze does not determine relaxing share, by which the types are told apart."_s);
         QVERIFY(judge(fitTypeModels({}), lost).kind == VerdictKind::Invalid);
     }
-    void theSpaceIsWhatAllSqueezesDetermine()
+    void theSpaceIsWhatMostOfEveryTypeDetermine()
     {
         using enum TypeQuantity;
         std::vector<TypeSqueeze> squeezes{{u"A"_s, {1, 2, 3}}, {u"B"_s, {2, 3, 4}}};
@@ -252,6 +252,9 @@ private slots:
         QVERIFY(spaceOf(squeezes) == QuantitySpace{{Stiffness}});
         QCOMPARE(fitTypeModels(squeezes, spaceOf(squeezes)).find(u"B"_s)->squeezes, 2);
         QCOMPARE(fitTypeModels(squeezes).find(u"B"_s)->squeezes, 1);
+        squeezes.push_back(squeezeAt(u"B"_s, {{Friction}}, LogVector::Zero(1)));
+        QVERIFY(spaceOf(squeezes) == QuantitySpace{{Stiffness}}); // one poor squeeze takes nothing away
+        QCOMPARE(fitTypeModels(squeezes, spaceOf(squeezes)).find(u"B"_s)->squeezes, 2);
         squeezes.push_back(squeezeAt(u"B"_s, {{Friction}}, LogVector::Zero(1)));
         QVERIFY(spaceOf(squeezes).quantities.empty());
         QVERIFY(fitTypeModels(squeezes, spaceOf(squeezes)).types.empty());

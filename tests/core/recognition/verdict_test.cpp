@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/types/paper_appendix.h"
+#include "core/recognition/verdict/identified_squeeze.h"
 #include "core/recognition/verdict/quantity_text.h"
 #include "core/recognition/verdict/verdict.h"
 #include "tests/core/recognition/gaussian_types.h"
@@ -57,6 +58,12 @@ Identification measured(const MassDampingStiffness& parameters)
     identification.estimates = {estimate};
     identification.choice.window.count = 400;
     return identification;
+}
+
+/// In the units that it has.
+std::optional<TypeSqueeze> found(const Identification& identification)
+{
+    return identifiedSqueeze({}, identification, u"1"_s, u"1"_s);
 }
 
 } // namespace
@@ -273,7 +280,9 @@ private slots:
     void aMeasurementIsScaledToTheModelsUnits()
     {
         const TypeModels models = fitTypeModels(cross(u"A"_s, 10000));
-        const Verdict verdict = judge(models, measured({4e-5, 0.04, 10}), 1000); // in N and mm
+        const Identification inMillimetres = measured({4e-5, 0.04, 10});
+        const Verdict verdict =
+            judge(models, inMillimetres, identifiedSqueeze({}, inMillimetres, u"N"_s, u"mm"_s));
         QVERIFY(verdict.kind == VerdictKind::Type);
         QCOMPARE(verdict.samplesUsed, std::size_t(400));
     }
@@ -286,12 +295,12 @@ private slots:
             {u"samples_lost"_s, false, true, {}, {}, u"12 samples were lost."_s},
             {u"fit"_s, false, false, {}, {}, u"The fit is poor."_s},
             {u"hold"_s, true, true, {}, {}, u"The hold is known."_s}};
-        const Verdict verdict = judge(models, identification, 1);
+        const Verdict verdict = judge(models, identification, found(identification));
         QVERIFY(verdict.kind == VerdictKind::Invalid);
         QCOMPARE(described(verdict.reasons), QStringList({u"12 samples were lost."_s}));
         QCOMPARE(verdict.samplesUsed, std::size_t(400));
         identification.validity.verdict = ValidityVerdict::Suspect;
-        QVERIFY(judge(models, identification, 1).kind == VerdictKind::Type);
+        QVERIFY(judge(models, identification, found(identification)).kind == VerdictKind::Type);
     }
     void aMeasurementWithoutParametersIsInvalidWithTheEstimatesWords()
     {
@@ -300,9 +309,9 @@ private slots:
         identification.estimates[0].parameters.reset();
         identification.estimates[0].status = EstimateStatus::NotIdentifiable;
         identification.estimates[0].message = u"The force is constant."_s;
-        QCOMPARE(described(judge(models, identification, 1).reasons),
+        QCOMPARE(described(judge(models, identification, found(identification)).reasons),
                  QStringList({u"The force is constant."_s}));
-        const Verdict empty = judge(models, Identification{}, 1);
+        const Verdict empty = judge(models, Identification{}, found({}));
         QVERIFY(empty.kind == VerdictKind::Invalid);
         QCOMPARE(empty.reasons.size(), 1);
     }

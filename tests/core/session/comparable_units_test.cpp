@@ -41,18 +41,18 @@ private slots:
             {{u"A"_s, {0.04, 43, 9990}}, {u"B"_s, {0.03, 40, 10500}}, {u"P"_s, {0.037, 0.13, 0.095}}});
         const auto si = types.modelsFor(u"N"_s, u"mm"_s);
         QCOMPARE(si->factor, 1000.0);
-        QCOMPARE(si->models->types.size(), std::size_t(2));
-        QVERIFY(!si->models->find(u"P"_s));
+        QCOMPARE(si->types->whole()->types.size(), std::size_t(2));
+        QVERIFY(!si->types->whole()->find(u"P"_s));
         const auto printed = types.modelsFor(u"1"_s, u"1"_s);
         QCOMPARE(printed->factor, 1.0);
-        QCOMPARE(printed->models->types.size(), std::size_t(1));
+        QCOMPARE(printed->types->whole()->types.size(), std::size_t(1));
         QCOMPARE(types.main().types.size(), std::size_t(2));
         QCOMPARE(types.modelsFor(u"lbf"_s, u"in"_s).error().code, ErrorCode::UnitsDiffer);
     }
     void anEmptyLibraryFitsEveryUnit()
     {
         const ComparableTypes none;
-        QVERIFY(none.modelsFor(u"1"_s, u"1"_s)->models->types.empty());
+        QVERIFY(none.modelsFor(u"1"_s, u"1"_s)->types->whole()->types.empty());
         QVERIFY(none.main().types.empty());
     }
 };

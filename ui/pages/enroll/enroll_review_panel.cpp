@@ -5,12 +5,13 @@
 #include "core/math/distributions.h"
 #include "core/recognition/types/gates.h"
 #include "core/recognition/types/predictive.h"
+#include "core/recognition/types/squeeze_values.h"
+#include "core/recognition/verdict/identified_squeeze.h"
 #include "core/session/squeeze/comparable_units.h"
 #include "ui/charts/type_map.h"
 #include "ui/context/sign_in.h"
 #include "ui/context/workbench.h"
 #include "ui/format/number_format.h"
-#include "ui/format/parameter_text.h"
 #include "ui/format/recipe_words.h"
 #include "ui/format/shown_unit.h"
 #include "ui/pages/enroll/trial_dialog.h"
@@ -44,8 +45,72 @@ std::optional<double> reviewedGate(const TypeModels& models, const TypeModel& ow
                                    const VerdictOptions& rates)
 {
     const double degrees = predictType(models, own, own.meanLog, {}, {rates.robust}).degreesOfFreedom;
-    return rates.confidence ? toleranceGate(own.squeezes, degrees, rates.falseReject, *rates.confidence)
-                            : falseRejectGate(own.squeezes, degrees, rates.falseReject);
+    const int dimensions = models.space.dimensions();
+    return rates.confidence
+               ? toleranceGate(own.squeezes, degrees, rates.falseReject, *rates.confidence, dimensions)
+               : falseRejectGate(own.squeezes, degrees, rates.falseReject, dimensions);
+}
+
+/// Mean and deviation of what all of these determine.
+std::vector<ReviewedQuantity> quantitiesOf(const std::vector<TypeSqueeze>& own)
+{
+    std::vector<ReviewedQuantity> quantities;
+    for (const TypeQuantity quantity : spaceOf(own).quantities) {
+        Eigen::VectorXd values(static_cast<Eigen::Index>(own.size()));
+        Eigen::Index next = 0;
+        for (const TypeSqueeze& squeeze : own)
+            if (const auto log = coordinatesOf(squeeze, QuantitySpace{{quantity}}))
+                values[next++] = std::exp((*log)[0]);
+        if (next == 0)
+            continue;
+        ReviewedQuantity one{quantity, values.head(next).mean(), {}};
+        if (next > 1)
+            one.deviation = std::sqrt((values.head(next).array() - one.mean).square().sum() /
+                                      static_cast<double>(next - 1));
+        quantities.push_back(one);
+    }
+    return quantities;
+}
+
+/// What a row of the review is called.
+QString rowName(TypeQuantity quantity)
+{
+    switch (quantity) {
+    case TypeQuantity::Mass:
+        return EnrollReviewPanel::tr("moving mass m");
+    case TypeQuantity::Damping:
+        return EnrollReviewPanel::tr("damping b");
+    case TypeQuantity::Stiffness:
+        return EnrollReviewPanel::tr("stiffness k");
+    case TypeQuantity::RelaxingShare:
+        return EnrollReviewPanel::tr("yielding share k1/k");
+    case TypeQuantity::RelaxationTime:
+        return EnrollReviewPanel::tr("yields within τ");
+    case TypeQuantity::Friction:
+        return EnrollReviewPanel::tr("friction Fc");
+    }
+    return {};
+}
+
+void showRow(const QuantityRow& row, bool visible)
+{
+    for (QLabel* label : {row.name, row.mean, row.spread})
+        label->setVisible(visible);
+}
+
+QString meanText(const ReviewedQuantity& one, const TypeReview& review)
+{
+    // The mean's own interval says how well it is known: Student's t, since the squeezes are few.
+    std::optional<double> halfWidth;
+    if (one.deviation)
+        halfWidth = studentQuantile(0.975, review.squeezes - 1) * *one.deviation / std::sqrt(review.squeezes);
+    if (one.quantity == TypeQuantity::RelaxingShare)
+        return formatNumber(100 * one.mean, halfWidth ? std::optional(100 * *halfWidth) : std::nullopt,
+                            u"%"_s)
+            .text();
+    const QString unit =
+        comparableUnit(parameterOf(one.quantity), review.forceUnit, review.positionUnit).unit;
+    return formatNumber(one.mean, halfWidth, unit).text();
 }
 
 } // namespace
@@ -58,31 +123,21 @@ TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels
     review.models = models;
     std::copy_if(squeezes.begin(), squeezes.end(), std::back_inserter(review.squeezesOfAll),
                  [&models](const TypeSqueeze& squeeze) { return models.find(squeeze.type) != nullptr; });
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    Eigen::Vector3d squares = Eigen::Vector3d::Zero();
-    for (const TypeSqueeze& squeeze : squeezes)
-        if (squeeze.type == name) {
-            ++review.squeezes;
-            sum += squeeze.parameters.vector();
-        }
-    if (review.squeezes == 0)
+    std::vector<TypeSqueeze> ofType;
+    std::copy_if(squeezes.begin(), squeezes.end(), std::back_inserter(ofType),
+                 [&name](const TypeSqueeze& squeeze) { return squeeze.type == name; });
+    review.squeezes = static_cast<int>(ofType.size());
+    if (ofType.empty())
         return review;
-    const Eigen::Vector3d mean = sum / review.squeezes;
-    review.mean = {mean[0], mean[1], mean[2]};
-    for (const TypeSqueeze& squeeze : squeezes)
-        if (squeeze.type == name)
-            squares += (squeeze.parameters.vector() - mean).cwiseAbs2();
-    if (review.squeezes > 1)
-        review.spreadPercent = 100 * (squares / (review.squeezes - 1)).cwiseSqrt().cwiseQuotient(mean);
+    review.quantities = quantitiesOf(ofType);
     const TypeModel* own = models.find(name);
     if (!own || models.degreesOfFreedom < 1)
         return review;
-    const Eigen::Vector3d centre = own->meanLog.array().exp();
+    const TypeSqueeze centre = squeezeAt(name, models.space, own->meanLog);
     for (const TypeModel& other : models.types) {
         if (other.name == name)
             continue;
-        const std::optional<double> squared =
-            squaredDistance(models, other, {centre[0], centre[1], centre[2]});
+        const std::optional<double> squared = squaredDistance(models, other, centre);
         if (!squared)
             continue;
         const double distance = std::sqrt(*squared);
@@ -107,7 +162,8 @@ Expected<TypeReview> loadReview(Library& library, const QString& name, const Ver
             continue;
         ASSIGN_OR_RETURN(const ComparableTypes::Choice choice,
                          ComparableTypes(types, squeezes).modelsFor(type.forceUnit, type.positionUnit));
-        TypeReview review = reviewType(squeezes, *choice.models, name, rates);
+        TypeReview review = reviewType(squeezes, *choice.types->whole(), name, rates);
+        review.models = *choice.types->linear();
         review.forceUnit = type.forceUnit;
         review.positionUnit = type.positionUnit;
         return review;
@@ -169,14 +225,18 @@ QWidget* EnrollReviewPanel::makeFacts(QWidget* parent)
     grid->setVerticalSpacing(8);
     grid->addWidget(makeLabel(tr("Mean (95 %)"), "caption", card), 0, 1, Qt::AlignRight);
     grid->addWidget(makeLabel(tr("Spread (1 sd)"), "caption", card), 0, 2, Qt::AlignRight);
-    const QString names[] = {tr("moving mass m"), tr("damping b"), tr("stiffness k")};
-    for (int i = 0; i < 3; ++i) {
-        const int row = 3 - i;
-        m_mean[i] = makeLabel({}, "strong", card);
-        m_spread[i] = makeLabel({}, "strong", card);
-        grid->addWidget(makeLabel(names[i], "", card), row, 0);
-        grid->addWidget(m_mean[i], row, 1, Qt::AlignRight);
-        grid->addWidget(m_spread[i], row, 2, Qt::AlignRight);
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        // Stiffness first, as everywhere; then damping and mass, then what there is besides.
+        const int row = i < 3 ? 3 - static_cast<int>(i) : 1 + static_cast<int>(i);
+        QuantityRow& labels = m_rows[i];
+        labels = {makeLabel(rowName(allQuantities[i]), "", card), makeLabel({}, "strong", card),
+                  makeLabel({}, "strong", card)};
+        labels.name->setObjectName("quantityName");
+        grid->addWidget(labels.name, row, 0);
+        grid->addWidget(labels.mean, row, 1, Qt::AlignRight);
+        grid->addWidget(labels.spread, row, 2, Qt::AlignRight);
+        if (i >= 3) // not before it is known that there is any
+            showRow(labels, false);
     }
     facts->addLayout(grid);
     facts->addSpacing(8);
@@ -318,19 +378,16 @@ void EnrollReviewPanel::show(const TypeReview& review)
 {
     m_title->setText(
         tr("Review of %1: %2 squeezes").arg(m_workbench->enrollment().typeName()).arg(review.squeezes));
-    // The mean's own interval says how well it is known: Student's t, since the squeezes are few.
-    std::optional<Eigen::Vector3d> halfWidths;
-    if (review.spreadPercent) {
-        const double t = studentQuantile(0.975, review.squeezes - 1);
-        halfWidths =
-            t * review.spreadPercent->cwiseProduct(review.mean.vector()) / (100 * std::sqrt(review.squeezes));
-    }
-    const ParameterTexts texts =
-        parameterTextsWithin(review.mean, halfWidths, review.forceUnit, review.positionUnit);
-    const QString means[] = {texts.m.text(), texts.b.text(), texts.k.text()};
-    for (int i = 0; i < 3; ++i) {
-        m_mean[i]->setText(means[i]);
-        m_spread[i]->setText(review.spreadPercent ? formatPercent((*review.spreadPercent)[i]) : u"–"_s);
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const auto found =
+            std::ranges::find(review.quantities, allQuantities[i], &ReviewedQuantity::quantity);
+        const bool isThere = found != review.quantities.end();
+        showRow(m_rows[i], isThere);
+        if (!isThere)
+            continue;
+        m_rows[i].mean->setText(meanText(*found, review));
+        m_rows[i].spread->setText(found->deviation ? formatPercent(100 * *found->deviation / found->mean)
+                                                   : u"–"_s);
     }
     fitFacts();
     if (!review.nearestSd)

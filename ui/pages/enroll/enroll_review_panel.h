@@ -7,6 +7,7 @@
 #include <QString>
 #include <QWidget>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -43,17 +44,23 @@ private:
 /// What the review says besides the table: outliers, overlap, parts against grips; a sentence each.
 [[nodiscard]] QStringList reviewSentences(const EnrollmentReview& review);
 
+/// What the accepted squeezes of a type have in common, in SI where the type's units are known.
+struct ReviewedQuantity {
+    TypeQuantity quantity = TypeQuantity::Stiffness;
+    double mean = 0;
+    std::optional<double> deviation; ///< standard, of a squeeze
+};
+
 /// What a type looks like after its squeezes: made on the library's thread, shown before it is approved.
 struct TypeReview {
     int squeezes = 0;
-    MassDampingStiffness mean;                    ///< of the accepted squeezes, in the type's units
-    std::optional<Eigen::Vector3d> spreadPercent; ///< standard deviation over mean, m, b, k
-    QString forceUnit, positionUnit;
-    TypeModels models;                      ///< of all types it can be compared with
-    std::vector<TypeSqueeze> squeezesOfAll; ///< of these types, in the units of the models
-    QString nearest;                        ///< other type
-    std::optional<double> nearestSd;        ///< how far, in standard deviations
-    std::optional<double> gateSd;           ///< where a squeeze is called unknown at the false-reject rate
+    std::vector<ReviewedQuantity> quantities; ///< that all its squeezes determine
+    QString forceUnit, positionUnit;          ///< of the type
+    TypeModels models;                        ///< of all types it can be compared with, in m, b and k
+    std::vector<TypeSqueeze> squeezesOfAll;   ///< of these types, in the units of the models
+    QString nearest;                          ///< other type
+    std::optional<double> nearestSd;          ///< how far, in standard deviations
+    std::optional<double> gateSd;             ///< where a squeeze is called unknown at the false-reject rate
     double falseReject = 0;
 };
 [[nodiscard]] TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels& models,
@@ -61,6 +68,11 @@ struct TypeReview {
 
 /// What was enrolled and how, a line each: squeezes and parts, recipe, crush limit.
 [[nodiscard]] QStringList summaryLines(const EnrollSession& session);
+
+/// A line of the review.
+struct QuantityRow {
+    QLabel *name = nullptr, *mean = nullptr, *spread = nullptr;
+};
 
 /// The review step: mean and spread, how far the nearest other type is, what overlaps, what held-out squeezes
 /// are called, and approval.
@@ -80,7 +92,8 @@ private:
     void loadCheck();
     Workbench* m_workbench;
     PartPictureView* m_picture;
-    QLabel *m_title, *m_summary, *m_mean[3], *m_spread[3], *m_distance, *m_gate, *m_sentences;
+    QLabel *m_title, *m_summary, *m_distance, *m_gate, *m_sentences;
+    std::array<QuantityRow, mostDimensions> m_rows; ///< in order of allQuantities
     QScrollArea* m_facts = nullptr;
     TypeMap* m_map;
     EnrollCheck* m_check;

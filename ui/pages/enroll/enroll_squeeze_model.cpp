@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/math/normal_interval.h"
 #include "ui/context/workbench.h"
+#include "ui/format/determined_text.h"
 #include "ui/format/parameter_text.h"
 #include "ui/pages/enroll/enroll_squeeze_panel.h"
 #include "ui/theme/theme.h"
@@ -8,6 +9,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -17,6 +19,26 @@ namespace gripscope {
 QString threeLines(const QString& k, const QString& b, const QString& m)
 {
     return LiveSqueezeWords::tr("k  %1\nb  %2\nm  %3").arg(k, b, m);
+}
+
+QString numbersOf(const EnrollSqueeze& squeeze)
+{
+    const std::vector<DeterminedParameter> all = determinedParameters(squeeze);
+    if (all.empty())
+        return {};
+    QString linear[3] = {u"–"_s, u"–"_s, u"–"_s};
+    for (const DeterminedParameter& one : all)
+        if (const auto place = linearPlaceOf(one.parameter))
+            linear[*place] = determinedText(one);
+    if (squeeze.identification.best() != nullptr) {
+        const ParameterTexts texts = parameterTexts(squeeze.identification, squeeze.recording.forceUnit,
+                                                    squeeze.recording.positionUnit);
+        linear[0] = texts.m.text();
+        linear[1] = texts.b.text();
+        linear[2] = texts.k.text();
+    }
+    const QString further = furtherText(all);
+    return threeLines(linear[2], linear[1], linear[0]) + (further.isEmpty() ? QString() : u'\n' + further);
 }
 
 LiveSqueezeWords liveSqueezeWords(const std::optional<RecursiveState>& state, const QString& forceUnit,
@@ -95,6 +117,18 @@ QString validityWord(const EnrollSqueeze& squeeze)
     return {};
 }
 
+/// Of m, b and k what there is, where not all three are.
+void EnrollSqueezeModel::fillIn(Row& row, const std::vector<DeterminedParameter>& all)
+{
+    const std::array columns{&row.mass, &row.damping, &row.stiffness};
+    for (const DeterminedParameter& one : all)
+        if (const auto place = linearPlaceOf(one.parameter); place && !one.isLowerBound)
+            *columns[*place] = formatNumber(
+                one.value,
+                one.interval ? std::optional((one.interval->upper - one.interval->lower) / 2) : std::nullopt,
+                one.unit);
+}
+
 EnrollSqueezeModel::Row EnrollSqueezeModel::makeRow(const EnrollSqueeze& squeeze)
 {
     Row row;
@@ -104,16 +138,19 @@ EnrollSqueezeModel::Row EnrollSqueezeModel::makeRow(const EnrollSqueeze& squeeze
     row.verdict = validityWord(squeeze);
     row.fit = QChar(0x2013);
     row.stiffness.value = row.damping.value = row.mass.value = row.fit;
-    const Estimate* best = squeeze.identification.best();
-    if (!best)
-        return row;
-    const ParameterTexts texts =
-        parameterTexts(squeeze.identification, squeeze.recording.forceUnit, squeeze.recording.positionUnit);
-    row.stiffness = texts.k;
-    row.damping = texts.b;
-    row.mass = texts.m;
-    if (best->fit.simulationPercent)
-        row.fit = formatPercent(*best->fit.simulationPercent);
+    const Identification& identification = squeeze.identification;
+    if (identification.best() != nullptr) {
+        const ParameterTexts texts =
+            parameterTexts(identification, squeeze.recording.forceUnit, squeeze.recording.positionUnit);
+        row.stiffness = texts.k;
+        row.damping = texts.b;
+        row.mass = texts.m;
+    } else {
+        fillIn(row, determinedParameters(squeeze));
+    }
+    const Estimate* const recommended = identification.find(identification.recommended);
+    if (recommended != nullptr && recommended->fit.simulationPercent)
+        row.fit = formatPercent(*recommended->fit.simulationPercent);
     return row;
 }
 

@@ -3,7 +3,6 @@
 
 #include "ui/context/connection_words.h"
 #include "ui/context/workbench.h"
-#include "ui/format/parameter_text.h"
 #include "ui/pages/page_state.h"
 #include "ui/pages/part_picture.h"
 #include "ui/people/authorize.h"
@@ -110,6 +109,8 @@ QWidget* EnrollSqueezePanel::makeLast(QWidget* parent)
     setSpacing(column, 0, 4);
     m_lastTitle = makeLabel({}, "strong", box);
     m_lastNumbers = makeLabel({}, "", box);
+    m_lastNumbers->setObjectName("squeezeNumbers");
+    m_lastNumbers->setWordWrap(true);
     m_lastWords = makeLabel({}, "caption", box);
     m_lastWords->setObjectName("squeezeWords");
     m_lastWords->setWordWrap(true);
@@ -355,14 +356,10 @@ void EnrollSqueezePanel::refreshLast()
     }
     const EnrollSqueeze& last = squeezes.back();
     m_accept->setEnabled(last.reason.isEmpty());
-    const Estimate* best = last.identification.best();
+    const QString numbers = numbersOf(last);
     m_lastTitle->setText(tr("Squeeze %1: %2").arg(squeezes.size()).arg(validityWord(last)));
-    m_lastNumbers->setVisible(best != nullptr);
-    if (best) {
-        const ParameterTexts texts =
-            parameterTexts(last.identification, last.recording.forceUnit, last.recording.positionUnit);
-        m_lastNumbers->setText(threeLines(texts.k.text(), texts.b.text(), texts.m.text()));
-    }
+    m_lastNumbers->setVisible(!numbers.isEmpty());
+    m_lastNumbers->setText(numbers);
     m_lastWords->setText(
         last.decision == EnrollSqueeze::Decision::Rejected ? tr("Rejected: %1").arg(last.reason)
         : !last.reason.isEmpty()                           ? last.reason

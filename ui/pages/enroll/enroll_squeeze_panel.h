@@ -40,6 +40,10 @@ public:
 /// The lines as every squeeze shows them.
 [[nodiscard]] QString threeLines(const QString& k, const QString& b, const QString& m);
 
+/// What a squeeze told, m, b and k each in a line, what there is besides in another; empty where it told
+/// nothing.
+[[nodiscard]] QString numbersOf(const EnrollSqueeze& squeeze);
+
 /// Advice on the enrolment under way, worked out in the pool whenever its squeezes change.
 class EnrollAdvisor : public QObject {
     Q_OBJECT
@@ -91,6 +95,7 @@ private:
     /// own.
     [[nodiscard]] QString commonUnit(FormattedNumber Row::*column) const;
     [[nodiscard]] static Row makeRow(const EnrollSqueeze& squeeze);
+    static void fillIn(Row& row, const std::vector<DeterminedParameter>& all);
     [[nodiscard]] QString text(const Row& row, int number, Column column) const;
     std::vector<Row> m_rows;
 };

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/end_to_end/program_run.h"
+#include "tests/support/test_registry.h"
+
+using namespace gripscope::test;
+using namespace Qt::StringLiterals;
+
+/// Types that m, b and k do not tell apart, from the gripper to the verdict.
+class DeterminedTypesTest : public QObject {
+    Q_OBJECT
+
+    QString squeezed(const QString& part, int seed, const QString& file)
+    {
+        const QString device = u"virtual:?object=%1&speed=0&seed=%2"_s.arg(part).arg(seed);
+        const ProgramRun run =
+            m_work.cli({u"record"_s, u"--device"_s, device, u"--seconds"_s, u"1"_s, u"--excitation"_s,
+                        u"four-level"_s, u"--peak"_s, u"10"_s, u"--bias"_s, u"20"_s, u"--bit"_s, u"0.005"_s,
+                        u"--arm"_s, u"-o"_s, m_work.path(file)});
+        if (run.exit != 0)
+            qWarning("%s", run.err.constData());
+        return m_work.path(file);
+    }
+    bool enrol(const QString& library, const QString& name, const QString& part, int first)
+    {
+        QStringList arguments{u"enroll"_s, u"--library"_s, m_work.path(library), u"--type"_s, name};
+        for (int seed = first; seed < first + 6; ++seed)
+            arguments << squeezed(part, seed, u"%1-%2.csv"_s.arg(name).arg(seed));
+        const ProgramRun run = m_work.cli(arguments);
+        if (run.exit != 0)
+            qWarning("%s%s", run.out.constData(), run.err.constData());
+        return run.exit == 0;
+    }
+    QJsonObject verdict(const QString& library, const QString& part, int seed)
+    {
+        const QString file = squeezed(part, seed, u"again-%1.csv"_s.arg(seed));
+        const ProgramRun run =
+            m_work.cli({u"classify"_s, u"--library"_s, m_work.path(library), u"--json"_s, file});
+        return run.json()[u"results"].toArray().at(0).toObject();
+    }
+    static QString told(const QJsonObject& verdict)
+    {
+        return QString::fromUtf8(QJsonDocument(verdict).toJson(QJsonDocument::Compact));
+    }
+
+    Workplace m_work;
+
+private slots:
+    void foamsOfOneMotionAreToldApartByHowTheyYield()
+    {
+        const QString quick = u"A&zener=0.3,0.02"_s;
+        const QString slow = u"A&zener=0.3,0.08"_s;
+        QVERIFY(enrol(u"foam.db"_s, u"quick"_s, quick, 1));
+        QVERIFY(enrol(u"foam.db"_s, u"slow"_s, slow, 11));
+        for (int seed = 101; seed < 104; ++seed) {
+            const QJsonObject one = verdict(u"foam.db"_s, quick, seed);
+            QVERIFY2(one[u"type"].toString() == u"quick"_s, qPrintable(told(one)));
+            const QJsonObject other = verdict(u"foam.db"_s, slow, seed + 10);
+            QVERIFY2(other[u"type"].toString() == u"slow"_s, qPrintable(told(other)));
+        }
+        const QJsonObject can = verdict(u"foam.db"_s, u"B"_s, 121); // does not yield, and is another can
+        QVERIFY2(can[u"verdict"].toString() == u"unknown"_s, qPrintable(told(can)));
+    }
+};
+
+GRIPSCOPE_TEST(DeterminedTypesTest)
+#include "determined_types_test.moc"
