@@ -10,6 +10,27 @@
 
 using namespace gripscope;
 
+namespace gripscope::test {
+
+NewGrasp yieldingGrasp(const QString& typeId, double tau_s, double e)
+{
+    NewGrasp grasp;
+    grasp.typeId = typeId;
+    grasp.forceUnit = QStringLiteral("N");
+    grasp.positionUnit = QStringLiteral("m");
+    Estimate estimate;
+    estimate.status = EstimateStatus::Converged;
+    estimate.parameters = MassDampingStiffness{0.04 * e, 40 / e, 1e4 * e};
+    grasp.estimates = {estimate};
+    using enum TypeQuantity;
+    LogVector log(4);
+    log << std::log(0.04 * e), std::log(40 / e), std::log(1e4 * e), std::log(tau_s / e);
+    grasp.determined = DeterminedQuantities{{{Mass, Damping, Stiffness, RelaxationTime}}, log, {}};
+    return grasp;
+}
+
+} // namespace gripscope::test
+
 class TypeSpaceTest : public QObject {
     Q_OBJECT
 private slots:
@@ -38,6 +59,24 @@ private slots:
         QCOMPARE(space->units.k, QStringLiteral("N/m"));
         // A change of the unit of time scales m, b and k: distances in their logarithms stay.
         QVERIFY(std::abs(space->nearest->distance - paperTypeSpace().nearest->distance) < 1e-6);
+    }
+    void typesThatYieldUnlikeAreFarApart()
+    {
+        QTemporaryDir folder;
+        const auto library = Library::open(folder.filePath(QStringLiteral("library.db")));
+        QVERIFY(library);
+        // Alike in m, b and k; a relaxation time of 20 and of 80 ms, each within 2 %.
+        for (const double tau : {0.02, 0.08}) {
+            const QString name = QString::number(tau);
+            const auto type = (*library)->addType(name, {}, QStringLiteral("N"), QStringLiteral("m"));
+            QVERIFY(type);
+            for (const double e : {0.98, 1.0, 1.01, 1.02})
+                QVERIFY((*library)->addGrasp(test::yieldingGrasp(type->id, tau, e)));
+        }
+        const Expected<TypeSpace> space = libraryTypeSpace(**library);
+        QVERIFY(space && space->nearest);
+        QCOMPARE(space->squeezes.size(), std::size_t(8));
+        QVERIFY2(space->nearest->distance > 20, qPrintable(QString::number(space->nearest->distance)));
     }
     void aTypeThatComesChangesNoOthersSign()
     {

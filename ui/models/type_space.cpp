@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/type_space.h"
 
+#include "core/recognition/types/models_by_space.h"
 #include "core/recognition/types/paper_appendix.h"
+#include "core/recognition/types/squeeze_values.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +17,14 @@ namespace {
 /// What an ellipsoid holds: of a type's squeezes, of where a squeeze may lie.
 constexpr double spaceShare = 0.95;
 
+/// `models`: of as many types, in the same order, in any space.
 std::optional<TypeSpace::Pair> nearestPair(const TypeModels& models)
 {
     std::optional<TypeSpace::Pair> nearest;
     for (std::size_t i = 0; i < models.types.size(); ++i)
         for (std::size_t j = i + 1; j < models.types.size(); ++j) {
-            const Eigen::Vector3d mean = models.types[j].meanLog.array().exp();
-            const std::optional<double> squared =
-                squaredDistance(models, models.types[i], {mean.x(), mean.y(), mean.z()});
+            const TypeSqueeze mean = squeezeAt({}, models.space, models.types[j].meanLog);
+            const std::optional<double> squared = squaredDistance(models, models.types[i], mean);
             if (squared && (!nearest || std::sqrt(*squared) < nearest->distance))
                 nearest = TypeSpace::Pair{int(i), int(j), std::sqrt(*squared)};
         }
@@ -37,15 +39,18 @@ void complete(TypeSpace& space)
     space.counts.assign(std::size_t(space.types.size()), 0);
     for (const SpaceSqueeze& squeeze : space.squeezes) {
         squeezes.push_back({space.types[squeeze.type], squeeze.parameters});
+        squeezes.back().determined = squeeze.determined;
         ++space.counts[std::size_t(squeeze.type)];
     }
-    space.models = fitTypeModels(squeezes);
+    const ModelsBySpace models(std::move(squeezes));
+    space.models = *models.linear();
     for (const QString& name : space.types) {
         const TypeModel* type = space.models.find(name);
         space.ellipsoids.push_back(type ? typeEllipsoid(space.models, *type, spaceShare) : std::nullopt);
     }
-    if (int(space.models.types.size()) == space.types.size() && space.models.degreesOfFreedom > 0)
-        space.nearest = nearestPair(space.models);
+    const TypeModels& whole = *models.whole();
+    if (int(whole.types.size()) == space.types.size() && whole.degreesOfFreedom > 0)
+        space.nearest = nearestPair(whole);
 }
 
 } // namespace
@@ -105,6 +110,7 @@ Expected<TypeSpace> libraryTypeSpace(Library& library)
                 grasp.id, index, ++number, {m * factor, b * factor, k * factor}, grasp.hasRecording};
             if (grasp.covariance)
                 squeeze.covariance = *grasp.covariance * (factor * factor);
+            squeeze.determined = grasp.determined;
             space.squeezes.push_back(std::move(squeeze));
         }
         if (number > 0) {

@@ -18,6 +18,8 @@ struct SpaceSqueeze {
     MassDampingStiffness parameters;
     bool hasRecording = false;
     std::optional<Eigen::Matrix3d> covariance = {}; ///< of m, b, k, from its identification
+    /// Besides m, b and k, which are shown: what types are told apart by where all have it.
+    std::optional<DeterminedQuantities> determined = {};
 };
 /// Where the squeeze lies with 95 % confidence; none where its error is not known.
 [[nodiscard]] std::optional<Ellipsoid> ownEllipsoid(const SpaceSqueeze& squeeze);
@@ -34,7 +36,7 @@ struct TypeSpace {
     std::vector<std::optional<Ellipsoid>>
         ellipsoids; ///< 95 %, one a type; none while there are too few squeezes
 
-    /// The two types that are most easily taken for each other.
+    /// The two types that are most easily taken for each other, by all that their squeezes determine.
     struct Pair {
         int one = 0, other = 0;
         double distance = 0; ///< Mahalanobis, in standard deviations

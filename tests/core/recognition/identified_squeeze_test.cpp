@@ -2,6 +2,7 @@
 #include "core/recognition/types/models_by_space.h"
 #include "core/recognition/types/squeeze_values.h"
 #include "core/recognition/verdict/identified_squeeze.h"
+#include "core/recognition/verdict/verdict.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
