@@ -5,7 +5,7 @@
 # Builds what it needs with clang. Usage: tests/fuzz/run.sh [--seconds 20 | --runs N] [--jobs 2] [--only NAME] [--keep]
 #   --seconds, --runs  for each target     --jobs  targets at a time     --only  this target, such as csv
 #   --keep             what reached new code is kept in tests/fuzz/corpus, the least set of inputs that reaches as much
-# Exit: 0 nothing found; 1 a finding (its input is named); 77 there is no clang or libFuzzer here.
+# Exit: 0 nothing found; 1 a finding (its input is named), or there is no clang with libFuzzer here.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 seconds=20 runs= jobs=2 only='*' keep=
@@ -20,7 +20,7 @@ while [[ $# -gt 0 ]]; do
   esac
 done
 command -v clang++ >/dev/null && compgen -G "$(clang++ -print-resource-dir)/lib/linux/libclang_rt.fuzzer-*" >/dev/null ||
-  { echo "no clang with libFuzzer here (Debian: clang, libclang-rt-14-dev): not fuzzed"; exit 77; }
+  { echo "no clang with libFuzzer here (Debian: clang, libclang-rt-14-dev): not fuzzed" >&2; exit 1; }
 
 targets=()
 for source in tests/fuzz/$only\_fuzz.cpp; do targets+=("$(basename "$source" .cpp)"); done

@@ -10,6 +10,7 @@
 #include <QMap>
 #include <QPixmap>
 
+#include <algorithm>
 #include <vector>
 
 namespace gripscope::test {
@@ -47,25 +48,16 @@ public:
         for (const QString& finding : findingsNow(*m_top))
             note(finding, where);
     }
-    /// With a message too, where there is one.
-    void in(const QString& state, const NamedTheme& theme, const std::vector<QSize>& sizes,
-            const QString& message = {})
-    {
-        lookIn(state, theme, sizes, message);
-        Theme::instance().apply(ThemeKind::Light);
-    }
+    /// In every theme. With a message too, where there is one.
     void inAll(const QString& state, const std::vector<QSize>& sizes, const QString& message = {})
     {
-        for (const NamedTheme& theme : everyTheme)
-            lookIn(state, theme, sizes, message);
-        Theme::instance().apply(ThemeKind::Light);
+        in(state, {{everyTheme[0], sizes}, {everyTheme[1], sizes}, {everyTheme[2], sizes}}, message);
     }
     /// One of the many states of a page that was met in every theme and size: where it is tightest, and where
     /// lines are thickest.
     void whereTight(const QString& state)
     {
-        in(state, everyTheme[0], {{1440, 900}, leastSize});
-        in(state, everyTheme[2], {leastSize});
+        in(state, {{everyTheme[0], {{1440, 900}, leastSize}}, {everyTheme[2], {leastSize}}});
     }
     /// Tells what was found; false where there is any.
     [[nodiscard]] bool sound() const
@@ -76,6 +68,17 @@ public:
     }
 
 private:
+    using Looks = std::vector<std::pair<NamedTheme, std::vector<QSize>>>;
+
+    /// The theme in force comes first: to give a window another takes longer than to look at it.
+    void in(const QString& state, Looks looks, const QString& message = {})
+    {
+        std::ranges::stable_partition(looks, [now = Theme::instance().tokens().kind](const auto& look) {
+            return look.first.first == now;
+        });
+        for (const auto& [theme, sizes] : looks)
+            lookIn(state, theme, sizes, message);
+    }
     void lookIn(const QString& state, const NamedTheme& theme, const std::vector<QSize>& sizes,
                 const QString& message)
     {
