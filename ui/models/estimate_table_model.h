@@ -6,7 +6,6 @@
 #include "ui/models/row_table_model.h"
 
 #include <QStringList>
-#include <QStyledItemDelegate>
 
 #include <array>
 
@@ -57,25 +56,6 @@ private:
     std::vector<Row> m_rows;
     std::array<QString, 3> m_units, m_shownUnits;
     Eigen::Vector3d m_factors = Eigen::Vector3d::Ones(); ///< from m_units to m_shownUnits
-};
-
-/// Two lines a row of EstimateTableModel: name over verdict, value over the half width of its 95 % interval,
-/// simulation fit over prediction fit; below them a line for each that an estimator has besides m, b and k.
-class EstimateDelegate : public QStyledItemDelegate {
-    Q_OBJECT
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-    void paint(QPainter* painter, const QStyleOptionViewItem& option,
-               const QModelIndex& index) const override;
-    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
-
-private:
-    struct Lines {
-        QString first, second;
-        QStringList further = {};
-    };
-    [[nodiscard]] static Lines linesOf(const QModelIndex& index);
 };
 
 } // namespace gripscope

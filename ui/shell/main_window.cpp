@@ -17,6 +17,7 @@
 #include "ui/settings/settings_dialog.h"
 #include "ui/shell/page_view.h"
 #include "ui/shell/window_bars.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/windows/question.h"
@@ -41,6 +42,7 @@ constexpr QSize least(1024, 640);
 
 MainWindow::MainWindow(Workbench& workbench, QWidget* parent) : QWidget(parent), m_workbench(&workbench)
 {
+    const Theme::PlainStyle plain;
     setWindowTitle(tr("Gripscope"));
     m_stack = new QStackedWidget(this);
     m_header = new HeaderBar(workbench, this);

@@ -25,6 +25,9 @@ QString fill(QString rules, const ThemeTokens& t)
         {"@onStop"_L1, Theme::onColor(t.stop).name()},
         {"@accentHover"_L1, Theme::mix(t.accent, t.text, 0.15).name()},
         {"@accentTint"_L1, Theme::mix(t.surface, t.accent, contrast ? 0.0 : 0.12).name()},
+        {"@selectedEdge"_L1, u"%1px solid %2"_s.arg(t.selectedEdgeWidth).arg(t.selectedEdge.name())},
+        {"@selectedFrame"_L1, contrast ? t.accent.name() : u"transparent"_s},
+        {"@selected"_L1, t.selected.name()},
         {"@stopHover"_L1, Theme::mix(t.stop, t.text, 0.12).name()},
         {"@secondText"_L1, t.secondText.name()},
         {"@disabledLine"_L1, contrast ? u"dashed "_s + t.disabled.name() : u"solid "_s + t.line.name()},
@@ -171,7 +174,7 @@ QComboBox::down-arrow:disabled, QAbstractSpinBox::down-arrow:disabled, QAbstract
 QAbstractSpinBox::up-arrow:disabled, QAbstractSpinBox::up-arrow:off { image: %5; }
 QComboBox QAbstractItemView { background: @surface; border: @lineWidth solid @control; outline: none; padding: 4px; }
 QComboBox QAbstractItemView::item { min-height: 36px; padding: 0 8px; }
-QComboBox QAbstractItemView::item:selected { background: @accentTint; color: @text; }
+QComboBox QAbstractItemView::item:selected { background: @selected; color: @text; }
 QAbstractSpinBox::up-button { border: none; width: 28px; subcontrol-position: top right; }
 QAbstractSpinBox::down-button { border: none; width: 28px; subcontrol-position: bottom right; }
 QAbstractSpinBox::up-button:hover, QAbstractSpinBox::down-button:hover { background: @hover; }
@@ -202,9 +205,10 @@ QString StyleSheet::views(const ThemeTokens&) const
 {
     return uR"(
 QAbstractItemView { background: @surface; alternate-background-color: @page; border: none; outline: none;
-  selection-background-color: @accentTint; selection-color: @text; gridline-color: @line; }
+  selection-background-color: @selected; selection-color: @text; gridline-color: @line; }
 QTableView::item, QListView::item, QTreeView::item { padding: 0 5px; border: none; border-bottom: 1px solid @line; }
-QTableView::item:selected, QListView::item:selected, QTreeView::item:selected { background: @accentTint; color: @text; }
+QTableView::item:selected, QListView::item:selected, QTreeView::item:selected { background: @selected; color: @text;
+  border-bottom: @selectedEdge; }
 QTableView:focus, QListView:focus, QTreeView:focus { border: 2px solid @accent; border-radius: @radius; }
 QHeaderView { background: @surface; border: none; }
 QHeaderView::section { background: @surface; color: @secondText; font-size: @fontSmall; font-weight: 600; border: none;
@@ -217,8 +221,8 @@ QScrollBar::handle:hover { background: @secondText; }
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QMenu { background: @surface; border: @lineWidth solid @control; padding: 4px; }
-QMenu::item { padding: 10px 32px 10px 16px; border-radius: 4px; }
-QMenu::item:selected { background: @accentTint; }
+QMenu::item { padding: 8px 30px 8px 14px; border: 2px solid transparent; border-radius: 4px; }
+QMenu::item:selected { background: @selected; border-color: @selectedFrame; }
 QMenu::item:disabled { color: @disabled; }
 QMenu::separator { height: 1px; background: @line; margin: 4px 8px; }
 QTabWidget::pane { border: none; }

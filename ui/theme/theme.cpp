@@ -12,6 +12,7 @@
 #include <QStyleFactory>
 #include <QSvgRenderer>
 
+#include <algorithm>
 #include <array>
 
 namespace gripscope {
@@ -207,7 +208,9 @@ QPalette palette(const ThemeTokens& t)
 
 } // namespace
 
-ThemeTokens themeTokens(ThemeKind kind)
+namespace {
+
+ThemeTokens colorsOf(ThemeKind kind)
 {
     switch (kind) {
     case ThemeKind::Light:
@@ -218,6 +221,18 @@ ThemeTokens themeTokens(ThemeKind kind)
         return highContrastTokens();
     }
     return lightTokens();
+}
+
+} // namespace
+
+ThemeTokens themeTokens(ThemeKind kind)
+{
+    ThemeTokens tokens = colorsOf(kind);
+    const bool contrast = kind == ThemeKind::HighContrast; // a tint alone would be hard to see there
+    tokens.selected = Theme::mix(tokens.surface, tokens.accent, contrast ? 0.2 : 0.12);
+    tokens.selectedEdge = contrast ? tokens.accent : tokens.line;
+    tokens.selectedEdgeWidth = contrast ? 2 : 1;
+    return tokens;
 }
 
 Theme& Theme::instance()
@@ -244,8 +259,26 @@ void Theme::apply(ThemeKind kind)
     QIcon::setFallbackThemeName(u"breeze"_s);
 
     QApplication::setPalette(palette(m_tokens));
+    // Exchanged for another, a sheet styles each widget once for each widget that it stands in; off and on
+    // again, twice in all.
+    qApp->setStyleSheet({});
     qApp->setStyleSheet(m_sheet->text(m_tokens));
     emit changed();
+}
+
+Theme::PlainStyle::PlainStyle()
+{
+    const QWidgetList windows = QApplication::topLevelWidgets();
+    if (std::ranges::any_of(windows, &QWidget::isVisible))
+        return;
+    m_sheet = qApp->styleSheet();
+    qApp->setStyleSheet({});
+}
+
+Theme::PlainStyle::~PlainStyle()
+{
+    if (!m_sheet.isEmpty())
+        qApp->setStyleSheet(m_sheet);
 }
 
 Theme::Theme() = default;
@@ -271,6 +304,15 @@ QColor Theme::outcomeColor(InspectionOutcome outcome) const
 QColor Theme::outcomeColor(InspectionOutcome outcome, bool suspect) const
 {
     return suspect ? m_tokens.suspect : outcomeColor(outcome);
+}
+
+void Theme::paintRow(QPainter& painter, const QRect& row, bool selected)
+{
+    const ThemeTokens& t = instance().tokens();
+    painter.fillRect(row, selected ? t.selected : t.surface);
+    const int edge = selected ? t.selectedEdgeWidth : 1;
+    painter.fillRect(QRect(row.left(), row.bottom() + 1 - edge, row.width(), edge),
+                     selected ? t.selectedEdge : t.line);
 }
 
 QColor Theme::typeColor(int index)

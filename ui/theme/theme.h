@@ -12,6 +12,8 @@
 #include <memory>
 #include <optional>
 
+class QPainter;
+
 namespace gripscope {
 
 class StyleSheet;
@@ -27,6 +29,9 @@ struct ThemeTokens {
     QColor asExpected, otherType, unknown, inconclusive, notValid;
     QColor suspect; ///< of any outcome whose measurement is in doubt
     QColor force, position, model;
+    QColor selected;     ///< ground of what is chosen in a list, a table or a menu
+    QColor selectedEdge; ///< the line below it
+    int selectedEdgeWidth = 1;
     int lineWidth = 1;
     int curveWidth = 2;
 };
@@ -59,6 +64,8 @@ public:
     /// Its shape: 0 to 3 for sphere, cube, cone, octahedron, so that colour is never alone. The fifth colour
     /// is close to the first: from there on the shapes are shifted by one.
     [[nodiscard]] static constexpr int typeShape(int index) { return (index + index / 4) % 4; }
+    /// Ground and lower edge of a row of a list, for delegates that paint all of it.
+    static void paintRow(QPainter& painter, const QRect& row, bool selected);
     /// A monochrome icon of the desktop's theme in the text colour (or the one given), sharp at any scale.
     [[nodiscard]] QIcon icon(const QString& name, std::optional<QColor> color = std::nullopt) const;
     [[nodiscard]] static QFont font(int pixels, bool strong = false);
@@ -68,6 +75,18 @@ public:
     [[nodiscard]] static QColor onColor(const QColor& fill);
     /// `share` of the way from one colour to the other: tints.
     [[nodiscard]] static QColor mix(const QColor& one, const QColor& other, double share);
+
+    /// For as long as one stands, and where nothing is to be seen yet, widgets are made without the style
+    /// sheet: with it each that gets a place in another is styled anew, and all that is within it.
+    class PlainStyle {
+    public:
+        PlainStyle();
+        ~PlainStyle();
+        Q_DISABLE_COPY_MOVE(PlainStyle)
+
+    private:
+        QString m_sheet;
+    };
 
 signals:
     void changed();

@@ -109,11 +109,10 @@ public:
         const QColor color = Theme::instance().outcomeColor(outcome, suspect);
         const QRectF box(option.rect);
         painter->save();
-        if (option.state & (QStyle::State_Selected | QStyle::State_MouseOver))
-            painter->fillRect(
-                box, Theme::mix(t.surface, t.accent, option.state & QStyle::State_Selected ? 0.14 : 0.06));
-        painter->setPen(Theme::mix(t.surface, t.line, 0.6));
-        painter->drawLine(box.bottomLeft(), box.bottomRight());
+        const bool selected = option.state & QStyle::State_Selected;
+        Theme::paintRow(*painter, option.rect, selected);
+        if (!selected && option.state & QStyle::State_MouseOver)
+            painter->fillRect(box.adjusted(0, 0, 0, -1), Theme::mix(t.surface, t.accent, 0.06));
         const QFontMetricsF small(Theme::font(metrics::fontSmall));
         painter->setPen(t.secondText);
         painter->setFont(Theme::font(metrics::fontSmall));

@@ -1,12 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/row_list.h"
 
+#include <QApplication>
 #include <QHeaderView>
+#include <QStyledItemDelegate>
 #include <QTableView>
 
 #include <algorithm>
 
 namespace gripscope {
+
+namespace {
+
+/// Measures the lines of a cell in the width they are painted in. Qt takes that of the whole cell, though the
+/// style sheet's padding is then no place for words: the last line of some widths would end in dots.
+class WrappedText : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override
+    {
+        QStyleOptionViewItem cell = option;
+        initStyleOption(&cell, index);
+        const QWidget* widget = option.widget;
+        const QStyle* style = widget ? widget->style() : QApplication::style();
+        const QRect words = style->subElementRect(QStyle::SE_ItemViewItemText, &cell, widget);
+        cell.rect.setWidth(std::max(1, words.width()));
+        return QStyledItemDelegate::sizeHint(cell, index);
+    }
+};
+
+} // namespace
 
 void setUpRowList(QTableView* table, int rowHeight)
 {
@@ -19,6 +42,13 @@ void setUpRowList(QTableView* table, int rowHeight)
     table->verticalHeader()->setDefaultSectionSize(rowHeight);
     table->horizontalHeader()->setHighlightSections(false);
     table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+}
+
+void letRowsWrap(QTableView* table)
+{
+    table->setWordWrap(true);
+    table->setItemDelegate(new WrappedText(table));
+    table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
 }
 
 void spreadColumns(QTableView* table)

@@ -9,6 +9,9 @@ namespace gripscope {
 /// a cell, nothing changed in place. How wide the columns are is left to the caller.
 void setUpRowList(QTableView* table, int rowHeight);
 
+/// Lets sentences go on in a next line, each row as high as its lines at every width.
+void letRowsWrap(QTableView* table);
+
 /// Gives each column that is shown the width of its words, and what is left of the table's width in equal
 /// parts to all but the first, which counts the rows. To be called when words or width change.
 void spreadColumns(QTableView* table);

@@ -35,6 +35,14 @@ QTableView* makePanelTable(QAbstractItemModel* model)
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(0, QHeaderView::Stretch);
     header->setMinimumSectionSize(40);
+    // What breaks in a narrow column takes more lines there; once all columns have their widths.
+    QObject::connect(
+        header, &QHeaderView::sectionResized, table,
+        [table](int column) {
+            if (column == 0)
+                fitPanelTable(table);
+        },
+        Qt::QueuedConnection);
     // As much air as the delegates leave.
     header->setStyleSheet(QStringLiteral("QHeaderView::section { padding: 4px 5px; }"));
     return table;
