@@ -9,11 +9,11 @@
 #include "core/identification/estimators/run_estimator.h"
 #include "core/identification/further_terms.h"
 #include "core/identification/model/identifiability.h"
-#include "core/identification/motion/motion.h"
 #include "core/identification/output_error/output_error.h"
-#include "core/identification/uncertainty/uncertainty_budget.h"
+#include "core/identification/squeeze_budget.h"
 #include "core/identification/validation/validation.h"
 #include "core/identification/validity/validity_checks.h"
+#include "core/identification/without_mass.h"
 #include "core/math/fit.h"
 #include "core/math/robust_statistics.h"
 
@@ -25,93 +25,6 @@
 namespace gripscope {
 
 namespace {
-
-/// For a motion without a mass or a spring, whose swings and time constants say nothing of how long a part
-/// must be.
-std::vector<Window> evenWindows(std::size_t samples)
-{
-    constexpr std::size_t windows = 5;
-    constexpr std::size_t fewest = 60;
-    std::vector<Window> out;
-    for (std::size_t i = 0; i < windows && samples >= windows * fewest; ++i)
-        out.push_back({i * (samples / windows), samples / windows});
-    return out;
-}
-
-/// The disagreement between windows of the record, each with its own lost samples, by output error or what
-/// has the further terms of `whole`. `whole` is the estimate from all of it; `motions`: those found in
-/// windows.
-ModelDiscrepancy windowDiscrepancy(const PreparedRecord& record, const EstimatorTask& task,
-                                   const Estimate& whole, std::vector<MotionEstimate>& motions)
-{
-    EstimatorTask each = task;
-    each.freeInitialState = true;
-    each.residuals = ResidualDepth::Noise;
-    // Windows of a repeating force need not hold whole periods.
-    const Estimator estimator = whole.motion ? whole.estimator : Estimator::OutputError;
-    const auto estimateWindow = [&](Window window) {
-        Estimate part = runEstimator(estimator, windowOf(record, window), each);
-        if (part.motion)
-            motions.push_back(*part.motion);
-        return part;
-    };
-    if (whole.isPartialMotion()) // no mass or no spring: what there is is compared one by one
-        for (const Window& window : evenWindows(record.force.size()))
-            estimateWindow(window);
-    return modelDiscrepancy(record.force.size(), record.sampleTime_s, whole, estimateWindow);
-}
-
-/// A carriage whose damping and friction differ with the way it moves; nothing for other motions.
-std::optional<MotionEstimate> eachWay(const Estimate& estimate, const PreparedRecord& record,
-                                      const EstimatorTask& task)
-{
-    if (!estimate.motion || estimate.motion->terms.spring || !estimate.motion->terms.friction)
-        return std::nullopt;
-    MotionOptions options = motionOptions(estimate.estimator, record, task);
-    options.terms.eachWay = true;
-    options.terms.forceOffset = false; // it is friction that differs, then
-    return estimateMotion(record.force, record.position, options).motion;
-}
-
-/// The budget of `estimate`: its noise, the counts, the chain's effects, the other hold as far as `holds`
-/// leaves it probable, and what the windows disagree by. Without parameters and covariance: a budget that
-/// says why there is none.
-UncertaintyBudget budgetOf(const Estimate& estimate, const PreparedRecord& record, const EstimatorTask& task,
-                           const HoldEvidence& holds)
-{
-    BudgetOptions options;
-    if (holds.parameters && holds.otherParameters && estimate.parameters) {
-        // As far from this estimate as output error moves with the hold, whichever estimator this is.
-        const Eigen::Vector3d ratio =
-            holds.otherParameters->vector().cwiseQuotient(holds.parameters->vector());
-        const Eigen::Vector3d other = estimate.parameters->vector().cwiseProduct(ratio);
-        options.hold = HoldAmbiguity{{other(0), other(1), other(2)}, holds.otherProbability()};
-    }
-    std::vector<MotionEstimate> motions;
-    options.discrepancy = windowDiscrepancy(record, task, estimate, motions);
-    options.lagBound_s = record.lagBound_s;
-    options.positionStep = record.positionStep;
-    options.frictionIsKnown = estimate.motion && estimate.motion->terms.friction;
-    UncertaintyBudget budget = uncertaintyBudget(estimate, record.force, record.position,
-                                                 outputErrorOptions(record, task), record.chain, options);
-    if (estimate.motion)
-        budget.further = furtherParameters(*estimate.motion, record.chain, motions,
-                                           eachWay(estimate, record, task), budget.coverage);
-    if (!budget.parameters && !budget.further.empty())
-        budget.message = {};
-    return budget;
-}
-
-/// Of a stiffness between bounds; else why there is none.
-UncertaintyBudget heldBudget(const Estimate& estimate, const PreparedRecord& record)
-{
-    UncertaintyBudget budget;
-    budget.message = estimate.message;
-    if (estimate.stiffnessBounds && estimate.stiffnessBounds->upper)
-        budget.further = {boundedStiffness(estimate.stiffnessBounds->lower, *estimate.stiffnessBounds->upper,
-                                           record.chain, budget.coverage)};
-    return budget;
-}
 
 /// What keeps every estimator from starting, or nothing.
 std::optional<Finding> unusable(const PreparedRecord& record)
@@ -166,7 +79,8 @@ Estimator reconsidered(const Identification& data)
     if (periodic != nullptr && periodic->status == EstimateStatus::Converged &&
         checkFailed(data.validity.checks, QStringLiteral("feedback")))
         return Estimator::Periodic;
-    return cubicIsBetter(data) ? Estimator::Duffing : data.recommended;
+    const bool isLinear = data.recommended == Estimator::OutputError;
+    return isLinear && cubicIsBetter(data) ? Estimator::Duffing : data.recommended;
 }
 
 /// A motion that explains the squeeze decisively better is the one to believe, asked for or not.
@@ -195,6 +109,17 @@ void judgeBaseline(Identification& data)
             "left is above zero. Check that the part was between the fingers, and measure the empty gripper "
             "again");
     }
+}
+
+/// What only the budget needed.
+void dropInfluences(Identification& data)
+{
+    const auto drop = [](Estimate& estimate) {
+        if (estimate.motion)
+            estimate.motion->influences = {};
+    };
+    std::ranges::for_each(data.estimates, drop);
+    std::ranges::for_each(data.comparison.ranked, drop, &ComparedModel::estimate);
 }
 
 Eigen::Vector3d standardErrors(const UncertaintyBudget& budget, EvaluationType type)
@@ -293,6 +218,8 @@ Identification identify(const Recording& recording, const IdentificationOptions&
         result.comparison = comparisonOf(result, record, task, otherHold, further);
     nameFurtherTerms(result, recording.forceUnit);
     takeBetterMotion(result);
+    if (assessed)
+        leaveOutUntoldMass(result, record, task);
     result.validity.checks = checkValidity(result, recording, options);
     if (const Estimator better = reconsidered(result); better != result.recommended) {
         result.recommended = better;
@@ -301,15 +228,15 @@ Identification identify(const Recording& recording, const IdentificationOptions&
     judgeBaseline(result);
     result.validity.verdict = overallVerdict(result.validity.checks);
     const Estimate* const best = result.find(result.recommended);
-    if (record.held && options.assess)
-        result.budget = heldBudget(*best, record);
-    else if (best != nullptr && best->hasAnswer() && options.assess)
+    const bool hasAnswer = best != nullptr && best->hasAnswer();
+    if (options.assess && (record.held || hasAnswer))
         shareAmongThreads(2, 0, [&](std::int64_t part) {
             if (part == 0)
-                result.budget = budgetOf(*best, record, task, result.tellingHold());
-            else
+                result.budget = squeezeBudget(result, record, task, options.hold || recording.hold);
+            else if (!record.held)
                 result.validation = validateOnSecondWindow(best->estimator, record, task);
         });
+    dropInfluences(result);
     return result;
 }
 

@@ -25,7 +25,7 @@ CommandQueue::Clock::duration CommandQueue::patienceFor(const Entry& entry)
 
 int CommandQueue::attemptsFor(const Entry& entry) const
 {
-    return isArm(entry) && !m_repeatsArm ? 1 : attempts;
+    return isArm(entry) && !m_repeatsArm ? 1 : m_attempts;
 }
 
 Command CommandQueue::number(CommandBody body)
@@ -108,7 +108,7 @@ std::optional<CommandQueue::Outcome> CommandQueue::expired(Clock::time_point now
     });
     if (found == m_entries.end())
         return std::nullopt;
-    Outcome outcome{found->command.body, std::nullopt, 0};
+    Outcome outcome{found->command.body, std::nullopt, 0, found->timesSent * patienceFor(*found)};
     ++m_unanswered;
     m_entries.erase(found);
     return outcome;

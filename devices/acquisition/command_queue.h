@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/session/connection/gripper_port.h"
+#include "devices/acquisition/link_limits.h"
 #include "devices/protocol/codec.h"
 
 #include <array>
@@ -24,20 +25,20 @@ public:
     static constexpr std::chrono::milliseconds patience{100};
     /// Below the watchdog's time: an Arm whose answer was lost is asked again while it still holds.
     static constexpr std::chrono::milliseconds armPatience{30};
-    static constexpr int attempts = 10; ///< a second in all
 
     /// What became of a command: its result, or nothing when no answer came at all.
     struct Outcome {
         protocol::CommandBody body;
         std::optional<protocol::CommandResult> result;
         std::uint32_t detail = 0;
+        Clock::duration waited{}; ///< for an answer that did not come
     };
 
     CommandQueue() = default;
     /// `lastNumber`: so that two programs hardly use the same numbers. `repeatsArm`: the device knows that an
-    /// Arm repeated is the same Arm.
-    CommandQueue(std::uint16_t lastNumber, bool repeatsArm)
-        : m_lastNumber(lastNumber), m_repeatsArm(repeatsArm)
+    /// Arm repeated is the same Arm. `attempts`: so often a command is sent in all.
+    CommandQueue(std::uint16_t lastNumber, bool repeatsArm, int attempts = LinkLimits{}.attempts)
+        : m_lastNumber(lastNumber), m_repeatsArm(repeatsArm), m_attempts(attempts)
     {
     }
 
@@ -83,6 +84,7 @@ private:
     std::optional<protocol::Command> m_halt; ///< until it is answered
     std::uint16_t m_lastNumber = 0;
     bool m_repeatsArm = true;
+    int m_attempts = LinkLimits{}.attempts;
     std::array<protocol::ReportId, 1024> m_numbered{}; ///< what the last numbers were given to, a ring
     std::size_t m_numberedCount = 0;
     std::uint64_t m_sent = 0, m_repeated = 0, m_answered = 0, m_refused = 0, m_unanswered = 0,

@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 
 LinkControl::LinkControl(const DeviceDescription& device, const Options& options)
     : m_options(options), m_device(device), m_commandable(device.identity.commandable),
-      m_commands(options.lastNumber, device.identity.protocolMinor >= 1),
+      m_commands(options.lastNumber, device.identity.protocolMinor >= 1, options.limits.attempts),
       m_arming(options.limits, {std::chrono::milliseconds(device.measurement.watchdog_ms), options.realTime}),
       m_stop(options.limits), m_token(options.lastToken)
 {
@@ -43,7 +43,8 @@ void LinkControl::arm(Time now)
 
 void LinkControl::refuseToArm(const QString& why)
 {
-    m_error = Error{ErrorCode::ArmingRefused, {why}};
+    m_disarmReason = Error{ErrorCode::ArmingRefused, {why}};
+    m_error = m_disarmReason;
 }
 
 void LinkControl::disarm(Time now)

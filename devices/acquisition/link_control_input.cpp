@@ -139,12 +139,14 @@ void LinkControl::refuse(const CommandQueue::Outcome& outcome, Time now)
     m_commands.clear(); // what was to follow makes no sense any more
     if (m_squeeze.state == SqueezeState::Uploading)
         endSqueeze(SqueezeState::Refused);
+    const Error why = refusal(outcome);
     if (std::holds_alternative<ArmCommand>(outcome.body)) {
         if (!outcome.result)
             halt(StopCommand{}, now, true);
         m_arming.drop();
+        m_disarmReason = why;
     }
-    m_error = refusal(outcome);
+    m_error = why;
 }
 
 void LinkControl::takeBadReport(Time now)

@@ -14,6 +14,7 @@ struct LinkLimits {
     ms aliveFor{500};        ///< heartbeats end so long after the screen stood still
     ms freshFor{50};         ///< without a good sample for so long an armed gripper is stopped
     ms reportPeriod{20};     ///< one whose reports come less often is not armed
+    int attempts = 10;       ///< so often a command is sent that nothing answers
     ms silenceLimit{1000};   ///< a device that says nothing is taken for lost
     int stops = 3;           ///< so often Stop is sent, whatever is answered
     ms stopSpacing{20};      ///< between them

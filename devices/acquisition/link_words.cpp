@@ -45,7 +45,8 @@ Error refusal(const CommandQueue::Outcome& outcome)
 {
     const QString asked = inWords(outcome.body);
     if (!outcome.result)
-        return {ErrorCode::DeviceTimeout, {asked, u"1"_s}};
+        return {ErrorCode::DeviceTimeout,
+                {asked, Finding::number(std::chrono::duration<double>(outcome.waited).count())}};
     return {ErrorCode::DeviceRefused,
             {asked, describe(reportId(outcome.body), *outcome.result, outcome.detail)}};
 }

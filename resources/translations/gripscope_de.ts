@@ -1240,14 +1240,6 @@ m  %3</translation>
         <translation>m, b und k größer als null waren nicht zu finden. Erneut drücken.</translation>
     </message>
     <message>
-        <source>m, b and k are above zero and the natural frequency is below half the sample rate</source>
-        <translation>m, b und k sind größer als null, und die Eigenfrequenz liegt unter der halben Abtastrate</translation>
-    </message>
-    <message>
-        <source>the natural frequency found, %1 Hz, is above half the sample rate. Sample faster.</source>
-        <translation>die gefundene Eigenfrequenz, %L1 Hz, liegt über der halben Abtastrate. Schneller abtasten.</translation>
-    </message>
-    <message>
         <source>the model follows the position</source>
         <translation>das Modell folgt dem Weg</translation>
     </message>
@@ -5796,6 +5788,38 @@ m  %3</translation>
     <message>
         <source>Nothing that parts can be told apart by was found in it.</source>
         <translation>Nichts, woran Teile unterschieden werden können, wurde darin gefunden.</translation>
+    </message>
+    <message>
+        <source>holds a value of another kind than the program writes</source>
+        <translation>enthält einen Wert anderer Art, als das Programm schreibt</translation>
+    </message>
+    <message>
+        <source>not judged: what was found has no m, b and k to predict with</source>
+        <translation>nicht beurteilt: Was gefunden wurde, hat nicht alle drei von m, b und k, um damit vorherzusagen</translation>
+    </message>
+    <message>
+        <source>m, b and k are above zero and the object swings at less than half the sample rate</source>
+        <translation>m, b und k sind größer als null, und das Objekt schwingt mit weniger als der halben Abtastrate</translation>
+    </message>
+    <message>
+        <source>the object found swings at %1 Hz, above half the sample rate. Sample faster.</source>
+        <translation>das gefundene Objekt schwingt mit %1 Hz, mehr als der halben Abtastrate. Schneller abtasten.</translation>
+    </message>
+    <message>
+        <source>These samples do not tell a mass: the motion without it explains the squeeze as well.</source>
+        <translation>Diese Abtastwerte verraten keine Masse: Die Bewegung ohne sie erklärt den Druckversuch ebenso gut.</translation>
+    </message>
+    <message>
+        <source>with these levels of force friction would pass for stiffness: k is too high by it over half the force&apos;s range. Squeeze with four levels, or characterise the gripper, which tells its own friction</source>
+        <translation>bei diesen Kraftstufen ginge Reibung als Steifigkeit durch: k ist um sie, geteilt durch die halbe Spanne der Kraft, zu hoch. Mit vier Stufen drücken oder den Greifer charakterisieren, was seine Reibung ermittelt</translation>
+    </message>
+    <message>
+        <source>The squeeze is where %1 sits, but so would be too many other parts: by %2 alone, more than %3 of those of no enrolled type would be named.</source>
+        <translation>Der Druckversuch liegt, wo %1 liegt, zu viele andere Teile aber auch: Allein nach %2 würden mehr als %3 der Fremdteile benannt.</translation>
+    </message>
+    <message>
+        <source>A gripper or a recipe that determines more quantities decides, or a higher stranger-accept rate.</source>
+        <translation>Es entscheidet ein Greifer oder ein Rezept, das mehr Größen bestimmt, oder eine höhere Fremdannahme.</translation>
     </message>
 </context>
 <context>
@@ -12432,6 +12456,10 @@ Vorh. %</translation>
         <source>as expected or known type</source>
         <translation>wie erwartet oder bekannt</translation>
     </message>
+    <message>
+        <source>%1?</source>
+        <translation>%1?</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::OverlayDialog</name>
@@ -13600,7 +13628,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>View along</source>
-        <translation>Blick entlang</translation>
+        <translation>Achse</translation>
     </message>
     <message>
         <source>Picture as it is rendered, as PNG…</source>
@@ -14655,6 +14683,10 @@ Vorh. %</translation>
         <source>Type</source>
         <translation>Typ</translation>
     </message>
+    <message>
+        <source>No map: these types are told apart without m, b and k.</source>
+        <translation>Keine Karte: Diese Typen werden ohne m, b und k unterschieden.</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::TypeScene</name>
@@ -14713,6 +14745,14 @@ Vorh. %</translation>
         <source>Ringed: the latest inspection</source>
         <translation>Mit Ring: die letzte Prüfung</translation>
     </message>
+    <message>
+        <source>No type here has m, b and k</source>
+        <translation>Kein Typ hier hat m, b und k</translation>
+    </message>
+    <message>
+        <source>Recognised without a mass, by what their squeezes tell, and not in this picture: %1.</source>
+        <translation>Ohne Masse erkannt, an dem, was ihre Druckversuche verraten, und nicht in diesem Bild: %1.</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::TypesSide</name>
@@ -14767,6 +14807,10 @@ Vorh. %</translation>
     <message>
         <source>Rename, merge, split or retire types; undo changes</source>
         <translation>Typen umbenennen, zusammenführen, aufteilen oder außer Gebrauch nehmen; Änderungen rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Without m, b and k, so not in this picture: %1.</source>
+        <translation>Ohne m, b und k, darum nicht in diesem Bild: %1.</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/acquisition/command_queue.h"
+#include "devices/acquisition/link_words.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -68,11 +69,12 @@ private slots:
 
     void withoutAnAnswerTheSameBytesGoOutAgainAndThenItIsTold()
     {
-        CommandQueue queue;
+        constexpr int attempts = 13;
+        CommandQueue queue(0, true, attempts);
         queue.push(SetLimitsCommand{1, 2});
         const std::optional<Report> first = queue.next(start);
         auto now = start;
-        for (int i = 1; i < CommandQueue::attempts; ++i) {
+        for (int i = 1; i < attempts; ++i) {
             QVERIFY(!queue.next(now + CommandQueue::patience - 1ms));
             QVERIFY(!queue.expired(now + CommandQueue::patience - 1ms));
             now += CommandQueue::patience;
@@ -83,6 +85,8 @@ private slots:
         const auto outcome = queue.expired(now + CommandQueue::patience);
         QVERIFY(outcome.has_value());
         QVERIFY(!outcome->result);
+        QVERIFY(outcome->waited == attempts * CommandQueue::patience);
+        QCOMPARE(refusal(*outcome).argument(1), u"1.3"_qs);
         QVERIFY(queue.empty());
     }
 

@@ -59,6 +59,37 @@ private slots:
         }
         const QJsonObject can = verdict(u"foam.db"_s, u"B"_s, 121); // does not yield, and is another can
         QVERIFY2(can[u"verdict"].toString() == u"unknown"_s, qPrintable(told(can)));
+        // It has m, b and k in common with them, and is judged by these.
+        QVERIFY2(
+            told(can).contains(u"Judged by mass, damping and stiffness: the squeeze determines no more."_s),
+            qPrintable(told(can)));
+    }
+    /// At 50 samples a second the can has come to rest before the next one: no mass, and k tells them apart.
+    /// Of one number strangers have more often what a type has: some verdicts stay open, none is wrong.
+    void aSlowGripperRecognisesByStiffness()
+    {
+        const QString soft = u"0.04,43,10000&rate=50"_s;
+        const QString hard = u"0.04,43,14000&rate=50"_s;
+        QVERIFY(enrol(u"slow.db"_s, u"soft"_s, soft, 1));
+        QVERIFY(enrol(u"slow.db"_s, u"hard"_s, hard, 11));
+        int named = 0;
+        for (int seed = 101; seed < 104; ++seed) {
+            const QJsonObject one = verdict(u"slow.db"_s, soft, seed);
+            QVERIFY2(one[u"nearest"].toString() == u"soft"_s && one[u"verdict"].toString() != u"unknown"_s,
+                     qPrintable(told(one)));
+            QVERIFY2(one[u"validity"].toString() == u"valid"_s, qPrintable(told(one)));
+            QVERIFY2(
+                told(one).contains(u"Judged by stiffness alone: the squeezes enrolled determine no more."_s),
+                qPrintable(told(one)));
+            const QJsonObject other = verdict(u"slow.db"_s, hard, seed + 10);
+            QVERIFY2(other[u"nearest"].toString() == u"hard"_s &&
+                         other[u"verdict"].toString() != u"unknown"_s,
+                     qPrintable(told(other)));
+            named += (one[u"type"].isString() ? 1 : 0) + (other[u"type"].isString() ? 1 : 0);
+        }
+        QVERIFY2(named >= 3, qPrintable(QString::number(named)));
+        const QJsonObject none = verdict(u"slow.db"_s, u"0.04,43,30000&rate=50"_s, 121);
+        QVERIFY2(none[u"verdict"].toString() == u"unknown"_s, qPrintable(told(none)));
     }
 };
 

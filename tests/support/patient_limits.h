@@ -28,6 +28,7 @@ inline LinkLimits patientLimits()
     limits.freshFor = milliseconds(10'000);
     limits.reportPeriod = milliseconds(10'000);
     limits.silenceLimit = milliseconds(longEnough_ms);
+    limits.attempts = 100; // ten seconds: commands are repeated while a busy reader reads no answers
     limits.watchdogMargin = milliseconds(1'000); // also how long it is silent after Stop
     return limits;
 }

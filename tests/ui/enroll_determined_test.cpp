@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/types/models_by_space.h"
+#include "tests/ui/enroll_steps.h"
 #include "tests/ui/workbench_fixture.h"
 #include "ui/pages/enroll/enroll_review_panel.h"
 #include "ui/pages/enroll/enroll_squeeze_panel.h"
 
-#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 
@@ -12,37 +12,14 @@
 
 using namespace gripscope;
 using namespace Qt::StringLiterals;
+using gripscope::test::pageAtSqueezes;
+using gripscope::test::squeezeAndAccept;
 using gripscope::test::WindowFixture;
 
 /// Types that have more than m, b and k, or less, by click and key from the name to the verdict.
 class EnrollDeterminedTest : public QObject {
     Q_OBJECT
 
-    static void toSqueezes(WindowFixture& f, const QString& name)
-    {
-        f.bench->arm();
-        f.window->showPage(u"enroll"_s);
-        f.find<QLineEdit>("typeName")->selectAll(); // a name is proposed
-        QTest::keyClicks(f.find<QLineEdit>("typeName"), name);
-        QTest::keyClick(f.find<QLineEdit>("typeName"), Qt::Key_Return);
-        QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Recipe);
-        f.click(f.find<QPushButton>("recipeNext"));
-        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Squeeze,
-                                  test::longEnough_ms);
-        f.find<QCheckBox>("acceptByItself")->setChecked(false);
-    }
-    static void squeezeAndAccept(WindowFixture& f)
-    {
-        auto* squeeze = f.find<QPushButton>("enrollSqueezeButton");
-        QTRY_VERIFY_WITH_TIMEOUT(squeeze->isEnabled(), test::longEnough_ms);
-        const int before = f.bench->enrollment().acceptedCount();
-        f.click(squeeze);
-        auto* accept = f.find<QPushButton>("acceptButton");
-        QTRY_VERIFY_WITH_TIMEOUT(accept->isVisible(), test::longEnough_ms);
-        QVERIFY2(accept->isEnabled(), qPrintable(f.bench->enrollment().squeezes().back().reason));
-        f.click(accept);
-        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), before + 1, test::longEnough_ms);
-    }
     static void toReview(WindowFixture& f)
     {
         f.click(f.find<QPushButton>("reviewButton"));
@@ -69,7 +46,8 @@ private slots:
     void aPartThatYieldsIsATypeWithHowItYields()
     {
         WindowFixture f(false, u"virtual:?object=A&zener=0.3,0.03&seed=5&speed=0"_s);
-        toSqueezes(f, u"foam"_s);
+        f.bench->arm();
+        pageAtSqueezes(f, u"foam"_s);
         for (int i = 0; i < 4; ++i)
             squeezeAndAccept(f);
         QVERIFY(f.find<QLabel>("squeezeNumbers")->text().contains(u"τ"_s));

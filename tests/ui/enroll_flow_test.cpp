@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
+#include "tests/ui/enroll_steps.h"
 #include "tests/ui/workbench_fixture.h"
 #include "ui/pages/enroll/enroll_picture_field.h"
 #include "ui/pages/part_picture.h"
@@ -16,6 +17,7 @@
 
 using namespace Qt::StringLiterals;
 using namespace gripscope;
+using gripscope::test::enterTypeName;
 using gripscope::test::unhurriedA;
 using gripscope::test::WindowFixture;
 using Step = EnrollSession::Step;
@@ -34,20 +36,9 @@ std::vector<EnrollmentDraft> drafts(WindowFixture& f)
     return ask<std::vector<EnrollmentDraft>>(f, [](Library& l) { return l.drafts(); });
 }
 
-void enterName(WindowFixture& f, const QString& name)
-{
-    f.window->showPage(u"enroll"_s);
-    auto* field = f.find<QLineEdit>("typeName");
-    field->setFocus();
-    field->selectAll();
-    QTest::keyClicks(field, name);
-    QTest::keyClick(field, Qt::Key_Return);
-    QTRY_COMPARE(f.bench->enrollment().step(), Step::Recipe);
-}
-
 void goToSqueezes(WindowFixture& f, const QString& name)
 {
-    enterName(f, name);
+    enterTypeName(f, name);
     QTest::keyClick(f.window->focusWidget(), Qt::Key_Return);
     QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), Step::Squeeze, gripscope::test::longEnough_ms);
     f.click(f.find<QPushButton>("enrollArmButton"));
@@ -134,7 +125,7 @@ void EnrollFlowTest::whatIsLeftForLaterIsGoneOnWith()
 void EnrollFlowTest::aDiscardedEnrolmentCanBeBroughtBack()
 {
     WindowFixture f(false);
-    enterName(f, u"Cola"_s);
+    enterTypeName(f, u"Cola"_s);
     f.click(f.find<QPushButton>("leaveForLater"));
     QTRY_VERIFY_WITH_TIMEOUT(f.window->findChild<QPushButton*>(u"discardDraft"_s),
                              gripscope::test::longEnough_ms);
@@ -188,7 +179,7 @@ void EnrollFlowTest::theSqueezeUnderWayShowsWhatIsKnownSoFar()
 void EnrollFlowTest::theRecipesCrushLimitHolds()
 {
     WindowFixture f(false);
-    enterName(f, u"Fragile"_s);
+    enterTypeName(f, u"Fragile"_s);
     QDoubleSpinBox* limit = nullptr;
     for (QDoubleSpinBox* field : f.page(u"enroll"_s)->findChildren<QDoubleSpinBox*>())
         if (field->accessibleName() == u"Crush limit"_s)

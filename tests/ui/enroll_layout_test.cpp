@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/enroll_steps.h"
 #include "tests/ui/layout_languages.h"
 #include "tests/ui/layout_walk.h"
 #include "tests/ui/workbench_fixture.h"
@@ -17,15 +18,6 @@ using Step = EnrollSession::Step;
 class EnrollLayoutTest : public QObject {
     Q_OBJECT
 
-    static void enterName(WindowFixture& f)
-    {
-        f.window->showPage(u"enroll"_s);
-        auto* field = f.find<QLineEdit>("typeName");
-        field->selectAll(); // a name is proposed
-        QTest::keyClicks(field, u"Cola 330 ml"_s);
-        QTest::keyClick(field, Qt::Key_Return);
-        QTRY_COMPARE(f.bench->enrollment().step(), Step::Recipe);
-    }
     static void squeeze(WindowFixture& f)
     {
         f.clickWhenEnabled(f.find<QPushButton>("enrollSqueezeButton"));
@@ -39,7 +31,7 @@ private slots:
         const RowLanguage language;
         WindowFixture f(true, u"virtual:?object=0.031,52,13500&seed=3&speed=0"_s);
         LayoutWalk walk(*f.window);
-        enterName(f);
+        enterTypeName(f, u"Cola 330 ml"_s);
         walk.whereTight(u"recipe"_s);
         f.click(f.find<QPushButton>("leaveForLater"));
         QTRY_VERIFY(f.window->findChild<QPushButton*>(u"goOnWithDraft"_s));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
+#include "tests/ui/enroll_steps.h"
 #include "tests/ui/workbench_fixture.h"
 #include "ui/charts/type_map.h"
 #include "ui/context/language.h"
@@ -26,37 +27,12 @@
 
 using namespace Qt::StringLiterals;
 using namespace gripscope;
+using gripscope::test::pageAtSqueezes;
+using gripscope::test::squeezeAndAccept;
 using gripscope::test::unhurriedA;
 using gripscope::test::WindowFixture;
 
 namespace {
-
-void pageAtSqueezes(WindowFixture& f, const QString& name)
-{
-    f.window->showPage(u"enroll"_s);
-    auto* field = f.find<QLineEdit>("typeName");
-    QTest::keyClicks(field, name);
-    QTest::keyClick(field, Qt::Key_Return);
-    QTRY_COMPARE(f.bench->enrollment().step(), EnrollSession::Step::Recipe);
-    f.click(f.find<QPushButton>("recipeNext"));
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Squeeze,
-                              gripscope::test::longEnough_ms);
-    f.find<QCheckBox>("acceptByItself")->setChecked(false); // each is decided on here
-}
-
-void squeezeAndAccept(WindowFixture& f)
-{
-    auto* squeeze = f.find<QPushButton>("enrollSqueezeButton");
-    QTRY_VERIFY_WITH_TIMEOUT(squeeze->isEnabled(), gripscope::test::longEnough_ms);
-    const int before = f.bench->enrollment().acceptedCount();
-    f.click(squeeze);
-    auto* accept = f.find<QPushButton>("acceptButton");
-    QTRY_VERIFY_WITH_TIMEOUT(accept->isVisible(), gripscope::test::longEnough_ms);
-    QVERIFY2(accept->isEnabled(), qPrintable(f.bench->enrollment().squeezes().back().reason));
-    f.click(accept);
-    QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().acceptedCount(), before + 1,
-                              gripscope::test::longEnough_ms);
-}
 
 void theFactsAreWhole(WindowFixture& f)
 {

@@ -45,6 +45,18 @@ Recording squeezeOfA()
 /// How the gripper stands is seen where the verdict was: stopped, gone, disarmed.
 class InspectStandingTest : public QObject {
     Q_OBJECT
+    /// `why` comes as a message, and stands on the page below `headline` when that is put away.
+    static void outlivesItsMessage(const WindowFixture& f, const QString& why, const QString& headline)
+    {
+        auto* bar = f.window->findChild<MessageBar*>();
+        QTRY_VERIFY_WITH_TIMEOUT(bar->messages().contains(why), longEnough_ms);
+        while (!bar->messages().isEmpty())
+            bar->dismiss();
+        const auto* panel = f.find<VerdictPanel>("verdictPanel");
+        QTRY_COMPARE_WITH_TIMEOUT(panel->headline(), headline, longEnough_ms);
+        QVERIFY2(saidBeside(panel).contains(why), qPrintable(saidBeside(panel)));
+    }
+
 private slots:
     void aStopTakesTheVerdictBack_data()
     {
@@ -105,6 +117,19 @@ private slots:
         QFAIL("no verdict was reached in time");
     }
 
+    void whyItWasNotArmedIsSaidWhenTheMessageIsPutAway()
+    {
+        // A sample every 40 ms: it can only be listened to.
+        WindowFixture f(true, u"virtual:?object=A&seed=5&rate=25"_s);
+        f.window->showPage(u"inspect"_s);
+        f.bench->arm();
+        const StopStanding& standing = StopStanding::of(*f.bench);
+        QTRY_VERIFY_WITH_TIMEOUT(standing.disarmReason(), longEnough_ms);
+        const QString why = standing.disarmReason()->describe();
+        QVERIFY2(why.startsWith(u"The gripper was not armed: "_s), qPrintable(why));
+        outlivesItsMessage(f, why, u"Not armed"_s);
+    }
+
     void disarmedIsSaidWhenTheMessageIsPutAway()
     {
         LinkLimits limits = gripscope::test::patientLimits();
@@ -117,13 +142,7 @@ private slots:
         std::this_thread::sleep_for(std::chrono::seconds(2)); // the window's thread does nothing at all
         QTRY_VERIFY_WITH_TIMEOUT(standing.disarmReason() && !f.bench->connection().armed(), longEnough_ms);
         const QString why = standing.disarmReason()->describe();
-        auto* bar = f.window->findChild<MessageBar*>();
-        QTRY_VERIFY_WITH_TIMEOUT(bar->messages().contains(why), longEnough_ms);
-        while (!bar->messages().isEmpty())
-            bar->dismiss();
-        const auto* panel = f.find<VerdictPanel>("verdictPanel");
-        QTRY_COMPARE_WITH_TIMEOUT(panel->headline(), u"Disarmed"_s, longEnough_ms);
-        QVERIFY2(saidBeside(panel).contains(why), qPrintable(saidBeside(panel)));
+        outlivesItsMessage(f, why, u"Disarmed"_s);
     }
 };
 

@@ -105,6 +105,12 @@ void OutcomeViewTest::headlinesNameWhatMatters()
     QVERIFY(verdictWords(result(InspectionOutcome::OtherType)).outcome.contains(u"expected A"_s));
     QCOMPARE(verdictWords(result(InspectionOutcome::Unknown)).headline, u"Unknown"_s);
     QCOMPARE(verdictWords(result(InspectionOutcome::Inconclusive)).headline, u"A or B?"_s);
+    InspectSession::Result held = result(InspectionOutcome::Inconclusive);
+    held.verdict.rival = u"B"_s;
+    held.verdict.heldForStranger = true;
+    held.verdict.reasons = {u"Too many other parts are like A."_s};
+    QCOMPARE(verdictWords(held).headline, u"A?"_s);
+    QCOMPARE(verdictWords(held).reason, u"Too many other parts are like A."_s);
     QVERIFY(verdictWords(result(InspectionOutcome::NotValid)).outcome.contains(u"not valid"_s));
     InspectSession::Result refused = result(InspectionOutcome::NotValid);
     refused.refused = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "ui/models/type_space.h"
+#include "ui/pages/types/types_page_parts.h"
 #include "ui/scene/type_scene.h"
 
 #include <QTemporaryDir>
@@ -10,14 +11,36 @@
 
 using namespace gripscope;
 
-namespace gripscope::test {
+namespace {
 
-NewGrasp yieldingGrasp(const QString& typeId, double tau_s, double e)
+NewGrasp inNewtonsAndMetres(const QString& typeId)
 {
     NewGrasp grasp;
     grasp.typeId = typeId;
     grasp.forceUnit = QStringLiteral("N");
     grasp.positionUnit = QStringLiteral("m");
+    return grasp;
+}
+
+/// Of a gripper that tells no mass.
+NewGrasp stiffnessAlone(const QString& typeId, double k, double e)
+{
+    NewGrasp grasp = inNewtonsAndMetres(typeId);
+    Estimate estimate;
+    estimate.estimator = Estimator::Static;
+    estimate.status = EstimateStatus::Converged;
+    grasp.estimates = {estimate};
+    DeterminedQuantities determined;
+    determined.space = {{TypeQuantity::Stiffness}};
+    determined.log = LogVector::Constant(1, std::log(k * e));
+    determined.covariance = LogMatrix::Constant(1, 1, 1e-6);
+    grasp.determined = determined;
+    return grasp;
+}
+
+NewGrasp yieldingGrasp(const QString& typeId, double tau_s, double e)
+{
+    NewGrasp grasp = inNewtonsAndMetres(typeId);
     Estimate estimate;
     estimate.status = EstimateStatus::Converged;
     estimate.parameters = MassDampingStiffness{0.04 * e, 40 / e, 1e4 * e};
@@ -29,7 +52,7 @@ NewGrasp yieldingGrasp(const QString& typeId, double tau_s, double e)
     return grasp;
 }
 
-} // namespace gripscope::test
+} // namespace
 
 class TypeSpaceTest : public QObject {
     Q_OBJECT
@@ -71,12 +94,32 @@ private slots:
             const auto type = (*library)->addType(name, {}, QStringLiteral("N"), QStringLiteral("m"));
             QVERIFY(type);
             for (const double e : {0.98, 1.0, 1.01, 1.02})
-                QVERIFY((*library)->addGrasp(test::yieldingGrasp(type->id, tau, e)));
+                QVERIFY((*library)->addGrasp(yieldingGrasp(type->id, tau, e)));
         }
         const Expected<TypeSpace> space = libraryTypeSpace(**library);
         QVERIFY(space && space->nearest);
         QCOMPARE(space->squeezes.size(), std::size_t(8));
         QVERIFY2(space->nearest->distance > 20, qPrintable(QString::number(space->nearest->distance)));
+    }
+    void typesWithoutAMassAreNamedAndHeldApart()
+    {
+        QTemporaryDir folder;
+        const auto library = Library::open(folder.filePath(QStringLiteral("library.db")));
+        QVERIFY(library);
+        for (const auto& [name, k] : {std::pair("hard", 2e4), std::pair("soft", 1e4)}) {
+            const auto type =
+                (*library)->addType(QString::fromLatin1(name), {}, QStringLiteral("N"), QStringLiteral("m"));
+            QVERIFY(type);
+            for (const double e : {0.98, 1.0, 1.01, 1.02})
+                QVERIFY((*library)->addGrasp(stiffnessAlone(type->id, k, e)));
+        }
+        const Expected<TypeSpace> space = libraryTypeSpace(**library);
+        QVERIFY(space && space->types.isEmpty() && space->squeezes.empty());
+        QCOMPARE(space->elsewhere.size(), std::size_t(2));
+        QCOMPARE(elsewhereText(*space), QStringLiteral("hard (4), soft (4)"));
+        // A factor of two, where squeezes scatter by 2 %.
+        QVERIFY(space->nearest && space->nearest->distance > 20 &&
+                space->nearest->one != space->nearest->other);
     }
     void aTypeThatComesChangesNoOthersSign()
     {

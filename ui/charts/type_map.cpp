@@ -64,8 +64,9 @@ std::vector<QPointF> TypeMap::ellipse(const TypeModels& models, const TypeModel&
     return edge;
 }
 
-void TypeMap::setTypes(const TypeModels& models)
+void TypeMap::setTypes(const TypeModels& models, bool elsewhere)
 {
+    m_elsewhere = elsewhere;
     m_shapes.clear();
     m_points.clear();
     for (const TypeModel& type : models.types) {
@@ -161,7 +162,8 @@ void TypeMap::paint(QPainter& painter) const
         painter.setPen(Theme::instance().tokens().secondText);
         painter.drawText(QRect(QPoint(), pictureSize()).adjusted(16, 8, -16, -8),
                          Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("No types yet. Enroll one to see where it lies."));
+                         m_elsewhere ? tr("No map: these types are told apart without m, b and k.")
+                                     : tr("No types yet. Enroll one to see where it lies."));
         return;
     }
     const View v = view();

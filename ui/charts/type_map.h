@@ -20,7 +20,8 @@ class TypeMap : public QWidget, public ExportablePlot {
     Q_OBJECT
 public:
     explicit TypeMap(QWidget* parent = nullptr);
-    void setTypes(const TypeModels& models);
+    /// `elsewhere`: where these are none there are types all the same, told apart without m, b and k.
+    void setTypes(const TypeModels& models, bool elsewhere = false);
     /// Those of the types shown, as points in the colours of these; those of `own` stand out.
     void setSqueezes(const std::vector<TypeSqueeze>& squeezes, const QString& own);
     /// `covariance`: of m, b, k; absent where it is not known.
@@ -76,7 +77,8 @@ private:
     std::vector<Point> m_points;
     std::optional<QPointF> m_part;
     std::vector<QPointF> m_partEdge; ///< of its 95 % ellipse
-    QSize m_pictureSize;             ///< valid: in place of that on the screen
+    bool m_elsewhere = false;
+    QSize m_pictureSize; ///< valid: in place of that on the screen
 };
 
 } // namespace gripscope

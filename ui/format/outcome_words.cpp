@@ -103,7 +103,8 @@ QString reasonOf(const InspectSession::Result& result)
     if (result.outcome == InspectionOutcome::NotValid)
         return described(verdict.reasons).join(u' ');
     const bool contradicted = result.earlyEnd && verdict.kind == VerdictKind::Inconclusive;
-    if (result.outcome == InspectionOutcome::Inconclusive && !verdict.rival.isEmpty() && !contradicted)
+    if (result.outcome == InspectionOutcome::Inconclusive && !verdict.rival.isEmpty() &&
+        !verdict.heldForStranger && !contradicted)
         return betweenTypes(result);
     return verdict.reasons.empty() ? QString() : verdict.reasons.front().describe();
 }
@@ -125,6 +126,8 @@ VerdictWords headlineOf(const InspectSession::Result& result)
                                           : OutcomeWords::tr("none of the enrolled types"),
                 {}};
     case InspectionOutcome::Inconclusive: {
+        if (verdict.heldForStranger)
+            return {OutcomeWords::tr("%1?").arg(verdict.nearest), outcomeWord(result.outcome), {}};
         const QStringList two = likeliest(verdict.posterior);
         return {two.size() == 2 ? OutcomeWords::tr("%1 or %2?").arg(two[0], two[1])
                                 : OutcomeWords::tr("Open"),

@@ -3,6 +3,7 @@
 #include "ui/inspector/inspector_tabs.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/row_list.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -55,7 +56,7 @@ SelfTestTab::SelfTestTab(Workbench& workbench, QWidget* parent)
     m_table = makeFactTable({tr("Test"), tr("Found"), tr("Allowed"), tr("What to do")}, this);
     m_table->setObjectName("selfTestLines");
     m_table->setAccessibleName(tr("Self-test"));
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    letRowsWrap(m_table);
     m_table->setColumnWidth(0, 200);
     m_table->setColumnWidth(1, 232);
     m_table->setColumnWidth(2, 200);

@@ -177,10 +177,7 @@ void BudgetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     const ThemeTokens& tokens = Theme::instance().tokens();
     const bool sum = index.data(BudgetTableModel::SumRole).toBool();
     painter->save();
-    if (option.state & QStyle::State_Selected)
-        painter->fillRect(option.rect, Theme::mix(tokens.surface, tokens.accent, 0.12));
-    painter->setPen(QPen(tokens.line, 1));
-    painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
+    Theme::paintRow(*painter, option.rect, option.state & QStyle::State_Selected);
     const QRect box = option.rect.adjusted(side, 3, -side, -3);
     const QFont font = Theme::font(metrics::fontBase, sum);
     const QFontMetrics measures(font);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/type_space.h"
 
+#include "core/library/records/type_squeeze.h"
 #include "core/recognition/types/models_by_space.h"
 #include "core/recognition/types/paper_appendix.h"
 #include "core/recognition/types/squeeze_values.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gripscope {
 
@@ -17,7 +19,7 @@ namespace {
 /// What an ellipsoid holds: of a type's squeezes, of where a squeeze may lie.
 constexpr double spaceShare = 0.95;
 
-/// `models`: of as many types, in the same order, in any space.
+/// `models`: in any space.
 std::optional<TypeSpace::Pair> nearestPair(const TypeModels& models)
 {
     std::optional<TypeSpace::Pair> nearest;
@@ -26,16 +28,16 @@ std::optional<TypeSpace::Pair> nearestPair(const TypeModels& models)
             const TypeSqueeze mean = squeezeAt({}, models.space, models.types[j].meanLog);
             const std::optional<double> squared = squaredDistance(models, models.types[i], mean);
             if (squared && (!nearest || std::sqrt(*squared) < nearest->distance))
-                nearest = TypeSpace::Pair{int(i), int(j), std::sqrt(*squared)};
+                nearest = TypeSpace::Pair{models.types[i].name, models.types[j].name, std::sqrt(*squared)};
         }
     return nearest;
 }
 
-/// Fills in what follows from `types` and `squeezes`.
-void complete(TypeSpace& space)
+/// Fills in what follows from `types` and `squeezes`. `others`: those of the types that have no place here.
+void complete(TypeSpace& space, std::vector<TypeSqueeze> others = {})
 {
-    std::vector<TypeSqueeze> squeezes;
-    squeezes.reserve(space.squeezes.size());
+    std::vector<TypeSqueeze> squeezes = std::move(others);
+    squeezes.reserve(squeezes.size() + space.squeezes.size());
     space.counts.assign(std::size_t(space.types.size()), 0);
     for (const SpaceSqueeze& squeeze : space.squeezes) {
         squeezes.push_back({space.types[squeeze.type], squeeze.parameters});
@@ -49,8 +51,19 @@ void complete(TypeSpace& space)
         space.ellipsoids.push_back(type ? typeEllipsoid(space.models, *type, spaceShare) : std::nullopt);
     }
     const TypeModels& whole = *models.whole();
-    if (int(whole.types.size()) == space.types.size() && whole.degreesOfFreedom > 0)
+    const std::size_t all = std::size_t(space.types.size()) + space.elsewhere.size();
+    if (whole.types.size() == all && whole.degreesOfFreedom > 0)
         space.nearest = nearestPair(whole);
+}
+
+/// The accepted ones, as recognition takes them.
+std::vector<TypeSqueeze> squeezesOf(const std::vector<GraspRecord>& grasps)
+{
+    std::vector<TypeSqueeze> squeezes;
+    for (const GraspRecord& grasp : grasps)
+        if (const auto squeeze = grasp.accepted ? typeSqueeze(grasp) : std::nullopt)
+            squeezes.push_back(*squeeze);
+    return squeezes;
 }
 
 } // namespace
@@ -94,6 +107,7 @@ Expected<TypeSpace> libraryTypeSpace(Library& library)
     ASSIGN_OR_RETURN(const std::vector<TypeRecord> types, library.types());
     TypeSpace space;
     space.units = siParameterUnits();
+    std::vector<TypeSqueeze> others;
     for (const TypeRecord& type : types) {
         ASSIGN_OR_RETURN(const std::vector<GraspRecord> grasps, library.grasps(type.id));
         const int index = int(space.types.size());
@@ -116,9 +130,14 @@ Expected<TypeSpace> libraryTypeSpace(Library& library)
         if (number > 0) {
             space.types << type.name;
             space.signs.push_back(type.place);
+            continue;
         }
+        const std::vector<TypeSqueeze> own = squeezesOf(grasps);
+        if (!own.empty())
+            space.elsewhere.push_back({type.name, int(own.size())});
+        others.insert(others.end(), own.begin(), own.end());
     }
-    complete(space);
+    complete(space, std::move(others));
     return space;
 }
 

@@ -36,9 +36,16 @@ struct TypeSpace {
     std::vector<std::optional<Ellipsoid>>
         ellipsoids; ///< 95 %, one a type; none while there are too few squeezes
 
+    /// Types whose squeezes tell no m, b and k together, as those of a slow gripper: they have no place here.
+    struct Elsewhere {
+        QString name;
+        int squeezes = 0;
+    };
+    std::vector<Elsewhere> elsewhere; ///< sorted
+
     /// The two types that are most easily taken for each other, by all that their squeezes determine.
     struct Pair {
-        int one = 0, other = 0;
+        QString one, other;
         double distance = 0; ///< Mahalanobis, in standard deviations
     };
     std::optional<Pair> nearest;

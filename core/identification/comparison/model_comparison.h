@@ -3,6 +3,7 @@
 
 #include "core/base/finding.h"
 #include "core/identification/model/estimate.h"
+#include "core/identification/model/evidence.h"
 #include "core/identification/output_error/output_error.h"
 
 #include <QString>
@@ -43,9 +44,6 @@ struct ModelComparison {
     Finding sentence; ///< the outcome in words; empty when nothing could be compared
     [[nodiscard]] const ComparedModel* find(const QString& id) const;
 };
-
-/// Differences of the criterion below this decide nothing (Kass and Raftery 1995: "very strong").
-inline constexpr double decisiveDelta = 10;
 
 /// `linear` is the output-error estimate with `options`; `motions` those of the same record with further
 /// terms, `otherHold` that of estimateOtherHold(). The others

@@ -264,7 +264,7 @@ std::optional<MotionTerms> motionTermsOf(Estimator estimator)
     case Estimator::ZenerDuffing:
         return MotionTerms{.relaxation = true, .cubic = true};
     case Estimator::Static:
-        return MotionTerms{.mass = false};
+        return damperAndSpring;
     case Estimator::StaticZener:
         return MotionTerms{.mass = false, .relaxation = true};
     case Estimator::StaticDuffing:

@@ -110,6 +110,9 @@ struct MotionEstimate {
     MotionValues values;
     Eigen::MatrixXd covariance;          ///< of terms.parameters(), in their order
     std::optional<double> frictionLimit; ///< Fc is below it with 95 % confidence (one-sided)
+    /// What a unit of position at a sample does to the parameters: a row a sample, zero where it was not
+    /// used. For the budget; an identification that is done holds none.
+    Eigen::MatrixXd influences;
     /// How far Fc is from what was known of it, in that one's standard errors, where that was counted.
     std::optional<double> offKnownFriction;
 
@@ -140,6 +143,8 @@ struct Estimate {
     Estimator estimator = Estimator::OutputError;
     EstimateStatus status = EstimateStatus::NotApplicable;
     Finding message; ///< why the status is what it is, in plain words
+    /// What NotIdentifiable is about, where a parameter cannot be told from zero.
+    std::optional<MotionParameter> notFromZero;
     std::optional<MassDampingStiffness> parameters;
     std::optional<Eigen::Matrix3d> covariance;
     /// With terms that m, b and k do not tell. Where it lacks a mass or a spring there are no `parameters`.

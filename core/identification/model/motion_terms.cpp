@@ -22,6 +22,13 @@ bool isFriction(MotionParameter parameter)
     return parameter == MotionParameter::Friction || parameter == MotionParameter::FrictionBack;
 }
 
+std::optional<std::size_t> linearPlaceOf(MotionParameter parameter)
+{
+    const auto place = static_cast<std::size_t>(parameter); // they come first
+    return place <= static_cast<std::size_t>(MotionParameter::Stiffness) ? std::optional(place)
+                                                                         : std::nullopt;
+}
+
 std::vector<MotionParameter> MotionTerms::parameters() const
 {
     using P = MotionParameter;

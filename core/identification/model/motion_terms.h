@@ -31,6 +31,8 @@ inline constexpr std::size_t motionParameters = 10;
 [[nodiscard]] bool isPositive(MotionParameter parameter);
 /// Not below zero: Fc, Fc_back.
 [[nodiscard]] bool isFriction(MotionParameter parameter);
+/// 0, 1, 2 for m, b and k; nothing for what a motion has besides.
+[[nodiscard]] std::optional<std::size_t> linearPlaceOf(MotionParameter parameter);
 
 /// One family of right-hand sides, x measured from the offset of the position:
 ///     m x'' + b x' + k x + k3 x^3 + k1 (x - q) + Fc s(x') = F + force offset,   tau q' = x - q,
@@ -44,11 +46,14 @@ struct MotionTerms {
     bool cubic = false;
     bool eachWay = false;     ///< damping and friction of their own for motion back
     bool forceOffset = false; ///< where no spring takes it up
-    bool damping = true;      ///< false: only of what is found at rest, never of a motion in time
+    bool damping = true;      ///< false: a spring alone, which follows the force at once
 
     [[nodiscard]] std::vector<MotionParameter> parameters() const;
     friend bool operator==(const MotionTerms&, const MotionTerms&) = default;
 };
+
+/// Without its mass: b x' + k x = F.
+inline constexpr MotionTerms damperAndSpring{.mass = false};
 
 /// Of the whole family, in the units of the channels and seconds; what is off is not looked at.
 struct MotionValues {

@@ -2,14 +2,12 @@
 #include "core/identification/motion/motion.h"
 
 #include "core/base/words.h"
+#include "core/identification/model/evidence.h"
 #include "core/identification/model/identifiability.h"
 #include "core/identification/motion/known_forces.h"
+#include "core/identification/motion/motion_errors.h"
 #include "core/identification/motion/motion_search.h"
-#include "core/identification/noise/noise_model.h"
-#include "core/identification/noise/residual_noise.h"
 #include "core/identification/output_error/output_error.h"
-#include "core/math/decompositions.h"
-#include "core/math/least_squares.h"
 
 #include <algorithm>
 #include <array>
@@ -26,8 +24,6 @@ using P = MotionParameter;
 constexpr std::size_t firstPart = 8000;
 /// Ljung-Box below which residuals are certainly not white.
 constexpr double certainColourP = 0.001;
-/// One-sided 95 % of the normal distribution.
-constexpr double oneSided95 = 1.6448536269514722;
 
 constexpr const char* tooFewSamples =
     QT_TRANSLATE_NOOP("Words", "there are fewer samples than the motion has unknowns; record for longer");
@@ -152,80 +148,6 @@ std::optional<MotionSearchResult> searchWithFriction(MotionProblem& problem, con
     return resting;
 }
 
-/// What the parameters' variances are in: 1 for a logarithm is the parameter itself.
-Eigen::VectorXd scalesOf(const MotionProblem& problem, const MotionPoint& point)
-{
-    const std::vector<P> parameters = problem.terms.parameters();
-    Eigen::VectorXd scales(static_cast<Eigen::Index>(parameters.size()));
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-        scales(static_cast<Eigen::Index>(i)) =
-            problem.unitOf(parameters[i]) * (isPositive(parameters[i]) ? point.values[parameters[i]] : 1.0);
-    return scales;
-}
-
-std::optional<Eigen::MatrixXd> whiteCovariance(const MotionProblem& problem, const MotionSearchResult& search,
-                                               const Eigen::VectorXd& scales)
-{
-    const Eigen::MatrixXd columns = search.linear.triangle(Eigen::all, search.linear.moving());
-    const Eigen::MatrixXd inverse = inverseOfTriangle(triangleOf(columns));
-    const Eigen::MatrixXd root = scales.asDiagonal() * inverse.bottomRows(scales.size());
-    return usableCovariance(search.cost() / MotionSearchResult::degreesOfFreedom(problem) * root *
-                            root.transpose());
-}
-
-/// With what is known of the friction as one more, independent measurement of it, of this variance.
-Eigen::MatrixXd withKnownFriction(const Eigen::MatrixXd& covariance, Eigen::Index friction, double variance)
-{
-    const Eigen::VectorXd column = covariance.col(friction);
-    return covariance - column * column.transpose() / (column(friction) + variance);
-}
-
-/// Under the autoregressive noise that the residuals hold.
-std::optional<Eigen::MatrixXd> colouredCovariance(const MotionRows& rows, const Eigen::VectorXd& scales,
-                                                  double positionScale, Estimate& estimate)
-{
-    // A start that moves nothing is left out; the parameters come last.
-    const OrthonormalRows orthonormal = orthonormalize(rows.sensitivities.transpose(), {});
-    const Eigen::Index kept = orthonormal.basis.rows();
-    if (kept < scales.size() || orthonormal.kept[static_cast<std::size_t>(kept - scales.size())] !=
-                                    rows.sensitivities.cols() - scales.size())
-        return std::nullopt;
-    AutoregressiveNoise noise = fitAutoregressiveNoise(rows.residuals, orthonormal.basis);
-    if (noise.coefficients.empty())
-        return std::nullopt;
-    Eigen::MatrixXd gains = Eigen::MatrixXd::Identity(orthonormal.basis.rows(), orthonormal.basis.rows());
-    orthonormal.factor.transpose().triangularView<Eigen::Upper>().solveInPlace(gains);
-    gains = (scales.asDiagonal() * gains.bottomRows(scales.size())).eval();
-    const Eigen::VectorXd expansion = autoregressiveExpansion(orthonormal.basis, gains, noise);
-    const Eigen::MatrixXd scaled = expansion.asDiagonal() * gains;
-    const auto covariance =
-        usableCovariance(scaled * spreadUnderNoise(orthonormal.basis, noise) * scaled.transpose());
-    if (!covariance)
-        return std::nullopt;
-    noise.innovationDeviation *= positionScale;
-    estimate.noise = noise;
-    return covariance;
-}
-
-/// How large the friction may be: the best value were it free to be below zero, and 1.645 of its errors.
-std::optional<double> frictionLimit(const MotionProblem& problem, const MotionSearchResult& search,
-                                    const MotionValues& found, const Eigen::MatrixXd& covariance)
-{
-    const std::vector<P> parameters = problem.terms.parameters();
-    const auto at = std::ranges::find(parameters, P::Friction);
-    if (at == parameters.end())
-        return std::nullopt;
-    const Eigen::Index index = at - parameters.begin();
-    double best = found[P::Friction];
-    if (best == 0) {
-        const Eigen::MatrixXd columns = search.linear.triangle(Eigen::all, search.linear.moving());
-        const Eigen::VectorXd step = solvePivoted(columns, search.linear.residual).solution;
-        const auto fromEnd = static_cast<Eigen::Index>(parameters.size()) - index;
-        best = std::min(0.0, step(step.size() - fromEnd)) * problem.unitOf(P::Friction);
-    }
-    return std::max(0.0, best + oneSided95 * std::sqrt(covariance(index, index)));
-}
-
 /// Model output, residuals, fits and their tests at the solution.
 void describe(const MotionProblem& problem, const MotionSearchResult& search, const MotionRows& rows,
               const std::vector<double>& position, Estimate& estimate)
@@ -270,7 +192,7 @@ Estimate answer(const MotionProblem& problem, const MotionSearchResult& search,
                 const std::vector<double>& position, const MotionOptions& options)
 {
     const MotionValues values = inChannelUnits(problem, search.point.values);
-    const Eigen::VectorXd scales = scalesOf(problem, search.point);
+    const Eigen::VectorXd scales = errorScales(problem, search.point);
     const std::optional<MotionRows> rows = motionRows(problem, search.point);
     std::optional<Eigen::MatrixXd> covariance = whiteCovariance(problem, search, scales);
     MotionPoint inChannels;
@@ -291,8 +213,12 @@ Estimate answer(const MotionProblem& problem, const MotionSearchResult& search,
                     ? withKnownFriction(*coloured, problem.columnOf(P::Friction) - problem.startUnknowns(),
                                         std::pow(options.knownFriction->standardError, 2))
                     : *coloured;
-    estimate.motion = MotionEstimate{
-        problem.terms, values, *covariance, frictionLimit(problem, search, values, *covariance), {}};
+    estimate.motion = MotionEstimate{problem.terms,
+                                     values,
+                                     *covariance,
+                                     frictionLimit(problem, search, values, *covariance),
+                                     influencesOf(problem, search, *rows, scales),
+                                     {}};
     if (problem.frictionPrior)
         estimate.motion->offKnownFriction =
             (values[P::Friction] - options.knownFriction->value) / options.knownFriction->standardError;
@@ -300,11 +226,16 @@ Estimate answer(const MotionProblem& problem, const MotionSearchResult& search,
     return estimate;
 }
 
+P boundaryParameter(const MotionProblem& problem, const MotionSearchResult& search)
+{
+    return problem.terms.parameters()[static_cast<std::size_t>(search.boundaryIndex)];
+}
+
 Finding boundaryOf(const MotionProblem& problem, const MotionSearchResult& search)
 {
-    const P parameter = problem.terms.parameters()[static_cast<std::size_t>(search.boundaryIndex)];
-    if (parameter == P::Mass || parameter == P::Damping || parameter == P::Stiffness)
-        return boundaryMessage(static_cast<int>(parameter), search.boundaryAtZero);
+    const P parameter = boundaryParameter(problem, search);
+    if (const auto linear = linearPlaceOf(parameter))
+        return boundaryMessage(static_cast<int>(*linear), search.boundaryAtZero);
     return search.boundaryAtZero
                ? Words::say("%1 cannot be told from zero; leave its term out, or squeeze longer and with "
                             "more levels of force")
@@ -400,9 +331,11 @@ Estimate estimateKnown(KnownForces known, const std::vector<double>& position, c
     if (!search || search->outcome == SearchOutcome::Lost)
         return failed(options, EstimateStatus::NotIdentifiable, Words::say(noAnswer));
     Estimate estimate = failed(options, EstimateStatus::NotIdentifiable, Finding());
-    if (search->outcome == SearchOutcome::Boundary)
+    if (search->outcome == SearchOutcome::Boundary) {
         estimate.message = boundaryOf(problem, *search);
-    else if (!search->isDetermined())
+        if (search->boundaryAtZero)
+            estimate.notFromZero = boundaryParameter(problem, *search);
+    } else if (!search->isDetermined())
         estimate.message = Words::say(poorForce);
     else
         estimate = answer(problem, *search, position, options);
@@ -429,6 +362,29 @@ std::optional<Estimate> estimateAgain(const KnownForces& known, const Estimate& 
         return std::nullopt;
     better.iterations += found.iterations;
     return better;
+}
+
+/// Standard error, relative, from which on damping of a motion without mass is not told from none.
+constexpr double hardlyKnown = 0.5;
+
+/// Where the record does not tell the damping of a spring and a damper: the spring alone, if that is found.
+std::optional<Estimate> estimateWithoutDamping(const Estimate& found, const std::vector<double>& force,
+                                               const std::vector<double>& position,
+                                               const MotionOptions& options)
+{
+    if (options.terms != damperAndSpring)
+        return std::nullopt;
+    const bool isKnown =
+        found.status == EstimateStatus::Converged &&
+        *found.motion->standardError(P::Damping) <= hardlyKnown * found.motion->values[P::Damping];
+    if (isKnown || (!found.motion && found.notFromZero != P::Damping))
+        return std::nullopt;
+    MotionOptions alone = options;
+    alone.terms.damping = false;
+    Estimate spring = estimateKnown(knownForces(force, position, alone), position, alone);
+    const bool isEnough =
+        spring.status == EstimateStatus::Converged && (!found.motion || !isDecisivelyWorse(spring, found, 0));
+    return isEnough ? std::optional(spring) : std::nullopt;
 }
 
 } // namespace
@@ -476,7 +432,7 @@ Estimate estimateMotion(const std::vector<double>& force, const std::vector<doub
     Estimate estimate = estimateKnown(known, position, options);
     if (std::optional<Estimate> better = estimateAgain(known, estimate, position, options))
         return *better;
-    return estimate;
+    return estimateWithoutDamping(estimate, force, position, options).value_or(estimate);
 }
 
 } // namespace gripscope

@@ -37,6 +37,9 @@ struct MotionOptions : ContinuousTimeOptions {
 /// Converged; NotConverged with the last iterate; TooFewSamples when N <= p; NotIdentifiable with words when
 /// the data does not determine the parameters. 2,000 samples: some 10 ms; with friction some 20 ms.
 ///
+/// Without mass, a damping that the record does not tell (the search ends at none or nowhere, or its standard
+/// error is above half of it) is left out as well: the spring alone, y = F / k + offset.
+///
 /// Where samples were lost their forces are those that output error finds, at first by m, b and k alone, then
 /// in positions without what the further terms add (known_forces.h); their rows are skipped, and the errors
 /// grow as those of output error do.

@@ -16,6 +16,18 @@ namespace {
 
 using P = MotionParameter;
 
+/// A spring without mass and damping: it is where the force holds it, at once.
+template <typename Number>
+class SpringAlone {
+public:
+    SpringAlone(const Number& x, const Number& stiffness) : m_position(x), m_stiffness(stiffness) {}
+    void follow(double force) { m_position = Number(force) / m_stiffness; }
+    [[nodiscard]] const Number& position() const { return m_position; }
+
+private:
+    Number m_position, m_stiffness;
+};
+
 /// The integrator of a point; a Dual has a direction for each unknown but the offset.
 template <typename Number>
 class Motion {
@@ -30,6 +42,10 @@ public:
         const Number x = start(point.x0, problem.seeksPosition());
         const Number v = start(point.v0, problem.seeksSpeed());
         const Number strain = start(point.strain0, problem.seeksStrain());
+        if (!problem.terms.damping) {
+            m_spring.emplace(x, coefficients(problem, point)[static_cast<std::size_t>(P::Stiffness)]);
+            return;
+        }
         m_integrator.begin(x, v, strain, problem.force.front());
         if (LinearMotion<Number>::describes(problem.terms))
             m_linear.emplace(problem.terms, coefficients(problem, point))
@@ -49,13 +65,17 @@ public:
         const double between = from + rest * (next - from);
         if (rest > 0 && !run(rest, from, between))
             return false;
-        show(n, m_linear ? m_linear->position() : m_integrator.position());
+        show(n, m_spring ? m_spring->position() : m_linear ? m_linear->position() : m_integrator.position());
         return run(1 - rest, between, next);
     }
 
 private:
     [[nodiscard]] bool run(double duration, double from, double to)
     {
+        if (m_spring) {
+            m_spring->follow(to);
+            return std::isfinite(valuePart(m_spring->position()));
+        }
         return m_linear ? m_linear->advance(duration, from, to) : m_integrator.advance(duration, from, to);
     }
     static Number seeded(double value, int direction, double rate)
@@ -81,6 +101,7 @@ private:
     const MotionProblem& m_problem;
     MotionIntegrator<Number> m_integrator;
     std::optional<LinearMotion<Number>> m_linear; ///< in its place where no term bends the motion
+    std::optional<SpringAlone<Number>> m_spring;  ///< in its place where nothing holds the spring up
 };
 
 /// Calls use(index, x) for every measured position whose time the force covers.

@@ -187,9 +187,10 @@ private:
         if (terms.forceOffset)
             p[P::ForceOffset] = -constant;
         const double stiffness = terms.spring ? p[P::Stiffness] : 0;
-        p[P::Damping] = positiveOr(p[P::Damping], terms.mass && p[P::Mass] > 0 && terms.spring
-                                                      ? 0.1 * std::sqrt(p[P::Mass] * stiffness)
-                                                      : std::max(stiffness, 1e-3));
+        if (terms.damping)
+            p[P::Damping] = positiveOr(p[P::Damping], terms.mass && p[P::Mass] > 0 && terms.spring
+                                                          ? 0.1 * std::sqrt(p[P::Mass] * stiffness)
+                                                          : std::max(stiffness, 1e-3));
         if (terms.mass)
             p[P::Mass] = positiveOr(p[P::Mass], terms.spring ? 0.1 * p[P::Damping] * p[P::Damping] / stiffness
                                                              : p[P::Damping]);

@@ -214,6 +214,8 @@ Estimate estimateOutputError(const std::vector<double>& force, const std::vector
     }
     if (search.outcome == SearchOutcome::Boundary) {
         estimate.message = boundaryMessage(search.boundaryIndex, search.boundaryAtZero);
+        if (search.boundaryAtZero) // m, b and k come first
+            estimate.notFromZero = static_cast<MotionParameter>(search.boundaryIndex);
         return estimate;
     }
     const MassDampingStiffness parameters = problem.toChannelUnits(search.theta);

@@ -102,14 +102,6 @@ QString unitOf(MotionParameter parameter, const ParameterUnits& units)
     return u"1"_qs;
 }
 
-std::optional<std::size_t> linearPlaceOf(MotionParameter parameter)
-{
-    const auto found = std::ranges::find(linearPart, parameter);
-    if (found == linearPart.end())
-        return std::nullopt;
-    return static_cast<std::size_t>(found - linearPart.begin());
-}
-
 bool isRecommended(const Identification& identification, const Estimate& estimate)
 {
     return estimate.estimator == identification.recommended && estimate.hasAnswer();

@@ -24,9 +24,6 @@ struct ComparableUnit {
 [[nodiscard]] ComparableUnit comparableUnit(MotionParameter parameter, const QString& forceUnit,
                                             const QString& positionUnit);
 
-/// 0, 1, 2 for m, b and k; nothing for what a motion has besides.
-[[nodiscard]] std::optional<std::size_t> linearPlaceOf(MotionParameter parameter);
-
 /// It is the recommended one, and has an answer.
 [[nodiscard]] bool isRecommended(const Identification& identification, const Estimate& estimate);
 

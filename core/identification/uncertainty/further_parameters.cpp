@@ -76,23 +76,26 @@ BetweenParts betweenParts(const MotionEstimate& whole, std::size_t index,
     return {std::max(excess, 0.0), count - 1};
 }
 
-/// m, b or k, which the empty gripper has too.
-bool isLinear(P parameter)
-{
-    return parameter == P::Mass || parameter == P::Damping || parameter == P::Stiffness;
-}
-
-/// How far the parameter is from what it would be in the other form.
+/// How far the parameter is from what it would be in the other form; 0 where that does not have it.
 double awayFrom(const std::optional<MotionEstimate>& otherForm, P parameter, double value)
 {
-    if (!otherForm)
+    if (!otherForm || std::ranges::count(otherForm->terms.parameters(), parameter) == 0)
         return 0;
     double other = otherForm->values[parameter];
-    if (parameter == P::Damping)
+    if (parameter == P::Damping && otherForm->terms.eachWay)
         other = (other + otherForm->values[P::DampingBack]) / 2;
-    else if (parameter == P::Friction)
+    else if (parameter == P::Friction && otherForm->terms.eachWay)
         other = (other + otherForm->values[P::FrictionBack]) / 2;
     return std::isfinite(other) ? value - other : 0;
+}
+
+/// The variance that the doubts but the parts add to one of the motion's parameters.
+double varianceOf(const MotionDoubts& doubts, const MotionEstimate& motion, P parameter, Eigen::Index at)
+{
+    double variance = std::pow(awayFrom(doubts.otherForm, parameter, motion.values[parameter]), 2);
+    for (const MotionValues& shift : doubts.shifts)
+        variance += std::pow(shift[parameter], 2);
+    return at < doubts.roundingVariances.size() ? variance + doubts.roundingVariances(at) : variance;
 }
 
 } // namespace
@@ -114,9 +117,7 @@ FurtherParameter boundedStiffness(double lower, double upper, const MeasuringCha
 }
 
 std::vector<FurtherParameter> furtherParameters(const MotionEstimate& motion, const MeasuringChain& chain,
-                                                std::span<const MotionEstimate> parts,
-                                                const std::optional<MotionEstimate>& otherForm,
-                                                double coverage)
+                                                const MotionDoubts& doubts, double coverage)
 {
     std::vector<FurtherParameter> out;
     const std::vector<P> parameters = motion.terms.parameters();
@@ -129,10 +130,9 @@ std::vector<FurtherParameter> furtherParameters(const MotionEstimate& motion, co
         further.parameter = parameters[i];
         further.value = motion.values[parameters[i]];
         double ownVariance = 0;
-        if (isLinear(parameters[i]) && chain.baseline) {
-            const auto linear = static_cast<std::size_t>(parameters[i]);
-            further.value -= chain.baseline->parameters[linear];
-            ownVariance = std::pow(chain.baseline->standardErrors[linear], 2);
+        if (const auto linear = linearPlaceOf(parameters[i]); linear && chain.baseline) {
+            further.value -= chain.baseline->parameters[*linear];
+            ownVariance = std::pow(chain.baseline->standardErrors[*linear], 2);
             if (!(further.value > 0))
                 continue; // not told from the empty gripper
         }
@@ -143,10 +143,11 @@ std::vector<FurtherParameter> furtherParameters(const MotionEstimate& motion, co
         const ScalePowers powers = powersOf(parameters[i]);
         const double scale = further.value * std::hypot(powers.force * chain.forceScaleUncertainty,
                                                         powers.position * chain.positionScaleUncertainty);
-        const BetweenParts between = betweenParts(motion, i, parts);
-        const double away = awayFrom(otherForm, parameters[i], further.value);
-        const double variance =
-            motion.covariance(at, at) + ownVariance + scale * scale + between.variance + away * away;
+        const double k = motion.values[P::Stiffness];
+        const double byFrame = parameters[i] == P::Stiffness ? k * k * chain.frameComplianceUncertainty : 0.0;
+        const BetweenParts between = betweenParts(motion, i, doubts.parts);
+        const double variance = motion.covariance(at, at) + ownVariance + scale * scale + byFrame * byFrame +
+                                between.variance + varianceOf(doubts, motion, parameters[i], at);
         if (!std::isfinite(variance) || variance < 0)
             continue;
         CombinedUncertainty& u = further.combined;

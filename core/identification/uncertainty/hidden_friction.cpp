@@ -2,11 +2,11 @@
 #include "core/base/words.h"
 #include "core/identification/model/discretization.h"
 #include "core/identification/uncertainty/budget_lines.h"
+#include "core/identification/uncertainty/friction_found.h"
 #include "core/math/distributions.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace gripscope {
 
@@ -24,11 +24,6 @@ double meanSign(double before, double after)
     return size > 0 ? (before + after) / size : 0;
 }
 
-/// Friction and its standard deviation, were it free to be below zero.
-struct FrictionFound {
-    double value = 0, deviation = 0;
-};
-
 std::optional<FrictionFound> regress(const LinearizedRecord& record, const std::vector<double>& effect,
                                      const Estimate& estimate)
 {
@@ -44,30 +39,6 @@ std::optional<FrictionFound> regress(const LinearizedRecord& record, const std::
     return std::isfinite(found.value) && found.deviation > 0 && std::isfinite(found.deviation)
                ? std::optional(found)
                : std::nullopt;
-}
-
-/// What the record holds of friction and what is known of the gripper's together; the record alone where it
-/// refutes that.
-FrictionFound together(const FrictionFound& found, const std::optional<GripperFriction>& known)
-{
-    constexpr double refutedBeyond = 4; // standard errors
-    if (!known || !(known->standardError > 0))
-        return found;
-    const double spread = std::hypot(found.deviation, known->standardError);
-    if (std::abs(found.value - known->value) > refutedBeyond * spread)
-        return found;
-    const double weight = std::pow(found.deviation / spread, 2); // of what is known
-    return {found.value + weight * (known->value - found.value),
-            found.deviation * known->standardError / spread};
-}
-
-/// E f^2 of a normal quantity that is not below zero.
-double secondMoment(const FrictionFound& f)
-{
-    const double lowest = -f.value / f.deviation;
-    const double density = std::exp(-lowest * lowest / 2) / std::sqrt(2 * std::numbers::pi);
-    const double hazard = density / (std::erfc(lowest / std::numbers::sqrt2) / 2);
-    return f.value * f.value + f.deviation * f.deviation + f.value * f.deviation * hazard;
 }
 
 /// E a^2 of a normal quantity between 0 and 1.

@@ -100,18 +100,31 @@ struct FurtherParameter {
     CoverageInterval interval;
 };
 
-/// Their uncertainties: the estimate's own, the scales of the channels, and what parts of the record (each
-/// estimated on its own, with the same terms) differ by beyond their errors: Cochran's Q and the variance
-/// between them by moments, as discrepancyBetween(). `otherForm`, where there is one: the same with damping
-/// and friction of their own each way; a parameter that is another there (of two ways their mean) is
-/// uncertain by the difference. Friction's interval is cut at zero; the gripper's own friction, and of
-/// m, b and k the empty gripper's, are taken off where they are known; what is not above zero then is left
-/// out.
+/// What a motion's parameters are uncertain by beside noise and scales.
+struct MotionDoubts {
+    std::vector<MotionEstimate> parts; ///< of the record, each estimated on its own, with the same terms
+    /// The same with a term more or less that is not refuted: with a mass, or with damping and friction of
+    /// their own each way.
+    std::optional<MotionEstimate> otherForm;
+    /// What one standard deviation of an effect, such as the lag, moves the parameters by.
+    std::vector<MotionValues> shifts;
+    Eigen::VectorXd roundingVariances; ///< roundingVariances(); of the motion's parameters, or of none
+};
+
+/// Their uncertainties: the estimate's own, the scales of the channels, what the frame's compliance is
+/// uncertain by (k alone, k^2 times that), and the doubts: what the parts differ by beyond their errors
+/// (Cochran's Q and the variance between them by moments, as discrepancyBetween()), the whole difference to
+/// the other form (of two ways their mean), the shifts and what rounding adds. Friction's interval is cut at
+/// zero; the gripper's own friction, and of m, b and k the empty gripper's, are taken off where they are
+/// known; what is not above zero then is left out.
 [[nodiscard]] std::vector<FurtherParameter> furtherParameters(const MotionEstimate& motion,
                                                               const MeasuringChain& chain,
-                                                              std::span<const MotionEstimate> parts,
-                                                              const std::optional<MotionEstimate>& otherForm,
-                                                              double coverage);
+                                                              const MotionDoubts& doubts, double coverage);
+
+/// What the position's counts, `step` apart, do to the parameters of a motion where its noise does not hide
+/// them: quantizationLines(), one by one, or, where there is next to no noise, what counts do that err each
+/// for itself, if that is more. Empty where there is nothing.
+[[nodiscard]] Eigen::VectorXd roundingVariances(const Estimate& estimate, double step);
 
 /// k that is known to lie between two bounds: at the middle of their logarithms, with the deviation of a
 /// rectangular distribution there (JCGM 100, 4.3.7). The interval is the bounds themselves, wider by what the
@@ -119,6 +132,31 @@ struct FurtherParameter {
 [[nodiscard]] FurtherParameter boundedStiffness(double lower, double upper, const MeasuringChain& chain,
                                                 double coverage);
 
+/// What a mass that a motion of damper and spring (`static`) left out may have done to its b: as far as b
+/// gets in a motion with a mass that the record does not refute (likelihood ratio, 95 %; m k / b^2 up to 4),
+/// all alike (JCGM 100, 4.3.7). Samples that are far apart see the end of a motion alone, which a little
+/// damping and no mass explain as well as more of both. Nothing for other motions. `options`: as it was
+/// estimated.
+[[nodiscard]] std::optional<MotionValues> hiddenMassShift(const Estimate& estimate,
+                                                          const std::vector<double>& force,
+                                                          const std::vector<double>& position,
+                                                          const OutputErrorOptions& options);
+
+/// Coulomb friction beside a motion of damper and spring, or spring alone (`static`): at rest after each step
+/// the part hangs back by Fc / k, on the side it came from.
+struct RestingFriction {
+    /// Of the square of that effect, what k, b and the offset cannot imitate: next to nothing with two levels
+    /// of force, where each is always reached from the same side.
+    double ownShare = 0;
+    /// What the friction that the residuals leave possible, or that is known of the gripper, moves k and b
+    /// by: the root of its mean square, all that is not below zero alike before. Zero where nothing is known.
+    MotionValues shift;
+    /// Else friction hides in k altogether.
+    [[nodiscard]] bool isTold() const { return ownShare >= 0.01; }
+};
+/// Nothing for other motions, and where the position does not move. First order in the friction.
+[[nodiscard]] std::optional<RestingFriction> restingFriction(const Estimate& estimate, double sampleTime_s,
+                                                             const std::optional<GripperFriction>& known);
 /// The uncertainty of one estimate as a whole, in the manner of the Guide to the Expression of Uncertainty in
 /// Measurement (JCGM 100:2008): every effect a line, covariances added up, effective degrees of freedom after
 /// Welch and Satterthwaite (G.4.1), intervals after Student.

@@ -220,7 +220,9 @@ Validation validate(const Estimate& estimate, const PreparedRecord& record, Forc
     out.estimator = estimate.estimator;
     out.validatedOn = longestKnownStretch(record.force.size(), record.lost);
     if (!estimate.parameters) {
-        out.message = Words::say("there is no estimate to hold against this record");
+        out.message = estimate.isPartialMotion()
+                          ? Words::say("not judged: what was found has no m, b and k to predict with")
+                          : Words::say("there is no estimate to hold against this record");
         return out;
     }
     out.parameters = *estimate.parameters;

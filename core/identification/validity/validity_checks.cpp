@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 #include "core/calibration/calibration_facts.h"
+#include "core/identification/uncertainty/uncertainty_budget.h"
 #include "core/math/normal_interval.h"
 
 #include <algorithm>
@@ -53,9 +54,9 @@ ValidityCheck preparation(const Identification& data)
 }
 
 /// A motion without a mass or a spring: it has no m, b and k, but what it has was found.
-bool isPartialMotion(const Estimate& estimate)
+bool isFoundInPart(const Estimate& estimate)
 {
-    return !estimate.parameters && estimate.motion && estimate.status == EstimateStatus::Converged;
+    return estimate.isPartialMotion() && estimate.status == EstimateStatus::Converged;
 }
 
 /// The relative standard error of m or k, 0 where the motion has none.
@@ -69,7 +70,16 @@ double relativeError(const MotionEstimate& motion, MotionParameter parameter)
     return std::sqrt(motion.covariance(index, index)) / motion.values[parameter];
 }
 
-ValidityCheck excitation(const Estimate& estimate)
+/// Without a mass nothing but the levels of force tells friction from stiffness.
+bool frictionHides(const Estimate& estimate, double sampleTime_s, const Recording& recording)
+{
+    if (recording.chain.friction)
+        return false;
+    const auto friction = restingFriction(estimate, sampleTime_s, {});
+    return friction && !friction->isTold();
+}
+
+ValidityCheck excitation(const Estimate& estimate, double sampleTime_s, const Recording& recording)
 {
     ValidityCheck check;
     check.id = u"excitation"_s;
@@ -82,7 +92,7 @@ ValidityCheck excitation(const Estimate& estimate)
         return check;
     }
     const std::optional<Eigen::Vector3d> errors = estimate.standardErrors();
-    const bool partial = isPartialMotion(estimate);
+    const bool partial = isFoundInPart(estimate);
     if (!partial && (!estimate.parameters || !errors)) {
         check.message = Words::say("not judged without an estimate");
         check.noted = true;
@@ -94,6 +104,14 @@ ValidityCheck excitation(const Estimate& estimate)
                                      : (*errors)(2) / estimate.parameters->k;
     check.value = 100 * std::max(mass, stiffness);
     check.ok = *check.value <= *check.limit;
+    if (check.ok && partial && frictionHides(estimate, sampleTime_s, recording)) {
+        check.ok = false;
+        check.message =
+            Words::say("with these levels of force friction would pass for stiffness: k is too high "
+                       "by it over half the force's range. Squeeze with four levels, or "
+                       "characterise the gripper, which tells its own friction");
+        return check;
+    }
     check.decisive = stiffness > largestRelativeError; // without a stiffness nothing was measured
     check.message =
         check.ok ? partial ? Words::say("the force moves the object enough to tell what the motion has")
@@ -294,7 +312,7 @@ ValidityCheck physicalRange(const Estimate& estimate, double sampleTime_s)
 {
     ValidityCheck check;
     check.id = u"physical_range"_s;
-    if (isPartialMotion(estimate)) {
+    if (isFoundInPart(estimate)) {
         check.message = Words::say("what the motion has is above zero; the rest of m, b and k is not in it");
         return check;
     }
@@ -304,14 +322,15 @@ ValidityCheck physicalRange(const Estimate& estimate, double sampleTime_s)
         check.message = Words::say("no m, b and k above zero were found. Squeeze again.");
         return check;
     }
-    // Above half the sample rate a natural frequency is an alias, not a measurement.
-    check.value = std::sqrt(estimate.parameters->k / estimate.parameters->m) / (2 * std::numbers::pi);
+    // Above half the sample rate what swings is an alias, not a measurement. What creeps does not swing.
+    const auto [m, b, k] = *estimate.parameters;
+    check.value = std::sqrt(std::max(0.0, k / m - std::pow(b / m / 2, 2))) / (2 * std::numbers::pi);
     check.limit = 0.5 / sampleTime_s;
     check.ok = *check.value < *check.limit;
     check.message =
         check.ok
-            ? Words::say("m, b and k are above zero and the natural frequency is below half the sample rate")
-            : Words::say("the natural frequency found, %1 Hz, is above half the sample rate. Sample faster.")
+            ? Words::say("m, b and k are above zero and the object swings at less than half the sample rate")
+            : Words::say("the object found swings at %1 Hz, above half the sample rate. Sample faster.")
                   .arg(*check.value, 'g', 4);
     return check;
 }
@@ -322,7 +341,7 @@ ValidityCheck fitCheck(const Estimate& estimate)
     check.id = u"fit"_s;
     check.value = estimate.fit.simulationPercent;
     check.limit = smallestFitPercent;
-    if ((!estimate.parameters && !isPartialMotion(estimate)) || estimate.stiffnessBounds) {
+    if ((!estimate.parameters && !isFoundInPart(estimate)) || estimate.stiffnessBounds) {
         check.message = Words::say("not judged without an estimate");
         check.noted = true;
         return check;
@@ -431,7 +450,8 @@ std::vector<ValidityCheck> checkValidity(const Identification& identification, c
         deviceFault(recording),
         clockAgainstComputer(recording),
         statedSampleTime(identification, recording),
-        excitation(outputError != nullptr && !isPartialMotion(estimate) ? *outputError : estimate),
+        excitation(outputError != nullptr && !isFoundInPart(estimate) ? *outputError : estimate,
+                   identification.sampleTime_s, recording),
         residualWhiteness(estimate),
         inputIndependence(estimate),
         hold(identification, recording, options),

@@ -119,4 +119,21 @@ Expected<void> forEach(Database& database, const std::function<void(const Ledger
     return query.forEach([&](Statement& row) { take(takeLink(row)); });
 }
 
+Expected<QStringList> ofOtherKinds(Database& database)
+{
+    QStringList links;
+    Statement query(database, readingLedger(),
+                    u"SELECT chain, number FROM ledger WHERE typeof(chain) || typeof(number) || typeof(kind) "
+                    "|| typeof(format) || typeof(created_utc) <> 'textintegertextintegertext' OR "
+                    "typeof(leaves) || typeof(previous_hash) || typeof(hash) || typeof(signer) || "
+                    "typeof(signature) <> 'blobblobblobblobblob'"_s);
+    const auto done = query.forEach([&](Statement& row) {
+        const QString chain = row.takeText();
+        links += u"%1/%2"_s.arg(chain).arg(row.takeInteger());
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return links;
+}
+
 } // namespace gripscope::ledger_table

@@ -5,6 +5,8 @@
 #include "core/library/ledger/ledger_link.h"
 #include "core/library/ledger/library_witness.h"
 
+#include <QStringList>
+
 #include <functional>
 
 namespace gripscope {
@@ -23,6 +25,10 @@ namespace gripscope::ledger_table {
 [[nodiscard]] Expected<QByteArray> hashOf(Database& database, const QString& chain, qint64 number);
 /// The same for settleRestore(); empty also where the ledger cannot be read.
 [[nodiscard]] LinkHash hashesOf(Database& database);
+/// Links, as chain/number, with a value of another storage class than the program writes, such as bytes in
+/// place of a text: they would be read as the same. (SQLite checks no CHECK of a file that is open to be read
+/// only.)
+[[nodiscard]] Expected<QStringList> ofOtherKinds(Database& database);
 /// Chain by chain, each from its first link. A link that cannot be read ends it with an error.
 [[nodiscard]] Expected<void> forEach(Database& database, const std::function<void(const LedgerLink&)>& take);
 

@@ -5,6 +5,8 @@
 #include "core/library/migrations/migration.h"
 #include "core/library/sql/statement.h"
 
+#include <QByteArray>
+
 #include <map>
 #include <utility>
 
@@ -14,8 +16,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// What each part was made with, by type and name.
-using Parts = std::map<std::pair<QString, QString>, QString>;
+/// What each part was made with, byte by byte, by type and name. As text, what is no blank may look like one.
+using Parts = std::map<std::pair<QString, QString>, QByteArray>;
 
 QString comparing()
 {
@@ -26,13 +28,13 @@ Expected<Parts> partsOf(Database& database)
 {
     Parts parts;
     Statement query(database, comparing(),
-                    u"SELECT type, name, tbl_name, COALESCE(sql, '') FROM sqlite_master "
+                    u"SELECT type, name, tbl_name, CAST(COALESCE(sql, '') AS BLOB) FROM sqlite_master "
                     "WHERE name NOT LIKE 'sqlite!_stat_' ESCAPE '!'"_s);
     const auto done = query.forEach([&](Statement& row) {
         const QString type = row.takeText();
         const QString name = row.takeText();
         const QString table = row.takeText();
-        parts[{type, name}] = table + u": "_s + row.takeText().simplified();
+        parts[{type, name}] = table.toUtf8() + ": " + row.takeBytes().simplified();
     });
     if (!done)
         return tl::unexpected(done.error());

@@ -8,15 +8,15 @@ namespace gripscope {
 
 std::optional<TypeSqueeze> typeSqueeze(const GraspRecord& grasp)
 {
-    if (!grasp.parameters && !grasp.determined)
-        return {};
-    TypeSqueeze squeeze{grasp.typeName, {}};
+    std::optional<TypeSqueeze> linear;
     if (grasp.parameters)
-        squeeze = scaledSqueeze(grasp.typeName, *grasp.parameters, grasp.covariance,
-                                siFactor(grasp.forceUnit, grasp.positionUnit).value_or(1));
-    squeeze = determining(std::move(squeeze), grasp.determined);
+        linear = scaledSqueeze(grasp.typeName, *grasp.parameters, grasp.covariance,
+                               siFactor(grasp.forceUnit, grasp.positionUnit).value_or(1));
+    std::optional<TypeSqueeze> squeeze = foundSqueeze(grasp.typeName, std::move(linear), grasp.determined);
+    if (!squeeze)
+        return {};
     const bool moved = grasp.firstTypeId != grasp.typeId && !grasp.part.isEmpty();
-    squeeze.part = moved ? grasp.firstTypeId + u'/' + grasp.part : grasp.part;
+    squeeze->part = moved ? grasp.firstTypeId + u'/' + grasp.part : grasp.part;
     return squeeze;
 }
 

@@ -201,6 +201,7 @@ QJsonObject toDocument(const Verdict& verdict)
             {u"samples_used"_s, static_cast<qint64>(verdict.samplesUsed)},
             {u"reasons"_s, sentencesOf(verdict.reasons)},
             {u"rival"_s, verdict.rival},
+            {u"held_for_stranger"_s, verdict.heldForStranger},
             {u"times_longer"_s, jsonNumber(verdict.timesLonger)},
             {u"stranger_posterior"_s, jsonNumber(verdict.strangerPosterior)},
             {u"stranger_accept"_s, jsonNumber(verdict.strangerAccept)},
@@ -230,6 +231,7 @@ std::optional<Verdict> toVerdict(const QJsonObject& document)
         static_cast<std::size_t>(std::max<qint64>(0, document.value(u"samples_used"_s).toInteger()));
     verdict.reasons = sentencesIn(document.value(u"reasons"_s));
     verdict.rival = document.value(u"rival"_s).toString();
+    verdict.heldForStranger = document.value(u"held_for_stranger"_s).toBool();
     verdict.timesLonger = optionalIn(document, u"times_longer"_s);
     verdict.strangerPosterior = optionalIn(document, u"stranger_posterior"_s);
     verdict.strangerAccept = optionalIn(document, u"stranger_accept"_s);

@@ -128,6 +128,12 @@ private:
 
 void checkLedger(Database& database, const LibraryWitness& witness, LibraryVerification& found)
 {
+    if (const auto others = ledger_table::ofOtherKinds(database); !others)
+        found.differs(u"ledger"_s, {}, others.error().describe());
+    else
+        for (const QString& link : *others)
+            found.differs(u"ledger"_s, link,
+                          Words::tr("holds a value of another kind than the program writes"));
     LedgerCheck check(database, witness, found);
     const auto read = ledger_table::forEach(database, [&](const LedgerLink& link) { check.take(link); });
     if (!read)

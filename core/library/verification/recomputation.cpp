@@ -69,9 +69,11 @@ std::optional<QString> problemOf(const GraspRecord& stored, const Recording& rec
     if (!isLinear && !stored.determined)
         return {};
     const Identification identification = identify(recording);
-    const auto determined = determinedQuantities(identification, stored.forceUnit, stored.positionUnit);
-    if (stored.determined && determined && !agree(*stored.determined, *determined))
-        return Words::tr("what it determines is not what its recording does");
+    if (stored.determined) {
+        const auto now = determinedQuantities(identification, stored.forceUnit, stored.positionUnit);
+        if (now && !agree(*stored.determined, *now))
+            return Words::tr("what it determines is not what its recording does");
+    }
     if (!isLinear)
         return {};
     const std::optional<CorrectedParameters> again = identification.object();

@@ -52,7 +52,9 @@ void count(const Verdict& verdict, const QString& type, double share, ExpectedVe
         (verdict.type == type ? expected.named : expected.wrong[verdict.type]) += share;
         break;
     case VerdictKind::Inconclusive: {
-        const QString other = verdict.nearest == type ? verdict.rival : verdict.nearest;
+        const QString other = verdict.nearest != type   ? verdict.nearest
+                              : verdict.heldForStranger ? QString()
+                                                        : verdict.rival;
         (other.isEmpty() ? expected.undecidedAlone : expected.undecided[other]) += share;
         break;
     }

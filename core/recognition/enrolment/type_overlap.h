@@ -16,7 +16,7 @@ struct ExpectedVerdicts {
     double unknown = 0; ///< the false rejects
     /// Not told from this other type: the verdict stays inconclusive, or it is named that type.
     QMap<QString, double> undecided, wrong;
-    double undecidedAlone = 0; ///< inconclusive with no other type in it: too far out for its own
+    double undecidedAlone = 0; ///< inconclusive with no other type in it: strangers are as likely there
 };
 
 /// By simulation with a fixed seed: squeezes drawn from the type's predictive distribution (Student t, with

@@ -11,8 +11,8 @@
 
 namespace gripscope {
 
-/// Types in the space that all their squeezes determine, and in parts of it for squeezes that determine less:
-/// those are fitted when the first one comes. May be asked from several threads.
+/// Types in the space that their squeezes determine (spaceOf()), and in parts of it for squeezes that
+/// determine less: those are fitted when the first one comes. May be asked from several threads.
 class ModelsBySpace {
 public:
     explicit ModelsBySpace(std::vector<TypeSqueeze> squeezes = {});

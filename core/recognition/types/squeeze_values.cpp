@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <map>
+#include <utility>
 
 namespace gripscope {
 
@@ -44,10 +46,19 @@ Determines determinedBy(const TypeSqueeze& squeeze)
     for (unsigned i = 0; i < mostDimensions; ++i)
         if (isDetermined(squeeze, {{allQuantities[i]}}))
             kind.first |= 1U << i;
-    for (const TypeQuantity quantity : QuantitySpace{}.quantities)
-        if (isUsable(squeeze.parameters))
-            kind.second |= 1U << static_cast<unsigned>(quantity);
+    if (isUsable(squeeze.parameters))
+        kind.second = 0b111; // m, b and k come first
     return kind;
+}
+
+/// Those of its quantities that the set has.
+QuantitySpace within(const QuantitySpace& space, QuantitySet set)
+{
+    QuantitySpace part{{}};
+    std::ranges::copy_if(space.quantities, std::back_inserter(part.quantities), [set](TypeQuantity quantity) {
+        return (set >> static_cast<unsigned>(quantity) & 1U) != 0;
+    });
+    return part;
 }
 
 } // namespace
@@ -67,16 +78,9 @@ std::optional<LogVector> coordinatesOf(const TypeSqueeze& squeeze, const Quantit
 QuantitySpace determinedPart(const TypeSqueeze& squeeze, const QuantitySpace& space)
 {
     const auto [determined, linear] = determinedBy(squeeze);
-    QuantitySpace largest{{}};
-    for (const QuantitySet set : {determined, linear}) {
-        QuantitySpace part{{}};
-        for (const TypeQuantity quantity : space.quantities)
-            if ((set >> static_cast<unsigned>(quantity) & 1U) != 0)
-                part.quantities.push_back(quantity);
-        if (part.dimensions() > largest.dimensions())
-            largest = std::move(part);
-    }
-    return largest;
+    QuantitySpace first = within(space, determined);
+    QuantitySpace second = within(space, linear);
+    return second.dimensions() > first.dimensions() ? second : first;
 }
 
 std::optional<LogMatrix> noiseOf(const TypeSqueeze& squeeze, const QuantitySpace& space)
@@ -105,6 +109,17 @@ TypeSqueeze squeezeAt(QString type, const QuantitySpace& space, const LogVector&
     return squeeze;
 }
 
+std::optional<TypeSqueeze> foundSqueeze(const QString& type, std::optional<TypeSqueeze> linear,
+                                        std::optional<DeterminedQuantities> determined)
+{
+    if (!linear && !determined)
+        return {};
+    const bool counts = linear && (!determined || determined->space.contains(QuantitySpace{}));
+    TypeSqueeze squeeze = counts ? *std::move(linear) : TypeSqueeze{type, {}};
+    squeeze.determined = std::move(determined);
+    return squeeze;
+}
+
 QuantitySpace spaceOf(const std::vector<TypeSqueeze>& squeezes)
 {
     // Many squeezes, few that determine different things.
@@ -130,11 +145,7 @@ QuantitySpace spaceOf(const std::vector<TypeSqueeze>& squeezes)
             std::all_of(kindsOfType.cbegin(), kindsOfType.cend(),
                         [&](const auto& kinds) { return mostDetermine(kinds, set); }))
             best = set;
-    QuantitySpace space{{}};
-    for (unsigned i = 0; i < mostDimensions; ++i)
-        if ((best >> i & 1U) != 0)
-            space.quantities.push_back(allQuantities[i]);
-    return space;
+    return within({{std::begin(allQuantities), std::end(allQuantities)}}, best);
 }
 
 } // namespace gripscope

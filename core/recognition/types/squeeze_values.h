@@ -29,17 +29,6 @@ namespace gripscope {
     return squeeze.covariance ? logCovariance(squeeze.parameters, *squeeze.covariance) : std::nullopt;
 }
 
-/// The squeeze with what it determines besides m, b and k, or in their place: where that lacks one of them,
-/// they do not count together any more.
-[[nodiscard]] inline TypeSqueeze determining(TypeSqueeze squeeze,
-                                             std::optional<DeterminedQuantities> determined)
-{
-    if (determined && !determined->space.contains(QuantitySpace{}))
-        squeeze = {squeeze.type, {}, {}, squeeze.part, squeeze.place, {}};
-    squeeze.determined = std::move(determined);
-    return squeeze;
-}
-
 /// The squeeze's logarithms in a space: of `determined` where that has every quantity, finite, else of m, b,
 /// k where these do. The two are not mixed, since how they vary together is not known. Nothing where neither
 /// does, or for a space of none.
@@ -73,5 +62,11 @@ namespace gripscope {
     return scaledSqueeze(std::move(type), object.parameters,
                          isKnown ? std::optional(object.covariance) : std::nullopt, factor);
 }
+
+/// A squeeze of the type: `linear`, its m, b and k, where they were found, and what it determines besides
+/// them or in their place. Where that lacks one of them, they do not count together any more. Nothing where
+/// neither is there.
+[[nodiscard]] std::optional<TypeSqueeze> foundSqueeze(const QString& type, std::optional<TypeSqueeze> linear,
+                                                      std::optional<DeterminedQuantities> determined);
 
 } // namespace gripscope

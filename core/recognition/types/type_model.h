@@ -57,7 +57,7 @@ struct TypeModels {
     /// is seen to spread otherwise than the others.
     std::optional<double> likeness = {};
     QuantitySpace space = {}; ///< what the coordinates of all of these are
-    /// All squeezes of these types determine more: this is for one that does not.
+    /// These types are told apart by more: this is for a squeeze that does not determine it.
     bool isPart = false;
 
     [[nodiscard]] const TypeModel* find(const QString& name) const;

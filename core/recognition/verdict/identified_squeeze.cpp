@@ -58,7 +58,8 @@ LogParameters logParameters(const MotionEstimate& motion, const Identification& 
     Eigen::VectorXd toLogs = Eigen::VectorXd::Zero(count);
     for (const DeterminedParameter& told : determinedParameters(identification, forceUnit, positionUnit)) {
         const auto at = std::ranges::find(found.parameters, told.parameter) - found.parameters.begin();
-        if (at == count || told.isLowerBound || !(told.value > 0))
+        const bool isBound = told.isLowerBound || (told.interval && told.interval->onlyUpperBound);
+        if (at == count || isBound || !(told.value > 0))
             continue;
         found.logs[at] = std::log(told.value);
         toLogs[at] = comparableUnit(told.parameter, forceUnit, positionUnit).factor / told.value;
@@ -147,15 +148,11 @@ std::vector<DeterminedParameter> determinedParameters(const DeterminedQuantities
 std::optional<TypeSqueeze> identifiedSqueeze(const QString& type, const Identification& identification,
                                              const QString& forceUnit, const QString& positionUnit)
 {
-    const std::optional<CorrectedParameters> object = identification.object();
-    std::optional<DeterminedQuantities> determined =
-        determinedQuantities(identification, forceUnit, positionUnit);
-    if (!object && !determined)
-        return {};
-    TypeSqueeze squeeze{type, {}};
-    if (object)
-        squeeze = scaledSqueeze(type, *object, comparableUnit(P::Stiffness, forceUnit, positionUnit).factor);
-    return determining(std::move(squeeze), std::move(determined));
+    std::optional<TypeSqueeze> linear;
+    if (const std::optional<CorrectedParameters> object = identification.object())
+        linear = scaledSqueeze(type, *object, comparableUnit(P::Stiffness, forceUnit, positionUnit).factor);
+    return foundSqueeze(type, std::move(linear),
+                        determinedQuantities(identification, forceUnit, positionUnit));
 }
 
 } // namespace gripscope

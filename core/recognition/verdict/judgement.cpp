@@ -230,7 +230,8 @@ void Judgement::decide(Verdict& verdict) const
     if (naming.passed && mostProbable && !forStranger) {
         describeType(verdict);
     } else if (naming.passed && mostProbable) {
-        verdict.reasons = strangerReasons(verdict);
+        verdict.heldForStranger = true;
+        verdict.reasons = strangerReasons(m_models.space, verdict, m_options.strangerAccept);
     } else {
         if (m_noise && naming.rival)
             verdict.timesLonger = timesLonger(m_models, m_nearest, *naming.rival, *m_noise, separation);

@@ -58,6 +58,8 @@ struct Verdict {
     std::size_t samplesUsed = 0;
     Findings reasons;   ///< sentences a technician understands
     QString rival = {}; ///< the type that is least ruled out beside the nearest; empty with one type
+    /// Inconclusive though the types are told apart: named `nearest`, so would too many strangers be.
+    bool heldForStranger = false;
     /// Inconclusive between nearest and rival: so many times as long a squeeze would tell them apart.
     std::optional<double> timesLonger = {};
     std::optional<double> strangerPosterior = {}; ///< that it is of no enrolled type, see strangerShare

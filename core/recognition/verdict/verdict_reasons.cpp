@@ -111,8 +111,17 @@ Findings betweenTypesReasons(const Verdict& verdict, bool covarianceKnown)
     return reasons;
 }
 
-Findings strangerReasons(const Verdict& verdict)
+Findings strangerReasons(const QuantitySpace& space, const Verdict& verdict, double accepted)
 {
+    const bool atItsEdge = verdict.distance.value_or(0) > verdict.gate.value_or(0) / 4; // both are squares
+    if (!atItsEdge && space.dimensions() < QuantitySpace{}.dimensions())
+        return {
+            Words::say("The squeeze is where %1 sits, but so would be too many other parts: by %2 alone, "
+                       "more than %3 of those of no enrolled type would be named.")
+                .arg(verdict.nearest, listed(space), percent(accepted)),
+            Words::say(
+                "A gripper or a recipe that determines more quantities decides, or a higher stranger-accept "
+                "rate.")};
     return {Words::say(
                 "The squeeze could be %1, but lies so far out that a part of no enrolled type is as likely.")
                 .arg(verdict.nearest),

@@ -23,8 +23,9 @@ struct NextType {
                                       const VerdictOptions& options);
 /// Which two types, and, where the squeeze's own covariance is known, how much longer it should be.
 [[nodiscard]] Findings betweenTypesReasons(const Verdict& verdict, bool covarianceKnown);
-/// Within a gate, but where strangers are as likely as the type.
-[[nodiscard]] Findings strangerReasons(const Verdict& verdict);
+/// Within a gate, but where strangers are as likely as the type: at its edge, or where the space says so
+/// little that more than `accepted` of the strangers would be named.
+[[nodiscard]] Findings strangerReasons(const QuantitySpace& space, const Verdict& verdict, double accepted);
 [[nodiscard]] Findings noGateReasons(const TypeModels& models);
 /// What the squeeze would have to determine to be judged in this space, and does not.
 [[nodiscard]] Finding missingReason(const TypeSqueeze& squeeze, const QuantitySpace& space);

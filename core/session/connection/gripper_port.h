@@ -126,7 +126,8 @@ public:
     /// Handed to the device before anything else that is queued.
     virtual void stop() noexcept = 0;
     [[nodiscard]] virtual StopState stopState() const { return StopState::None; }
-    /// Why an armed gripper is armed no longer though nobody asked for it; until the next arm().
+    /// Why an armed gripper is armed no longer though nobody asked for it, or why it was not armed though
+    /// somebody did; until the next arm().
     [[nodiscard]] virtual std::optional<Error> disarmReason() const { return {}; }
     /// The screen (or the command line's loop) is alive: to be called at least once a second while armed, or
     /// the heartbeat ends and the gripper stops by itself.

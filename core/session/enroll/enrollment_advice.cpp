@@ -14,13 +14,15 @@ namespace {
 
 std::optional<TypeSqueeze> typeSqueezeOf(const QString& type, const EnrollSqueeze& squeeze)
 {
-    const std::optional<CorrectedParameters> object = squeeze.identification.object();
-    if (!object && !squeeze.determined)
-        return {};
-    const double si = siFactor(squeeze.recording.forceUnit, squeeze.recording.positionUnit).value_or(1);
-    TypeSqueeze result = object ? scaledSqueeze(type, *object, si) : TypeSqueeze{type, {}};
-    result.part = squeeze.part;
-    return determining(std::move(result), squeeze.determined);
+    const Recording& recording = squeeze.recording;
+    std::optional<TypeSqueeze> linear;
+    if (const std::optional<CorrectedParameters> object = squeeze.identification.object())
+        linear =
+            scaledSqueeze(type, *object, siFactor(recording.forceUnit, recording.positionUnit).value_or(1));
+    std::optional<TypeSqueeze> result = foundSqueeze(type, std::move(linear), squeeze.determined);
+    if (result)
+        result->part = squeeze.part;
+    return result;
 }
 
 bool areSame(const TypeSqueeze& one, const TypeSqueeze& other)

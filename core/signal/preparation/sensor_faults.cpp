@@ -36,7 +36,35 @@ bool enteredFast(std::span<const double> values, std::size_t first, std::size_t 
     return sameWay && last >= speed.steps && before >= speed.steps && before <= 1.4 * last;
 }
 
-std::size_t samplesInFastRuns(std::span<const double> values, double rail, const Speed& speed)
+/// Of the drive's range: it moves by more than this where it moves a channel that is not cut off.
+constexpr double leastDriveShare = 0.1;
+
+double rangeOf(std::span<const double> values)
+{
+    const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+    return values.empty() ? 0 : *highest - *lowest;
+}
+
+/// Whether a run that the signal entered at speed cannot be where it came to rest: it still was on its way
+/// (each step of what settles is the one before times a factor, so that the next would have been seen), or
+/// the drive moved meanwhile. Its ends may belong to what the drive did before and did afterwards.
+bool isNoRest(std::span<const double> values, Window run, std::span<const double> drive, const Speed& speed)
+{
+    constexpr double leastBefore = 0.3; // of the last step: it did not come there in one
+    if (drive.empty())
+        return true;
+    if (rangeOf(drive.subspan(run.first + 1, run.count - 2)) > leastDriveShare * rangeOf(drive))
+        return true;
+    if (run.first < 2)
+        return false;
+    const double last = values[run.first] - values[run.first - 1];
+    const double before = values[run.first - 1] - values[run.first - 2];
+    const bool onItsWay = before / last >= leastBefore; // and the same way
+    return onItsWay && std::abs(last) * std::min(1.0, last / before) > speed.jump;
+}
+
+std::size_t samplesInFastRuns(std::span<const double> values, double rail, const Speed& speed,
+                              std::span<const double> drive)
 {
     std::size_t total = 0;
     for (std::size_t i = 0; i < values.size();) {
@@ -47,7 +75,8 @@ std::size_t samplesInFastRuns(std::span<const double> values, double rail, const
         const std::size_t first = i;
         while (i < values.size() && values[i] == rail)
             ++i;
-        if (enteredFast(values, first, i - first, speed))
+        const Window run{first, i - first};
+        if (enteredFast(values, first, run.count, speed) && isNoRest(values, run, drive, speed))
             total += i - first;
     }
     return total;
@@ -139,11 +168,14 @@ bool beyondChance(const ChannelRuns& runs, std::size_t samples)
 
 } // namespace
 
-ClippedSamples clippedSamples(std::span<const double> values, double latticeStep)
+ClippedSamples clippedSamples(std::span<const double> values, double latticeStep,
+                              std::span<const double> drive)
 {
     ClippedSamples clipped;
     if (values.empty())
         return clipped;
+    if (drive.size() != values.size())
+        drive = {};
     const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
     const double low = *lowest, high = *highest;
     const auto between = static_cast<std::size_t>(std::count_if(
@@ -157,7 +189,7 @@ ClippedSamples clippedSamples(std::span<const double> values, double latticeStep
         if (rail == 0 || !pilesUp(values, rail, rail == high) ||
             (levels && !restIsNoisy(values, rail, high - low)))
             return 0;
-        return samplesInFastRuns(values, rail, speed);
+        return samplesInFastRuns(values, rail, speed, drive);
     };
     clipped.atLowest = samplesAt(low);
     clipped.atHighest = samplesAt(high);
@@ -166,15 +198,20 @@ ClippedSamples clippedSamples(std::span<const double> values, double latticeStep
 
 SaturatedSamples saturatedSamples(const Recording& recording, Window window)
 {
-    const auto channel = [&](const std::vector<double>& values, std::uint16_t bit) {
-        const auto part = std::span<const double>(values).subspan(window.first, window.count);
-        SaturatedChannel found{0, clippedSamples(part, latticeStep(part).value_or(0))};
+    const auto part = [window](const std::vector<double>& values) {
+        const bool isThere = window.first + window.count <= values.size();
+        return isThere ? std::span(values).subspan(window.first, window.count) : std::span<const double>();
+    };
+    const auto channel = [&](const std::vector<double>& values, const std::vector<double>& drive,
+                             std::uint16_t bit) {
+        SaturatedChannel found{
+            0, clippedSamples(part(values), latticeStep(part(values)).value_or(0), part(drive))};
         for (std::size_t i = window.first; i < window.first + window.count; ++i)
             found.marked += i < recording.status.size() && (recording.status[i] & bit) != 0 ? 1 : 0;
         return found;
     };
-    return {channel(recording.force, StatusForceSaturated),
-            channel(recording.position, StatusPositionSaturated)};
+    return {channel(recording.force, recording.position, StatusForceSaturated),
+            channel(recording.position, recording.force, StatusPositionSaturated)};
 }
 
 std::optional<Window> stuckStretch(std::span<const double> channel, std::span<const double> drive)

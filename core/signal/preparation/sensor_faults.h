@@ -25,12 +25,17 @@ struct ClippedSamples {
 ///   there, while noise thins out towards its extremes;
 /// - at exactly zero: that is no rail, a one-sided force rests there;
 /// - where fewer than half of the samples lie between the extremes and the others are free of noise: a step,
-///   a ramp or a binary sequence stands at its levels by design.
+///   a ramp or a binary sequence stands at its levels by design;
+/// - where a `drive`, the other channel, as long, stands still meanwhile (within a tenth of its range) and
+/// the
+///   signal came there in one step or came to rest: a slow gripper's part settles from one sample to the
+///   next, and its counts hide the noise.
 ///
 /// Noise alone hardly does this: where it spreads over many values, the extreme of N samples comes three
 /// times in a row with about N^-2; where it spreads over few, it neither piles up nor enters by more than
 /// two. O(N).
-[[nodiscard]] ClippedSamples clippedSamples(std::span<const double> values, double latticeStep = 0);
+[[nodiscard]] ClippedSamples clippedSamples(std::span<const double> values, double latticeStep = 0,
+                                            std::span<const double> drive = {});
 
 /// Samples at the end of a sensor's range, by the device's word (status bits) and by their look
 /// (clippedSamples()).

@@ -38,7 +38,7 @@ private slots:
         MeasuringChain chain;
         chain.forceScaleUncertainty = 0.08;
         chain.positionScaleUncertainty = 0.5; // friction has no length in it
-        const auto further = furtherParameters(rubbing(0.5, 0.03), chain, {}, {}, 0.95);
+        const auto further = furtherParameters(rubbing(0.5, 0.03), chain, {}, 0.95);
         QCOMPARE(further.size(), 1U); // m, b and k have their own place
         QVERIFY(further[0].parameter == P::Friction);
         QVERIFY(std::abs(further[0].combined.standardUncertainty - 0.05) < 1e-12);
@@ -48,7 +48,7 @@ private slots:
     }
     void frictionIsNotBelowZero()
     {
-        const auto further = furtherParameters(rubbing(0.05, 0.1), {}, {}, {}, 0.95);
+        const auto further = furtherParameters(rubbing(0.05, 0.1), {}, {}, 0.95);
         QCOMPARE(further[0].interval.lower, 0.0);
         QVERIFY(further[0].interval.onlyUpperBound);
     }
@@ -57,21 +57,42 @@ private slots:
     void partsThatDisagreeWidenIt()
     {
         const std::vector<MotionEstimate> parts{rubbing(1, 0.1), rubbing(2, 0.1), rubbing(3, 0.1)};
-        const auto further = furtherParameters(rubbing(2, 0.06), {}, parts, {}, 0.95);
+        const auto further = furtherParameters(rubbing(2, 0.06), {}, {parts, {}, {}, {}}, 0.95);
         const double expected = std::sqrt(0.0036 + 1 - 0.01);
         QVERIFY(std::abs(further[0].combined.standardUncertainty - expected) < 1e-12);
         QVERIFY(further[0].combined.degreesOfFreedom.has_value());
         const std::vector<MotionEstimate> alike{rubbing(1.9, 0.1), rubbing(2, 0.1), rubbing(2.1, 0.1)};
-        QCOMPARE(furtherParameters(rubbing(2, 0.06), {}, alike, {}, 0.95)[0].combined.standardUncertainty,
+        QCOMPARE(furtherParameters(rubbing(2, 0.06), {}, {alike, {}, {}, {}}, 0.95)[0]
+                     .combined.standardUncertainty,
                  0.06);
     }
     /// 0.5 N, in the other form 0.4 and 0.52 N: 0.04 away, known to 0.03.
     void anotherFormWidensIt()
     {
         MotionEstimate other = rubbing(0.4, 0.03);
+        other.terms.eachWay = true;
         other.values[P::FrictionBack] = 0.52;
-        const auto further = furtherParameters(rubbing(0.5, 0.03), {}, {}, other, 0.95);
+        const auto further = furtherParameters(rubbing(0.5, 0.03), {}, {{}, other, {}, {}}, 0.95);
         QVERIFY(std::abs(further[0].combined.standardUncertainty - 0.05) < 1e-12);
+    }
+    /// b 2 and k 3, of which the empty gripper is 0.5 and 1, known to 0.03 and 0.04; and one that is all of
+    /// k.
+    void theEmptyGripperIsTakenOff()
+    {
+        MotionEstimate slow = rubbing(0, 0.1);
+        slow.terms.friction = false;
+        slow.terms.mass = false;
+        slow.covariance = Eigen::Vector2d(0.04 * 0.04, 0.03 * 0.03).asDiagonal();
+        MeasuringChain chain;
+        chain.baseline = GripperBaseline{{0.1, 0.5, 1}, {0.01, 0.03, 0.04}};
+        const auto further = furtherParameters(slow, chain, {}, 0.95);
+        QCOMPARE(further.size(), 2U);
+        QCOMPARE(further[0].value, 1.5);
+        QCOMPARE(further[1].value, 2.0);
+        for (const FurtherParameter& one : further)
+            QVERIFY(std::abs(one.combined.standardUncertainty - 0.05) < 1e-12);
+        chain.baseline->parameters[2] = 3;
+        QCOMPARE(furtherParameters(slow, chain, {}, 0.95).size(), 1U);
     }
     void withoutAMassAllStandThere()
     {
@@ -80,7 +101,7 @@ private slots:
         slow.terms.mass = false;
         slow.covariance = Eigen::MatrixXd::Identity(2, 2) * 1e-4;
         UncertaintyBudget budget;
-        budget.further = furtherParameters(slow, {}, {}, {}, budget.coverage);
+        budget.further = furtherParameters(slow, {}, {}, budget.coverage);
         const QJsonObject json = toJson(budget);
         const QJsonObject parameters = json[u"parameters"_s].toObject();
         QVERIFY(parameters[u"m"_s].isNull());

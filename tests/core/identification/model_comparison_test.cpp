@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/comparison/hold_evidence.h"
 #include "core/identification/comparison/model_comparison.h"
+#include "core/identification/identification.h"
 #include "core/identification/result/identification_json.h"
 #include "tests/core/identification/duffing_simulation.h"
 #include "tests/core/identification/synthetic.h"
@@ -46,6 +47,17 @@ ModelComparison compare(const Recording& recording, OutputErrorOptions options, 
 class ModelComparisonTest : public QObject {
     Q_OBJECT
 private slots:
+    /// They are as long as the record, and only the budget needs them.
+    void whatIsComparedKeepsNoInfluences()
+    {
+        IdentificationOptions options;
+        options.estimators = {Estimator::OutputError, Estimator::Duffing};
+        const Identification found = identify(comparedCan().make(), options);
+        QVERIFY(found.comparison.find(u"cubic_spring"_s) != nullptr);
+        for (const ComparedModel& model : found.comparison.ranked)
+            QVERIFY(!model.estimate.motion || model.estimate.motion->influences.size() == 0);
+        QCOMPARE(found.find(Estimator::Duffing)->motion->influences.size(), Eigen::Index(0));
+    }
     void theTrueLinearModelIsEnough()
     {
         // A superfluous parameter gains chi-square with one degree over 2 ln L: to gain 10 + ln N it needs

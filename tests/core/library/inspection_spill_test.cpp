@@ -34,6 +34,7 @@ NewInspection aFullInspection()
     verdict.reasons = {u"Zoë."_s, u"Second."_s};
     verdict.rival = u"B"_s;
     verdict.timesLonger = 2.5;
+    verdict.heldForStranger = true;
     verdict.strangerPosterior = 1.0 / 7;
     verdict.strangerAccept = 0.011;
     verdict.validity = {ValidityVerdict::Suspect, {u"hold"_s, u"fit"_s}, {u"Why."_s}};
@@ -144,6 +145,7 @@ private slots:
         QCOMPARE(back.id, inspection.id);
         QVERIFY(back.rates == inspection.rates);
         QVERIFY(back.verdict.validity.reasons == inspection.verdict.validity.reasons);
+        QCOMPARE(back.verdict.heldForStranger, inspection.verdict.heldForStranger);
         QCOMPARE(back.verdict.strangerPosterior, inspection.verdict.strangerPosterior);
         QCOMPARE(back.verdict.timesLonger, inspection.verdict.timesLonger);
         QCOMPARE(*back.grasp.recording, *inspection.grasp.recording);

@@ -116,7 +116,8 @@ inline std::optional<RandomEdit> editAtRandom(const QString& file, std::mt19937&
     const QString where = u" WHERE %1 = '%2'"_s.arg(table.key, edit.row);
     const QString spelled = exactly(column);
     const auto before = connection.list(u"SELECT %1 FROM %2"_s.arg(spelled, table.name));
-    edit.sql = u"UPDATE %1 SET %2 = %3"_s.arg(table.name, column, newValue(random).arg(column)) + where;
+    edit.sql =
+        u"UPDATE %1 SET %2 = %3"_s.arg(table.name, column, newValue(random).replace(u"%1"_s, column)) + where;
     if (!connection.list(edit.sql))
         return {};
     const auto after = connection.list(u"SELECT %1 FROM %2"_s.arg(spelled, table.name));

@@ -183,6 +183,35 @@ private slots:
         const Verdict cut = judge(models, squeezeAt({}, models.space, models.types[0].meanLog), options);
         QVERIFY(near(*cut.strangerAccept, share / 3, 1e-6));
     }
+    /// Where strangers forbid a name, that is what is said: not that it could be another type.
+    void whatIsHeldForAStrangerSaysWhy()
+    {
+        const TypeModels models = stiffnessAlone();
+        const TypeModel& type = models.types[0];
+        const double sd = std::sqrt(models.covarianceLog(0, 0));
+        VerdictOptions options;
+        options.range = InstrumentRange{{1e-3, 1e-1, 1e-2}, {1e1, 1e3, 1e2}};
+        const auto at = [&](double deviations) {
+            return judge(models, squeezeAt({}, models.space, type.meanLog.array() + deviations * sd),
+                         options);
+        };
+        options.strangerAccept = 0.5;
+        const double gate = std::sqrt(*at(0).gate); // 2.9 or so, 5.8 sd wide, of which a third is left:
+        options.strangerAccept = *at(0).strangerAccept / 3;
+        QVERIFY(at(0).kind == VerdictKind::Type && !at(0).heldForStranger);
+        const Verdict within = at(0.45 * gate), outer = at(0.9 * gate);
+        for (const Verdict& held : {within, outer}) {
+            QVERIFY(held.kind == VerdictKind::Inconclusive && held.heldForStranger);
+            QVERIFY(!allReasons(held).contains(u"or B"_s));
+        }
+        QVERIFY2(
+            allReasons(within).startsWith(
+                u"The squeeze is where A sits, but so would be too many other parts: by stiffness alone, more than "_s),
+            qPrintable(allReasons(within)));
+        QVERIFY2(allReasons(outer).contains(u"lies so far out"_s), qPrintable(allReasons(outer)));
+        const auto expected = expectedVerdicts(models, u"A"_s, options);
+        QVERIFY(expected && expected->undecided.isEmpty() && expected->undecidedAlone > 0.2);
+    }
     void neighboursOfOneQuantityAreToldApartByStudent()
     {
         const TypeModels models = stiffnessAlone();

@@ -114,6 +114,43 @@ private slots:
         QCOMPARE(clippedSamples(noisySine(1000, 1, 0.1)).total(), std::size_t(0));
         QCOMPARE(clippedSamples({}).total(), std::size_t(0));
     }
+    /// Levels of force that a part reaches within a sample, its position in coarse counts.
+    void whatSettlesWithinASampleIsNotClipped()
+    {
+        std::mt19937 random(3);
+        std::normal_distribution<double> noise(0, 1);
+        std::vector<double> force, position;
+        double level = 30;
+        for (int i = 0; i < 100; ++i) {
+            position.push_back(std::round((level + 0.01 * noise(random)) / 0.2) * 0.2 +
+                               (i % 17 == 0 ? -0.2 : 0));
+            if (i % 4 == 0)
+                level = random() % 2 == 0 ? 10 : 30;
+            force.push_back(level + 0.02 * noise(random));
+        }
+        QVERIFY(clippedSamples(position, 0.2).total() > 10); // by its look alone
+        QCOMPARE(clippedSamples(position, 0.2, force).total(), std::size_t(0));
+        // Under a force that goes on moving the same is a rail.
+        for (std::size_t i = 0; i < force.size(); ++i)
+            force[i] += 8 * std::sin(0.9 * double(i));
+        QVERIFY(clippedSamples(position, 0.2, force).total() > 10);
+    }
+    /// A part that takes ten samples to move, its position cut off: also where a level lasts longer.
+    void whatIsCutOffOnItsWayIsClippedUnderAConstantForceToo()
+    {
+        std::vector<double> force, position;
+        std::size_t above = 0;
+        double x = 10;
+        for (int i = 0; i < 2000; ++i) {
+            position.push_back(std::min(std::round(x / 0.02) * 0.02, 22.0));
+            above += x > 22 ? 1 : 0;
+            force.push_back(i / 40 % 2 == 0 ? 30 : 10);
+            x += 0.1 * (force.back() - x);
+        }
+        const ClippedSamples clipped = clippedSamples(position, 0.02, force);
+        QVERIFY(clipped.atHighest > 9 * above / 10);
+        QCOMPARE(clipped.atLowest, std::size_t(0));
+    }
     void aSlowQuantisedSignalIsNotClipped()
     {
         const std::vector<double> values = rounded(noisySine(3000, 1, 0), 0.05);

@@ -13,6 +13,7 @@
 #include "ui/pages/fit/fit_page_table.h"
 #include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/row_list.h"
 
 #include <QDateEdit>
 #include <QDoubleSpinBox>
@@ -58,9 +59,8 @@ QWidget* CalibrateTaking::makePlots()
     m_model = new CalibrationPointsModel(this);
     m_table = makeCalibrationTable(*m_model, card);
     m_table->setObjectName("calibrationPoints");
-    m_table->setWordWrap(true); // remarks are sentences
     m_table->verticalHeader()->setMinimumSectionSize(32);
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    letRowsWrap(m_table); // remarks are sentences
     column->addWidget(m_plot, 2);
     column->addWidget(m_table, 3);
     return card;

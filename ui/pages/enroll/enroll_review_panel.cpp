@@ -51,7 +51,7 @@ std::optional<double> reviewedGate(const TypeModels& models, const TypeModel& ow
                : falseRejectGate(own.squeezes, degrees, rates.falseReject, dimensions);
 }
 
-/// Mean and deviation of what all of these determine.
+/// Mean and deviation of what most of these determine, over those that do.
 std::vector<ReviewedQuantity> quantitiesOf(const std::vector<TypeSqueeze>& own)
 {
     std::vector<ReviewedQuantity> quantities;
@@ -63,7 +63,7 @@ std::vector<ReviewedQuantity> quantitiesOf(const std::vector<TypeSqueeze>& own)
                 values[next++] = std::exp((*log)[0]);
         if (next == 0)
             continue;
-        ReviewedQuantity one{quantity, values.head(next).mean(), {}};
+        ReviewedQuantity one{quantity, values.head(next).mean(), {}, static_cast<int>(next)};
         if (next > 1)
             one.deviation = std::sqrt((values.head(next).array() - one.mean).square().sum() /
                                       static_cast<double>(next - 1));
@@ -103,7 +103,7 @@ QString meanText(const ReviewedQuantity& one, const TypeReview& review)
     // The mean's own interval says how well it is known: Student's t, since the squeezes are few.
     std::optional<double> halfWidth;
     if (one.deviation)
-        halfWidth = studentQuantile(0.975, review.squeezes - 1) * *one.deviation / std::sqrt(review.squeezes);
+        halfWidth = studentQuantile(0.975, one.squeezes - 1) * *one.deviation / std::sqrt(one.squeezes);
     if (one.quantity == TypeQuantity::RelaxingShare)
         return formatNumber(100 * one.mean, halfWidth ? std::optional(100 * *halfWidth) : std::nullopt,
                             u"%"_s)
@@ -409,7 +409,7 @@ void EnrollReviewPanel::show(const TypeReview& review)
                                         .arg(formatPercent(100 * review.falseReject))
                                   : tr("Too few squeezes for a gate yet: every verdict on this type stays "
                                        "inconclusive. Add some."));
-    m_map->setTypes(review.models);
+    m_map->setTypes(review.models, !review.squeezesOfAll.empty());
     m_map->setSqueezes(review.squeezesOfAll, m_workbench->enrollment().typeName());
 }
 

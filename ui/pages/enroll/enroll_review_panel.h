@@ -49,12 +49,13 @@ struct ReviewedQuantity {
     TypeQuantity quantity = TypeQuantity::Stiffness;
     double mean = 0;
     std::optional<double> deviation; ///< standard, of a squeeze
+    int squeezes = 0;                ///< that it is of
 };
 
 /// What a type looks like after its squeezes: made on the library's thread, shown before it is approved.
 struct TypeReview {
     int squeezes = 0;
-    std::vector<ReviewedQuantity> quantities; ///< that all its squeezes determine
+    std::vector<ReviewedQuantity> quantities; ///< that most of its squeezes determine
     QString forceUnit, positionUnit;          ///< of the type
     TypeModels models;                        ///< of all types it can be compared with, in m, b and k
     std::vector<TypeSqueeze> squeezesOfAll;   ///< of these types, in the units of the models

@@ -21,24 +21,39 @@ QString threeLines(const QString& k, const QString& b, const QString& m)
     return LiveSqueezeWords::tr("k  %1\nb  %2\nm  %3").arg(k, b, m);
 }
 
+namespace {
+
+/// m, b and k, a dash for what was not found.
+ParameterTexts linearTexts(const EnrollSqueeze& squeeze)
+{
+    const Recording& recording = squeeze.recording;
+    if (squeeze.identification.best() != nullptr)
+        return parameterTexts(squeeze.identification, recording.forceUnit, recording.positionUnit);
+    ParameterTexts texts;
+    texts.m.value = texts.b.value = texts.k.value = QChar(0x2013);
+    const std::array places{&texts.m, &texts.b, &texts.k};
+    for (const DeterminedParameter& one : determinedParameters(squeeze))
+        if (const auto place = linearPlaceOf(one.parameter); place && !one.isLowerBound)
+            *places[*place] = formatNumber(
+                one.value,
+                one.interval ? std::optional((one.interval->upper - one.interval->lower) / 2) : std::nullopt,
+                one.unit);
+    return texts;
+}
+
+} // namespace
+
 QString numbersOf(const EnrollSqueeze& squeeze)
 {
     const std::vector<DeterminedParameter> all = determinedParameters(squeeze);
     if (all.empty())
         return {};
-    QString linear[3] = {u"–"_s, u"–"_s, u"–"_s};
-    for (const DeterminedParameter& one : all)
-        if (const auto place = linearPlaceOf(one.parameter))
-            linear[*place] = determinedText(one);
-    if (squeeze.identification.best() != nullptr) {
-        const ParameterTexts texts = parameterTexts(squeeze.identification, squeeze.recording.forceUnit,
-                                                    squeeze.recording.positionUnit);
-        linear[0] = texts.m.text();
-        linear[1] = texts.b.text();
-        linear[2] = texts.k.text();
-    }
+    const ParameterTexts texts = linearTexts(squeeze);
+    const bool isBound = all.front().isLowerBound; // then there is nothing else
+    const QString lines =
+        threeLines(isBound ? determinedText(all.front()) : texts.k.text(), texts.b.text(), texts.m.text());
     const QString further = furtherText(all);
-    return threeLines(linear[2], linear[1], linear[0]) + (further.isEmpty() ? QString() : u'\n' + further);
+    return further.isEmpty() ? lines : lines + u'\n' + further;
 }
 
 LiveSqueezeWords liveSqueezeWords(const std::optional<RecursiveState>& state, const QString& forceUnit,
@@ -117,18 +132,6 @@ QString validityWord(const EnrollSqueeze& squeeze)
     return {};
 }
 
-/// Of m, b and k what there is, where not all three are.
-void EnrollSqueezeModel::fillIn(Row& row, const std::vector<DeterminedParameter>& all)
-{
-    const std::array columns{&row.mass, &row.damping, &row.stiffness};
-    for (const DeterminedParameter& one : all)
-        if (const auto place = linearPlaceOf(one.parameter); place && !one.isLowerBound)
-            *columns[*place] = formatNumber(
-                one.value,
-                one.interval ? std::optional((one.interval->upper - one.interval->lower) / 2) : std::nullopt,
-                one.unit);
-}
-
 EnrollSqueezeModel::Row EnrollSqueezeModel::makeRow(const EnrollSqueeze& squeeze)
 {
     Row row;
@@ -137,17 +140,11 @@ EnrollSqueezeModel::Row EnrollSqueezeModel::makeRow(const EnrollSqueeze& squeeze
     row.reason = squeeze.reason;
     row.verdict = validityWord(squeeze);
     row.fit = QChar(0x2013);
-    row.stiffness.value = row.damping.value = row.mass.value = row.fit;
+    const ParameterTexts texts = linearTexts(squeeze);
+    row.stiffness = texts.k;
+    row.damping = texts.b;
+    row.mass = texts.m;
     const Identification& identification = squeeze.identification;
-    if (identification.best() != nullptr) {
-        const ParameterTexts texts =
-            parameterTexts(identification, squeeze.recording.forceUnit, squeeze.recording.positionUnit);
-        row.stiffness = texts.k;
-        row.damping = texts.b;
-        row.mass = texts.m;
-    } else {
-        fillIn(row, determinedParameters(squeeze));
-    }
     const Estimate* const recommended = identification.find(identification.recommended);
     if (recommended != nullptr && recommended->fit.simulationPercent)
         row.fit = formatPercent(*recommended->fit.simulationPercent);

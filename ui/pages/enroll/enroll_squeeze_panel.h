@@ -95,7 +95,6 @@ private:
     /// own.
     [[nodiscard]] QString commonUnit(FormattedNumber Row::*column) const;
     [[nodiscard]] static Row makeRow(const EnrollSqueeze& squeeze);
-    static void fillIn(Row& row, const std::vector<DeterminedParameter>& all);
     [[nodiscard]] QString text(const Row& row, int number, Column column) const;
     std::vector<Row> m_rows;
 };

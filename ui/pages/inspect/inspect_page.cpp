@@ -310,7 +310,7 @@ void InspectPage::refreshExpected()
         enrolled << u"%1 %2"_s.arg(type.squeezes).arg(type.name);
     if (enrolled != d->shownTypes) {
         d->shownTypes = enrolled;
-        d->measurement->setTypes(workbench().inspection().models());
+        d->measurement->setTypes(workbench().inspection().models(), !types.empty());
     }
     // The time first: it is what is looked for, and the rest gives way where there is no room.
     const InspectSession& session = workbench().inspection();

@@ -35,6 +35,13 @@ struct Hint {
     Q_DECLARE_TR_FUNCTIONS(InspectHint)
 };
 
+/// Whether it was not even armed; what stops an armed one has other codes (GripperPort::disarmReason).
+bool neverArmed(const Error& reason)
+{
+    return reason.code == ErrorCode::ArmingRefused || reason.code == ErrorCode::DeviceTimeout ||
+           reason.code == ErrorCode::DeviceRefused;
+}
+
 } // namespace
 
 InspectHint inspectHint(Workbench& workbench, const QString& time)
@@ -65,7 +72,7 @@ InspectHint inspectHint(Workbench& workbench, const QString& time)
     // It stands here too, for whoever has put the message away.
     if (const std::optional<Error>& reason = StopStanding::of(workbench).disarmReason();
         reason && !connection.armed())
-        return {Hint::tr("Disarmed"), reason->describe()};
+        return {neverArmed(*reason) ? Hint::tr("Not armed") : Hint::tr("Disarmed"), reason->describe()};
     if (!connection.armed() && connection.identity().commandable)
         return {Hint::tr("Not armed"), Hint::tr("Place the part, hands clear, then arm the gripper")};
     return {Hint::tr("Ready"), Hint::tr("Place the part, then squeeze: %1").arg(time)};
@@ -143,9 +150,9 @@ InspectMeasurement::InspectMeasurement(QWidget* parent) : QFrame(parent)
     row->addWidget(m_note, 1);
 }
 
-void InspectMeasurement::setTypes(const TypeModels& models)
+void InspectMeasurement::setTypes(const TypeModels& models, bool elsewhere)
 {
-    m_map->setTypes(models);
+    m_map->setTypes(models, elsewhere);
 }
 
 void InspectMeasurement::showResult(const std::optional<InspectSession::Result>& result)

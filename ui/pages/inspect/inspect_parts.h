@@ -53,7 +53,8 @@ class InspectMeasurement : public QFrame {
     Q_OBJECT
 public:
     explicit InspectMeasurement(QWidget* parent = nullptr);
-    void setTypes(const TypeModels& models);
+    /// As TypeMap::setTypes.
+    void setTypes(const TypeModels& models, bool elsewhere);
     void showResult(const std::optional<InspectSession::Result>& result);
 
 private:

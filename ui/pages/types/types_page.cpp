@@ -72,6 +72,8 @@ struct TypesPage::Private {
     SceneToolBar* tools = nullptr;
     FitExporter* exporter = nullptr;
     QStackedWidget* stack = nullptr;
+    QLabel *emptyTitle = nullptr, *emptyText = nullptr;
+    QPushButton* loadExamples = nullptr;
     SceneView* view = nullptr;
     StepBar* steps = nullptr;
     TypesSide* side = nullptr;
@@ -170,21 +172,34 @@ QWidget* TypesPage::buildEmpty()
     auto* page = new QWidget;
     auto* column = new QVBoxLayout(page);
     setSpacing(column, 3 * metrics::step, metrics::step);
-    auto* text =
-        makeLabel(tr("Enrol a type on the Enroll page: about ten squeezes of good parts. Or load the four "
-                     "cans of the paper as examples."),
-                  "second");
-    text->setWordWrap(true);
-    text->setAlignment(Qt::AlignCenter);
-    auto* load = new ExampleTypesButton(workbench());
-    setRole(load, "primary");
+    d->emptyTitle = makeLabel({}, "title");
+    d->emptyText = makeLabel({}, "second");
+    d->emptyText->setObjectName(u"typesEmptyText"_s);
+    d->emptyText->setWordWrap(true);
+    d->emptyText->setAlignment(Qt::AlignCenter);
+    d->loadExamples = new ExampleTypesButton(workbench());
+    setRole(d->loadExamples, "primary");
     column->addStretch();
-    column->addWidget(makeLabel(tr("No types in this library yet"), "title"), 0, Qt::AlignHCenter);
-    column->addWidget(text);
+    column->addWidget(d->emptyTitle, 0, Qt::AlignHCenter);
+    column->addWidget(d->emptyText);
     column->addSpacing(metrics::step);
-    column->addWidget(load, 0, Qt::AlignHCenter);
+    column->addWidget(d->loadExamples, 0, Qt::AlignHCenter);
     column->addStretch();
+    refreshEmpty();
     return page;
+}
+
+void TypesPage::refreshEmpty()
+{
+    const bool elsewhere = !d->space->elsewhere.empty();
+    d->emptyTitle->setText(elsewhere ? tr("No type here has m, b and k")
+                                     : tr("No types in this library yet"));
+    d->emptyText->setText(
+        elsewhere ? tr("Recognised without a mass, by what their squeezes tell, and not in this picture: %1.")
+                        .arg(elsewhereText(*d->space))
+                  : tr("Enrol a type on the Enroll page: about ten squeezes of good parts. Or load the four "
+                       "cans of the paper as examples."));
+    d->loadExamples->setVisible(!elsewhere);
 }
 
 void TypesPage::setActive(bool active)
@@ -343,6 +358,7 @@ void TypesPage::takeInspection()
 void TypesPage::refresh()
 {
     const bool empty = d->space->squeezes.empty() && !d->loading;
+    refreshEmpty();
     d->stack->setCurrentIndex(empty ? 1 : 0);
     d->side->showClusters(d->steps->byCluster());
     const bool byCluster = d->steps->byCluster() && d->clustering;

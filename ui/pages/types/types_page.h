@@ -37,6 +37,7 @@ public:
 private:
     [[nodiscard]] QWidget* buildSceneCard();
     [[nodiscard]] QWidget* buildEmpty();
+    void refreshEmpty();
     void load();
     void takeSpace(TypeSpace space);
     void cluster();

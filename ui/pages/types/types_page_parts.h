@@ -21,6 +21,9 @@ class ClustersPanel;
 class FitExporter;
 class SceneView;
 
+/// The types that have no place in the picture, with their squeezes: "foam (6), fruit (12)".
+[[nodiscard]] QString elsewhereText(const TypeSpace& space);
+
 /// The right quarter of the Types page: legend with counts and visibility, the point picked, how far the
 /// nearest pair is apart; while clusters are shown, first of all how they are found.
 class TypesSide : public QScrollArea {
@@ -54,6 +57,7 @@ private:
     QWidget* m_rule;
     QGridLayout* m_legend;
     QLabel* m_spread;
+    QLabel* m_elsewhere;
     QLabel* m_highlight;
     QLabel* m_picked;
     QPushButton* m_open;

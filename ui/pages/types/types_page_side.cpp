@@ -35,9 +35,9 @@ QIcon typeIcon(int type, double ratio)
 
 TypesSide::TypesSide(QWidget* parent)
     : QScrollArea(parent), m_clusters(new ClustersPanel), m_rule(makeRule()), m_legend(new QGridLayout),
-      m_spread(makeLabel({}, "second")), m_highlight(makeLabel({}, "second")),
-      m_picked(makeLabel({}, "second")), m_open(makeButton(tr("Open in Fit"), u"labplot-xy-fit-curve"_s)),
-      m_nearest(makeLabel({}))
+      m_spread(makeLabel({}, "second")), m_elsewhere(makeLabel({}, "second")),
+      m_highlight(makeLabel({}, "second")), m_picked(makeLabel({}, "second")),
+      m_open(makeButton(tr("Open in Fit"), u"labplot-xy-fit-curve"_s)), m_nearest(makeLabel({}))
 {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
@@ -46,7 +46,7 @@ TypesSide::TypesSide(QWidget* parent)
     auto* column = new QVBoxLayout(body);
     column->setContentsMargins(2 * metrics::step, 12, 2 * metrics::step, 2 * metrics::step);
     column->setSpacing(metrics::step);
-    for (QLabel* label : {m_spread, m_highlight, m_picked, m_nearest})
+    for (QLabel* label : {m_spread, m_elsewhere, m_highlight, m_picked, m_nearest})
         label->setWordWrap(true);
     m_nearestPart = buildNearest();
     column->addWidget(m_clusters);
@@ -83,6 +83,7 @@ QWidget* TypesSide::buildTypes()
     connect(manage, &QPushButton::clicked, this, &TypesSide::manageAsked);
     column->addWidget(manage, 0, Qt::AlignLeft);
     column->addWidget(m_spread);
+    column->addWidget(m_elsewhere);
     column->addWidget(m_highlight);
     return part;
 }
@@ -120,6 +121,14 @@ void TypesSide::showClusters(bool clusters)
     ensureVisible(0, 0);
 }
 
+QString elsewhereText(const TypeSpace& space)
+{
+    QStringList names;
+    for (const TypeSpace::Elsewhere& type : space.elsewhere)
+        names << u"%1 (%2)"_s.arg(type.name, formatCount(type.squeezes));
+    return names.join(u", "_s);
+}
+
 void TypesSide::setSpace(const TypeSpace& space)
 {
     const bool sameTypes = space.types == m_types;
@@ -146,9 +155,11 @@ void TypesSide::setSpace(const TypeSpace& space)
     m_spread->setText(tr("With one squeeze a type nothing is known of how squeezes scatter, so there is no "
                          "ellipsoid yet. Enrol more: ten a type is good."));
     m_spread->setVisible(!spreadKnown && !space.types.isEmpty());
+    m_elsewhere->setText(tr("Without m, b and k, so not in this picture: %1.").arg(elsewhereText(space)));
+    m_elsewhere->setVisible(!space.elsewhere.empty());
     if (space.nearest)
         m_nearest->setText(tr("%1 and %2 are %3 sd apart.")
-                               .arg(space.types[space.nearest->one], space.types[space.nearest->other],
+                               .arg(space.nearest->one, space.nearest->other,
                                     formatNumber(space.nearest->distance, std::nullopt, {}).value));
     else
         m_nearest->setText(tr("Two types with some squeezes each are needed."));

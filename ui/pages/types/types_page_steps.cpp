@@ -12,10 +12,13 @@
 #include <QButtonGroup>
 #include <QClipboard>
 #include <QComboBox>
+#include <QFontMetricsF>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QSlider>
+
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -151,7 +154,12 @@ SceneToolBar::SceneToolBar(SceneView* view, FitExporter* exporter, QWidget* pare
     line->setSpacing(metrics::insideControl);
     m_source->addItems({tr("This library"), tr("The paper's tables (units as printed)")});
     m_source->setAccessibleName(tr("Which types to show"));
-    m_source->setMinimumContentsLength(12);
+    // In the least window each tool needs its room: there are no icons, and only the first entry is whole
+    // there.
+    const QFontMetricsF letters(Theme::font(metrics::fontBase));
+    m_source->setIconSize({});
+    m_source->setMinimumContentsLength(
+        int(std::ceil(letters.horizontalAdvance(m_source->itemText(0)) / letters.horizontalAdvance(u'X'))));
     m_source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_source->view()->setMinimumWidth(300);
     connect(m_source, &QComboBox::currentIndexChanged, this,
