@@ -2,6 +2,7 @@
 #include "devices/acquisition/arming.h"
 
 #include "core/base/words.h"
+#include "devices/protocol/arming_obstacle.h"
 
 #include <algorithm>
 #include <utility>
@@ -42,11 +43,8 @@ bool Arming::sendArm(const StreamPulse& pulse, Time now)
             return false;
         }
         if (pulse.period() > m_limits.reportPeriod * sameDespiteClocks) {
-            refuse(
-                Words::tr("its reports come every %1 ms; a gripper that is to be stopped in time sends one "
-                          "every %2 ms at least. It can be listened to")
-                    .arg(pulse.period().count(), 0, 'f', 1)
-                    .arg(m_limits.reportPeriod.count()));
+            refuse(protocol::tooSeldom(pulse.period().count(),
+                                       static_cast<double>(m_limits.reportPeriod.count())));
             return false;
         }
     }

@@ -23,6 +23,9 @@ struct LinkLimits {
     ms watchdogMargin{50};   ///< a watchdog may trip so much later than it states
     ms forgetForeign{1000};  ///< an answer to another program's command keeps it from being armed for so long
     ms deafReaderLimit{850}; ///< behind obeyWithin: a reader that hangs itself can confirm nothing
+    /// For tests: the watchdog of a virtual gripper waits so much longer once it has tripped, as it does when
+    /// the first arming proves it.
+    ms virtualPatience{0};
 };
 
 } // namespace gripscope

@@ -86,8 +86,9 @@ std::unique_ptr<GripperPort> virtualPort(const QString& text, const VirtualAddre
         options.sessions.reset();
     if (const std::optional<ProfiledDeviceMakers> device = profiledDevice(address))
         return profiledPort(text, *device, capture, options);
-    const TransportMaker make = [address]() -> std::shared_ptr<Transport> {
-        return *VirtualTransport::make(address);
+    const TransportMaker make = [address,
+                                 patience = options.limits.virtualPatience]() -> std::shared_ptr<Transport> {
+        return *VirtualTransport::make(address, patience);
     };
     return std::make_unique<DevicePort>(text, options.around(make, text, capture),
                                         SampleQueue::defaultCapacity, &GripscopeDecoder::make,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/protocol/arming_obstacle.h"
 
+#include "core/base/words.h"
 #include "devices/protocol/codec.h"
 
 #include <initializer_list>
@@ -29,6 +30,20 @@ std::optional<FieldProblem> armingObstacle(const MeasurementFeature& measurement
         if (problem)
             return problem;
     return std::nullopt;
+}
+
+QString describeObstacle(const FieldProblem& problem)
+{
+    if (problem.field == Field::SampleTime && problem.value > problem.most)
+        return tooSeldom(1e3 * problem.value, 1e3 * problem.most); // nothing is wrong with it; it is slow
+    return describe(problem);
+}
+
+QString tooSeldom(double period_ms, double longest_ms)
+{
+    return Words::tr("its reports come every %1 ms; a gripper that is to be stopped in time sends one "
+                     "every %2 ms at least. It can be listened to")
+        .arg(Words::number(period_ms, 'f', 1), Words::number(longest_ms, 'g', 3));
 }
 
 } // namespace gripscope::protocol

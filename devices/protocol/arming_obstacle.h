@@ -18,4 +18,8 @@ inline constexpr double longestReportPeriod_s = 0.02;
 [[nodiscard]] std::optional<FieldProblem> armingObstacle(const MeasurementFeature& measurement,
                                                          const LimitsFeature& limits);
 
+[[nodiscard]] QString describeObstacle(const FieldProblem& problem);
+/// Its reports come every `period_ms`, where every `longest_ms` is asked for.
+[[nodiscard]] QString tooSeldom(double period_ms, double longest_ms);
+
 } // namespace gripscope::protocol

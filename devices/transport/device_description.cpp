@@ -116,7 +116,7 @@ Expected<DeviceDescription> describeDevice(Transport& transport, const QString& 
     out.limits.maxTravel_m = limits.maxTravel * measurement.positionPerCount * metres.value_or(0.0);
     out.limits.maxSamples = limits.maxSamples;
     if (const auto problem = armingObstacle(measurement, limits))
-        description.armingObstacle = describe(*problem);
+        description.armingObstacle = describeObstacle(*problem);
     out.commandable = measurement.commandable && transport.takesCommands() && newtons && metres;
     return description;
 }

@@ -82,9 +82,12 @@ Report VirtualFirmware::sealed(Report report) const
 
 void VirtualFirmware::watch(std::uint64_t now_us)
 {
+    const std::uint64_t waits_ms = m_options.watchdog_ms + (m_tripped ? m_options.patience_ms : 0U);
     if (m_options.hasWatchdog && !m_faults.noWatchdog && m_armed && m_options.watchdog_ms > 0 &&
-        now_us > m_fed_us + 1000 * std::uint64_t(m_options.watchdog_ms))
+        now_us > m_fed_us + 1000 * waits_ms) {
+        m_tripped = true;
         halt(StatusWatchdog);
+    }
 }
 
 void VirtualFirmware::halt(std::uint16_t cause)

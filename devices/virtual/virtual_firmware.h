@@ -28,6 +28,7 @@ struct VirtualFirmwareOptions {
     bool millimetres = false; ///< states positions in mm instead of m
     bool hasWatchdog = true;  ///< off where time does not run by itself; what is stated stays
     std::uint16_t watchdog_ms = 100;
+    std::uint32_t patience_ms = 0; ///< for tests: its watchdog waits so much longer once it has tripped
     std::uint8_t protocolMinor = protocol::versionMinor; ///< 0: it knows no token of an Arm
 };
 
@@ -143,6 +144,7 @@ private:
     std::uint16_t m_latched = 0;               ///< status bits that stay until the next Arm
     std::uint32_t m_lastToken = 0;             ///< of the Arm that was taken last
     std::uint64_t m_fed_us = 0;                ///< when the watchdog's time began anew
+    bool m_tripped = false;                    ///< the watchdog, once or more often
     std::uint64_t m_faultShownUntil = 0;       ///< sample
     std::int32_t m_maxForce, m_maxTravel;      ///< counts
     std::int32_t m_travelFrom = 0;             ///< counts: the position of the first moving sample

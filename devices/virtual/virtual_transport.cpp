@@ -18,7 +18,8 @@ namespace {
 constexpr std::size_t wireCapacity = 4096;
 } // namespace
 
-Expected<std::shared_ptr<VirtualTransport>> VirtualTransport::make(const VirtualAddress& address)
+Expected<std::shared_ptr<VirtualTransport>> VirtualTransport::make(const VirtualAddress& address,
+                                                                   std::chrono::milliseconds patience)
 {
     ASSIGN_OR_RETURN(VirtualObject object, VirtualObject::fromText(address.object));
     VirtualFirmwareOptions options;
@@ -32,6 +33,7 @@ Expected<std::shared_ptr<VirtualTransport>> VirtualTransport::make(const Virtual
         options.positionNoise_m = *address.positionNoise_m;
     options.millimetres = address.millimetres;
     options.hasWatchdog = address.speed > 0;
+    options.patience_ms = static_cast<std::uint32_t>(std::max<std::int64_t>(0, patience.count()));
     return std::make_shared<VirtualTransport>(address, std::move(options));
 }
 

@@ -26,7 +26,9 @@ namespace gripscope {
 /// nothing ends it early, while reports are read as before.
 class VirtualTransport : public Transport {
 public:
-    [[nodiscard]] static Expected<std::shared_ptr<VirtualTransport>> make(const VirtualAddress& address);
+    /// `patience`: see LinkLimits::virtualPatience.
+    [[nodiscard]] static Expected<std::shared_ptr<VirtualTransport>>
+    make(const VirtualAddress& address, std::chrono::milliseconds patience = {});
     VirtualTransport(const VirtualAddress& address, VirtualFirmwareOptions options);
 
     /// DeviceNotFound while it is unplugged; or what is wrong with the script of its faults.

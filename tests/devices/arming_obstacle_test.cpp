@@ -161,8 +161,13 @@ private slots:
     {
         Description description;
         description.measurement.watchdog_ms = 20;
-        QCOMPARE(describe(*armingObstacle(description.measurement, description.limits)),
+        QCOMPARE(describeObstacle(*armingObstacle(description.measurement, description.limits)),
                  u"\"watchdog\" is 20 ms; it must be from 100 ms to 200 ms"_s);
+        description.measurement.watchdog_ms = 100;
+        description.measurement.sampleTime_s = 0.04;
+        QVERIFY2(describeObstacle(*armingObstacle(description.measurement, description.limits))
+                     .startsWith(u"its reports come every 40.0 ms; "_s),
+                 "a slow gripper has no wrong field");
         description.measurement.sampleTime_s = 10;
         QCOMPARE(describe(decodeMeasurement(encode(description.measurement)).error()),
                  u"\"sample time\" is 10 s; it must be from 1e-06 s to 1 s"_s);

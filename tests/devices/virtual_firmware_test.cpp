@@ -114,6 +114,22 @@ private slots:
         QCOMPARE(device.lastStatus(), std::uint16_t(StatusWatchdog));
     }
 
+    /// For tests beside busy processes: it still proves its watchdog, and bears late heartbeats from then on.
+    void aPatientOneTripsAtOnceOnlyOnce()
+    {
+        VirtualFirmwareOptions options = BareDevice::options(u"A"_qs);
+        options.patience_ms = 1000;
+        Device device(options);
+        device.send(ArmCommand{});
+        device.run(210, false); // 105 ms
+        QCOMPARE(device.lastStatus(), std::uint16_t(StatusWatchdog));
+        device.send(ArmCommand{});
+        device.run(2190, false); // 1,095 ms
+        QCOMPARE(device.lastStatus(), std::uint16_t(StatusArmed));
+        device.run(20, false);
+        QCOMPARE(device.lastStatus(), std::uint16_t(StatusWatchdog));
+    }
+
     void stopTakesTheForceOffWithTheNextSample()
     {
         Device device;

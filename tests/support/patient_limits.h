@@ -6,8 +6,8 @@
 
 namespace gripscope::test {
 
-/// A link that bears a program's thread which others keep from the processor; what it expects of the gripper
-/// stays as it is.
+/// A link that bears a program whose threads others keep from the processor; what it expects of the gripper
+/// stays as it is, and so does what the gripper does when no heartbeat ever comes.
 inline LinkLimits limitsForABusyProgram()
 {
     using std::chrono::milliseconds;
@@ -16,11 +16,11 @@ inline LinkLimits limitsForABusyProgram()
     limits.obeyWithin = milliseconds(10'000);
     limits.writerMayWait = milliseconds(10'000);
     limits.deafReaderLimit = milliseconds(10'000);
+    limits.virtualPatience = milliseconds(longEnough_ms); // heartbeats may be kept waiting, too
     return limits;
 }
 
-/// One that bears a late reader and late reports, too. What the device itself does without heartbeats stays
-/// as it is.
+/// One that bears a late reader and late reports, too.
 inline LinkLimits patientLimits()
 {
     using std::chrono::milliseconds;

@@ -36,6 +36,8 @@ struct Attended {
     [[nodiscard]] bool staysArmed() const
     {
         QTest::qWait(200);
+        if (const auto& why = f.bench->connection().disarmReason())
+            qInfo("disarmed: %s", qPrintable(why->describe()));
         return f.bench->connection().armed();
     }
 

@@ -18,7 +18,8 @@ private slots:
     {
         constexpr double rate_Hz = 2000;
         LinkLimits limits = patientLimits();
-        limits.aliveFor = LinkLimits().aliveFor; // the one that this is about
+        limits.aliveFor = LinkLimits().aliveFor; // the ones that this is about
+        limits.virtualPatience = LinkLimits().virtualPatience;
         WindowFixture f(false, QStringLiteral("virtual:?object=A&seed=5"), limits);
         std::size_t pushed = 0;
         bool watchdog = false;
