@@ -33,4 +33,13 @@ inline LinkLimits patientLimits()
     return limits;
 }
 
+/// Patient, but for a program that stands still: its heartbeats end, and then the gripper stops by itself.
+inline LinkLimits limitsForAFrozenProgram()
+{
+    LinkLimits limits = patientLimits();
+    limits.aliveFor = LinkLimits().aliveFor;
+    limits.virtualPatience = LinkLimits().virtualPatience;
+    return limits;
+}
+
 } // namespace gripscope::test

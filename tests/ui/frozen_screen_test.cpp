@@ -17,10 +17,7 @@ private slots:
     void aGripperWhoseScreenFreezesStopsByItself()
     {
         constexpr double rate_Hz = 2000;
-        LinkLimits limits = patientLimits();
-        limits.aliveFor = LinkLimits().aliveFor; // the ones that this is about
-        limits.virtualPatience = LinkLimits().virtualPatience;
-        WindowFixture f(false, QStringLiteral("virtual:?object=A&seed=5"), limits);
+        WindowFixture f(false, QStringLiteral("virtual:?object=A&seed=5"), limitsForAFrozenProgram());
         std::size_t pushed = 0;
         bool watchdog = false;
         f.bench->connection().addListener([&](const std::vector<Sample>& samples) {

@@ -132,9 +132,7 @@ private slots:
 
     void disarmedIsSaidWhenTheMessageIsPutAway()
     {
-        LinkLimits limits = gripscope::test::patientLimits();
-        limits.aliveFor = LinkLimits().aliveFor; // half a second without a sign of life
-        WindowFixture f(true, u"virtual:?object=A&seed=5"_s, limits);
+        WindowFixture f(true, u"virtual:?object=A&seed=5"_s, gripscope::test::limitsForAFrozenProgram());
         f.window->showPage(u"inspect"_s);
         const StopStanding& standing = StopStanding::of(*f.bench);
         f.bench->arm();
