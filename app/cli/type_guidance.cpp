@@ -135,9 +135,9 @@ int guideEnrollment(const QStringList& arguments)
         ASSIGN_OR_RETURN(const auto type, requireNamed(library, line.text(u"type"_qs)));
         ASSIGN_OR_RETURN(const auto squeezes, readSqueezes(library, rates));
         ASSIGN_OR_RETURN(const auto away, outliersOf(library, type, squeezes.all));
-        const TypeModels models = fitTypeModels(squeezes.all, spaceOf(squeezes.all));
-        tell(enrollmentProgress(models, type.name, squeezes.options), away,
-             worstOverlap(models, type.name, squeezes.options), line.isSet(u"json"_qs));
+        const ModelsBySpace types(squeezes.all);
+        tell(enrollmentProgress(*types.whole(), type.name, squeezes.options), away,
+             worstOverlap(types, type.name, squeezes.options), line.isSet(u"json"_qs));
         return {};
     });
 }

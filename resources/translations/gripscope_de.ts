@@ -5821,6 +5821,14 @@ m  %3</translation>
         <source>A gripper or a recipe that determines more quantities decides, or a higher stranger-accept rate.</source>
         <translation>Es entscheidet ein Greifer oder ein Rezept, das mehr Größen bestimmt, oder eine höhere Fremdannahme.</translation>
     </message>
+    <message>
+        <source>Judged by %1 alone, which not every type&apos;s squeezes determine.</source>
+        <translation>Allein nach %1 beurteilt, was nicht die Druckversuche aller Typen bestimmen.</translation>
+    </message>
+    <message>
+        <source>Judged by %1, which not every type&apos;s squeezes determine.</source>
+        <translation>Beurteilt nach %1, was nicht die Druckversuche aller Typen bestimmen.</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>

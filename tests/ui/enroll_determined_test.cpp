@@ -85,7 +85,7 @@ private slots:
             squeezes.back().determined = ofStiffness(1500 * e);
         }
         const ModelsBySpace types(squeezes);
-        const TypeReview review = reviewType(squeezes, *types.whole(), u"soft"_s, {});
+        const TypeReview review = reviewType(squeezes, types, u"soft"_s, {});
         QCOMPARE(review.squeezes, 3);
         QCOMPARE(review.quantities.size(), std::size_t(1));
         QVERIFY(review.quantities[0].quantity == TypeQuantity::Stiffness);

@@ -259,7 +259,7 @@ void EnrollPageTest::reviewFindsMeanSpreadAndTheNearestType()
         squeezes.push_back({u"two"_s, {0.04 / step, 43 * step, 15000 * step}});
         squeezes.push_back({u"far"_s, {0.04 * step, 43 * step, 90000 / step}});
     }
-    const TypeReview review = reviewType(squeezes, fitTypeModels(squeezes), u"one"_s, {});
+    const TypeReview review = reviewType(squeezes, ModelsBySpace(squeezes), u"one"_s, {});
     QCOMPARE(review.squeezes, 3);
     QVERIFY(std::abs(review.quantities[2].mean - 10000) < 1e-6);
     QVERIFY(std::abs(*review.quantities[2].deviation - 200) < 1e-6); // sd of -2, 0, +2 %
@@ -268,11 +268,11 @@ void EnrollPageTest::reviewFindsMeanSpreadAndTheNearestType()
     QCOMPARE(review.squeezesOfAll.size(), std::size_t(9)); // for the map
     std::vector<TypeSqueeze> more = squeezes;
     more.push_back({u"in units that cannot be compared"_s, {1, 1, 1}});
-    QCOMPARE(reviewType(more, fitTypeModels(squeezes), u"one"_s, {}).squeezesOfAll.size(), std::size_t(9));
-    QCOMPARE(reviewType(squeezes, fitTypeModels(squeezes), u"nobody"_s, {}).squeezes, 0);
+    QCOMPARE(reviewType(more, ModelsBySpace(squeezes), u"one"_s, {}).squeezesOfAll.size(), std::size_t(9));
+    QCOMPARE(reviewType(squeezes, ModelsBySpace(squeezes), u"nobody"_s, {}).squeezes, 0);
     VerdictOptions loose;
     loose.falseReject = 0.05;
-    const TypeReview looser = reviewType(squeezes, fitTypeModels(squeezes), u"one"_s, loose);
+    const TypeReview looser = reviewType(squeezes, ModelsBySpace(squeezes), u"one"_s, loose);
     QVERIFY(*looser.gateSd < *review.gateSd);
     QCOMPARE(looser.falseReject, 0.05);
 }

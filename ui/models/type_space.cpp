@@ -19,17 +19,27 @@ namespace {
 /// What an ellipsoid holds: of a type's squeezes, of where a squeeze may lie.
 constexpr double spaceShare = 0.95;
 
-/// `models`: in any space.
-std::optional<TypeSpace::Pair> nearestPair(const TypeModels& models)
+/// Types that lie close in what all determine may lie far apart in what two of them do, seldom the other way:
+/// the closest of the first come first, and those that cannot be the nearest are not asked.
+std::optional<TypeSpace::Pair> nearestPair(const ModelsBySpace& types)
 {
-    std::optional<TypeSpace::Pair> nearest;
+    const TypeModels& models = *types.whole();
+    std::vector<TypeSpace::Pair> pairs;
     for (std::size_t i = 0; i < models.types.size(); ++i)
         for (std::size_t j = i + 1; j < models.types.size(); ++j) {
             const TypeSqueeze mean = squeezeAt({}, models.space, models.types[j].meanLog);
-            const std::optional<double> squared = squaredDistance(models, models.types[i], mean);
-            if (squared && (!nearest || std::sqrt(*squared) < nearest->distance))
-                nearest = TypeSpace::Pair{models.types[i].name, models.types[j].name, std::sqrt(*squared)};
+            if (const auto squared = squaredDistance(models, models.types[i], mean))
+                pairs.push_back({models.types[i].name, models.types[j].name, std::sqrt(*squared)});
         }
+    std::ranges::sort(pairs, {}, &TypeSpace::Pair::distance);
+    std::optional<TypeSpace::Pair> nearest;
+    for (TypeSpace::Pair& pair : pairs) {
+        if (nearest && pair.distance >= nearest->distance)
+            break;
+        pair.distance = types.distance(pair.one, pair.other).value_or(pair.distance);
+        if (!nearest || pair.distance < nearest->distance)
+            nearest = pair;
+    }
     return nearest;
 }
 
@@ -53,7 +63,7 @@ void complete(TypeSpace& space, std::vector<TypeSqueeze> others = {})
     const TypeModels& whole = *models.whole();
     const std::size_t all = std::size_t(space.types.size()) + space.elsewhere.size();
     if (whole.types.size() == all && whole.degreesOfFreedom > 0)
-        space.nearest = nearestPair(whole);
+        space.nearest = nearestPair(models);
 }
 
 /// The accepted ones, as recognition takes them.

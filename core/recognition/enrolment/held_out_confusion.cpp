@@ -2,6 +2,7 @@
 #include "core/recognition/enrolment/held_out_confusion.h"
 
 #include "core/recognition/types/squeeze_values.h"
+#include "core/recognition/verdict/verdict_by_space.h"
 
 #include <QMap>
 
@@ -118,7 +119,7 @@ HeldOutConfusion heldOutConfusion(const std::vector<TypeSqueeze>& squeezes, cons
     result.untested = int(std::count(perType.begin(), perType.end(), 1));
     std::vector<Tally> tallies(types);
     for (const std::vector<std::size_t>& fold : foldsOf(parts, perType)) {
-        const TypeModels models = fitTypeModels(without(squeezes, parts, fold), space);
+        const ModelsBySpace models(without(squeezes, parts, fold));
         for (const std::size_t number : fold) {
             const Part& part = parts[number];
             bool wrong = false, unknown = false;

@@ -65,6 +65,16 @@ void count(const Verdict& verdict, const QString& type, double share, ExpectedVe
     }
 }
 
+std::optional<TypePrediction> predicted(const TypeModels& models, const QString& type,
+                                        const VerdictOptions& options)
+{
+    const TypeModel* model = models.find(type);
+    if (!model || models.degreesOfFreedom < 1)
+        return {};
+    TypePrediction own = predictType(models, *model, model->meanLog, {}, {options.robust});
+    return own.degreesOfFreedom >= models.space.dimensions() ? std::optional(std::move(own)) : std::nullopt;
+}
+
 /// "12 in 100", "3 in 1,000".
 Finding oftenness(double share)
 {
@@ -75,30 +85,31 @@ Finding oftenness(double share)
 
 } // namespace
 
-std::optional<ExpectedVerdicts> expectedVerdicts(const TypeModels& models, const QString& type,
+std::optional<ExpectedVerdicts> expectedVerdicts(const ModelsBySpace& types, const QString& type,
                                                  const VerdictOptions& options, int draws)
 {
-    const TypeModel* model = models.find(type);
-    if (!model || models.degreesOfFreedom < 1 || draws < 1)
-        return {};
-    const TypePrediction own = predictType(models, *model, model->meanLog, {}, {options.robust});
-    if (!(own.degreesOfFreedom >= models.space.dimensions()))
-        return {};
-    PredictedSqueezes next(own);
-    ExpectedVerdicts expected;
-    for (int draw = 0; draw < draws; ++draw)
-        count(judge(models, squeezeAt({}, models.space, next()), options), type, 1.0 / draws, expected);
-    return expected;
+    // What it determines by itself, or what all do where it has too few squeezes to be known in that.
+    for (const ModelsBySpace::Models& models : {types.modelsAmong({type}), types.whole()}) {
+        const std::optional<TypePrediction> own = predicted(*models, type, options);
+        if (!own || draws < 1)
+            continue;
+        PredictedSqueezes next(*own);
+        ExpectedVerdicts expected;
+        for (int draw = 0; draw < draws; ++draw)
+            count(judge(types, squeezeAt({}, models->space, next()), options), type, 1.0 / draws, expected);
+        return expected;
+    }
+    return {};
 }
 
-std::optional<TypeOverlap> worstOverlap(const TypeModels& models, const QString& type,
+std::optional<TypeOverlap> worstOverlap(const ModelsBySpace& types, const QString& type,
                                         const VerdictOptions& options)
 {
-    const auto expected = expectedVerdicts(models, type, options);
+    const auto expected = expectedVerdicts(types, type, options);
     if (!expected)
         return {};
     std::optional<TypeOverlap> worst;
-    for (const TypeModel& other : models.types) {
+    for (const TypeModel& other : types.whole()->types) {
         const TypeOverlap overlap{type, other.name, expected->undecided.value(other.name),
                                   expected->wrong.value(other.name), 0};
         const double taken = overlap.undecided + overlap.wrong;
@@ -107,7 +118,7 @@ std::optional<TypeOverlap> worstOverlap(const TypeModels& models, const QString&
     }
     if (!worst)
         return {};
-    if (const auto others = expectedVerdicts(models, worst->other, options))
+    if (const auto others = expectedVerdicts(types, worst->other, options))
         worst->back = others->undecided.value(type) + others->wrong.value(type);
     return worst;
 }

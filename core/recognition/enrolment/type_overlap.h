@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/finding.h"
-#include "core/recognition/verdict/verdict.h"
+#include "core/recognition/verdict/verdict_by_space.h"
 
 #include <QMap>
 
@@ -20,9 +20,10 @@ struct ExpectedVerdicts {
 };
 
 /// By simulation with a fixed seed: squeezes drawn from the type's predictive distribution (Student t, with
-/// what is not known of its mean and scatter), each judged by judge(). 2,000 draws know a share p to
-/// sqrt(p (1 - p) / 2000). Nothing when there is no such type or no gate yet.
-[[nodiscard]] std::optional<ExpectedVerdicts> expectedVerdicts(const TypeModels& models, const QString& type,
+/// what is not known of its mean and scatter) in all that it determines, each judged by judge(). 2,000 draws
+/// know a share p to sqrt(p (1 - p) / 2000). Nothing when there is no such type or no gate yet.
+[[nodiscard]] std::optional<ExpectedVerdicts> expectedVerdicts(const ModelsBySpace& types,
+                                                               const QString& type,
                                                                const VerdictOptions& options,
                                                                int draws = 2000);
 
@@ -34,7 +35,7 @@ struct TypeOverlap {
     double back = 0;      ///< share of the other's squeezes that are not told from the type, or named it
 };
 /// Nothing where no squeeze of either is expected to be mistaken, or there is no gate.
-[[nodiscard]] std::optional<TypeOverlap> worstOverlap(const TypeModels& models, const QString& type,
+[[nodiscard]] std::optional<TypeOverlap> worstOverlap(const ModelsBySpace& types, const QString& type,
                                                       const VerdictOptions& options);
 [[nodiscard]] Finding inWords(const TypeOverlap& overlap);
 

@@ -1,42 +1,92 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/types/models_by_space.h"
 
-#include "core/recognition/types/squeeze_values.h"
-
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace gripscope {
 
 namespace {
 
-std::shared_ptr<const TypeModels> fitted(const std::vector<TypeSqueeze>& squeezes, const QuantitySpace& space,
-                                         bool isPart)
+using Reach = TypeModels::Reach;
+
+ModelsBySpace::Models fitted(const std::vector<TypeSqueeze>& squeezes, const QuantitySpace& space,
+                             Reach reach)
 {
     TypeModels models = fitTypeModels(squeezes, space);
-    models.isPart = isPart;
+    models.reach = reach;
     return std::make_shared<const TypeModels>(std::move(models));
 }
 
 } // namespace
 
 ModelsBySpace::ModelsBySpace(std::vector<TypeSqueeze> squeezes)
-    : m_squeezes(std::move(squeezes)), m_whole(fitted(m_squeezes, spaceOf(m_squeezes), false)),
-      m_linear(m_whole->space == QuantitySpace{} ? m_whole : fitted(m_squeezes, {}, true))
+    : m_squeezes(std::move(squeezes)), m_determined(m_squeezes), m_ownSpaces(m_determined.ownSpaces()),
+      m_whole(fitted(m_squeezes, m_determined.space(), Reach::Whole)),
+      m_linear(m_whole->space == QuantitySpace{} ? m_whole : fitted(m_squeezes, {}, Reach::Part))
 {
 }
 
-std::shared_ptr<const TypeModels> ModelsBySpace::modelsFor(const TypeSqueeze& squeeze) const
+ModelsBySpace::Models ModelsBySpace::fittedOnce(const QuantitySpace& space, Reach reach) const
 {
-    const QuantitySpace space = determinedPart(squeeze, m_whole->space);
-    if (space.quantities.empty() || space == m_whole->space)
+    if (space == m_whole->space)
         return m_whole;
-    if (space == m_linear->space)
+    if (space == m_linear->space && reach == Reach::Part)
         return m_linear;
     const std::lock_guard lock(m_mutex);
-    std::shared_ptr<const TypeModels>& part = m_parts[toString(space)];
-    if (!part)
-        part = fitted(m_squeezes, space, true);
-    return part;
+    Models& models = m_fitted[toString(space)];
+    if (models)
+        return models;
+    if (reach == Reach::Part)
+        return models = fitted(m_squeezes, space, reach);
+    // A type of which few squeezes determine it would be known by those few alone.
+    const QStringList types = m_determined.typesWith(space);
+    std::vector<TypeSqueeze> own;
+    std::ranges::copy_if(m_squeezes, std::back_inserter(own), [&](const TypeSqueeze& squeeze) {
+        return std::ranges::binary_search(types, squeeze.type);
+    });
+    return models = fitted(own, space, reach);
+}
+
+ModelsBySpace::Models ModelsBySpace::modelsFor(const TypeSqueeze& squeeze) const
+{
+    const QuantitySpace space = determinedPart(squeeze, m_whole->space);
+    return space.quantities.empty() ? m_whole : fittedOnce(space, Reach::Part);
+}
+
+bool ModelsBySpace::mayGoBeyond(const QuantitySpace& space, const TypeSqueeze& squeeze) const
+{
+    return std::ranges::any_of(m_ownSpaces, [&](const QuantitySpace& own) {
+        return determinedPart(squeeze, own).dimensions() > space.dimensions();
+    });
+}
+
+ModelsBySpace::Models ModelsBySpace::beyond(const QuantitySpace& space, const QStringList& types,
+                                            const TypeSqueeze& squeeze) const
+{
+    const QuantitySpace larger = determinedPart(squeeze, m_determined.space(types));
+    if (larger.dimensions() <= space.dimensions() || !larger.contains(space))
+        return {};
+    return fittedOnce(larger, Reach::Group);
+}
+
+ModelsBySpace::Models ModelsBySpace::modelsAmong(const QStringList& types) const
+{
+    const QuantitySpace larger = m_determined.space(types);
+    return m_whole->space.contains(larger) ? m_whole : fittedOnce(larger, Reach::Group);
+}
+
+std::optional<double> ModelsBySpace::distance(const QString& one, const QString& other) const
+{
+    const Models models = modelsAmong({one, other});
+    const TypeModel* from = models->find(one);
+    const TypeModel* to = models->find(other);
+    if (!from || !to)
+        return {};
+    const auto squared = squaredDistance(*models, *from, squeezeAt({}, models->space, to->meanLog));
+    return squared ? std::optional(std::sqrt(*squared)) : std::nullopt;
 }
 
 } // namespace gripscope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/recognition/types/determined_by_type.h"
 #include "core/recognition/types/type_model.h"
 
 #include <QMap>
@@ -11,24 +12,42 @@
 
 namespace gripscope {
 
-/// Types in the space that their squeezes determine (spaceOf()), and in parts of it for squeezes that
-/// determine less: those are fitted when the first one comes. May be asked from several threads.
+/// Types in the space that their squeezes determine (spaceOf()), in parts of it for squeezes that determine
+/// less, and in larger ones those that determine more: both are fitted when they are first asked for. May be
+/// asked from several threads.
 class ModelsBySpace {
 public:
+    using Models = std::shared_ptr<const TypeModels>;
     explicit ModelsBySpace(std::vector<TypeSqueeze> squeezes = {});
 
     /// In spaceOf(squeezes).
-    [[nodiscard]] std::shared_ptr<const TypeModels> whole() const { return m_whole; }
+    [[nodiscard]] Models whole() const { return m_whole; }
     /// In m, b and k, which charts and maps show; types without them are not among these.
-    [[nodiscard]] std::shared_ptr<const TypeModels> linear() const { return m_linear; }
+    [[nodiscard]] Models linear() const { return m_linear; }
     /// In as much of the space as the squeeze determines; the whole where that is none of it.
-    [[nodiscard]] std::shared_ptr<const TypeModels> modelsFor(const TypeSqueeze& squeeze) const;
+    [[nodiscard]] Models modelsFor(const TypeSqueeze& squeeze) const;
+
+    /// Whether some type and the squeeze determine more than `space` together.
+    [[nodiscard]] bool mayGoBeyond(const QuantitySpace& space, const TypeSqueeze& squeeze) const;
+    /// In what these types and the squeeze determine together: they, and what other types determine it too.
+    /// Nothing where that is no more than `space`.
+    [[nodiscard]] Models beyond(const QuantitySpace& space, const QStringList& types,
+                                const TypeSqueeze& squeeze) const;
+    /// In all that these types determine together; the whole where that is no more.
+    [[nodiscard]] Models modelsAmong(const QStringList& types) const;
+
+    /// Mahalanobis distance in standard deviations between the means of two types, in all that both
+    /// determine. Nothing where one is none of the types, or nothing is known of the scatter.
+    [[nodiscard]] std::optional<double> distance(const QString& one, const QString& other) const;
 
 private:
+    [[nodiscard]] Models fittedOnce(const QuantitySpace& space, TypeModels::Reach reach) const;
     std::vector<TypeSqueeze> m_squeezes;
-    std::shared_ptr<const TypeModels> m_whole, m_linear;
-    mutable std::mutex m_mutex; ///< of m_parts
-    mutable QMap<QString, std::shared_ptr<const TypeModels>> m_parts;
+    DeterminedByType m_determined;
+    std::vector<QuantitySpace> m_ownSpaces;
+    Models m_whole, m_linear;
+    mutable std::mutex m_mutex;             ///< of m_fitted
+    mutable QMap<QString, Models> m_fitted; ///< by space: a part of the whole, or what not all determine
 };
 
 } // namespace gripscope

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/types/squeeze_values.h"
 
-#include <QMap>
-
 #include <algorithm>
-#include <bit>
 #include <iterator>
-#include <map>
 #include <utility>
 
 namespace gripscope {
@@ -35,23 +31,6 @@ bool isDetermined(const TypeSqueeze& squeeze, const QuantitySpace& space)
                        [&](int place) { return std::isfinite(known.log(place)); });
 }
 
-using QuantitySet = unsigned; ///< bit i: the i-th of allQuantities
-
-/// What a squeeze's `determined` has, and what its m, b and k tell: the two are not mixed.
-using Determines = std::pair<QuantitySet, QuantitySet>;
-
-Determines determinedBy(const TypeSqueeze& squeeze)
-{
-    Determines kind;
-    for (unsigned i = 0; i < mostDimensions; ++i)
-        if (isDetermined(squeeze, {{allQuantities[i]}}))
-            kind.first |= 1U << i;
-    if (isUsable(squeeze.parameters))
-        kind.second = 0b111; // m, b and k come first
-    return kind;
-}
-
-/// Those of its quantities that the set has.
 QuantitySpace within(const QuantitySpace& space, QuantitySet set)
 {
     QuantitySpace part{{}};
@@ -62,6 +41,30 @@ QuantitySpace within(const QuantitySpace& space, QuantitySet set)
 }
 
 } // namespace
+
+QuantitySet setOf(const QuantitySpace& space)
+{
+    QuantitySet set = 0;
+    for (const TypeQuantity quantity : space.quantities)
+        set |= 1U << static_cast<unsigned>(quantity);
+    return set;
+}
+
+QuantitySpace spaceFrom(QuantitySet set)
+{
+    return within({{std::begin(allQuantities), std::end(allQuantities)}}, set);
+}
+
+Determines determinedBy(const TypeSqueeze& squeeze)
+{
+    Determines kind;
+    for (unsigned i = 0; i < mostDimensions; ++i)
+        if (isDetermined(squeeze, {{allQuantities[i]}}))
+            kind.first |= 1U << i;
+    if (isUsable(squeeze.parameters))
+        kind.second = setOf({});
+    return kind;
+}
 
 std::optional<LogVector> coordinatesOf(const TypeSqueeze& squeeze, const QuantitySpace& space)
 {
@@ -118,34 +121,6 @@ std::optional<TypeSqueeze> foundSqueeze(const QString& type, std::optional<TypeS
     TypeSqueeze squeeze = counts ? *std::move(linear) : TypeSqueeze{type, {}};
     squeeze.determined = std::move(determined);
     return squeeze;
-}
-
-QuantitySpace spaceOf(const std::vector<TypeSqueeze>& squeezes)
-{
-    // Many squeezes, few that determine different things.
-    QMap<QString, std::map<Determines, int>> kindsOfType;
-    for (const TypeSqueeze& squeeze : squeezes)
-        if (const Determines kind = determinedBy(squeeze); kind != Determines{})
-            ++kindsOfType[squeeze.type][kind];
-    if (kindsOfType.isEmpty())
-        return {};
-    const auto mostDetermine = [](const std::map<Determines, int>& kinds, QuantitySet set) {
-        int all = 0;
-        int determine = 0;
-        for (const auto& [kind, count] : kinds) {
-            all += count;
-            if ((set & ~kind.first) == 0 || (set & ~kind.second) == 0)
-                determine += count;
-        }
-        return 2 * determine > all;
-    };
-    QuantitySet best = 0;
-    for (QuantitySet set = 1; set < 1U << mostDimensions; ++set)
-        if (std::popcount(set) > std::popcount(best) &&
-            std::all_of(kindsOfType.cbegin(), kindsOfType.cend(),
-                        [&](const auto& kinds) { return mostDetermine(kinds, set); }))
-            best = set;
-    return within({{std::begin(allQuantities), std::end(allQuantities)}}, best);
 }
 
 } // namespace gripscope

@@ -29,6 +29,14 @@ namespace gripscope {
     return squeeze.covariance ? logCovariance(squeeze.parameters, *squeeze.covariance) : std::nullopt;
 }
 
+using QuantitySet = unsigned; ///< bit i: the i-th of allQuantities
+[[nodiscard]] QuantitySet setOf(const QuantitySpace& space);
+[[nodiscard]] QuantitySpace spaceFrom(QuantitySet set);
+
+/// What a squeeze's `determined` has, and what its m, b and k tell: the two are not mixed.
+using Determines = std::pair<QuantitySet, QuantitySet>;
+[[nodiscard]] Determines determinedBy(const TypeSqueeze& squeeze);
+
 /// The squeeze's logarithms in a space: of `determined` where that has every quantity, finite, else of m, b,
 /// k where these do. The two are not mixed, since how they vary together is not known. Nothing where neither
 /// does, or for a space of none.

@@ -57,8 +57,10 @@ struct TypeModels {
     /// is seen to spread otherwise than the others.
     std::optional<double> likeness = {};
     QuantitySpace space = {}; ///< what the coordinates of all of these are
-    /// These types are told apart by more: this is for a squeeze that does not determine it.
-    bool isPart = false;
+    /// Whole: what all types determine. Part: of it, for a squeeze that does not determine the whole. Group:
+    /// what these types determine, of more than are among them.
+    enum class Reach { Whole, Part, Group };
+    Reach reach = Reach::Whole;
 
     [[nodiscard]] const TypeModel* find(const QString& name) const;
 };
@@ -70,10 +72,9 @@ struct TypeModels {
 [[nodiscard]] TypeModels fitTypeModels(const std::vector<TypeSqueeze>& squeezes,
                                        const QuantitySpace& space = {});
 
-/// The largest space that more than half of each type's squeezes determine, so that one poor squeeze takes no
-/// quantity from all; those that lack it are then left out of the fit. Of equally large ones that which comes
-/// first in order of TypeQuantity. Squeezes without any usable quantity do not count: m, b, k where none is
-/// left. Empty where types have nothing in common.
+/// The largest space that each of the types determines (DeterminedByType); squeezes that lack it are then
+/// left out of the fit. m, b, k where no squeeze has a usable quantity; empty where types have nothing in
+/// common.
 [[nodiscard]] QuantitySpace spaceOf(const std::vector<TypeSqueeze>& squeezes);
 
 /// Covariance of log(m, b, k) to first order, c_ij / (p_i p_j), errors beyond exp(10) times taken for that.

@@ -227,6 +227,12 @@ void Judgement::decide(Verdict& verdict) const
     };
     const auto best = std::max_element(m_predictions.begin(), m_predictions.end(), isLess);
     const bool mostProbable = best->logDensity <= m_predictions[m_nearest].logDensity;
+    verdict.open = {nearest.name};
+    for (const std::size_t other : naming.open)
+        verdict.open << m_models.types[other].name;
+    if (!mostProbable)
+        verdict.open << m_models.types[std::size_t(best - m_predictions.begin())].name;
+    verdict.open.removeDuplicates();
     if (naming.passed && mostProbable && !forStranger) {
         describeType(verdict);
     } else if (naming.passed && mostProbable) {

@@ -58,6 +58,7 @@ struct Separation {
 struct NamingTest {
     bool passed = false;
     std::optional<std::size_t> rival; ///< the one least ruled out; absent with one type
+    std::vector<std::size_t> open;    ///< those not ruled out
 };
 [[nodiscard]] NamingTest testNaming(const std::vector<TypePrediction>& predictions, std::size_t named,
                                     const LogVector& log, const SeparationOptions& options);

@@ -194,7 +194,10 @@ NamingTest testNaming(const std::vector<TypePrediction>& predictions, std::size_
             continue;
         const std::optional<Separation> found = anyRate[other].at(rate);
         const double margin = found ? found->reached - found->needed : -1e300;
-        test.passed = test.passed && margin > 0;
+        if (!(margin > 0)) {
+            test.passed = false;
+            test.open.push_back(other);
+        }
         if (!test.rival || margin < least) {
             least = margin;
             test.rival = other;

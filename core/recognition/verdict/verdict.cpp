@@ -142,11 +142,18 @@ Verdict judge(const TypeModels& models, const Identification& identification,
               const std::optional<TypeSqueeze>& found, const VerdictOptions& options,
               const std::optional<CommonShift>& transfer)
 {
+    return verdictOnMeasurement(identification, found, transfer,
+                                [&](const TypeSqueeze& squeeze) { return judge(models, squeeze, options); });
+}
+
+Verdict verdictOnMeasurement(const Identification& identification, const std::optional<TypeSqueeze>& found,
+                             const std::optional<CommonShift>& transfer, const SqueezeJudge& judgeSqueeze)
+{
     Verdict verdict;
     if (identification.validity.verdict == ValidityVerdict::Invalid || !found)
         verdict.reasons = invalidReasons(identification);
     else
-        verdict = judge(models, transfer ? adjusted(*found, *transfer) : *found, options);
+        verdict = judgeSqueeze(transfer ? adjusted(*found, *transfer) : *found);
     verdict.validity = summaryOf(identification.validity);
     if (verdict.kind == VerdictKind::Invalid)
         verdict.validity.verdict = ValidityVerdict::Invalid;

@@ -9,7 +9,9 @@
 
 #include <QMap>
 #include <QString>
+#include <QStringList>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -56,8 +58,9 @@ struct Verdict {
     std::optional<double> distance;  ///< squared, to the nearest type
     std::optional<double> gate;      ///< squared, of the nearest type
     std::size_t samplesUsed = 0;
-    Findings reasons;   ///< sentences a technician understands
-    QString rival = {}; ///< the type that is least ruled out beside the nearest; empty with one type
+    Findings reasons;      ///< sentences a technician understands
+    QString rival = {};    ///< the type that is least ruled out beside the nearest; empty with one type
+    QStringList open = {}; ///< the nearest and those not told from it; empty where it is none of them
     /// Inconclusive though the types are told apart: named `nearest`, so would too many strangers be.
     bool heldForStranger = false;
     /// Inconclusive between nearest and rival: so many times as long a squeeze would tell them apart.
@@ -92,6 +95,12 @@ struct Verdict {
 [[nodiscard]] Verdict judge(const TypeModels& models, const Identification& identification,
                             const std::optional<TypeSqueeze>& found, const VerdictOptions& options = {},
                             const std::optional<CommonShift>& transfer = {});
+/// The same by any judge of squeezes.
+using SqueezeJudge = std::function<Verdict(const TypeSqueeze& squeeze)>;
+[[nodiscard]] Verdict verdictOnMeasurement(const Identification& identification,
+                                           const std::optional<TypeSqueeze>& found,
+                                           const std::optional<CommonShift>& transfer,
+                                           const SqueezeJudge& judgeSqueeze);
 
 /// Of each quantity of models.space (m, b, k).
 using GateIntervals = std::vector<TypeInterval>;

@@ -161,11 +161,16 @@ Finding missingReason(const TypeSqueeze& squeeze, const QuantitySpace& space)
 Findings spaceReasons(const TypeModels& models)
 {
     const QuantitySpace& space = models.space;
-    if ((space == QuantitySpace{} && !models.isPart) || space.quantities.empty())
+    const bool plain = space == QuantitySpace{} && models.reach == TypeModels::Reach::Whole;
+    if (plain || space.quantities.empty())
         return {};
     const Finding by = listed(space);
     const bool alone = space.dimensions() == 1;
-    if (models.isPart)
+    if (models.reach == TypeModels::Reach::Group)
+        return {(alone ? Words::say("Judged by %1 alone, which not every type's squeezes determine.")
+                       : Words::say("Judged by %1, which not every type's squeezes determine."))
+                    .arg(by)};
+    if (models.reach == TypeModels::Reach::Part)
         return {(alone ? Words::say("Judged by %1 alone: the squeeze determines no more.")
                        : Words::say("Judged by %1: the squeeze determines no more."))
                     .arg(by)};

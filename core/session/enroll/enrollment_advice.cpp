@@ -121,11 +121,12 @@ EnrollmentAdvice advise(const AdviceRequest& request, const std::vector<TypeSque
 EnrollmentReview reviewEnrollment(const AdviceRequest& request, const std::vector<TypeSqueeze>& library)
 {
     const std::vector<TypeSqueeze> all = withOthers(request, library);
-    const TypeModels models = fitTypeModels(all, spaceOf(all));
+    const ModelsBySpace types(all);
+    const TypeModels& models = *types.whole();
     const VerdictOptions options = optionsFor(request);
     EnrollmentReview review;
     review.advice = advise(request, library);
-    review.overlap = worstOverlap(models, request.type, options);
+    review.overlap = worstOverlap(types, request.type, options);
     review.confusion = heldOutConfusion(all, options);
     review.partDeviation = stiffnessDeviation(models.space, models.scatter.partToPart);
     review.regripDeviation = stiffnessDeviation(models.space, models.scatter.regrip);

@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 #include "core/recognition/verdict/identified_squeeze.h"
+#include "core/recognition/verdict/verdict_by_space.h"
 #include "core/signal/recording/units.h"
 
 #include <algorithm>
@@ -81,8 +82,7 @@ Verdict judgeRecording(const ModelsBySpace& types, const Identification& identif
 {
     const std::optional<TypeSqueeze> found =
         identifiedSqueeze({}, identification, recording.forceUnit, recording.positionUnit);
-    const auto models = found ? types.modelsFor(*found) : types.whole();
-    return judge(*models, identification, found, rates, transfer);
+    return judge(types, identification, found, rates, transfer);
 }
 
 } // namespace gripscope

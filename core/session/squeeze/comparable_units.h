@@ -43,7 +43,7 @@ private:
     std::shared_ptr<const ModelsBySpace> m_main = std::make_shared<ModelsBySpace>();
 };
 
-/// judge() by the types in as much of their space as this recording determines.
+/// judge() by all that this recording and the types determine.
 [[nodiscard]] Verdict judgeRecording(const ModelsBySpace& types, const Identification& identification,
                                      const Recording& recording, const VerdictOptions& rates,
                                      const std::optional<CommonShift>& transfer = {});

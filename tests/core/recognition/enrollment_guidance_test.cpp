@@ -102,14 +102,14 @@ private slots:
         const auto progress = enrollmentProgress({}, u"A"_s, {});
         QCOMPARE(progress.squeezes, 0);
         QCOMPARE(progress.moreForGate, 4);
-        QVERIFY(!worstOverlap({}, u"A"_s, {}));
+        QVERIFY(!worstOverlap(ModelsBySpace{}, u"A"_s, {}));
         QCOMPARE(heldOutConfusion({}).squeezes, 0);
     }
     void typesFarApartDoNotOverlap()
     {
-        const TypeModels models = fitTypeModels(neighbours(20, 10));
-        QVERIFY(!worstOverlap(models, u"A"_s, plainNumbers()));
-        const auto expected = expectedVerdicts(models, u"A"_s, plainNumbers());
+        const ModelsBySpace types(neighbours(20, 10));
+        QVERIFY(!worstOverlap(types, u"A"_s, plainNumbers()));
+        const auto expected = expectedVerdicts(types, u"A"_s, plainNumbers());
         // The predictive gate refuses 1 % of what is drawn from the predictive distribution: 2,000 draws know
         // it to 0.22 %, four times that is allowed.
         QVERIFY(std::abs(expected->unknown - 0.01) < 0.009);
@@ -120,7 +120,7 @@ private slots:
         // Fresh squeezes of both types are judged by the library that foretold their verdicts.
         const std::vector<TypeSqueeze> squeezes = neighbours(4, 30);
         const TypeModels models = fitTypeModels(squeezes);
-        const auto overlap = worstOverlap(models, u"A"_s, plainNumbers());
+        const auto overlap = worstOverlap(ModelsBySpace(squeezes), u"A"_s, plainNumbers());
         QVERIFY(overlap);
         QCOMPARE(overlap->other, u"A2"_s);
         GaussianTypes fresh(12, 0);

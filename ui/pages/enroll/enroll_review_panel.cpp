@@ -115,9 +115,10 @@ QString meanText(const ReviewedQuantity& one, const TypeReview& review)
 
 } // namespace
 
-TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels& models, const QString& name,
-                      const VerdictOptions& rates)
+TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const ModelsBySpace& types,
+                      const QString& name, const VerdictOptions& rates)
 {
+    const TypeModels& models = *types.whole();
     TypeReview review;
     review.falseReject = rates.falseReject;
     review.models = models;
@@ -133,21 +134,19 @@ TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels
     const TypeModel* own = models.find(name);
     if (!own || models.degreesOfFreedom < 1)
         return review;
-    const TypeSqueeze centre = squeezeAt(name, models.space, own->meanLog);
     for (const TypeModel& other : models.types) {
-        if (other.name == name)
-            continue;
-        const std::optional<double> squared = squaredDistance(models, other, centre);
-        if (!squared)
-            continue;
-        const double distance = std::sqrt(*squared);
-        if (!review.nearestSd || distance < *review.nearestSd) {
+        const std::optional<double> distance =
+            other.name != name ? types.distance(name, other.name) : std::nullopt;
+        if (distance && (!review.nearestSd || *distance < *review.nearestSd)) {
             review.nearestSd = distance;
             review.nearest = other.name;
         }
     }
-    if (const std::optional<double> gate = reviewedGate(models, *own, rates))
-        review.gateSd = std::sqrt(*gate);
+    // By all that it determines, or what all do where its squeezes are too few for that.
+    for (const ModelsBySpace::Models& among : {types.modelsAmong({name}), types.whole()})
+        if (const TypeModel* there = among->find(name); there && !review.gateSd)
+            if (const std::optional<double> gate = reviewedGate(*among, *there, rates))
+                review.gateSd = std::sqrt(*gate);
     return review;
 }
 
@@ -162,7 +161,7 @@ Expected<TypeReview> loadReview(Library& library, const QString& name, const Ver
             continue;
         ASSIGN_OR_RETURN(const ComparableTypes::Choice choice,
                          ComparableTypes(types, squeezes).modelsFor(type.forceUnit, type.positionUnit));
-        TypeReview review = reviewType(squeezes, *choice.types->whole(), name, rates);
+        TypeReview review = reviewType(squeezes, *choice.types, name, rates);
         review.models = *choice.types->linear();
         review.forceUnit = type.forceUnit;
         review.positionUnit = type.positionUnit;

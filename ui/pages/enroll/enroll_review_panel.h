@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/recognition/types/type_model.h"
+#include "core/recognition/types/models_by_space.h"
 #include "core/session/enroll/enrollment_advice.h"
 
 #include <QString>
@@ -64,7 +64,7 @@ struct TypeReview {
     std::optional<double> gateSd;             ///< where a squeeze is called unknown at the false-reject rate
     double falseReject = 0;
 };
-[[nodiscard]] TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const TypeModels& models,
+[[nodiscard]] TypeReview reviewType(const std::vector<TypeSqueeze>& squeezes, const ModelsBySpace& types,
                                     const QString& name, const VerdictOptions& rates);
 
 /// What was enrolled and how, a line each: squeezes and parts, recipe, crush limit.
