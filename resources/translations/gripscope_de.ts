@@ -4535,7 +4535,7 @@ m  %3</translation>
     </message>
     <message>
         <source>its reports come every %1 ms; a gripper that is to be stopped in time sends one every %2 ms at least. It can be listened to</source>
-        <translation>seine Reports kommen alle %1 ms; ein Greifer, der rechtzeitig anhalten soll, sendet mindestens alle %2 ms einen. Er kann abgehört werden</translation>
+        <translation>seine Reports kommen alle %1 ms; ein Greifer, der rechtzeitig anhalten soll, sendet mindestens alle %2 ms einen. Seine Messwerte werden trotzdem gezeigt</translation>
     </message>
     <message>
         <source>it answered too late, and is disarmed again</source>

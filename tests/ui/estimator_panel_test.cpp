@@ -4,6 +4,7 @@
 #include "tests/ui/layout_languages.h"
 #include "tests/ui/layout_walk.h"
 #include "ui/pages/fit/fit_page_summary.h"
+#include "ui/theme/elided_text.h"
 
 #include <QScrollArea>
 #include <QTest>
@@ -34,6 +35,17 @@ private slots:
             walk.look(QString::number(width));
         }
         QVERIFY(walk.sound());
+    }
+
+    /// A column is made for the widest of its lines, which is then whole.
+    void whatFitsToThePixelIsWhole()
+    {
+        const QFontMetrics metrics(Theme::font(metrics::fontSmall));
+        for (const QString& text : {u"± 0.0010"_s, u"3.5071"_s, u"Stiffness k"_s}) {
+            const int room = metrics.horizontalAdvance(text);
+            QCOMPARE(elided(metrics, text, room), text);
+            QVERIFY(elided(metrics, text, room - 1) != text);
+        }
     }
 };
 

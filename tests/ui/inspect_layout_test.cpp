@@ -64,6 +64,27 @@ private slots:
         QVERIFY(walk.sound());
     }
 
+    /// Then the yield has its longest words.
+    void partsThatNothingIsExpectedOf_data() { languageRows(); }
+    void partsThatNothingIsExpectedOf()
+    {
+        const RowLanguage language;
+        Armed armed;
+        WindowFixture& f = armed.f;
+        LayoutWalk walk(*f.window);
+        squeezeBySpace(f);
+        QVERIFY(f.find<VerdictPanel>("verdictPanel")->outcome() == InspectionOutcome::AsExpected);
+        walk.whereTight(u"nothing expected"_s);
+        expectType(f, u"A"_s);
+        squeezeBySpace(f);
+        walk.whereTight(u"expected, and nothing expected"_s);
+        f.bench->inspection().beginBatch({u"4711"_s, 5, {}, {}});
+        QTRY_VERIFY(f.bench->inspection().batch());
+        squeezeBySpace(f);
+        walk.whereTight(u"a batch of any type"_s);
+        QVERIFY(walk.sound());
+    }
+
     void theGripperIsGoneAfterAVerdict_data() { languageRows(); }
     void theGripperIsGoneAfterAVerdict()
     {

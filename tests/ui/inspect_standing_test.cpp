@@ -2,6 +2,7 @@
 #include "tests/core/signal/measured_can.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/inspecting.h"
+#include "tests/ui/painted_text.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/outcome_view.h"
 #include "ui/windows/stop_controls.h"
@@ -16,6 +17,8 @@ using namespace gripscope;
 using namespace gripscope::test::inspecting;
 using gripscope::test::longEnough_ms;
 using gripscope::test::MeasuredCan;
+using gripscope::test::PaintedText;
+using gripscope::test::textsPaintedBy;
 using gripscope::test::WindowFixture;
 
 namespace {
@@ -55,6 +58,11 @@ class InspectStandingTest : public QObject {
         const auto* panel = f.find<VerdictPanel>("verdictPanel");
         QTRY_COMPARE_WITH_TIMEOUT(panel->headline(), headline, longEnough_ms);
         QVERIFY2(saidBeside(panel).contains(why), qPrintable(saidBeside(panel)));
+        f.window->resize(1024, 640);
+        QStringList painted;
+        for (const PaintedText& text : textsPaintedBy(*f.find<VerdictPanel>("verdictPanel")))
+            painted << text.text;
+        QVERIFY2(painted.join(u' ').contains(why), qPrintable(painted.join(u'/')));
     }
 
 private slots:

@@ -3,6 +3,7 @@
 
 #include "ui/format/number_format.h"
 #include "ui/models/space_clustering.h"
+#include "ui/theme/elided_text.h"
 #include "ui/theme/theme.h"
 
 #include <QCoreApplication>
@@ -319,7 +320,7 @@ void HeatMap::paint(QPainter& painter) const
     painter.setPen(tokens.text);
     painter.setFont(Theme::font(metrics::fontSmall, true));
     painter.drawText(QRectF(2, 0, wide, titleHeight), Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(plane().title, Qt::ElideRight, wide));
+                     elided(painter.fontMetrics(), plane().title, wide));
     paintCells(painter);
     paintBorders(painter);
     painter.setRenderHint(QPainter::Antialiasing);

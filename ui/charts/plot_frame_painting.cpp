@@ -2,6 +2,7 @@
 #include "ui/charts/axis_ticks.h"
 #include "ui/charts/line_clipping.h"
 #include "ui/charts/plot_frame.h"
+#include "ui/theme/elided_text.h"
 #include "ui/theme/theme.h"
 
 #include <QChart>
@@ -206,8 +207,7 @@ double PlotFrame::paintTitle(QPainter* painter, const QRectF& line) const
         title = m_finding.isEmpty() ? m_briefTitle : m_briefTitle + u':';
     if (width(title) + findingWidth > room.width())
         room.setLeft(std::max(8.0, room.right() - width(title) - findingWidth));
-    title =
-        QFontMetricsF(strong).elidedText(title, Qt::ElideRight, std::max(0.0, room.width() - findingWidth));
+    title = elided(QFontMetricsF(strong), title, std::max(0.0, room.width() - findingWidth));
     painter->setFont(strong);
     painter->setPen(tokens.text);
     painter->drawText(room, Qt::AlignLeft | Qt::AlignVCenter, title);

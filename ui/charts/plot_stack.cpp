@@ -2,6 +2,7 @@
 #include "ui/charts/plot_stack.h"
 
 #include "ui/charts/plot_frame.h"
+#include "ui/theme/elided_text.h"
 #include "ui/theme/theme.h"
 
 #include <QPainter>
@@ -110,7 +111,7 @@ int PlotStack::paintLegend(QPainter* painter, QRect room) const
     const double most = room.width() - 2 * legendEdge - signWidth - signGap; // for a name
     double x = room.left() + legendEdge, y = room.top();
     for (const FigureSign& sign : m_legend) {
-        const QString name = letters.elidedText(sign.name, Qt::ElideRight, std::max(0.0, most));
+        const QString name = elided(letters, sign.name, std::max(0.0, most));
         const double width = signWidth + signGap + letters.horizontalAdvance(name) + 1;
         if (x > room.left() + legendEdge && x + width > room.right() - legendEdge) {
             x = room.left() + legendEdge;

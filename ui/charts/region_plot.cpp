@@ -4,6 +4,7 @@
 #include "core/identification/estimators/estimator_table.h"
 #include "ui/charts/axis_ticks.h"
 #include "ui/format/estimate_words.h"
+#include "ui/theme/elided_text.h"
 #include "ui/theme/theme.h"
 
 #include <QPainter>
@@ -306,7 +307,7 @@ void RegionPlot::paintLegend(QPainter& painter, const QRectF& area) const
             return;
         paintEstimatorSign(painter, estimator, {area.left() + 6, y + line / 2}, regionSignSize);
         drawText(painter, {area.left() + 18, y, area.width() - 18, line}, Qt::AlignLeft | Qt::AlignVCenter,
-                 font.elidedText(estimatorName(estimator), Qt::ElideRight, area.width() - 18), color);
+                 elided(font, estimatorName(estimator), area.width() - 18), color);
         y += line;
     };
     entry(m_region->estimator, tokens.text);

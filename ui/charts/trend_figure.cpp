@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/trend_figure.h"
 
+#include "ui/theme/elided_text.h"
+
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainter>
@@ -74,7 +76,7 @@ std::vector<NamedSign> inLines(std::vector<NamedSign> signs, double width)
     int line = 0;
     double left = 0;
     for (NamedSign& one : signs) {
-        one.name = letters.elidedText(one.name, Qt::ElideRight, std::max(0.0, width - nameSign - 2));
+        one.name = elided(letters, one.name, std::max(0.0, width - nameSign - 2));
         const double wide = nameSign + letters.horizontalAdvance(one.name) + 2;
         if (left > 0 && left + wide > width) {
             ++line;

@@ -4,6 +4,7 @@
 #include "core/base/display_units.h"
 #include "core/signal/recording/units.h"
 #include "ui/charts/line_clipping.h"
+#include "ui/theme/elided_text.h"
 #include "ui/theme/theme.h"
 
 #include <Eigen/Eigenvalues>
@@ -316,7 +317,7 @@ void TypeMap::paintNames(QPainter& painter, const View& v, const std::vector<QRe
     const QFontMetricsF letters(painter.font());
     std::vector<QRectF> taken;
     for (std::size_t i = 0; i < m_shapes.size(); ++i) {
-        const QString name = letters.elidedText(m_shapes[i].name, Qt::ElideRight, 110);
+        const QString name = elided(letters, m_shapes[i].name, 110);
         const QSizeF size(letters.horizontalAdvance(name) + 2, letters.height());
         const QRectF& box = bounds[i];
         const double middle = box.center().y() - size.height() / 2;

@@ -5,6 +5,7 @@
 #include "core/signal/recording/units.h"
 #include "ui/format/number_format.h"
 #include "ui/format/shown_unit.h"
+#include "ui/theme/elided_text.h"
 #include "ui/theme/theme.h"
 
 #include <QCoreApplication>
@@ -185,7 +186,7 @@ void BudgetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     painter->setPen(tokens.text);
     painter->drawText(QRect(box.left(), box.top(), box.width(), measures.height()),
                       int(Qt::AlignVCenter | (isEffect(index) ? Qt::AlignLeft : Qt::AlignRight)),
-                      measures.elidedText(textOf(index), Qt::ElideRight, box.width()));
+                      elided(measures, textOf(index), box.width()));
     if (const QVariant share = index.data(BudgetTableModel::ShareRole); share.isValid()) {
         const QRectF groove(box.right() + 1 - leastBar, box.bottom() - barHeight + 1, leastBar, barHeight);
         painter->setPen(Qt::NoPen);

@@ -3,6 +3,7 @@
 
 #include "ui/format/number_format.h"
 #include "ui/models/estimate_table_model.h"
+#include "ui/theme/elided_text.h"
 #include "ui/theme/theme.h"
 
 #include <QPainter>
@@ -23,20 +24,6 @@ QString fitText(const QVariant& percent)
 {
     return percent.isValid() ? formatNumber(percent.toDouble(), std::nullopt, {}, 3).value
                              : QString(QChar(0x2013));
-}
-
-/// As many of `parts` a line as it holds.
-QStringList filledLines(int width, const QStringList& parts, const QFontMetrics& metrics)
-{
-    QStringList lines;
-    for (const QString& part : parts) {
-        const QString longer = lines.isEmpty() ? part : lines.last() + u' ' + part;
-        if (!lines.isEmpty() && metrics.horizontalAdvance(longer) <= width)
-            lines.last() = longer;
-        else
-            lines << part;
-    }
-    return lines;
 }
 
 } // namespace
@@ -73,10 +60,10 @@ QStringList EstimateDelegate::brokenTo(int width, const QStringList& lines)
         QStringList parts = line.split(u", "_s);
         for (qsizetype i = 0; i + 1 < parts.size(); ++i)
             parts[i] += u',';
-        for (const QString& part : filledLines(width, parts, metrics))
+        for (const QString& part : filledLines(metrics, parts, width))
             broken << (metrics.horizontalAdvance(part) <= width
                            ? QStringList(part)
-                           : filledLines(width, part.split(u' '), metrics));
+                           : filledLines(metrics, part.split(u' '), width));
     }
     return broken;
 }
@@ -112,7 +99,7 @@ void EstimateDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
         painter->setFont(font);
         painter->setPen(color);
         painter->drawText(QRect(box.left(), y, box.width(), measures.height()), int(align | Qt::AlignVCenter),
-                          measures.elidedText(line, Qt::ElideRight, box.width()));
+                          elided(measures, line, box.width()));
         y += measures.height();
     };
     const QFont small = Theme::font(metrics::fontSmall);

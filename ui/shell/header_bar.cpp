@@ -10,6 +10,7 @@
 #include "ui/shell/arm_chord.h"
 #include "ui/shell/connect_menu.h"
 #include "ui/shell/window_bars.h"
+#include "ui/theme/elided_text.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/outcome_view.h"
@@ -134,7 +135,7 @@ void DeviceChip::paintEvent(QPaintEvent*)
     const QFont plain = Theme::font(metrics::fontBase);
     const QFontMetricsF strongMetrics(strong);
     const double room = end - 36;
-    const QString words = strongMetrics.elidedText(m_words, Qt::ElideRight, room);
+    const QString words = elided(strongMetrics, m_words, room);
     painter.setFont(strong);
     painter.setPen(t.text);
     painter.drawText(QRectF(36, 0, room, height()), Qt::AlignLeft | Qt::AlignVCenter, words);
@@ -215,8 +216,7 @@ void OperatorBox::refresh()
     m_caption->setVisible(!signIn.inForce());
     // A long name gives way to the gripper beside it.
     constexpr int roomForName = 150;
-    const QString name =
-        who ? m_chip->fontMetrics().elidedText(who->name(), Qt::ElideRight, roomForName) : tr("Sign in");
+    const QString name = who ? elided(m_chip->fontMetrics(), who->name(), roomForName) : tr("Sign in");
     m_chip->setText(signIn.inForce() ? name : QString());
     m_chip->setFixedWidth(signIn.inForce() ? QWIDGETSIZE_MAX : 56);
     m_chip->setMinimumWidth(signIn.inForce() ? 0 : 56);

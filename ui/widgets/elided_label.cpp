@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/elided_label.h"
 
+#include "ui/theme/elided_text.h"
+
 #include <QFontMetrics>
 
 namespace gripscope {
@@ -56,7 +58,7 @@ QString ElidedLabel::fitting() const
 
 void ElidedLabel::elide()
 {
-    const QString shown = fontMetrics().elidedText(fitting(), Qt::ElideRight, contentsRect().width());
+    const QString shown = elided(fontMetrics(), fitting(), contentsRect().width());
     setText(shown);
     setToolTip(shown == m_full ? QString() : m_full);
 }

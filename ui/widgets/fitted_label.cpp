@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/fitted_label.h"
 
+#include "ui/theme/elided_text.h"
 #include "ui/theme/theme.h"
 
 #include <QPainter>
@@ -32,7 +33,7 @@ void FittedLabel::paintEvent(QPaintEvent*)
     painter.setFont(font);
     painter.setPen(Theme::instance().tokens().text);
     painter.drawText(QRectF(rect()), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
-                     QFontMetricsF(font).elidedText(text(), Qt::ElideRight, width()));
+                     elided(QFontMetricsF(font), text(), width()));
 }
 
 } // namespace gripscope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/format/number_format.h"
 #include "ui/format/outcome_words.h"
+#include "ui/theme/elided_text.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/inspection_widgets.h"
 #include "ui/widgets/outcome_view.h"
@@ -135,7 +136,7 @@ public:
         const QString outcomeText = index.data(InspectionListModel::WordsRole).toString();
         const QString words = type.isEmpty() ? outcomeText : u"%1 · %2"_s.arg(type, outcomeText);
         painter->drawText(QRectF(from, box.top(), room, box.height()), Qt::AlignVCenter | Qt::AlignLeft,
-                          QFontMetricsF(font).elidedText(words, Qt::ElideRight, room));
+                          elided(QFontMetricsF(font), words, room));
         painter->restore();
     }
 };

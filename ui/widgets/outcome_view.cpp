@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/outcome_view.h"
 
+#include "ui/theme/elided_text.h"
 #include "ui/theme/theme.h"
 
 #include <QPainter>
@@ -303,7 +304,7 @@ VerdictPanel::Headline VerdictPanel::fitted(double room, double tall) const
             return {two, pixels};
     }
     const QFontMetricsF least(Theme::font(metrics::fontNumber, true));
-    return {{least.elidedText(m_headline, Qt::ElideRight, room)}, metrics::fontNumber};
+    return {{elided(least, m_headline, room)}, metrics::fontNumber};
 }
 
 QFont VerdictPanel::wordsFont(double room) const
@@ -318,24 +319,42 @@ QFont VerdictPanel::wordsFont(double room) const
     return Theme::font(metrics::fontTitle, strong);
 }
 
+VerdictPanel::Words VerdictPanel::fittedWords(double room, double tall) const
+{
+    const QFont font = wordsFont(room);
+    if (readFromAfar() || QFontMetricsF(font).horizontalAdvance(m_words) <= room)
+        return {{elided(QFontMetricsF(font), m_words, room)}, font};
+    for (const int pixels : {metrics::fontTitle, metrics::fontBase, metrics::fontSmall}) {
+        const QFont smaller = Theme::font(pixels);
+        const QFontMetricsF measures(smaller);
+        const QStringList lines = filledLines(measures, m_words.split(u' '), room);
+        if (double(lines.size()) * measures.height() <= tall)
+            return {lines, smaller};
+    }
+    return {{elided(QFontMetricsF(font), m_words, room)}, font};
+}
+
 void VerdictPanel::paintWords(QPainter& painter, double left, const QColor& color) const
 {
     const ThemeTokens& t = Theme::instance().tokens();
     const double room = width() - left - padding;
-    const QFont small = wordsFont(room);
-    const QFontMetricsF smallMetrics(small);
-    const Headline headline = fitted(room, height() - smallMetrics.height() - 16);
+    const double leastHeadline = lineHeight(QFontMetricsF(Theme::font(metrics::fontNumber, true)));
+    const Words words = fittedWords(room, height() - leastHeadline - 16);
+    const QFontMetricsF smallMetrics(words.font);
+    const double smallHeight = smallMetrics.height() * double(words.lines.size());
+    const Headline headline = fitted(room, height() - smallHeight - 16);
     const QFont large = Theme::font(headline.pixels, true);
     const QFontMetricsF largeMetrics(large);
     const double each = lineHeight(largeMetrics);
     const double largeHeight = each * static_cast<double>(headline.lines.size());
-    const double top = (height() - largeHeight - smallMetrics.height()) / 2;
-    const QString words = smallMetrics.elidedText(m_words, Qt::ElideRight, room);
+    const double top = (height() - largeHeight - smallHeight) / 2;
     if (m_outcome && (t.kind == ThemeKind::HighContrast || m_suspect)) { // patterns stay behind the words
-        double wide = smallMetrics.horizontalAdvance(words);
+        double wide = 0;
+        for (const QString& line : words.lines)
+            wide = std::max(wide, smallMetrics.horizontalAdvance(line));
         for (const QString& line : headline.lines)
             wide = std::max(wide, largeMetrics.horizontalAdvance(line));
-        painter.fillRect(QRectF(left - 8, top, wide + 16, largeHeight + smallMetrics.height()), t.surface);
+        painter.fillRect(QRectF(left - 8, top, wide + 16, largeHeight + smallHeight), t.surface);
     }
     painter.setPen(readFromAfar() ? color : t.text);
     painter.setFont(large);
@@ -344,9 +363,13 @@ void VerdictPanel::paintWords(QPainter& painter, double left, const QColor& colo
         painter.drawText(QPointF(left, baseline), line);
         baseline += each;
     }
-    painter.setFont(small);
+    painter.setFont(words.font);
     painter.setPen(readFromAfar() ? color : t.secondText);
-    painter.drawText(QPointF(left, top + largeHeight + smallMetrics.ascent()), words);
+    baseline = top + largeHeight + smallMetrics.ascent();
+    for (const QString& line : words.lines) {
+        painter.drawText(QPointF(left, baseline), line);
+        baseline += smallMetrics.height();
+    }
 }
 
 } // namespace gripscope

@@ -6,7 +6,9 @@
 
 #include <QBrush>
 #include <QColor>
+#include <QFont>
 #include <QRectF>
+#include <QStringList>
 #include <QWidget>
 
 #include <optional>
@@ -65,6 +67,13 @@ protected:
 
 private:
     [[nodiscard]] QFont wordsFont(double room) const; ///< a third of the headline's, where there is room
+    struct Words {
+        QStringList lines;
+        QFont font;
+    };
+    /// What stands below the headline: one line where it is read from afar, else as many as it takes and
+    /// there is height for.
+    [[nodiscard]] Words fittedWords(double room, double tall) const;
     [[nodiscard]] double signSize() const;
     [[nodiscard]] bool readFromAfar() const { return m_outcome || m_alert; }
     void paintWords(class QPainter& painter, double left, const QColor& color) const;

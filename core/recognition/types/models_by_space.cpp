@@ -56,6 +56,12 @@ ModelsBySpace::Models ModelsBySpace::modelsFor(const TypeSqueeze& squeeze) const
     return space.quantities.empty() ? m_whole : fittedOnce(space, Reach::Part);
 }
 
+bool ModelsBySpace::allDetermineTheSame() const
+{
+    return std::ranges::all_of(m_ownSpaces,
+                               [this](const QuantitySpace& own) { return own == m_whole->space; });
+}
+
 bool ModelsBySpace::mayGoBeyond(const QuantitySpace& space, const TypeSqueeze& squeeze) const
 {
     return std::ranges::any_of(m_ownSpaces, [&](const QuantitySpace& own) {

@@ -27,6 +27,8 @@ public:
     /// In as much of the space as the squeeze determines; the whole where that is none of it.
     [[nodiscard]] Models modelsFor(const TypeSqueeze& squeeze) const;
 
+    /// Each type determines what all do, and no more.
+    [[nodiscard]] bool allDetermineTheSame() const;
     /// Whether some type and the squeeze determine more than `space` together.
     [[nodiscard]] bool mayGoBeyond(const QuantitySpace& space, const TypeSqueeze& squeeze) const;
     /// In what these types and the squeeze determine together: they, and what other types determine it too.

@@ -126,7 +126,9 @@ std::optional<EarlyStopSetup> InspectSession::Private::earlyStopSetup() const
     if (!choice)
         return {};
     const std::shared_ptr<const TypeModels> models = choice->types->whole();
-    if (models->space != QuantitySpace{}) // what is known while a squeeze goes on is m, b and k
+    // What is known while a squeeze goes on is m, b and k, of a part that has no more than these: one that
+    // yields or rubs would be taken for a stranger.
+    if (models->space != QuantitySpace{} || !choice->types->allDetermineTheSame())
         return {};
     EarlyStopSetup setup{models, choice->factor, judge.rates, {}, connection.measuringChain()};
     setup.rates.siUnits = siFactor(identity.forceUnit, identity.positionUnit).has_value();

@@ -82,6 +82,7 @@ private slots:
         Parts parts(1);
         const ModelsBySpace types(parts.enrolment({quick, slow, heavy}, 8));
         QVERIFY(types.whole()->space == motion);
+        QVERIFY(!types.allDetermineTheSame());
         const TypeSqueeze part = parts.squeeze(slow);
         QVERIFY(judge(*types.whole(), part).kind == VerdictKind::Inconclusive); // they are alike in m, b, k
         const Verdict verdict = judge(types, part);
@@ -156,6 +157,7 @@ private slots:
         Parts parts(7);
         for (const std::vector<Type>& all : {std::vector{quick, slow}, std::vector{heavy, light}}) {
             const ModelsBySpace types(parts.enrolment(all, 6));
+            QVERIFY(types.allDetermineTheSame());
             const TypeSqueeze part = parts.squeeze(all.front());
             const Verdict one = judge(types, part), other = judge(*types.whole(), part);
             QCOMPARE(told(one), told(other));

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <future>
 
 using namespace gripscope;
@@ -95,6 +96,34 @@ private slots:
         QVERIFY2(early >= 18, qPrintable(QString::number(early)));
         // Of 1 s each.
         QVERIFY2(seconds / squeezes < 0.5, qPrintable(QString::number(seconds / squeezes)));
+    }
+
+    /// While it goes on a part that yields would be taken for a stranger: what it has besides m, b and k is
+    /// not known before its end.
+    void whereATypeDeterminesMoreSqueezesGoOnToTheirEnd()
+    {
+        {
+            using enum TypeQuantity;
+            std::unique_ptr<Library> library = std::move(*Library::open(m_file));
+            for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+                const Recording recording = scatteredSqueezeOf({0.06, 60, 2e4}, seed);
+                NewGrasp grasp = makeGrasp(recording, identify(recording), u"file.csv"_s, {});
+                LogVector log(4);
+                log << std::log(0.06), std::log(60), std::log(2e4), std::log(0.05 + 0.001 * double(seed));
+                grasp.determined =
+                    DeterminedQuantities{{{Mass, Damping, Stiffness, RelaxationTime}}, log, {}};
+                const Expected<StoredSqueeze> stored = storeSqueeze(*library, {u"foam"_s, {}, grasp});
+                QVERIFY(stored.has_value());
+                if (seed == 6)
+                    QVERIFY(library->approveType(stored->type.id, {}));
+            }
+        }
+        InspectionRun run(m_file);
+        QVERIFY(run.connection.open());
+        QVERIFY(run.ready());
+        QVERIFY(squeeze(run, canA));
+        QVERIFY(!run.inspection.result()->earlyEnd);
+        QCOMPARE(run.inspection.result()->verdict.type, u"A"_s);
     }
 
     void theRecordSaysThatItEndedEarlyAndWhy()

@@ -129,6 +129,7 @@ InspectBatch::InspectBatch(Workbench& workbench, QWidget* parent)
     m_bar->setAccessibleName(tr("Progress of the batch"));
     m_yield = makeLabel({}, "caption", m_progress);
     m_yield->setObjectName("batchYield");
+    m_yield->setWordWrap(true);
     m_end = makeButton(tr("End…"), {}, "quiet", m_progress);
     m_end->setObjectName("endBatchButton");
     m_end->setAccessibleName(tr("End the batch"));

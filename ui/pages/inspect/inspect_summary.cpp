@@ -93,6 +93,7 @@ void InspectSummary::buildHead(QBoxLayout* column, QWidget* card)
     m_good->setObjectName("goodCount");
     m_share = makeLabel({}, "strong", card);
     m_share->setObjectName("yieldLabel");
+    m_share->setWordWrap(true);
     m_split = makeLabel({}, "caption", card);
     m_split->setObjectName("splitLabel");
     m_split->setWordWrap(true);

@@ -3,6 +3,7 @@
 
 #include "ui/charts/heat_map.h"
 #include "ui/models/cluster_models.h"
+#include "ui/theme/elided_text.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -37,8 +38,7 @@ protected:
         QHeaderView::initStyleOptionForIndex(option, logicalIndex);
         constexpr int padding = 6;
         const QFontMetrics strong(Theme::font(metrics::fontSmall, true));
-        option->text =
-            strong.elidedText(option->text, Qt::ElideRight, sectionSize(logicalIndex) - 2 * padding);
+        option->text = elided(strong, option->text, sectionSize(logicalIndex) - 2 * padding);
     }
 };
 
