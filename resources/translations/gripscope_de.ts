@@ -14695,6 +14695,10 @@ Vorh. %</translation>
         <source>No map: these types are told apart without m, b and k.</source>
         <translation>Keine Karte: Diese Typen werden ohne m, b und k unterschieden.</translation>
     </message>
+    <message>
+        <source>k (%1)</source>
+        <translation>k (%1)</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::TypeScene</name>

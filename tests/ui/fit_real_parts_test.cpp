@@ -5,13 +5,19 @@
 #include "devices/virtual/virtual_part.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/identification_example.h"
+#include "tests/ui/layout_languages.h"
+#include "tests/ui/layout_walk.h"
 #include "ui/format/result_text.h"
 #include "ui/pages/fit/fit_page_summary.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/controls.h"
 
+#include <QFrame>
 #include <QLabel>
+#include <QScrollArea>
 #include <QTabWidget>
 #include <QTest>
+#include <QVBoxLayout>
 
 #include <random>
 
@@ -103,6 +109,34 @@ private slots:
         QVERIFY2(shown[3].startsWith(u"Yielding stiffness k1: "_s), qPrintable(shown[3]));
         QVERIFY2(shown[4].startsWith(u"Yields within τ: 3"_s) || shown[4].startsWith(u"Yields within τ: 2"_s),
                  qPrintable(shown[4])); // ms
+    }
+    /// Five numbers in a third of the least window; a long name goes on in a second line.
+    void aNumberIsNeverCut_data() { test::languageRows(); }
+    void aNumberIsNeverCut()
+    {
+        const test::RowLanguage language;
+        VirtualTerms terms;
+        terms.relaxingShare = 0.2;
+        terms.relaxationTime_s = 0.03;
+        const Identification found = identify(fourLevelSqueeze(terms));
+        auto* summary = new FitSummary;
+        summary->show(u"a squeeze"_s, found, 1, u"N"_s, u"m"_s);
+        QScrollArea area; // takes any width, as the page's splitter does
+        area.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        area.setWidgetResizable(true);
+        QFrame* card = makeCard(); // the ground that it stands on
+        setSpacing(new QVBoxLayout(card), 0, 0);
+        card->layout()->addWidget(summary);
+        area.setWidget(card);
+        area.show();
+        test::LayoutWalk walk(area);
+        for (const int width : {560, 480, 420, 390}) {
+            area.resize(width, 700);
+            test::settleLayout();
+            QCOMPARE(card->width(), area.viewport()->width());
+            walk.look(QString::number(width));
+        }
+        QVERIFY(walk.sound());
     }
     void aStiffnessKnownFromBelowIsSaidAsThat()
     {

@@ -2,7 +2,9 @@
 #include "core/base/display_units.h"
 #include "core/recognition/types/paper_appendix.h"
 #include "tests/support/test_registry.h"
+#include "tests/ui/layout_languages.h"
 #include "tests/ui/painted_outside.h"
+#include "tests/ui/painted_text.h"
 #include "ui/charts/type_map.h"
 #include "ui/theme/theme.h"
 
@@ -48,6 +50,29 @@ private slots:
         map.setSqueezes({{u"of no type here"_s, {0.04, 40, 1e4}}, {models.types[0].name, {0.04, -1, 1e4}}},
                         models.types[0].name);
         QCOMPARE(pixelsOf(map, color), without);
+    }
+    /// Types alike in k and b, such as foams that yield unlike, in the least window: no words over others.
+    void namesOfTypesAlikeStandApart_data() { test::languageRows(); }
+    void namesOfTypesAlikeStandApart()
+    {
+        const test::RowLanguage language;
+        std::vector<TypeSqueeze> squeezes;
+        for (const QString& name : {u"Foam, quick"_s, u"Foam, slow"_s, u"Foam, third"_s, u"Can B"_s})
+            for (const double e : {0.96, 0.98, 1.0, 1.03, 1.05})
+                squeezes.push_back({name, {0.04, 43 / e, (name == u"Can B"_s ? 1.05e4 : 1e4) * e}});
+        TypeMap map;
+        map.setTypes(fitTypeModels(squeezes));
+        map.setPart(MassDampingStiffness{0.04, 43, 1e4}, {});
+        for (const QSize size : {QSize(270, 165), QSize(240, 150), QSize(360, 200), QSize(640, 300)}) {
+            map.resize(size);
+            const std::vector<test::PaintedText> texts = test::textsPaintedBy(map);
+            for (std::size_t i = 0; i < texts.size(); ++i)
+                for (std::size_t j = i + 1; j < texts.size(); ++j)
+                    QVERIFY2(!texts[i].ink.intersects(texts[j].ink),
+                             qPrintable(u"%1 x %2: %3 over %4"_s.arg(size.width())
+                                            .arg(size.height())
+                                            .arg(texts[i].text, texts[j].text)));
+        }
     }
     void aFigureKeepsToItsSize_data()
     {

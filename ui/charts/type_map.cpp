@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gripscope {
 
@@ -245,14 +246,21 @@ void TypeMap::paintAxes(QPainter& painter, const View& v) const
         painter.drawText(QRectF(18, y - 9, v.plot.left() - 24, 18), Qt::AlignRight | Qt::AlignVCenter,
                          b.label(value));
     }
-    const double foot = v.plot.bottom() + 20;
-    painter.drawText(QRectF(v.plot.left(), foot, v.plot.width(), 16), Qt::AlignCenter,
-                     tr("stiffness (%1)").arg(fieldUnit(MechanicalQuantity::Stiffness).unit));
+    const QRectF foot(v.plot.left(), v.plot.bottom() + 20, v.plot.width(), 16);
+    const QFontMetricsF letters(small);
+    const double ofPart = m_part ? letters.horizontalAdvance(tr("this part")) + 24 : 0;
+    const QString unit = fieldUnit(MechanicalQuantity::Stiffness).unit;
+    QString title = tr("stiffness (%1)").arg(unit);
+    if (letters.horizontalAdvance(title) > foot.width() - ofPart)
+        title = tr("k (%1)").arg(unit);
+    // In the middle, or as near to it as what is at its right leaves room for.
+    const double wide = letters.horizontalAdvance(title);
+    const double left = std::max(0.0, std::min((foot.width() - wide) / 2, foot.width() - ofPart - wide));
+    painter.drawText(QRectF(foot.left() + left, foot.top(), wide + 1, 16), Qt::AlignLeft | Qt::AlignVCenter,
+                     title);
     if (m_part) {
-        painter.drawText(QRectF(v.plot.left(), foot, v.plot.width(), 16), Qt::AlignRight | Qt::AlignVCenter,
-                         tr("this part"));
-        const QPointF ring(v.plot.right() - painter.fontMetrics().horizontalAdvance(tr("this part")) - 10,
-                           foot + 9);
+        painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, tr("this part"));
+        const QPointF ring(foot.right() - letters.horizontalAdvance(tr("this part")) - 10, foot.top() + 9);
         painter.setPen(QPen(t.text, 1.5));
         painter.drawEllipse(ring, 5, 5);
         painter.drawEllipse(ring, 1, 1);
@@ -333,7 +341,8 @@ void TypeMap::paintNames(QPainter& painter, const View& v, const std::vector<QRe
             return v.plot.contains(there) && std::none_of(taken.begin(), taken.end(), hit) &&
                    (!ofEllipses || std::none_of(bounds.begin(), bounds.end(), hit));
         };
-        // The first place that is clear of ellipses and names, else of names; else the first.
+        // The first place that is clear of ellipses and names, else of names; else the nearest that is; else
+        // the first.
         QRectF chosen(places[0], size);
         bool found = false;
         for (const bool ofEllipses : {true, false})
@@ -342,6 +351,16 @@ void TypeMap::paintNames(QPainter& painter, const View& v, const std::vector<QRe
                     chosen = QRectF(place, size);
                     found = true;
                 }
+        double nearest = std::numeric_limits<double>::infinity();
+        for (double y = v.plot.top(); !found && y + size.height() <= v.plot.bottom(); y += 4)
+            for (double x = v.plot.left(); x + size.width() <= v.plot.right(); x += 4) {
+                const QRectF there(QPointF(x, y), size);
+                const double away = QLineF(there.center(), box.center()).length();
+                if (away < nearest && free(there, false)) {
+                    nearest = away;
+                    chosen = there;
+                }
+            }
         // Nowhere is there room: within the plot at least.
         chosen.moveLeft(std::max(v.plot.left(), std::min(chosen.left(), v.plot.right() - chosen.width())));
         chosen.moveTop(std::max(v.plot.top(), std::min(chosen.top(), v.plot.bottom() - chosen.height())));

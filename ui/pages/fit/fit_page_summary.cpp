@@ -183,7 +183,9 @@ void FitSummary::showBest()
         auto* value = makeMarkedLabel(one.interval ? withCoverage(text) : text.toHtmlEscaped(), look);
         value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         value->setAccessibleName(u"%1: %2"_s.arg(name, text));
-        m_best->addWidget(makeLabel(name, "second"), at, 0, Qt::AlignBaseline);
+        QLabel* called = makeLabel(name, "second");
+        called->setWordWrap(true); // a number never breaks
+        m_best->addWidget(called, at, 0, Qt::AlignBaseline);
         m_best->addWidget(value, at, 1, Qt::AlignBaseline);
     }
 }
