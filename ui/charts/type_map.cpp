@@ -324,6 +324,10 @@ void TypeMap::paintNames(QPainter& painter, const View& v, const std::vector<QRe
     painter.setFont(Theme::font(metrics::fontSmall, true));
     const QFontMetricsF letters(painter.font());
     std::vector<QRectF> taken;
+    if (m_part) {
+        const QPointF part = v.map(*m_part);
+        taken.emplace_back(part.x() - 10, part.y() - 10, 20, 20);
+    }
     for (std::size_t i = 0; i < m_shapes.size(); ++i) {
         const QString name = elided(letters, m_shapes[i].name, 110);
         const QSizeF size(letters.horizontalAdvance(name) + 2, letters.height());
