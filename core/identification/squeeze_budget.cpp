@@ -157,7 +157,7 @@ std::vector<MotionValues> shiftsOf(const Estimate& estimate, const PreparedRecor
         shifts.push_back(under.ofHold());
     if (const auto mass =
             hiddenMassShift(estimate, record.force, record.position, outputErrorOptions(record, task)))
-        shifts.push_back(*mass);
+        shifts.insert(shifts.end(), 2, *mass); // counted once, upper bounds of b were found that do not hold
     if (const auto friction = restingFriction(estimate, record.sampleTime_s, record.chain.friction))
         shifts.push_back(friction->shift);
     return shifts;
@@ -204,9 +204,6 @@ UncertaintyBudget squeezeBudget(const Identification& data, const PreparedRecord
     if (estimate.motion) {
         doubts.otherForm = otherForm(data, estimate, record, task);
         doubts.shifts = shiftsOf(estimate, record, task, holdIsDeclared);
-        if (const auto mass =
-                hiddenMassShift(estimate, record.force, record.position, outputErrorOptions(record, task)))
-            doubts.shifts.push_back(*mass);
         doubts.roundingVariances = roundingVariances(estimate, record.positionStep);
         budget.further = furtherParameters(*estimate.motion, record.chain, doubts, budget.coverage);
     }

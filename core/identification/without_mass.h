@@ -15,9 +15,8 @@ namespace gripscope {
 /// up. Not told is a mass
 /// - that the search took to zero, or that the force does not determine though its levels tell stiffness from
 ///   friction;
-/// - whose leaving out costs the likelihood less than decisiveDelta and ln N for each unknown less (BIC;
-/// white
-///   noise), unless its standard error is below a fiftieth of it.
+/// - whose leaving out costs the likelihood less than decisiveDelta and ln N for each unknown less (BIC under
+///   white noise), unless its standard error is below a fiftieth of it.
 /// Nothing changes where the motion without a mass finds nothing. Run where it was not asked for.
 void leaveOutUntoldMass(Identification& data, const PreparedRecord& record, const EstimatorTask& task);
 
