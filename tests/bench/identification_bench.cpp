@@ -5,10 +5,12 @@
 #include "core/identification/model/discretization.h"
 #include "core/identification/output_error/output_error.h"
 #include "core/math/gaussian.h"
+#include "core/research/truth_settings.h"
 #include "core/signal/excitation/excitation.h"
 #include "core/signal/recording/recording_csv.h"
 
 #include <benchmark/benchmark.h>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 
@@ -42,6 +44,25 @@ void identifyEverything(benchmark::State& state)
         benchmark::DoNotOptimize(identify(recording));
     state.SetItemsProcessed(state.iterations() * state.range(0));
 }
+
+/// Parts that are not ideal, all models tried: a squeeze of each setting of `study truth` that has 2,000
+/// samples.
+void identifyRealPart(benchmark::State& state, const TruthSetting& setting)
+{
+    const Recording recording = drawSqueeze(setting, 1);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(identify(recording));
+}
+
+[[maybe_unused]] const bool realPartsRegistered = [] {
+    for (const TruthSetting& setting : truthSettings())
+        if (std::lround(setting.seconds / setting.sampleTime_s) == 2000)
+            benchmark::RegisterBenchmark(
+                ("identifyRealPart/" + setting.name.toStdString()).c_str(),
+                [setting](benchmark::State& state) { identifyRealPart(state, setting); })
+                ->Unit(benchmark::kMillisecond);
+    return true;
+}();
 
 void outputError(benchmark::State& state)
 {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace gripscope {
@@ -52,7 +51,7 @@ private:
         return m_c[static_cast<std::size_t>(parameter)];
     }
     [[nodiscard]] double rate() const;
-    [[nodiscard]] double reach() const;
+    [[nodiscard]] double reach(double wanted) const;
     [[nodiscard]] bool segmentWithoutEvents(double duration, Number force, double slope);
     [[nodiscard]] bool segment(double duration, const Number& force, double slope);
     void expand(const Number& force, double slope);
@@ -146,22 +145,26 @@ bool MotionIntegrator<Number>::advance(double duration, double from, double to)
     return std::isfinite(valuePart(m_x)) && std::isfinite(valuePart(m_v));
 }
 
-/// How far the series goes, as it was expanded: until one of its last two terms is more than rounding beside
-/// the motion. Without a cubic spring that has been seen to already.
+/// How far of `wanted` the series goes, as it was expanded: until one of its last two terms is more than
+/// rounding beside the motion. Without a cubic spring that has been seen to already.
 template <typename Number>
-double MotionIntegrator<Number>::reach() const
+double MotionIntegrator<Number>::reach(double wanted) const
 {
     constexpr double smallest = 1e-14;
     if (!m_terms.cubic || (m_terms.friction && m_way == 0))
-        return std::numeric_limits<double>::infinity();
+        return wanted;
     const double own = rate();
     const double size = std::abs(valuePart(m_xs[0])) + std::abs(valuePart(m_xs[1])) / own +
                         std::abs(valuePart(m_xs[2])) / (own * own);
-    double shortest = std::numeric_limits<double>::infinity();
+    double power = 1; // of `wanted`: mostly it is all within reach, and a root costs more than the series
+    for (int n = 1; n < m_order; ++n)
+        power *= wanted;
+    double shortest = wanted;
     for (const int n : {m_order - 1, m_order}) {
         const double last = std::abs(valuePart(m_xs[static_cast<std::size_t>(n)]));
-        if (last > 0)
+        if (last * power > smallest * size)
             shortest = std::min(shortest, std::pow(smallest * size / last, 1.0 / n));
+        power *= wanted;
     }
     return shortest;
 }
@@ -171,7 +174,7 @@ bool MotionIntegrator<Number>::segmentWithoutEvents(double duration, Number forc
 {
     for (int i = 0; i < mostPieces; ++i) {
         expand(force, slope);
-        const double step = std::min(duration, reach());
+        const double step = reach(duration);
         moveTo(step);
         duration -= step;
         if (!(duration > 0))
@@ -196,7 +199,7 @@ bool MotionIntegrator<Number>::segment(double duration, const Number& force, dou
             expandHeld(now, slope);
         else
             expand(now, slope);
-        const double step = reach();
+        const double step = reach(valuePart(left));
         const bool last = valuePart(left) <= step;
         const std::optional<double> event = firstEvent(last ? valuePart(left) : step);
         if (!event && last) {
@@ -252,10 +255,12 @@ void MotionIntegrator<Number>::springSeries(int n)
     if (!m_terms.cubic)
         return;
     const auto i = static_cast<std::size_t>(n);
-    Number square(0);
-    for (std::size_t j = 0; j <= i; ++j)
-        square += m_xs[j] * m_xs[i - j];
-    m_squares[i] = square;
+    Number half(0); // each product comes twice, but for one in the middle
+    for (std::size_t j = 0; 2 * j < i; ++j)
+        half += m_xs[j] * m_xs[i - j];
+    m_squares[i] = half * 2.0;
+    if (i % 2 == 0)
+        m_squares[i] += m_xs[i / 2] * m_xs[i / 2];
 }
 
 template <typename Number>

@@ -75,13 +75,17 @@ ModelsBySpace::Models ModelsBySpace::beyond(const QuantitySpace& space, const QS
     const QuantitySpace larger = determinedPart(squeeze, m_determined.space(types));
     if (larger.dimensions() <= space.dimensions() || !larger.contains(space))
         return {};
-    return fittedOnce(larger, Reach::Group);
+    Models models = fittedOnce(larger, Reach::Group);
+    return models->gateRefuses() ? models : nullptr;
 }
 
 ModelsBySpace::Models ModelsBySpace::modelsAmong(const QStringList& types) const
 {
     const QuantitySpace larger = m_determined.space(types);
-    return m_whole->space.contains(larger) ? m_whole : fittedOnce(larger, Reach::Group);
+    if (m_whole->space.contains(larger))
+        return m_whole;
+    Models models = fittedOnce(larger, Reach::Group);
+    return models->gateRefuses() ? models : m_whole;
 }
 
 std::optional<double> ModelsBySpace::distance(const QString& one, const QString& other) const

@@ -32,10 +32,11 @@ public:
     /// Whether some type and the squeeze determine more than `space` together.
     [[nodiscard]] bool mayGoBeyond(const QuantitySpace& space, const TypeSqueeze& squeeze) const;
     /// In what these types and the squeeze determine together: they, and what other types determine it too.
-    /// Nothing where that is no more than `space`.
+    /// Nothing where that is no more than `space`, or where too few squeezes are enrolled for a gate that
+    /// keeps anything out there.
     [[nodiscard]] Models beyond(const QuantitySpace& space, const QStringList& types,
                                 const TypeSqueeze& squeeze) const;
-    /// In all that these types determine together; the whole where that is no more.
+    /// In all that these types determine together; the whole where that is no more, or no more is judged by.
     [[nodiscard]] Models modelsAmong(const QStringList& types) const;
 
     /// Mahalanobis distance in standard deviations between the means of two types, in all that both

@@ -63,6 +63,9 @@ struct TypeModels {
     Reach reach = Reach::Whole;
 
     [[nodiscard]] const TypeModel* find(const QString& name) const;
+    /// Whether a gate keeps anything out: with fewer degrees of freedom than p + 2 the F behind it
+    /// (falseRejectGate()) has no mean, and the gate is tens to hundreds of standard deviations wide.
+    [[nodiscard]] bool gateRefuses() const { return degreesOfFreedom >= space.dimensions() + 2; }
 };
 
 /// In coordinates of `space`. Squeezes that lack one of its quantities, or have one that is not positive and

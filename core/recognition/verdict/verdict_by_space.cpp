@@ -16,16 +16,24 @@ VerdictOptions withShare(VerdictOptions options, double share)
     return options;
 }
 
-/// Posteriors of the verdict among some of the types go into that of the one before, which has all of them.
+/// Posteriors of the verdict among some of the types go into that of the one before, which has all of them;
+/// and so does what was said of the others, where there is only one type among some.
 Verdict behind(const Verdict& before, Verdict verdict)
 {
     double among = 0;
     for (auto it = verdict.posterior.cbegin(); it != verdict.posterior.cend(); ++it)
         among += before.posterior.value(it.key());
+    const bool alone = verdict.posterior.size() == 1;
     QMap<QString, double> all = before.posterior;
     for (auto it = verdict.posterior.cbegin(); it != verdict.posterior.cend(); ++it)
         all[it.key()] = among * *it;
     verdict.posterior = std::move(all);
+    if (verdict.kind != VerdictKind::Type || !alone)
+        return verdict;
+    // No other type was left: how far off they are was told before.
+    verdict.rival = before.rival;
+    if (before.kind == VerdictKind::Type)
+        verdict.reasons.insert(verdict.reasons.begin(), before.reasons.front());
     return verdict;
 }
 

@@ -10,7 +10,7 @@ namespace gripscope {
 /// then those that are not ruled out, with others that determine as much, by what these determine together,
 /// and so on while that is more. A part is held against each space that it is judged by, so that one of the
 /// right stiffness that does not yield as a foam does is none of it. Where too few squeezes are enrolled for
-/// a gate in the larger space, the verdict before stands.
+/// a gate that keeps anything out in the larger space, the verdict before stands.
 ///
 /// Each look may be wrong, so they share the rates: the first of several has half of each, the next half of
 /// what is left, the last all of it. Where no type determines more than all do, there is one.

@@ -48,6 +48,8 @@ Finding comparedWith(double offset, const QString& type)
 Findings typeReasons(const TypeModels& models, const TypeModel& type, const std::optional<NextType>& next,
                      const LogVector& log, const VerdictOptions& options)
 {
+    if (!next && models.reach == TypeModels::Reach::Group)
+        return {Words::say("All that squeezes of %1 determine is where %1 sits.").arg(type.name)};
     if (!next && models.space.dimensions() == 1)
         return {Words::say("%1 is where %2 sits; it is the only type enrolled.")
                     .arg(nameOf(models.space.quantities.front()), type.name)};

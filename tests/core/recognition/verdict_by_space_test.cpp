@@ -152,6 +152,41 @@ private slots:
         QCOMPARE(verdict.posterior.size(), 4);
     }
 
+    /// One foam among cans is a group of its own: what was said of the cans stays said.
+    void theOnlyTypeThatDeterminesMoreIsNotTheOnlyOneEnrolled()
+    {
+        Parts parts(10);
+        const Type foam{u"foam"_s, yielding, {0.06, 30, 5e3, 0.3, 0.02}};
+        const ModelsBySpace types(parts.enrolment({foam, heavy, light}, 8));
+        const Verdict verdict = judge(types, parts.squeeze(foam));
+        QVERIFY2(verdict.type == foam.name, qPrintable(told(verdict)));
+        QVERIFY2(!told(verdict).contains(u"only type"_s), qPrintable(told(verdict)));
+        QVERIFY2(told(verdict).contains(u"the next type, heavy can"_s), qPrintable(told(verdict)));
+        QVERIFY2(told(verdict).contains(u"All that squeezes of foam determine"_s), qPrintable(told(verdict)));
+        QVERIFY(!verdict.rival.isEmpty());
+        // It yields unlike any foam that was enrolled.
+        const Verdict other = judge(types, parts.squeeze({{}, yielding, {0.06, 30, 5e3, 0.3, 0.4}}));
+        QVERIFY2(other.kind == VerdictKind::Unknown, qPrintable(told(other)));
+    }
+
+    /// With v = p a gate is 300 standard deviations wide, with one more 40: it would be told, and keep
+    /// nothing out.
+    void aGateThatKeepsNothingOutIsNotAsked()
+    {
+        const Type foam{u"foam"_s, yielding, {0.06, 30, 5e3, 0.3, 0.02}};
+        for (const int squeezes : {6, 7, 8}) {
+            Parts parts(20 + std::uint64_t(squeezes));
+            std::vector<TypeSqueeze> all = parts.enrolment({heavy, light}, 8);
+            for (const TypeSqueeze& one : parts.enrolment({foam}, squeezes))
+                all.push_back(one);
+            const ModelsBySpace types(all);
+            const Verdict verdict = judge(types, parts.squeeze(foam));
+            QVERIFY2(verdict.type == foam.name, qPrintable(told(verdict)));
+            QVERIFY(verdict.gate && std::sqrt(*verdict.gate) < 25);
+            QCOMPARE(told(verdict).contains(u"All that squeezes"_s), squeezes == 8);
+        }
+    }
+
     void whereAllDetermineTheSameNothingChanges()
     {
         Parts parts(7);
