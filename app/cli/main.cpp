@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
-#include "app/cli/commands.h"
-#include "app/cli/exit_code.h"
-#include "app/cli/output.h"
+#include "app/cli/line/command_line.h"
+#include "app/cli/line/commands.h"
+#include "app/cli/line/exit_code.h"
+#include "app/cli/line/output.h"
 #include "devices/transport/crash_stop.h"
 
 #include <QCoreApplication>

@@ -51,7 +51,7 @@ int runWindow(const DesktopOptions& options)
     for (const QString& problem : settings.takeProblems())
         bench.messages().report(problem);
     if (options.examples || settings.get(setting::examplesAtStart))
-        loadExampleTypes(bench);
+        loadExampleTypes(bench, Examples::Cans);
     const QString address = options.device.isEmpty() ? SettingsLink::addressAtStart(bench) : options.device;
     if (!address.isEmpty())
         bench.connectTo(address);

@@ -5,6 +5,7 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <QSaveFile>
 
 #include <algorithm>
 
@@ -56,6 +57,14 @@ Expected<QByteArray> readBounded(const QString& file, qint64 most)
     if (bytes.size() > most)
         return failure(ErrorCode::FileUnreadable, {file, tooLarge(most)});
     return bytes;
+}
+
+Expected<void> writeWhole(const QString& file, const QByteArray& bytes)
+{
+    QSaveFile output(file);
+    if (!output.open(QIODevice::WriteOnly) || output.write(bytes) != bytes.size() || !output.commit())
+        return failure(ErrorCode::FileUnwritable, {file, output.errorString()});
+    return {};
 }
 
 } // namespace gripscope

@@ -19,6 +19,9 @@ namespace gripscope {
 /// All of `file`; nothing of it is read where it is larger than `most`. FileUnreadable.
 [[nodiscard]] Expected<QByteArray> readBounded(const QString& file, qint64 most);
 
+/// Writes a file through a temporary one, so that a crash leaves the old file or the new one. FileUnwritable.
+[[nodiscard]] Expected<void> writeWhole(const QString& file, const QByteArray& bytes);
+
 inline constexpr qint64 megabyte = 1'000'000;
 
 } // namespace gripscope

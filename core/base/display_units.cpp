@@ -16,10 +16,7 @@ namespace {
 std::atomic<DisplayUnits::Force> chosenForce{DisplayUnits().force};
 std::atomic<DisplayUnits::Length> chosenLength{DisplayUnits().length};
 
-constexpr double newtonsPerPoundForce = 4.4482216152605;
-constexpr double newtonsPerKilogramForce = 9.80665;
 constexpr double kilogramsPerPound = 0.45359237;
-constexpr double metresPerInch = 0.0254;
 constexpr double metresPerMillimetre = 1e-3;
 
 /// How an SI unit is made of force, length and time; the mass stands for itself.

@@ -7,6 +7,11 @@
 
 namespace gripscope {
 
+// Exact, by definition.
+inline constexpr double newtonsPerPoundForce = 4.4482216152605;
+inline constexpr double newtonsPerKilogramForce = 9.80665;
+inline constexpr double metresPerInch = 0.0254;
+
 /// What a number with a unit measures; the first three are the parameters, in their order.
 enum class MechanicalQuantity { Mass, Damping, Stiffness, Force, Length };
 

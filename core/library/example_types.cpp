@@ -18,7 +18,7 @@ namespace {
 const auto newton = u"N"_s;
 const auto metre = u"m"_s;
 
-NewGrasp exampleGrasp(const QString& typeId, const TypeSqueeze& squeeze, double bestFitPercent)
+NewGrasp exampleGrasp(const TypeSqueeze& squeeze, double bestFitPercent)
 {
     Estimate estimate;
     estimate.estimator = Estimator::Arx; // what the paper used
@@ -27,7 +27,6 @@ NewGrasp exampleGrasp(const QString& typeId, const TypeSqueeze& squeeze, double 
     estimate.parameters = squeeze.parameters;
     estimate.fit.simulationPercent = bestFitPercent;
     NewGrasp grasp;
-    grasp.typeId = typeId;
     grasp.estimates = {estimate};
     grasp.forceUnit = newton;
     grasp.positionUnit = metre;
@@ -35,24 +34,40 @@ NewGrasp exampleGrasp(const QString& typeId, const TypeSqueeze& squeeze, double 
     return grasp;
 }
 
-LibraryChange exampleChange()
+std::vector<ExampleType> paperExamples()
+{
+    std::vector<ExampleType> examples;
+    const std::vector<TypeSqueeze> squeezes = paperSqueezesInSi();
+    QStringList names = paperAppendix().object;
+    names.removeDuplicates();
+    for (const QString& name : std::as_const(names)) {
+        ExampleType example{name, Recipe{}, newton, metre, {}};
+        for (std::size_t i = 0; i < squeezes.size(); ++i)
+            if (squeezes[i].type == name)
+                example.squeezes.push_back(exampleGrasp(squeezes[i], paperAppendix().bestFitPercent[i]));
+        examples.push_back(std::move(example));
+    }
+    return examples;
+}
+
+LibraryChange exampleChange(const std::vector<ExampleType>& examples)
 {
     LibraryChange change;
     change.kind = ChangeKind::Examples;
-    change.squeezes = int(paperSqueezesInSi().size());
+    for (const ExampleType& example : examples)
+        change.squeezes += int(example.squeezes.size());
     change.operatorName = u"example"_s;
     return change;
 }
 
-Expected<void> addExampleType(Database& database, const QString& name, qint64 version)
+Expected<void> addExampleType(Database& database, const ExampleType& example, qint64 version)
 {
     ASSIGN_OR_RETURN(const auto type,
-                     createType(database, {name, Recipe{}, newton, metre}, TypeStatus::Approved, version));
-    const std::vector<TypeSqueeze> squeezes = paperSqueezesInSi();
-    for (std::size_t i = 0; i < squeezes.size(); ++i) {
-        if (squeezes[i].type != name)
-            continue;
-        const NewGrasp grasp = exampleGrasp(type.id, squeezes[i], paperAppendix().bestFitPercent[i]);
+                     createType(database,
+                                {example.name, example.recipe, example.forceUnit, example.positionUnit},
+                                TypeStatus::Approved, version));
+    for (NewGrasp grasp : example.squeezes) {
+        grasp.typeId = type.id;
         RETURN_IF_ERROR(storeGrasp(database, grasp, version));
     }
     return {};
@@ -62,21 +77,24 @@ Expected<void> addExampleType(Database& database, const QString& name, qint64 ve
 
 Expected<void> Library::loadExampleTypes()
 {
+    return loadExampleTypes(paperExamples());
+}
+
+Expected<void> Library::loadExampleTypes(const std::vector<ExampleType>& examples)
+{
     return d->write<void>(Words::tr("add the example types"), [&]() -> Expected<void> {
-        QStringList names = paperAppendix().object;
-        names.removeDuplicates();
-        qint64 version = 0;
-        for (const QString& name : std::as_const(names)) {
-            ASSIGN_OR_RETURN(const auto present, type_table::findByName(*d->database, name));
-            if (present)
-                continue;
-            if (version == 0) {
-                RETURN_IF_ERROR(requirePermission(*d->database, Permission::ApproveTypes));
-                ASSIGN_OR_RETURN(const auto begun, change_table::insert(*d->database, exampleChange()));
-                version = begun;
-            }
-            RETURN_IF_ERROR(addExampleType(*d->database, name, version));
+        std::vector<ExampleType> missing;
+        for (const ExampleType& example : examples) {
+            ASSIGN_OR_RETURN(const auto present, type_table::findByName(*d->database, example.name));
+            if (!present)
+                missing.push_back(example);
         }
+        if (missing.empty())
+            return {};
+        RETURN_IF_ERROR(requirePermission(*d->database, Permission::ApproveTypes));
+        ASSIGN_OR_RETURN(const auto version, change_table::insert(*d->database, exampleChange(missing)));
+        for (const ExampleType& example : missing)
+            RETURN_IF_ERROR(addExampleType(*d->database, example, version));
         return {};
     });
 }

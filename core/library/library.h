@@ -270,6 +270,8 @@ public:
     /// Adds the paper's four cans in SI as types A to D with 10 squeezes each, once: nothing when they are
     /// there.
     [[nodiscard]] Expected<void> loadExampleTypes();
+    /// The same of these: approved types with their squeezes, in one version; none whose name is taken.
+    [[nodiscard]] Expected<void> loadExampleTypes(const std::vector<ExampleType>& examples);
 
 private:
     struct Private;

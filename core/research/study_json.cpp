@@ -2,10 +2,10 @@
 #include "core/research/study_json.h"
 
 #include "core/base/json_value.h"
+#include "core/identification/design/excitation_design.h"
 #include "core/math/binomial_evidence.h"
 #include "core/research/early_decision_study.h"
 #include "core/research/efficiency_study.h"
-#include "core/research/excitation_design.h"
 #include "core/research/model_efficiency.h"
 #include "core/research/recognition_study.h"
 #include "core/research/truth_study.h"

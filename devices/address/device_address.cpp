@@ -2,6 +2,7 @@
 #include "devices/address/device_address.h"
 
 #include "core/base/words.h"
+#include "core/recognition/types/simulated_parts.h"
 #include "devices/address/virtual_object.h"
 
 #include <QStringList>
@@ -215,6 +216,12 @@ Expected<DeviceAddress> parseVirtual(const QString& rest)
         if (!option.contains(u'='))
             return wrong(u'"' + option + u'"', Words::tr("an option is name=value"));
         RETURN_IF_ERROR(parseVirtualOption(option.section(u'=', 0, 0), option.section(u'=', 1), address));
+    }
+    const SimulatedPart* const simulated = simulatedPart(address.object);
+    const bool zenerGiven = address.terms.relaxationTime_s > 0;
+    if (simulated != nullptr && !zenerGiven) {
+        address.terms.relaxingShare = simulated->relaxingShare;
+        address.terms.relaxationTime_s = simulated->relaxationTime_s;
     }
     if (address.jitter_s * address.samplesPerSecond > largestJitter)
         return wrong(u"jitter=%1"_qs.arg(address.jitter_s),

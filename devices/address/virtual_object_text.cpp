@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/words.h"
 #include "core/recognition/types/paper_appendix.h"
+#include "core/recognition/types/simulated_parts.h"
 #include "devices/address/virtual_object.h"
 
 #include <Eigen/Eigenvalues>
@@ -54,6 +55,14 @@ Eigen::Matrix3d pooledCovariance()
     return pooled;
 }
 
+QString simulatedKeys()
+{
+    QStringList keys;
+    for (const SimulatedPart& part : simulatedParts())
+        keys << part.key;
+    return keys.join(QStringLiteral(", "));
+}
+
 std::optional<MassDampingStiffness> parseParameters(const QString& text)
 {
     const QStringList parts = text.split(QLatin1Char(','));
@@ -85,13 +94,15 @@ Expected<VirtualObject> VirtualObject::fromText(const QString& text)
         object.m_scatter = squareRoot(pooledCovariance());
         return object;
     }
-    const std::optional<MassDampingStiffness> parameters = parseParameters(text);
+    const SimulatedPart* const simulated = simulatedPart(text);
+    const std::optional<MassDampingStiffness> parameters =
+        simulated != nullptr ? simulated->centre : parseParameters(text);
     if (!parameters)
         return failure(
             ErrorCode::Usage,
-            {Words::tr("object=%1 is not an object: A, B, C or D, or m,b,k as m in kg (1e-6 to 1e3), b "
+            {Words::tr("object=%1 is not an object: A, B, C or D, %2, or m,b,k as m in kg (1e-6 to 1e3), b "
                        "in N s/m (0 to 1e6) and k in N/m (1 to 1e9), such as 0.04,43,9990")
-                 .arg(text)});
+                 .arg(text, simulatedKeys())});
     object.m_centre = *parameters;
     object.m_scatter = squareRoot(pooledCovariance());
     return object;

@@ -3286,10 +3286,6 @@ m  %3</translation>
         <translation>Wiedergabe von %1</translation>
     </message>
     <message>
-        <source>object=%1 is not an object: A, B, C or D, or m,b,k as m in kg (1e-6 to 1e3), b in N s/m (0 to 1e6) and k in N/m (1 to 1e9), such as 0.04,43,9990</source>
-        <translation>object=%1 ist kein Objekt: A, B, C oder D, oder m,b,k mit m in kg (1e-6 bis 1e3), b in N s/m (0 bis 1e6) und k in N/m (1 bis 1e9), etwa 0.04,43,9990</translation>
-    </message>
-    <message>
         <source>it is not open</source>
         <translation>sie ist nicht offen</translation>
     </message>
@@ -5829,6 +5825,86 @@ m  %3</translation>
         <source>Judged by %1, which not every type&apos;s squeezes determine.</source>
         <translation>Beurteilt nach %1, was nicht die Druckversuche aller Typen bestimmen.</translation>
     </message>
+    <message>
+        <source>levels of a force that somebody has</source>
+        <translation>Stufen einer eigenen Kraft</translation>
+    </message>
+    <message>
+        <source>The levels of the recipe&apos;s force are too many, or one is not finite.</source>
+        <translation>Die Kraft des Rezepts hat zu viele Stufen, oder eine davon ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>All that squeezes of %1 determine is where %1 sits.</source>
+        <translation>Alles, was Druckversuche von %1 bestimmen, liegt da, wo %1 liegt.</translation>
+    </message>
+    <message>
+        <source>It is a recording that this type has already; a copy says nothing of how its squeezes differ.</source>
+        <translation>Diese Aufnahme hat der Typ schon; eine Kopie sagt nichts darüber, wie verschieden seine Druckversuche sind.</translation>
+    </message>
+    <message>
+        <source>there are no levels: choose the file that has them</source>
+        <translation>es gibt noch keine Stufen: eine Datei wählen, die sie hat</translation>
+    </message>
+    <message>
+        <source>there are %1 levels; at most %2 can be squeezed with</source>
+        <translation>es sind %1 Stufen; mit höchstens %2 kann gedrückt werden</translation>
+    </message>
+    <message>
+        <source>each level must be from -1 to 1, in parts of the peak</source>
+        <translation>jede Stufe muss von -1 bis 1 gehen, in Teilen der Spitze</translation>
+    </message>
+    <message>
+        <source>a level lasts %1 s, less than a sample of %2 s: squeeze with a force of longer levels</source>
+        <translation>eine Stufe dauert %1 s, kürzer als ein Abtastschritt von %2 s: mit einer Kraft aus längeren Stufen drücken</translation>
+    </message>
+    <message>
+        <source>found a force that is no number, or none</source>
+        <translation>eine Kraft, die keine Zahl ist, oder gar keine gefunden</translation>
+    </message>
+    <message>
+        <source>expected a number a step</source>
+        <translation>erwartet wird eine Zahl je Schritt</translation>
+    </message>
+    <message>
+        <source>found steps of %1 s</source>
+        <translation>Schritte von %1 s gefunden</translation>
+    </message>
+    <message>
+        <source>found the same force throughout</source>
+        <translation>überall dieselbe Kraft gefunden</translation>
+    </message>
+    <message>
+        <source>expected one that varies</source>
+        <translation>erwartet wird eine, die sich ändert</translation>
+    </message>
+    <message>
+        <source>found %1 levels of force</source>
+        <translation>%1 Stufen der Kraft gefunden</translation>
+    </message>
+    <message>
+        <source>expected at most %1: cut it, or take longer steps</source>
+        <translation>erwartet werden höchstens %1: kürzen oder längere Schritte nehmen</translation>
+    </message>
+    <message>
+        <source>found row %1 of the table %2 s after the one before</source>
+        <translation>Zeile %1 der Tabelle %2 s nach der davor gefunden</translation>
+    </message>
+    <message>
+        <source>expected equal steps, of %1 s</source>
+        <translation>erwartet werden gleiche Schritte von %1 s</translation>
+    </message>
+    <message>
+        <source>found forces in %1</source>
+        <translation>Kräfte in %1 gefunden</translation>
+    </message>
+    <message>
+        <source>expected one of %1</source>
+        <translation>erwartet wird eines von %1</translation>
+    </message>
+    <message>
+        <source>object=%1 is not an object: A, B, C or D, %2, or m,b,k as m in kg (1e-6 to 1e3), b in N s/m (0 to 1e6) and k in N/m (1 to 1e9), such as 0.04,43,9990</source>
+        <translation>object=%1 ist kein Objekt: A, B, C oder D, %2 oder m,b,k mit m in kg (1e-6 bis 1e3), b in N s/m (0 bis 1e6) und k in N/m (1 bis 1e9), etwa 0.04,43,9990</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>
@@ -7670,6 +7746,10 @@ sd</source>
         <source>Virtual gripper, slow: 100 samples a second</source>
         <translation>Virtueller Greifer, langsam: 100 Abtastwerte je Sekunde</translation>
     </message>
+    <message>
+        <source>Virtual gripper, tomato</source>
+        <translation>Virtueller Greifer, Tomate</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::Connection</name>
@@ -9312,6 +9392,14 @@ Vorh. %</translation>
         <source>The four cans of the paper, ten squeezes each; retire them when they are no longer wanted</source>
         <translation>Die vier Dosen der Veröffentlichung mit je zehn Druckversuchen; sie lassen sich außer Gebrauch nehmen</translation>
     </message>
+    <message>
+        <source>Load plastics, foams and fruit</source>
+        <translation>Kunststoffe, Schäume und Obst laden</translation>
+    </message>
+    <message>
+        <source>Six simulated parts that go on yielding, six squeezes each; a virtual gripper can hold them</source>
+        <translation>Sechs simulierte Teile, die weiter nachgeben, mit je sechs Druckversuchen; ein virtueller Greifer kann sie halten</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::ExpectationView</name>
@@ -9665,6 +9753,41 @@ Vorh. %</translation>
     <message>
         <source>length %1 · %2 samples · %3 between samples</source>
         <translation>Dauer %1 · %2 Abtastwerte · %3 dazwischen</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ForceLevelsRow</name>
+    <message>
+        <source>From a file…</source>
+        <translation>Aus Datei…</translation>
+    </message>
+    <message>
+        <source>Optimise</source>
+        <translation>Optimieren</translation>
+    </message>
+    <message>
+        <source>A table with a column &quot;force&quot; in newtons and the times of its rows (time_s), such as a recording</source>
+        <translation>Eine Tabelle mit einer Spalte „force“ in Newton und den Zeiten ihrer Zeilen (time_s), etwa eine Aufnahme</translation>
+    </message>
+    <message>
+        <source>Searches the two-level force that tells the enrolled types apart best, within these forces and times</source>
+        <translation>Sucht innerhalb dieser Kräfte und Zeiten die Kraft aus zwei Stufen, die die eingelernten Typen am besten unterscheidet</translation>
+    </message>
+    <message>
+        <source>None yet.</source>
+        <translation>Noch keine.</translation>
+    </message>
+    <message>
+        <source>%1 levels of %2 ms.</source>
+        <translation>%1 Stufen zu %2 ms.</translation>
+    </message>
+    <message>
+        <source>A force to squeeze with</source>
+        <translation>Eine Kraft zum Drücken</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt);;All files (*)</source>
+        <translation>Tabellen (*.csv *.txt);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -13093,6 +13216,14 @@ Vorh. %</translation>
         <source>Sees friction too, with less force on average.</source>
         <translation>Zeigt auch Reibung, mit im Mittel weniger Kraft.</translation>
     </message>
+    <message>
+        <source>Levels of your own</source>
+        <translation>Eigene Stufen</translation>
+    </message>
+    <message>
+        <source>As a file has them, or the designer.</source>
+        <translation>So, wie eine Datei sie hat oder der Entwurf sie findet.</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::ReferenceCheckModel</name>
@@ -14742,10 +14873,6 @@ Vorh. %</translation>
         <translation>Typen</translation>
     </message>
     <message>
-        <source>Enrol a type on the Enroll page: about ten squeezes of good parts. Or load the four cans of the paper as examples.</source>
-        <translation>Auf der Seite Einlernen einen Typ einlernen: etwa zehn Druckversuche guter Teile. Oder die vier Dosen der Veröffentlichung als Beispiele laden.</translation>
-    </message>
-    <message>
         <source>No types in this library yet</source>
         <translation>Noch keine Typen in dieser Bibliothek</translation>
     </message>
@@ -14764,6 +14891,10 @@ Vorh. %</translation>
     <message>
         <source>Recognised without a mass, by what their squeezes tell, and not in this picture: %1.</source>
         <translation>Ohne Masse erkannt, an dem, was ihre Druckversuche verraten, und nicht in diesem Bild: %1.</translation>
+    </message>
+    <message>
+        <source>Enrol a type on the Enroll page: about ten squeezes of good parts. Or load the four cans of the paper as examples, or simulated parts that go on yielding.</source>
+        <translation>Auf der Seite Einlernen einen Typ einlernen: etwa zehn Druckversuche an guten Teilen. Oder die vier Dosen der Veröffentlichung als Beispiele laden, oder simulierte Teile, die weiter nachgeben.</translation>
     </message>
 </context>
 <context>

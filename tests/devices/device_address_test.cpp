@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recognition/types/simulated_parts.h"
 #include "devices/address/device_address.h"
 #include "devices/factory/gripper_factory.h"
 #include "tests/support/test_registry.h"
@@ -31,6 +32,23 @@ private slots:
         QVERIFY(address.terms == terms);
         QCOMPARE(address.samplesPerSecond, 100.0);
         QCOMPARE(address.jitter_s, 0.001);
+    }
+
+    void simulatedPartsYieldAsTheyDoUnlessToldOtherwise()
+    {
+        for (const SimulatedPart& part : simulatedParts())
+            for (const QString& text : {u"virtual:?object=%1&seed=2"_qs, u"virtual:?seed=2&object=%1"_qs}) {
+                const auto address = std::get<VirtualAddress>(*parseDeviceAddress(text.arg(part.key)));
+                QCOMPARE(address.terms.relaxingShare, part.relaxingShare);
+                QCOMPARE(address.terms.relaxationTime_s, part.relaxationTime_s);
+                QVERIFY(VirtualObject::fromText(address.object)->centre() == part.centre);
+            }
+        const auto other = std::get<VirtualAddress>(
+            *parseDeviceAddress(u"virtual:?object=tomato&zener=0.1,0.5&friction=0.2"_qs));
+        QVERIFY(other.terms == (VirtualTerms{0.2, 0, 0.1, 0.5, 0}));
+        const auto rigid =
+            std::get<VirtualAddress>(*parseDeviceAddress(u"virtual:?object=apple&zener=0,0.1"_qs));
+        QCOMPARE(rigid.terms.relaxingShare, 0.0);
     }
 
     void everyOptionIsRead()

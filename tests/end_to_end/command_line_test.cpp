@@ -24,8 +24,9 @@ private slots:
         QTest::addColumn<QStringList>("options");
         QTest::newRow("demo") << QStringList{u"seed"_s};
         QTest::newRow("devices") << QStringList{};
-        QTest::newRow("record") << QStringList{u"device"_s, u"seconds"_s, u"excitation"_s, u"peak"_s,
-                                               u"bias"_s,   u"bit"_s,     u"arm"_s,        u"output"_s};
+        QTest::newRow("record") << QStringList{u"device"_s, u"seconds"_s, u"excitation"_s,
+                                               u"peak"_s,   u"bias"_s,    u"bit"_s,
+                                               u"arm"_s,    u"output"_s,  u"force-file"_s};
         QTest::newRow("simulate") << QStringList{
             u"object"_s,  u"excitation"_s,  u"peak"_s,     u"bias"_s, u"bit"_s,
             u"samples"_s, u"sample-time"_s, u"noise-sd"_s, u"seed"_s, u"hold"_s};
@@ -42,8 +43,9 @@ private slots:
             << QStringList{u"library"_s, u"type"_s, u"to"_s, u"reason"_s, u"operator"_s};
         QTest::newRow("types guide") << QStringList{u"library"_s, u"type"_s};
         QTest::newRow("reproduce-paper") << QStringList{};
-        QTest::newRow("design") << QStringList{u"object"_s,  u"peak"_s,        u"bias"_s,     u"limit"_s,
-                                               u"seconds"_s, u"sample-time"_s, u"noise-sd"_s, u"scatter"_s};
+        QTest::newRow("design") << QStringList{u"object"_s,   u"peak"_s,    u"bias"_s,
+                                               u"limit"_s,    u"seconds"_s, u"sample-time"_s,
+                                               u"noise-sd"_s, u"scatter"_s, u"output"_s};
         QTest::newRow("study") << QStringList{u"runs"_s, u"seed"_s, u"threads"_s};
         QTest::newRow("study efficiency")
             << QStringList{u"runs"_s, u"seed"_s, u"estimators"_s, u"settings"_s, u"threads"_s};
@@ -135,6 +137,13 @@ private slots:
         row("not a choice", {u"identify"_s, u"--hold"_s, u"soh"_s, u"x.csv"_s}, "zoh, foh");
         row("no such estimator", {u"identify"_s, u"--estimator"_s, u"oee"_s, u"x.csv"_s}, "arx-mean-force");
         row("sample time of zero", {u"identify"_s, u"--sample-time"_s, u"0"_s, u"x.csv"_s}, "sample-time");
+        row("levels of nothing",
+            {u"simulate"_s, u"--object"_s, u"1,1,1"_s, u"--excitation"_s, u"levels"_s, u"-o"_s, u"x.csv"_s},
+            "--force-file");
+        row("two forces",
+            {u"simulate"_s, u"--object"_s, u"1,1,1"_s, u"--excitation"_s, u"step"_s, u"--force-file"_s,
+             u"f.csv"_s, u"-o"_s, u"x.csv"_s},
+            "another one");
         row("no type", {u"enroll"_s, u"x.csv"_s}, "--type");
         row("a share that is none", {u"classify"_s, u"--most-lost"_s, u"2"_s, u"x.csv"_s}, "--most-lost");
         row("a rate that is none", {u"classify"_s, u"--false-reject"_s, u"2"_s, u"x.csv"_s}, "");

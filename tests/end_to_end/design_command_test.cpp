@@ -33,6 +33,41 @@ private slots:
             if (candidate[u"excitation"].toString() == u"step"_s)
                 QVERIFY(candidate[u"d_efficiency"].toDouble() < 0.05);
     }
+    /// What the designer found is squeezed with, at its forces, and tells what it promised.
+    void theBestForceIsSqueezedWith()
+    {
+        const QStringList one{
+            u"design"_s, u"--object"_s, u"A=0.0396,43,9990"_s, u"--shortest-run"_s, u"0.005"_s, u"--limit"_s,
+            u"40"_s,     u"-o"_s,       u"best.csv"_s};
+        QCOMPARE(m_work.cli(one).exit, 0);
+        QCOMPARE(m_work.cli(one).exit, 5); // it is no recording, and is not replaced
+        QCOMPARE(m_work.cli(one + QStringList{u"--force"_s}).exit, 0);
+        const QStringList record{
+            u"record"_s, u"--device"_s,     u"virtual:?object=0.0396,43,9990&seed=3&speed=0"_s,
+            u"--arm"_s,  u"--force-file"_s, u"best.csv"_s,
+            u"-o"_s,     u"r.csv"_s,        u"--json"_s};
+        const ProgramRun squeezed = m_work.cli(record);
+        QVERIFY2(squeezed.exit == 0, squeezed.err.constData());
+        const int samples =
+            squeezed.json()[u"samples"].toInt(); // as long as the force, and the rest before it
+        QVERIFY2(samples >= 2000 && samples < 2200, qPrintable(QString::number(samples)));
+        QFile file(m_work.path(u"r.csv"_s));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray text = file.readAll();
+        QVERIFY(text.contains("# excitation: levels") && text.contains("# excitation_bias_N: 20\n") &&
+                text.contains("# excitation_peak_N: 10\n"));
+        const ProgramRun found = m_work.cli({u"identify"_s, u"r.csv"_s, u"--json"_s});
+        QCOMPARE(found.exit, 0);
+        // Below the crush limit that is asked for, nothing is squeezed.
+        const ProgramRun refused = m_work.cli(record + QStringList{u"--max-force"_s, u"25"_s});
+        QCOMPARE(refused.exit, 4);
+        // Elsewhere, softer, slower.
+        const ProgramRun moved =
+            m_work.cli(record + QStringList{u"--bias"_s, u"12"_s, u"--peak"_s, u"4"_s, u"--bit"_s, u"0.01"_s,
+                                            u"--seconds"_s, u"2"_s});
+        QVERIFY2(moved.exit == 0, moved.err.constData());
+        QCOMPARE(moved.json()[u"samples"].toInt(), samples + 2000);
+    }
     void theTableNamesEveryExcitation()
     {
         const ProgramRun run = m_work.cli(m_twoCans);

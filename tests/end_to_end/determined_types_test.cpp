@@ -64,6 +64,37 @@ private slots:
             told(can).contains(u"Judged by mass, damping and stiffness: the squeeze determines no more."_s),
             qPrintable(told(can)));
     }
+    /// The example library, and the parts that a virtual gripper holds for it.
+    void simulatedPlasticsFoamsAndFruitAreToldApart()
+    {
+        const QStringList load{
+            u"library"_s, u"examples"_s, u"--simulated"_s, u"--library"_s, m_work.path(u"fruit.db"_s),
+            u"--json"_s};
+        const ProgramRun loaded = m_work.cli(load);
+        QVERIFY2(loaded.exit == 0, loaded.err.constData());
+        QCOMPARE(loaded.json()[u"types"].toArray().size(), 6);
+        QCOMPARE(m_work.cli(load).json()[u"types"].toArray().size(), 6); // once
+        const std::pair<QString, QString> parts[] = {
+            {u"bottle"_s, u"Plastic bottle (simulated)"_s}, {u"cup"_s, u"Plastic cup (simulated)"_s},
+            {u"firm-foam"_s, u"Firm foam (simulated)"_s},   {u"soft-foam"_s, u"Soft foam (simulated)"_s},
+            {u"apple"_s, u"Apple (simulated)"_s},           {u"tomato"_s, u"Tomato (simulated)"_s}};
+        int seed = 301;
+        for (const auto& [object, type] : parts) {
+            const QString device = u"virtual:?object=%1&speed=0&seed=%2"_s.arg(object).arg(seed++);
+            const ProgramRun squeezed =
+                m_work.cli({u"record"_s, u"--device"_s, device, u"--seconds"_s, u"1"_s, u"--excitation"_s,
+                            u"four-level"_s, u"--peak"_s, u"5"_s, u"--bias"_s, u"10"_s, u"--bit"_s, u"0.01"_s,
+                            u"--arm"_s, u"-o"_s, u"part.csv"_s});
+            QVERIFY2(squeezed.exit == 0, squeezed.err.constData());
+            const QJsonObject one =
+                m_work.cli({u"classify"_s, u"--library"_s, u"fruit.db"_s, u"--json"_s, u"part.csv"_s})
+                    .json()[u"results"]
+                    .toArray()
+                    .at(0)
+                    .toObject();
+            QVERIFY2(one[u"type"].toString() == type, qPrintable(told(one)));
+        }
+    }
     /// At 50 samples a second the can has come to rest before the next one: no mass, and k tells them apart.
     /// Of one number strangers have more often what a type has: some verdicts stay open, none is wrong.
     void aSlowGripperRecognisesByStiffness()

@@ -190,6 +190,7 @@ private slots:
     {
         QCOMPARE(record(u"D"_s, 1, u"d1.csv"_s).exit, 0);
         QCOMPARE(record(u"D"_s, 2, u"d2.csv"_s).exit, 0);
+        QCOMPARE(record(u"D"_s, 3, u"d3.csv"_s).exit, 0);
         QByteArray constant =
             "# gripscope-recording: 1\n# sample_time_s: 0.001\n# force_unit: N\n# position_unit: m\n"
             "time_s,force,position\n";
@@ -207,9 +208,18 @@ private slots:
         QCOMPARE(invalid.json()[u"squeezes"].toInt(), 2);
 
         const ProgramRun bad =
-            m_work.cli(enroll + QStringList{u"missing.csv"_s, u"constant.csv"_s, u"d1.csv"_s});
+            m_work.cli(enroll + QStringList{u"missing.csv"_s, u"constant.csv"_s, u"d3.csv"_s});
         QCOMPARE(bad.exit, 3);
         QCOMPARE(bad.json()[u"squeezes"].toInt(), 3); // resumed
+        // One that is in it already, under another name, and twice in one go.
+        QVERIFY(QFile::copy(m_work.path(u"d2.csv"_s), m_work.path(u"copy.csv"_s)));
+        QCOMPARE(record(u"D"_s, 4, u"d4.csv"_s).exit, 0);
+        const ProgramRun copies = m_work.cli(enroll + QStringList{u"copy.csv"_s, u"d4.csv"_s, u"d4.csv"_s});
+        QCOMPARE(copies.exit, 6);
+        QCOMPARE(copies.json()[u"added"].toArray(), QJsonArray{u"d4.csv"_s});
+        QCOMPARE(copies.json()[u"squeezes"].toInt(), 4);
+        for (int i : {0, 1})
+            QVERIFY(copies.json()[u"rejected"][i][u"reason"].toString().contains(u"has already"_s));
         // the other units: nothing to compare them with
         QVERIFY(m_work.cli({u"simulate"_s, u"--object"_s, u"1,1.2,1"_s, u"-o"_s, u"printed.csv"_s}).exit ==
                 0);

@@ -4,14 +4,21 @@
 #include "ui/format/recipe_words.h"
 #include "ui/pages/shared/enroll_recipe_form.h"
 #include "ui/pages/shared/expectation_view.h"
+#include "ui/pages/shared/force_levels_row.h"
 #include "ui/pages/shared/force_picture.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/windows/file_dialog.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTemporaryDir>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 using namespace Qt::StringLiterals;
@@ -106,6 +113,11 @@ private slots:
         for (const ExcitationKind kind : RecipeWords::kinds()) {
             beginType(f, u"Type of "_s + RecipeWords::name(kind));
             choose(*onPage<QComboBox>(f, "recipeKind"), kind);
+            if (kind == ExcitationKind::Levels) {
+                QVERIFY(!onPage<EnrollRecipeForm>(f)->isValid()); // there are none yet
+                f.click(onPage<QPushButton>(f, "forceOptimise"));
+                QTRY_VERIFY_WITH_TIMEOUT(onPage<EnrollRecipeForm>(f)->isValid(), longEnough_ms);
+            }
             said << onPage<QLabel>(f, "recipeSummary")->text();
             f.click(f.find<QPushButton>("recipeNext"));
             QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Squeeze,
@@ -122,6 +134,53 @@ private slots:
             QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Name, longEnough_ms);
         }
         QCOMPARE(said.removeDuplicates(), 0);
+    }
+    void aForceFromAFileIsSqueezedWith()
+    {
+        WindowFixture f(false, unhurriedA);
+        beginType(f, u"Cola"_s);
+        auto* row = onPage<ForceLevelsRow>(f);
+        QVERIFY(!row->isVisible()); // before anybody chose it
+        choose(*onPage<QComboBox>(f, "recipeKind"), ExcitationKind::Levels);
+        QVERIFY(row->isVisible());
+        f.click(onPage<QPushButton>(f, "forceFromFile"));
+        auto* chooser = f.window->findChild<FileDialog*>();
+        QVERIFY(chooser && chooser->isVisible());
+        chooser->close();
+
+        const QTemporaryDir folder;
+        const auto write = [&folder](const QByteArray& text) {
+            QFile file(folder.filePath(u"force.csv"_s));
+            if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+                qFatal("cannot write");
+            return file.fileName();
+        };
+        // What cannot be read is told, and changes nothing.
+        row->open(write("time_s,force\n0,12\n0.25,x\n"));
+        const auto* bar = f.window->findChild<MessageBar*>();
+        QTRY_VERIFY_WITH_TIMEOUT(!bar->messages().filter(u"force.csv:3:2"_s).isEmpty(), longEnough_ms);
+        const auto* form = onPage<EnrollRecipeForm>(f);
+        QVERIFY(!form->isValid());
+        row->open(write("time_s,force\n0,12\n0.125,18\n0.25,15\n0.375,9\n"));
+        QTRY_VERIFY_WITH_TIMEOUT(form->isValid(), longEnough_ms);
+        const Recipe recipe = form->recipe();
+        QCOMPARE(recipe.bias_N, 13.5);
+        QCOMPARE(recipe.peak_N, 4.5);
+        QCOMPARE(recipe.bit_s, 0.125);
+        QCOMPARE(recipe.seconds, 0.5);
+        QVERIFY(onPage<QLabel>(f, "forceLevels")->text().contains(u"4 levels of 125 ms"_s));
+        QCOMPARE(levelsOf(*onPage<ForcePicture>(f)).size(), std::size_t(4));
+        f.click(f.find<QPushButton>("recipeNext"));
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().step(), EnrollSession::Step::Squeeze, longEnough_ms);
+        QVERIFY(f.bench->enrollment().recipe() == recipe);
+        f.bench->arm();
+        WindowFixture::clickWhenEnabled(f.find<QPushButton>("enrollSqueezeButton"));
+        QTRY_COMPARE_WITH_TIMEOUT(f.bench->enrollment().squeezes().size(), std::size_t(1), longEnough_ms);
+        const std::vector<double>& force = f.bench->enrollment().squeezes().front().recording.force;
+        for (const double level : {12.0, 18.0, 15.0, 9.0}) // an eighth of a second each, at 2 kHz
+            QCOMPARE(std::ranges::count_if(
+                         force, [level](double measured) { return std::abs(measured - level) < 0.2; }),
+                     250);
     }
     void whatDoesNotFitIsSaidBeforeAnythingMoves()
     {

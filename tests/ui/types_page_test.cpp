@@ -116,6 +116,19 @@ private slots:
         QCOMPARE(page.view()->content().ellipsoids.size(), std::size_t(4));
         QVERIFY(!shows(page, QStringLiteral("No types in this library yet")));
     }
+    void simulatedPartsAreOfferedBesideThem()
+    {
+        test::PageFixture fixture;
+        TypesPage page(fixture.bench);
+        open(page);
+        auto* load = page.findChild<QPushButton*>(QStringLiteral("loadSimulatedTypes"));
+        QTRY_VERIFY_WITH_TIMEOUT(load->isVisible(), test::longEnough_ms);
+        QTest::mouseClick(load, Qt::LeftButton);
+        QVERIFY(!load->isEnabled()); // they are being squeezed
+        QTRY_COMPARE_WITH_TIMEOUT(page.view()->content().points.size(), std::size_t(36), test::longEnough_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(page.view()->content().ellipsoids.size(), std::size_t(6),
+                                  test::longEnough_ms);
+    }
     void typesCanBeHidden()
     {
         test::PageFixture fixture;

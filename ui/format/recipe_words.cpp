@@ -15,7 +15,7 @@ struct KindWords {
 };
 
 /// Steps and chirps are missing: one squeeze by them tells little of m, b and k.
-constexpr std::array<KindWords, 6> kindWords{
+constexpr std::array<KindWords, 7> kindWords{
     {{ExcitationKind::FourLevel, QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Four levels"),
       QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Tells friction from stiffness; m is less certain.")},
      {ExcitationKind::PrbsSine, QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Two levels, slow sine"),
@@ -28,7 +28,9 @@ constexpr std::array<KindWords, 6> kindWords{
      {ExcitationKind::InverseRepeat, QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Repeating"),
       QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Sets noise apart; friction hides in k.")},
      {ExcitationKind::Multisine, QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Sum of sines"),
-      QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Sees friction too, with less force on average.")}}};
+      QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Sees friction too, with less force on average.")},
+     {ExcitationKind::Levels, QT_TRANSLATE_NOOP("gripscope::RecipeWords", "Levels of your own"),
+      QT_TRANSLATE_NOOP("gripscope::RecipeWords", "As a file has them, or the designer.")}}};
 
 const KindWords* wordsFor(ExcitationKind kind)
 {

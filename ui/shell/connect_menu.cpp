@@ -108,8 +108,8 @@ void ConnectMenu::open()
     m_afterFound = addAddress(tr("Virtual gripper, can %1").arg(u"A"_s), u"virtual:"_s);
     for (const QString& can : {u"B"_s, u"C"_s, u"D"_s})
         addAddress(tr("Virtual gripper, can %1").arg(can), u"virtual:?object=%1"_s.arg(can));
-    addAddress(tr("Virtual gripper, foam that goes on yielding"),
-               u"virtual:?object=0.05,60,4000&zener=0.4,0.08"_s);
+    addAddress(tr("Virtual gripper, foam that goes on yielding"), u"virtual:?object=firm-foam"_s);
+    addAddress(tr("Virtual gripper, tomato"), u"virtual:?object=tomato"_s);
     addAddress(tr("Virtual gripper, worn: 1 N of friction"), u"virtual:?own-friction=1"_s);
     addAddress(tr("Virtual gripper, slow: 100 samples a second"), u"virtual:?rate=100"_s);
     connect(addAction(tr("Other address…")), &QAction::triggered, this, &ConnectMenu::askForAddress);

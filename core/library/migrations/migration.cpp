@@ -135,6 +135,8 @@ const std::vector<Migration>& migrations()
              enterNewRows),
         step(22, QT_TRANSLATE_NOOP("Words", "what squeezes determine besides m, b and k"), migrationScript22,
              enterNewRows),
+        step(23, QT_TRANSLATE_NOOP("Words", "levels of a force that somebody has"), migrationScript23,
+             enterNewRows),
     };
     return steps;
 }

@@ -66,5 +66,6 @@ extern const char* const migrationScript19;
 extern const char* const migrationScript20;
 extern const char* const migrationScript21;
 extern const char* const migrationScript22;
+extern const char* const migrationScript23;
 
 } // namespace gripscope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/identification/model/estimate.h"
+#include "core/library/records/type_record.h"
 #include "core/recognition/types/type_model.h"
 #include "core/signal/recording/recording.h"
 
@@ -30,6 +31,14 @@ struct NewGrasp {
     QString program = {}; ///< the version that identified and judged it; empty: the one that stores it
     /// What it determines besides m, b and k, or in their place, as determinedQuantities() says.
     std::optional<DeterminedQuantities> determined = {};
+};
+
+/// A type with its squeezes, for a look at the program; `squeezes` need no typeId.
+struct ExampleType {
+    QString name;
+    Recipe recipe;
+    QString forceUnit, positionUnit;
+    std::vector<NewGrasp> squeezes;
 };
 
 struct GraspRecord {

@@ -7,6 +7,8 @@
 #include <QDateTime>
 #include <QString>
 
+#include <vector>
+
 namespace gripscope {
 
 /// How a part is squeezed. Forces in newtons.
@@ -16,6 +18,7 @@ struct Recipe {
     double maxForce_N = 40; ///< crush limit: no command for this type goes above
     double maxTravel_m = 0.02;
     ExcitationKind kind = ExcitationKind::Prbs; ///< how the force goes about the preload, within +-peak
+    std::vector<double> levels = {};            ///< of ExcitationKind::Levels, see ExcitationOptions
     friend bool operator==(const Recipe&, const Recipe&) = default;
 };
 

@@ -68,11 +68,10 @@ QString newestOf(const QString& typeName)
 
 Expected<void> insert(Database& database, const RowStamp& stamp, const EnrollmentDraft& draft)
 {
-    Statement row(
-        database, Words::tr("store the enrolment under way"),
-        u"INSERT INTO enrollment_drafts (id, station, created_utc, state, "_s + kept +
-            u", operator_name, serial) VALUES (?, ?, ?, 'open', ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "_s +
-            nextSerial(u"enrollment_drafts"_s) + u')');
+    Statement row(database, Words::tr("store the enrolment under way"),
+                  u"INSERT INTO enrollment_drafts (id, station, created_utc, state, "_s + kept +
+                      u", operator_name, serial) VALUES (?, ?, ?, 'open', ?, ?, "_s + recipePlaces() +
+                      u", ?, ?, ?, ?, ?, "_s + nextSerial(u"enrollment_drafts"_s) + u')');
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(draft.name).bind(toString(draft.step));
     bindRecipe(row, draft.recipe);
     row.bind(draft.part);

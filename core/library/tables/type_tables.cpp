@@ -107,8 +107,8 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
                   u"INSERT INTO type_versions (id, station, created_utc, type_id, version, "_s +
                       recipeColumns() +
                       u", force_unit, position_unit) VALUES (?, ?, ?, ?, "
-                      "(SELECT COALESCE(MAX(version), 0) + 1 FROM type_versions WHERE type_id = ?), "
-                      "?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+                      "(SELECT COALESCE(MAX(version), 0) + 1 FROM type_versions WHERE type_id = ?), "_s +
+                      recipePlaces() + u", ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(typeId).bind(typeId);
     bindRecipe(row, recipe);
     return row.bind(forceUnit).bind(positionUnit).run();

@@ -7,6 +7,7 @@
 #include "core/library/tables/type_tables.h"
 #include "core/signal/recording/units.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gripscope {
@@ -21,6 +22,10 @@ Expected<void> checkRecipe(const Recipe& recipe)
          {recipe.peak_N, recipe.bias_N, recipe.bit_s, recipe.seconds, recipe.maxForce_N, recipe.maxTravel_m})
         if (!std::isfinite(value))
             return failure(ErrorCode::Usage, {Words::tr("The recipe holds a number that is not finite.")});
+    if (recipe.levels.size() > mostLevels ||
+        !std::ranges::all_of(recipe.levels, [](double level) { return std::isfinite(level); }))
+        return failure(ErrorCode::Usage,
+                       {Words::tr("The levels of the recipe's force are too many, or one is not finite.")});
     return {};
 }
 

@@ -82,6 +82,13 @@ void EnrollSession::Private::identified(Identification identification)
         determinedQuantities(identification, measured.recording.forceUnit, measured.recording.positionUnit);
     measured.reason = whyNotEnrolled(identification, measured.determined);
     measured.identification = std::move(identification);
+    const bool copy = std::ranges::any_of(squeezes, [this](const EnrollSqueeze& earlier) {
+        return earlier.decision == Decision::Accepted && sameMeasurement(earlier, measured);
+    });
+    if (copy && measured.reason.isEmpty())
+        measured.reason =
+            Words::tr("It is a recording that this type has already; a copy says nothing of how "
+                      "its squeezes differ.");
     squeezes.push_back(std::move(measured));
     measured = {};
     activity = Activity::Deciding;

@@ -169,6 +169,21 @@ QString whyNotEnrolled(const Identification& identification,
                              : message;
 }
 
+bool sameMeasurement(const EnrollSqueeze& one, const EnrollSqueeze& other)
+{
+    const auto parametersOf = [](const EnrollSqueeze& squeeze) {
+        const auto object = squeeze.identification.object();
+        return object ? std::optional(object->parameters) : std::nullopt;
+    };
+    const auto mine = parametersOf(one), theirs = parametersOf(other);
+    if (mine != theirs || one.determined.has_value() != other.determined.has_value())
+        return false;
+    if (one.determined)
+        return one.determined->space == other.determined->space &&
+               one.determined->log == other.determined->log;
+    return mine.has_value();
+}
+
 std::optional<Error> recipeError(const Recipe& recipe)
 {
     const auto positive = [](double x) { return std::isfinite(x) && x > 0; };

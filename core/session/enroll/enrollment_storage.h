@@ -56,6 +56,9 @@ struct StoredSqueeze {
 [[nodiscard]] QString whyNotEnrolled(const Identification& identification,
                                      const std::optional<DeterminedQuantities>& determined);
 
+/// Whether both hold the same numbers to the last digit: one recording, taken twice. No two squeezes do.
+[[nodiscard]] bool sameMeasurement(const EnrollSqueeze& one, const EnrollSqueeze& other);
+
 /// What is wrong with a recipe: Usage, or LimitExceeded when it asks for more than its own crush limit.
 [[nodiscard]] std::optional<Error> recipeError(const Recipe& recipe);
 

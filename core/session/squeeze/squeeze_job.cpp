@@ -38,6 +38,7 @@ ExcitationOptions excitationOptions(const Recipe& recipe, const GripperIdentity&
     options.peak = recipe.peak_N;
     options.bias = recipe.bias_N;
     options.bit_s = recipe.bit_s;
+    options.levels = recipe.levels;
     options.sampleTime_s = identity.sampleTime_s;
     options.samples = samplesIn(recipe.seconds, identity.sampleTime_s);
     options.seed = seed;

@@ -17,12 +17,12 @@ using namespace Qt::StringLiterals;
 namespace {
 
 /// In the order of the enumerators.
-constexpr std::array knownKinds{ExcitationKind::Step,          ExcitationKind::Prbs,
-                                ExcitationKind::Multisine,     ExcitationKind::Chirp,
-                                ExcitationKind::InverseRepeat, ExcitationKind::FourLevel,
-                                ExcitationKind::PrbsSine,      ExcitationKind::PrbsHold};
+constexpr std::array knownKinds{
+    ExcitationKind::Step,     ExcitationKind::Prbs,          ExcitationKind::Multisine,
+    ExcitationKind::Chirp,    ExcitationKind::InverseRepeat, ExcitationKind::FourLevel,
+    ExcitationKind::PrbsSine, ExcitationKind::PrbsHold,      ExcitationKind::Levels};
 constexpr std::array<const char*, knownKinds.size()> kindNames{
-    "step", "prbs", "multisine", "chirp", "inverse-repeat", "four-level", "prbs-sine", "prbs-hold"};
+    "step", "prbs", "multisine", "chirp", "inverse-repeat", "four-level", "prbs-sine", "prbs-hold", "levels"};
 
 /// Harmonics times samples that a multisine may cost: about a second.
 constexpr double largestMultisineWork = 4e8;
@@ -234,6 +234,47 @@ double rampAndHold(double share)
     return std::min(1.0, 2 * share / ramp - 1);
 }
 
+std::vector<double> levelsInTurn(const ExcitationOptions& options)
+{
+    const double perLevel = options.bit_s / options.sampleTime_s;
+    std::vector<double> force(options.samples);
+    for (std::size_t i = 0; i < force.size(); ++i) {
+        constexpr double rounding = 1e-9; // of times that are whole numbers of levels
+        const auto level = static_cast<std::size_t>(static_cast<double>(i) / perLevel + rounding);
+        force[i] = options.peak * options.levels[level % options.levels.size()];
+    }
+    return force;
+}
+
+std::optional<Finding> levelProblem(const ExcitationOptions& options)
+{
+    if (options.levels.empty())
+        return Words::say("there are no levels: choose the file that has them");
+    if (options.levels.size() > mostLevels)
+        return Words::say("there are %1 levels; at most %2 can be squeezed with")
+            .arg(options.levels.size())
+            .arg(mostLevels);
+    if (!std::ranges::all_of(options.levels, [](double level) { return std::abs(level) <= 1 + 1e-9; }))
+        return Words::say("each level must be from -1 to 1, in parts of the peak");
+    constexpr double shortest = 1 - 1e-6; // of a sample
+    if (options.bit_s < shortest * options.sampleTime_s)
+        return Words::say("a level lasts %1 s, less than a sample of %2 s: squeeze with a force of longer "
+                          "levels")
+            .arg(options.bit_s)
+            .arg(options.sampleTime_s);
+    return std::nullopt;
+}
+
+/// In samples, where a level has a whole number of them.
+std::optional<std::size_t> turnOfLevels(const ExcitationOptions& options)
+{
+    const double perLevel = options.bit_s / options.sampleTime_s;
+    const double whole = std::round(perLevel);
+    if (std::abs(perLevel - whole) > 1e-6 * whole)
+        return std::nullopt;
+    return options.levels.size() * static_cast<std::size_t>(std::min(whole, double(options.samples)));
+}
+
 tl::unexpected<Error> refuse(const Finding& reason)
 {
     return failure(ErrorCode::Usage, {reason});
@@ -282,6 +323,9 @@ std::optional<Error> ExcitationOptions::validate() const
                 "%1 periods of the shortest inverse-repeat sequence, of 14 bits, do not fit: take more "
                 "samples, shorter bits or fewer periods")
                 .arg(periodsOf(*this)));
+    if (kind == ExcitationKind::Levels)
+        if (const std::optional<Finding> problem = levelProblem(*this))
+            return usage(*problem);
     if (kind == ExcitationKind::Multisine && sinePeriod(*this) == 0)
         return usage(Words::say("there are more periods than samples"));
     if (kind == ExcitationKind::Multisine &&
@@ -298,6 +342,9 @@ std::optional<std::size_t> excitationPeriod(const ExcitationOptions& options)
         return 2 * sequenceLength(*inverseRepeatRegister(options)) * samplesPerBit(options);
     if (options.kind == ExcitationKind::Multisine && periodsOf(options) > 1)
         return sinePeriod(options);
+    if (options.kind == ExcitationKind::Levels)
+        if (const auto turn = turnOfLevels(options); turn && 2 * *turn <= options.samples)
+            return turn;
     return std::nullopt;
 }
 
@@ -329,6 +376,9 @@ Expected<std::vector<double>> makeExcitation(const ExcitationOptions& options)
         break;
     case ExcitationKind::PrbsHold:
         force = prbsThen(options, rampAndHold);
+        break;
+    case ExcitationKind::Levels:
+        force = levelsInTurn(options);
         break;
     }
     for (double& value : force) {

@@ -12,7 +12,19 @@
 
 namespace gripscope {
 
-enum class ExcitationKind { Step, Prbs, Multisine, Chirp, InverseRepeat, FourLevel, PrbsSine, PrbsHold };
+enum class ExcitationKind {
+    Step,
+    Prbs,
+    Multisine,
+    Chirp,
+    InverseRepeat,
+    FourLevel,
+    PrbsSine,
+    PrbsHold,
+    Levels
+};
+
+inline constexpr std::size_t mostLevels = 20'000;
 
 /// All of them, in the order of the enumerators.
 [[nodiscard]] std::span<const ExcitationKind> excitationKinds();
@@ -45,6 +57,9 @@ enum class ExcitationKind { Step, Prbs, Multisine, Chirp, InverseRepeat, FourLev
 ///         its way, which tells friction best.
 ///   PrbsHold: half the record as Prbs, then a ramp from -peak to peak over an eighth of the record, held to
 ///         the end: a part that goes on yielding shows how far and how fast.
+///   Levels: bias + peak times each of `levels` in turn, for `bit_s` each, and from the first again after the
+///         last: a force that somebody has (ForceLevels). Each sample has the level of its time; nothing is
+///         rounded.
 struct ExcitationOptions {
     ExcitationKind kind = ExcitationKind::Prbs;
     double peak = 10; ///< force unit
@@ -54,7 +69,8 @@ struct ExcitationOptions {
     std::size_t samples = 2000;
     std::uint64_t seed = 1;
     bool oneSided = true;
-    std::size_t periods = 0; ///< InverseRepeat, Multisine; 0: 8 of the former, one of the latter
+    std::size_t periods = 0;         ///< InverseRepeat, Multisine; 0: 8 of the former, one of the latter
+    std::vector<double> levels = {}; ///< Levels: each from -1 to 1, at most mostLevels
 
     /// Nothing when the options make sense; else what does not, in words that name the option.
     [[nodiscard]] std::optional<Error> validate() const;

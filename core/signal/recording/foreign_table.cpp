@@ -170,11 +170,13 @@ QString unitOfName(const QString& name)
     if (open >= 0)
         if (const QString unit = plainUnit(name.mid(open)); isUnit(unit))
             return unit;
+    const auto isAWord = [](const QString& unit) { return unit == u"in"; }; // u_in is no length in inches
     for (const QString& between : {u"/"_s, u" in "_s, u"_"_s, u" "_s})
         if (const qsizetype at = name.lastIndexOf(between); at >= 0)
-            if (const QString unit = name.mid(at + between.size()).trimmed(); isUnit(unit))
+            if (const QString unit = name.mid(at + between.size()).trimmed();
+                isUnit(unit) && !(isAWord(unit) && between.trimmed() != u"/" && between != u" in "))
                 return unit;
-    return isUnit(name) ? name : QString();
+    return isUnit(name) && !isAWord(name) ? name : QString();
 }
 
 bool isUnits(const QStringList& fields)

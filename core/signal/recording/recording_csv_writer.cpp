@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/bounded_file.h"
 #include "core/base/csv.h"
 #include "core/base/words.h"
 #include "core/signal/recording/measuring_chain_csv.h"
 #include "core/signal/recording/recording_csv.h"
 #include "core/signal/recording/recording_limits.h"
-
-#include <QSaveFile>
 
 #include <array>
 #include <charconv>
@@ -84,11 +83,7 @@ Expected<void> writeRecordingCsv(const Recording& recording, const QString& file
 {
     if (const std::optional<Finding> reason = outOfRange(recording)) // it could not be read again
         return failure(ErrorCode::Usage, {Words::say("The recording can't be kept: %1.").arg(*reason)});
-    QSaveFile output(file);
-    const QByteArray text = toCsv(recording);
-    if (!output.open(QIODevice::WriteOnly) || output.write(text) != text.size() || !output.commit())
-        return failure(ErrorCode::FileUnwritable, {file, output.errorString()});
-    return {};
+    return writeWhole(file, toCsv(recording));
 }
 
 } // namespace gripscope

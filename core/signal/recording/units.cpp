@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/signal/recording/units.h"
 
+#include "core/base/display_units.h"
+
 #include <array>
 #include <utility>
 
@@ -11,15 +13,23 @@ namespace {
 using Factor = std::pair<const char16_t*, double>;
 
 // The micro sign and the Greek letter look alike and are both in use.
-constexpr std::array<Factor, 6> forceTable{
-    {{u"uN", 1e-6}, {u"\u00b5N", 1e-6}, {u"\u03bcN", 1e-6}, {u"mN", 1e-3}, {u"N", 1.0}, {u"kN", 1e3}}};
-constexpr std::array<Factor, 7> positionTable{{{u"nm", 1e-9},
+constexpr std::array<Factor, 9> forceTable{{{u"uN", 1e-6},
+                                            {u"\u00b5N", 1e-6},
+                                            {u"\u03bcN", 1e-6},
+                                            {u"mN", 1e-3},
+                                            {u"N", 1.0},
+                                            {u"kN", 1e3},
+                                            {u"gf", 1e-3 * newtonsPerKilogramForce},
+                                            {u"kgf", newtonsPerKilogramForce},
+                                            {u"lbf", newtonsPerPoundForce}}};
+constexpr std::array<Factor, 8> positionTable{{{u"nm", 1e-9},
                                                {u"um", 1e-6},
                                                {u"\u00b5m", 1e-6},
                                                {u"\u03bcm", 1e-6},
                                                {u"mm", 1e-3},
                                                {u"cm", 1e-2},
-                                               {u"m", 1.0}}};
+                                               {u"m", 1.0},
+                                               {u"in", metresPerInch}}};
 
 template <std::size_t N>
 std::optional<double> lookUp(const std::array<Factor, N>& table, const QString& unit)

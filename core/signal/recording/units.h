@@ -22,9 +22,9 @@ struct ParameterUnits {
 /// The units of force and of position that are known, by every spelling.
 [[nodiscard]] QStringList forceUnits();
 [[nodiscard]] QStringList positionUnits();
-/// Newtons in one `unit` of force (uN, mN, N, kN), or nothing when the unit is not known.
+/// Newtons in one `unit` of force (uN, mN, N, kN, gf, kgf, lbf), or nothing when the unit is not known.
 [[nodiscard]] std::optional<double> newtonsPer(const QString& unit);
-/// Metres in one `unit` of position (nm, um, µm, mm, cm, m), or nothing when the unit is not known.
+/// Metres in one `unit` of position (nm, um, µm, mm, cm, m, in), or nothing when the unit is not known.
 [[nodiscard]] std::optional<double> metresPer(const QString& unit);
 
 /// The factor that takes m, b and k (all three alike: force over position) from the channels' units to SI, or

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/design/excitation_design.h"
 #include "core/identification/model/discretization.h"
 #include "core/identification/model/response_sensitivities.h"
 #include "core/identification/output_error/output_error.h"
 #include "core/math/gaussian.h"
-#include "core/research/excitation_design.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -95,6 +95,25 @@ private slots:
             QVERIFY(valueOf(library->draft(draft.name))->recipe == recipe);
         }
     }
+    void theLevelsOfAForceAreKeptToTheLastBit()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        Recipe recipe;
+        recipe.kind = ExcitationKind::Levels;
+        recipe.levels = {-1, 1.0 / 3, 0.1, 1, -1e-17};
+        const TypeRecord type = valueOf(library->addType(u"A"_s, recipe, u"N"_s, u"m"_s));
+        QVERIFY(valueOf(library->findType(u"A"_s))->recipe == recipe);
+        EnrollmentDraft draft;
+        draft.name = u"draft"_s;
+        draft.recipe = recipe;
+        QVERIFY(library->saveDraft(draft));
+        QVERIFY(valueOf(library->draft(draft.name))->recipe == recipe);
+        for (const std::vector<double>& bad : {std::vector(mostLevels + 1, 0.5), {std::nan("")}}) {
+            recipe.levels = bad;
+            QCOMPARE(library->addType(u"B"_s, recipe, u"N"_s, u"m"_s).error().code, ErrorCode::Usage);
+        }
+    }
     /// What was enrolled before squeezes on two levels as ever.
     void aLibraryOfTheStepBeforeHasTwoLevels()
     {
@@ -123,6 +142,7 @@ private slots:
         QVERIFY(type);
         QVERIFY(type->recipe.kind == ExcitationKind::Prbs);
         QCOMPARE(type->recipe.peak_N, 8.0);
+        QVERIFY(type->recipe.levels.empty());
     }
     void aRenamedTypeKeepsItsSqueezesAndItsApproval()
     {

@@ -267,7 +267,7 @@ private slots:
     }
     void kindsReadBackFromTheirNames()
     {
-        QCOMPARE(excitationKinds().size(), std::size_t(8));
+        QCOMPARE(excitationKinds().size(), std::size_t(9));
         for (const ExcitationKind kind : excitationKinds())
             QVERIFY(excitationKindFromString(toString(kind)) == kind);
         QVERIFY(!excitationKindFromString(u"noise"_s));

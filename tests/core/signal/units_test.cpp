@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include <cmath>
+
 using namespace gripscope;
 using namespace Qt::StringLiterals;
 
@@ -38,11 +40,20 @@ private slots:
         QCOMPARE(metresPer(u"\u00b5m"_s).value_or(0), 1e-6);
         QCOMPARE(metresPer(u"\u03bcm"_s).value_or(0), 1e-6);
     }
+    void thoseOfOtherCountriesDoToo()
+    {
+        QCOMPARE(newtonsPer(u"kgf"_s).value_or(0), 9.80665);
+        QCOMPARE(newtonsPer(u"gf"_s).value_or(0), 9.80665e-3);
+        QCOMPARE(metresPer(u"in"_s).value_or(0), 0.0254);
+        // 1 lbf/in = 4.4482216152605 / 0.0254 N/m, both by definition.
+        QVERIFY(std::abs(siFactor(u"lbf"_s, u"in"_s).value_or(0) - 175.12683524647636) < 1e-11);
+        QCOMPARE(parameterUnits(u"lbf"_s, u"in"_s).k, u"lbf/in"_s);
+    }
     void unknownUnitsDoNot()
     {
         QVERIFY(!siFactor(u"1"_s, u"1"_s));
         QVERIFY(!siFactor(u"N"_s, u"inch"_s));
-        QVERIFY(!newtonsPer(u"lbf"_s));
+        QVERIFY(!newtonsPer(u"stone"_s));
     }
 };
 

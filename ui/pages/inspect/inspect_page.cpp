@@ -207,7 +207,7 @@ void InspectPage::buildActions(QBoxLayout* column)
     d->arm->setObjectName("inspectArmButton");
     d->arm->setProperty("large", true);
     connect(d->arm, &QPushButton::clicked, this, [this] { workbench().arm(); });
-    row->addWidget(new ExampleTypesButton(workbench(), this));
+    row->addWidget(new ExampleTypesButton(workbench(), Examples::Cans, this));
     row->addWidget(d->arm, 2);
     row->addWidget(d->part); // here, since the row above has no room for it in every language
     row->addWidget(d->squeeze, 3);

@@ -8,6 +8,7 @@
 #include "ui/format/recipe_words.h"
 #include "ui/format/shown_unit.h"
 #include "ui/pages/shared/expectation_view.h"
+#include "ui/pages/shared/force_levels_row.h"
 #include "ui/pages/shared/force_picture.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/quantity_box.h"
@@ -30,7 +31,8 @@ namespace {
 std::vector<double> worthShowing(std::vector<double> force_N, ExcitationKind kind, double sampleTime_s)
 {
     constexpr std::size_t mostPoints = 4000;
-    const bool changes = kind == ExcitationKind::PrbsSine || kind == ExcitationKind::PrbsHold;
+    const bool changes = kind == ExcitationKind::PrbsSine || kind == ExcitationKind::PrbsHold ||
+                         kind == ExcitationKind::Levels;
     const std::size_t all = force_N.size();
     const std::size_t stride = changes ? all / mostPoints + 1 : 1;
     const auto aSecond = static_cast<std::size_t>(std::ceil(1 / sampleTime_s));
@@ -50,7 +52,7 @@ EnrollRecipeForm::EnrollRecipeForm(Workbench& workbench, Gripped gripped, QWidge
     constexpr double mostForce_N = 1000, leastForce_N = 0.1;
     m_bias = makeField(tr("Preload"), force, {0, mostForce_N}, leastForce_N);
     m_peak = makeField(tr("Push and release"), force, {leastForce_N, mostForce_N}, leastForce_N);
-    m_bit = makeField(tr("Shortest push"), {u"ms"_s, 1e3}, {0.5e-3, 1}, 0.1e-3);
+    m_bit = makeField(tr("Shortest push"), {u"ms"_s, 1e3}, {0.05e-3, 1}, 0.1e-3);
     m_seconds = makeField(tr("Length"), {u"s"_s, 1}, {0.1, 60}, 0.01);
     m_maxForce = makeField(tr("Crush limit"), force, {leastForce_N, mostForce_N}, leastForce_N);
     m_maxTravel = makeField(tr("Travel limit"), fieldUnit(MechanicalQuantity::Length), {1e-5, 1}, 1e-5);
@@ -74,16 +76,18 @@ EnrollRecipeForm::EnrollRecipeForm(Workbench& workbench, Gripped gripped, QWidge
     grid->addWidget(kindLabel, 4, 0);
     grid->addWidget(m_kind, 5, 0);
     grid->addWidget(m_picture, 4, 1, 2, 2, Qt::AlignBottom);
+    makeLevels();
+    grid->addWidget(m_levelsRow, 6, 0, 1, 3);
     for (int column = 0; column < 3; ++column)
         grid->setColumnStretch(column, 1);
     m_summary = makeLabel({}, "second", this);
     m_summary->setObjectName("recipeSummary");
     m_summary->setWordWrap(true);
     m_summary->setMinimumHeight(40);
-    grid->addWidget(m_summary, 6, 0, 1, 3);
+    grid->addWidget(m_summary, 7, 0, 1, 3);
     if (gripped == Gripped::Part) {
         m_expectation = new ExpectationView(workbench, this);
-        grid->addWidget(m_expectation, 7, 0, 1, 3);
+        grid->addWidget(m_expectation, 8, 0, 1, 3);
     }
     setFocusProxy(m_bias);
     connect(&workbench, &Workbench::connectionChanged, this, &EnrollRecipeForm::validate);
@@ -110,6 +114,8 @@ void EnrollRecipeForm::setRecipe(const Recipe& recipe, bool readOnly)
         field->setSi(value);
         field->setEnabled(!readOnly);
     }
+    m_levels = recipe.levels;
+    m_levelsRow->setEnabled(!readOnly);
     const QSignalBlocker quiet(m_kind);
     m_kind->setCurrentIndex(m_kind->findData(static_cast<int>(recipe.kind)));
     m_kind->setEnabled(!readOnly);
@@ -131,6 +137,32 @@ void EnrollRecipeForm::makeKind()
     m_kind->setMinimumContentsLength(shortest);
     m_picture = new ForcePicture(this);
     connect(m_kind, &QComboBox::currentIndexChanged, this, &EnrollRecipeForm::validate);
+}
+
+void EnrollRecipeForm::makeLevels()
+{
+    m_levelsRow = new ForceLevelsRow(*m_workbench, this);
+    m_levelsRow->setAllowed([this] { return recipe(); }, [this] { return gripper(); });
+    connect(m_levelsRow, &ForceLevelsRow::designed, this, &EnrollRecipeForm::takeLevels);
+    connect(m_levelsRow, &ForceLevelsRow::read, this, &EnrollRecipeForm::takeFile);
+}
+
+void EnrollRecipeForm::takeLevels(const ForceLevels& force)
+{
+    m_levels = force.levels;
+    const QSignalBlocker quiet(m_bit);
+    m_bit->setSi(force.bit_s);
+    validate();
+}
+
+void EnrollRecipeForm::takeFile(const ForceLevels& force)
+{
+    for (const auto& [field, value] :
+         {std::pair(m_bias, force.bias), {m_peak, force.peak}, {m_seconds, force.seconds()}}) {
+        const QSignalBlocker quiet(field);
+        field->setSi(value);
+    }
+    takeLevels(force);
 }
 
 ExcitationKind EnrollRecipeForm::kind() const
@@ -168,6 +200,8 @@ Recipe EnrollRecipeForm::recipe() const
     recipe.maxForce_N = m_maxForce->si();
     recipe.maxTravel_m = m_maxTravel->si();
     recipe.kind = kind();
+    if (recipe.kind == ExcitationKind::Levels)
+        recipe.levels = m_levels;
     recipe.name = m_name.isEmpty() ? u"squeeze-%1N"_s.arg(recipe.peak_N) : m_name;
     return recipe;
 }
@@ -204,6 +238,9 @@ void EnrollRecipeForm::validate()
 {
     const Recipe wanted = recipe();
     const QString wrong = problem(wanted);
+    const bool ofLevels = wanted.kind == ExcitationKind::Levels;
+    m_levelsRow->setVisible(ofLevels);
+    m_levelsRow->show(wanted);
     m_valid = wrong.isEmpty();
     m_summary->setText(
         m_valid ? RecipeWords::tells(wanted.kind) + u' ' +

@@ -6,15 +6,19 @@
 
 #include <QWidget>
 
+#include <vector>
+
 class QComboBox;
 class QLabel;
 
 namespace gripscope {
 
 class ExpectationView;
+class ForceLevelsRow;
 class ForcePicture;
 class QuantityBox;
 class Workbench;
+struct ForceLevels;
 struct GripperIdentity;
 
 /// The fields of a recipe with their units. It says what the forces will be, and what is wrong with them
@@ -37,6 +41,10 @@ private:
     QuantityBox* makeField(const QString& name, const ShownUnit& unit, std::pair<double, double> range_si,
                            double resolution_si);
     void makeKind();
+    void makeLevels();
+    /// The levels, and how long each is; what else the recipe has stays.
+    void takeLevels(const ForceLevels& force);
+    void takeFile(const ForceLevels& force); ///< all of it
     void validate();
     /// The first second of it.
     void showForce(const Recipe& wanted);
@@ -47,11 +55,13 @@ private:
     Workbench* m_workbench;
     QuantityBox *m_peak, *m_bias, *m_bit, *m_seconds, *m_maxForce, *m_maxTravel;
     QComboBox* m_kind;
+    ForceLevelsRow* m_levelsRow;
     ForcePicture* m_picture;
     QLabel* m_summary;
     ExpectationView* m_expectation = nullptr; ///< of a part
     bool m_valid = true;
     QString m_name;
+    std::vector<double> m_levels; ///< of a force that somebody has
 };
 
 } // namespace gripscope

@@ -7,14 +7,18 @@ namespace gripscope {
 
 class Workbench;
 
-/// Offers the example types where nothing is enrolled, and is hidden where something is.
+/// The paper's cans, and made-up parts that yield.
+enum class Examples { Cans, Simulated };
+
+/// Offers example types where nothing is enrolled, and is hidden where something is.
 class ExampleTypesButton : public QPushButton {
     Q_OBJECT
 public:
-    explicit ExampleTypesButton(Workbench& workbench, QWidget* parent = nullptr);
+    ExampleTypesButton(Workbench& workbench, Examples examples, QWidget* parent = nullptr);
 };
 
-/// Puts the example types into the library and tells the pages.
-void loadExampleTypes(Workbench& workbench);
+/// Puts the example types into the library and tells the pages. Simulated ones are squeezed first, in the
+/// pool.
+void loadExampleTypes(Workbench& workbench, Examples examples);
 
 } // namespace gripscope

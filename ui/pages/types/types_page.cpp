@@ -73,7 +73,7 @@ struct TypesPage::Private {
     FitExporter* exporter = nullptr;
     QStackedWidget* stack = nullptr;
     QLabel *emptyTitle = nullptr, *emptyText = nullptr;
-    QPushButton* loadExamples = nullptr;
+    QPushButton *loadExamples = nullptr, *loadSimulated = nullptr;
     SceneView* view = nullptr;
     StepBar* steps = nullptr;
     TypesSide* side = nullptr;
@@ -177,13 +177,20 @@ QWidget* TypesPage::buildEmpty()
     d->emptyText->setObjectName(u"typesEmptyText"_s);
     d->emptyText->setWordWrap(true);
     d->emptyText->setAlignment(Qt::AlignCenter);
-    d->loadExamples = new ExampleTypesButton(workbench());
+    d->loadExamples = new ExampleTypesButton(workbench(), Examples::Cans);
+    d->loadSimulated = new ExampleTypesButton(workbench(), Examples::Simulated);
     setRole(d->loadExamples, "primary");
+    auto* examples = new QHBoxLayout;
+    examples->setSpacing(metrics::step);
+    examples->addStretch();
+    examples->addWidget(d->loadExamples);
+    examples->addWidget(d->loadSimulated);
+    examples->addStretch();
     column->addStretch();
     column->addWidget(d->emptyTitle, 0, Qt::AlignHCenter);
     column->addWidget(d->emptyText);
     column->addSpacing(metrics::step);
-    column->addWidget(d->loadExamples, 0, Qt::AlignHCenter);
+    column->addLayout(examples);
     column->addStretch();
     refreshEmpty();
     return page;
@@ -198,8 +205,9 @@ void TypesPage::refreshEmpty()
         elsewhere ? tr("Recognised without a mass, by what their squeezes tell, and not in this picture: %1.")
                         .arg(elsewhereText(*d->space))
                   : tr("Enrol a type on the Enroll page: about ten squeezes of good parts. Or load the four "
-                       "cans of the paper as examples."));
+                       "cans of the paper as examples, or simulated parts that go on yielding."));
     d->loadExamples->setVisible(!elsewhere);
+    d->loadSimulated->setVisible(!elsewhere);
 }
 
 void TypesPage::setActive(bool active)

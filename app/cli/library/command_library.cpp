@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/library/library_copies.h"
+#include "app/cli/library/library_examples.h"
+#include "app/cli/library/library_take_back.h"
+#include "app/cli/library/type_library.h"
+#include "app/cli/line/actions.h"
+#include "app/cli/line/commands.h"
+#include "app/cli/line/exit_code.h"
+#include "app/cli/line/output.h"
+#include "app/cli/options/shared_options.h"
+#include "core/library/verification/library_verification.h"
+
+#include <QJsonArray>
+
+namespace gripscope::cli {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QJsonObject toJson(const LibraryVerification& found)
+{
+    QJsonArray differences;
+    const auto add = [&](const LibraryDifference& difference) {
+        differences.append(QJsonObject{
+            {u"table"_s, difference.table}, {u"row"_s, difference.row}, {u"what"_s, difference.what}});
+    };
+    for (const LibraryDifference& difference : found.differences)
+        add(difference);
+    if (found.furtherDifferences > 0)
+        add({{}, {}, u"and %1 more"_s.arg(found.furtherDifferences)});
+    QJsonObject document{{u"whole"_s, found.whole()},
+                         {u"rows"_s, found.rows},
+                         {u"witness"_s, toString(found.witness)},
+                         {u"differences"_s, differences}};
+    QJsonArray restores;
+    for (const RestoredBackup& one : found.restores)
+        restores.append(QJsonObject{{u"utc"_s, one.utc},
+                                    {u"person"_s, one.person},
+                                    {u"backup"_s, one.backup},
+                                    {u"reason"_s, one.reason}});
+    if (!restores.isEmpty()) // a library that never was put back reads as ever
+        document.insert(u"restores"_s, restores);
+    return document;
+}
+
+void printText(const LibraryVerification& found)
+{
+    for (const LibraryDifference& difference : found.differences)
+        print(inWords(difference));
+    if (found.furtherDifferences > 0)
+        print(u"and %1 more"_s.arg(found.furtherDifferences));
+    for (const LedgerChain& chain : found.chains)
+        print(u"%1: %2 links%3%4"_s.arg(chain.name)
+                  .arg(chain.links)
+                  .arg(chain.hasSignatures ? u", signed"_s : u", not all signed"_s,
+                       chain.witnessed ? u", witnessed here"_s : QString()));
+    print(inWords(found));
+}
+
+Exit exitFor(const LibraryVerification& found)
+{
+    if (!found.whole())
+        return Exit::Differs;
+    return found.witness == WitnessState::Absent ? Exit::NotWitnessed : Exit::Done;
+}
+
+int verifyAll(const QStringList& arguments)
+{
+    CommandLine line(
+        u"library verify"_s,
+        u"Reads all of a library and says whether every row is as it was written. Writes nothing. "
+        "Exit code 0: whole; 7: whole, but this computer does not know it, so that its end may be "
+        "missing; 6: something differs; 5: it cannot be read."_s);
+    line.flag(u"recompute"_s, u"Unpack every recording and identify it again, too; takes a while."_s);
+    if (const auto exit = parseWith(line, arguments))
+        return *exit;
+    if (const auto exit = line.finish())
+        return *exit;
+    const bool json = line.isSet(u"json"_s);
+    const auto found = libraryFile(line).and_then(
+        [&](const QString& file) { return verifyLibrary(file, line.isSet(u"recompute"_s)); });
+    if (!found)
+        return fail(found.error(), json);
+    if (json)
+        printJson(toJson(*found));
+    else
+        printText(*found);
+    return static_cast<int>(exitFor(*found));
+}
+
+} // namespace
+
+int runLibrary(const QStringList& arguments)
+{
+    return runAction(u"library"_s, u"Looks after a library as a whole."_s,
+                     {{u"verify"_s, u"says whether every row is as it was written"_s, verifyAll},
+                      {u"backup"_s, u"copies a library that may be in use, and verifies the copy"_s, backUp},
+                      {u"restore"_s, u"puts a backup in the place of a library, which is kept"_s, restore},
+                      {u"take-back"_s, u"stores inspections that were kept aside"_s, takeBack},
+                      {u"examples"_s, u"adds types to look at"_s, addExamples}},
+                     arguments);
+}
+
+} // namespace gripscope::cli

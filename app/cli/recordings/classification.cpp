@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/recordings/classification.h"
+
+#include "app/cli/library/chain_library.h"
+#include "app/cli/library/library_squeezes.h"
+#include "app/cli/line/drive.h"
+#include "app/cli/line/output.h"
+#include "app/cli/options/shared_options.h"
+#include "devices/factory/gripper_factory.h"
+
+namespace gripscope::cli {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+/// Longer than any identification takes.
+constexpr double patience_s = 600;
+
+/// Types that are there and that no part is held against.
+void tellUnapproved(const std::vector<TypeRecord>& types)
+{
+    QStringList names;
+    for (const TypeRecord& type : types)
+        if (!type.approved)
+            names << type.name;
+    if (!names.isEmpty())
+        message(
+            u"Not approved, and so not recognised: %1. See \"types approve\"."_qs.arg(names.join(u", "_qs)));
+}
+} // namespace
+
+struct Classification::Private {
+    explicit Private(const QString& file)
+        : chains(file), library(file), connection(devices), session(connection, library)
+    {
+    }
+
+    std::optional<Error> waitFor(const std::function<bool()>& done)
+    {
+        if (!drive([this] { session.poll(); }, done, patience_s))
+            return Error{ErrorCode::Cancelled, {u"The classification"_qs}};
+        return session.lastError();
+    }
+
+    ChainLibrary chains;
+    DeviceFactory devices;
+    LibraryService library;
+    ConnectSession connection; // stays unconnected: the squeezes come from files
+    InspectSession session;
+};
+
+Classification::Classification(const QString& library, const IdentificationOptions& options,
+                               const VerdictOptions& rates, const std::optional<CommonShift>& transfer)
+    : d(std::make_unique<Private>(library))
+{
+    d->session.setStoring(false);
+    d->session.setIdentificationOptions(options);
+    d->session.setRates(rates);
+    d->session.setTransfer(transfer);
+}
+
+Classification::~Classification() = default;
+
+void Classification::setPolicy(const JudgingPolicy& policy)
+{
+    d->session.setPolicy(policy);
+}
+
+std::optional<Error> Classification::begin(Telling telling)
+{
+    const std::optional<Error> error = d->waitFor(
+        [this] { return d->session.state() == InspectSession::State::Ready || d->session.lastError(); });
+    if (!error && telling == Telling::Unapproved)
+        tellUnapproved(d->session.types());
+    return error;
+}
+
+Expected<InspectSession::Result> Classification::judge(Recording recording, const QString& source)
+{
+    return judgeAgain(std::move(recording), source, {d->session.rates(), {}, d->session.policy()});
+}
+
+Expected<InspectSession::Result> Classification::judgeAgain(Recording recording, const QString& source,
+                                                            const SqueezeJudged& before)
+{
+    const VerdictOptions own = d->session.rates();
+    const JudgingPolicy ownPolicy = d->session.policy();
+    d->session.setRates(before.rates);
+    d->session.setPolicy(before.policy);
+    const Expected<void> begun = d->session.judgeRecording(std::move(recording), source, before.earlyEnd);
+    d->session.setRates(own); // those of the squeeze are the ones it began with
+    d->session.setPolicy(ownPolicy);
+    RETURN_IF_ERROR(begun);
+    if (const std::optional<Error> error =
+            d->waitFor([this] { return d->session.state() == InspectSession::State::Ready; }))
+        return tl::unexpected<Error>(*error);
+    return *d->session.result();
+}
+
+void Classification::complete(Recording& recording, const QString& source)
+{
+    d->chains.complete(recording, source);
+}
+
+Expected<InspectSession::Result> Classification::judge(const QString& file, const CsvReadOptions& reading)
+{
+    ASSIGN_OR_RETURN(Recording recording, readRecordingCsv(file, reading));
+    d->chains.complete(recording, file);
+    return judge(std::move(recording), file);
+}
+
+Expected<QString> existingLibrary(const CommandLine& line)
+{
+    return libraryFile(line).and_then(existingLibraryFile);
+}
+
+} // namespace gripscope::cli
