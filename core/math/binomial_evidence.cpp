@@ -4,8 +4,6 @@
 #include "core/base/words.h"
 #include "core/math/distributions.h"
 
-#include <QLocale>
-
 #include <cmath>
 
 namespace gripscope {
@@ -17,13 +15,6 @@ namespace {
 Finding percentText(double share)
 {
     return Finding::number(100 * share, 'g', 2) + u" %"_s;
-}
-
-QString wholeText(std::int64_t number)
-{
-    QLocale locale = QLocale::c();
-    locale.setNumberOptions(QLocale::DefaultNumberOptions); // with separators
-    return locale.toString(qlonglong(number));
 }
 
 } // namespace
@@ -53,12 +44,13 @@ std::optional<std::int64_t> trialsNeeded(double rate, double confidence)
 Finding inWords(const BinomialEvidence& evidence, double statedRate, double confidence)
 {
     Finding text = Words::say("%1 wrong of %2: at most %3 with %4 confidence")
-                       .arg(wholeText(evidence.failures), wholeText(evidence.trials),
-                            percentText(evidence.highest), percentText(confidence));
+                       .arg(evidence.failures)
+                       .arg(evidence.trials)
+                       .arg(percentText(evidence.highest), percentText(confidence));
     const std::optional<std::int64_t> needed = trialsNeeded(statedRate, confidence);
     if (evidence.highest > statedRate && needed)
-        text += Words::say("; %1 without one are needed to show %2")
-                    .arg(wholeText(*needed), percentText(statedRate));
+        text +=
+            Words::say("; %1 without one are needed to show %2").arg(*needed).arg(percentText(statedRate));
     return text + u"."_s;
 }
 

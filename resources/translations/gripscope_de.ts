@@ -5905,6 +5905,14 @@ m  %3</translation>
         <source>object=%1 is not an object: A, B, C or D, %2, or m,b,k as m in kg (1e-6 to 1e3), b in N s/m (0 to 1e6) and k in N/m (1 to 1e9), such as 0.04,43,9990</source>
         <translation>object=%1 ist kein Objekt: A, B, C oder D, %2 oder m,b,k mit m in kg (1e-6 bis 1e3), b in N s/m (0 bis 1e6) und k in N/m (1 bis 1e9), etwa 0.04,43,9990</translation>
     </message>
+    <message>
+        <source>There are no levels yet: take those of a file, or let the program search the best two.</source>
+        <translation>Es gibt noch keine Stufen: die einer Datei nehmen oder das Programm die besten zwei suchen lassen.</translation>
+    </message>
+    <message>
+        <source>The gripper takes a sample every %1 ms, and these levels are shorter: choose a longer shortest push.</source>
+        <translation>Der Greifer tastet alle %1 ms ab, und diese Stufen sind kürzer: ein längeres kürzestes Drücken wählen.</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>
@@ -8230,7 +8238,8 @@ schieden</translation>
         <source>wrong at
 most (95 %)</source>
         <translation>falsch
-max. (95 %)</translation>
+max.
+(95 %)</translation>
     </message>
     <message>
         <source>Each squeeze is being judged by all the others…</source>

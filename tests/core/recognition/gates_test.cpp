@@ -92,9 +92,9 @@ private slots:
     {
         QCOMPARE(
             inWords(binomialEvidence(0, 40), 0.001).describe(),
-            u"0 wrong of 40: at most 7.2 % with 95 % confidence; 2,995 without one are needed to show 0.1 %."_s);
+            u"0 wrong of 40: at most 7.2 % with 95 % confidence; 2995 without one are needed to show 0.1 %."_s);
         QCOMPARE(inWords(binomialEvidence(0, 3000), 0.001).describe(),
-                 u"0 wrong of 3,000: at most 0.1 % with 95 % confidence."_s);
+                 u"0 wrong of 3000: at most 0.1 % with 95 % confidence."_s);
     }
 };
 
