@@ -113,7 +113,7 @@ private slots:
             }
         QCOMPARE(titles, (QStringList{u"Grippers"_s, u"This gripper"_s, u"Tools"_s}));
         const QStringList grippers = closed.under(u"Grippers"_s);
-        QCOMPARE(grippers.size(), 10);
+        QCOMPARE(grippers.size(), 11);
         QCOMPARE(grippers.at(1), u"Bench gripper · serial GS-2"_s);
         QCOMPARE(grippers.at(2), u"Virtual gripper, can A"_s);
         QCOMPARE(grippers.back(), u"Other address…"_s);
