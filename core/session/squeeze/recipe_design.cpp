@@ -38,6 +38,7 @@ std::vector<TypeModel> hardestToTell(const TypeModels& types)
     nearest.resize(mostTypes);
     std::ranges::sort(nearest, {}, &std::pair<double, std::size_t>::second);
     std::vector<TypeModel> hardest;
+    hardest.reserve(nearest.size());
     for (const auto& [distance, place] : nearest)
         hardest.push_back(types.types[place]);
     return hardest;
