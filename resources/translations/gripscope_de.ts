@@ -5842,20 +5842,12 @@ m  %3</translation>
         <translation>Diese Aufnahme hat der Typ schon; eine Kopie sagt nichts darüber, wie verschieden seine Druckversuche sind.</translation>
     </message>
     <message>
-        <source>there are no levels: choose the file that has them</source>
-        <translation>es gibt noch keine Stufen: eine Datei wählen, die sie hat</translation>
-    </message>
-    <message>
         <source>there are %1 levels; at most %2 can be squeezed with</source>
         <translation>es sind %1 Stufen; mit höchstens %2 kann gedrückt werden</translation>
     </message>
     <message>
         <source>each level must be from -1 to 1, in parts of the peak</source>
         <translation>jede Stufe muss von -1 bis 1 gehen, in Teilen der Spitze</translation>
-    </message>
-    <message>
-        <source>a level lasts %1 s, less than a sample of %2 s: squeeze with a force of longer levels</source>
-        <translation>eine Stufe dauert %1 s, kürzer als ein Abtastschritt von %2 s: mit einer Kraft aus längeren Stufen drücken</translation>
     </message>
     <message>
         <source>found a force that is no number, or none</source>

@@ -14,7 +14,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
-#include <QSaveFile>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -108,14 +107,6 @@ constexpr qint64 mostBytes = 1'000'000; ///< no file of settings is longer
 Expected<QByteArray> readFile(const QString& name)
 {
     return readBounded(name, mostBytes);
-}
-
-Expected<void> writeFile(const QString& name, const QByteArray& bytes)
-{
-    QSaveFile file(name);
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())
-        return {};
-    return failure(ErrorCode::FileUnwritable, {name, file.errorString()});
 }
 
 const RegisteredDialog<SettingsDialog> settingsDialogRow("settings", [](Workbench& bench, QWidget* over) {
@@ -230,7 +221,7 @@ void SettingsDialog::chooseFile(bool toSave)
 void SettingsDialog::exportFile(const QString& file)
 {
     m_workbench->background().compute<Expected<void>>(
-        this, [file, bytes = exportedSettings(m_workbench->settings())] { return writeFile(file, bytes); },
+        this, [file, bytes = exportedSettings(m_workbench->settings())] { return writeWhole(file, bytes); },
         [this, file](const Expected<void>& done) {
             m_told->setText(done ? tr("The settings were written to %1.").arg(file)
                                  : done.error().describe());

@@ -65,16 +65,6 @@ std::optional<Error> forceProblem(const Recipe& recipe, const GripperIdentity& i
             ErrorCode::Usage,
             {Words::tr("A sum of sines as long as this has too many tones: choose a longer shortest push, "
                        "or a shorter squeeze.")}};
-    if (options.kind == ExcitationKind::Levels && options.levels.empty())
-        return Error{ErrorCode::Usage,
-                     {Words::tr("There are no levels yet: take those of a file, or let the "
-                                "program search the best two.")}};
-    if (options.kind == ExcitationKind::Levels && options.bit_s < 0.999 * options.sampleTime_s)
-        return Error{
-            ErrorCode::Usage,
-            {Words::tr("The gripper takes a sample every %1 ms, and these levels are shorter: choose a "
-                       "longer shortest push.")
-                 .arg(Words::number(1e3 * options.sampleTime_s))}};
     return options.validate();
 }
 

@@ -249,7 +249,8 @@ std::vector<double> levelsInTurn(const ExcitationOptions& options)
 std::optional<Finding> levelProblem(const ExcitationOptions& options)
 {
     if (options.levels.empty())
-        return Words::say("there are no levels: choose the file that has them");
+        return Words::say(
+            "There are no levels yet: take those of a file, or let the program search the best two.");
     if (options.levels.size() > mostLevels)
         return Words::say("there are %1 levels; at most %2 can be squeezed with")
             .arg(options.levels.size())
@@ -258,10 +259,9 @@ std::optional<Finding> levelProblem(const ExcitationOptions& options)
         return Words::say("each level must be from -1 to 1, in parts of the peak");
     constexpr double shortest = 1 - 1e-6; // of a sample
     if (options.bit_s < shortest * options.sampleTime_s)
-        return Words::say("a level lasts %1 s, less than a sample of %2 s: squeeze with a force of longer "
-                          "levels")
-            .arg(options.bit_s)
-            .arg(options.sampleTime_s);
+        return Words::say("The gripper takes a sample every %1 ms, and these levels are shorter: choose a "
+                          "longer shortest push.")
+            .arg(1e3 * options.sampleTime_s);
     return std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/fit/fit_page_export.h"
 
+#include "core/base/bounded_file.h"
 #include "ui/charts/plot_frame.h"
 #include "ui/charts/plot_stack.h"
 #include "ui/context/workbench.h"
@@ -14,7 +15,6 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMetaMethod>
-#include <QSaveFile>
 
 #include <algorithm>
 
@@ -27,10 +27,8 @@ namespace {
 /// The reason why it could not be written, or nothing.
 QString writeFile(const QString& file, const QByteArray& bytes)
 {
-    QSaveFile out(file);
-    if (out.open(QIODevice::WriteOnly) && out.write(bytes) == bytes.size() && out.commit())
-        return {};
-    return out.errorString();
+    const Expected<void> written = writeWhole(file, bytes);
+    return written ? QString() : written.error().argument(1);
 }
 
 QString suffixOf(PlotFormat format)
