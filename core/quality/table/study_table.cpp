@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/quality/table/study_table.h"
+
+#include "core/base/csv.h"
+#include "core/base/words.h"
+
+#include <QHash>
+
+#include <algorithm>
+#include <utility>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+Expected<StudyTable> StudyTable::parse(const QByteArray& text, const QString& name)
+{
+    StudyTable table;
+    table.m_name = name;
+    ASSIGN_OR_RETURN(table.m_lines, splitTable(text, name));
+    const qsizetype wide = table.m_lines.front().fields.size();
+    for (const TableLine& line : table.m_lines)
+        if (line.fields.size() != wide)
+            return TablePlace{name, line.number, std::min(line.fields.size(), wide) + 1}.error(
+                u"%1 fields"_s.arg(line.fields.size()), Words::say("%1, as in the header").arg(wide));
+    return table;
+}
+
+Expected<StudyTable> StudyTable::read(const QString& file)
+{
+    ASSIGN_OR_RETURN(const QByteArray text, readTableFile(file));
+    return parse(text, file);
+}
+
+StudyTable StudyTable::of(const QString& name, const QStringList& columns,
+                          const std::vector<QStringList>& rows)
+{
+    StudyTable table;
+    table.m_name = name;
+    table.m_lines.push_back({1, columns});
+    int number = 1;
+    for (const QStringList& row : rows)
+        table.m_lines.push_back({++number, row});
+    return table;
+}
+
+Expected<qsizetype> StudyTable::place(const QString& column) const
+{
+    ASSIGN_OR_RETURN(const auto found, findTableColumns(m_lines, {column}, m_name));
+    return found.front();
+}
+
+Expected<StudyLabels> StudyTable::labels(const QString& column) const
+{
+    ASSIGN_OR_RETURN(const qsizetype at, place(column));
+    StudyLabels labels;
+    QHash<QString, int> known;
+    for (std::size_t i = 1; i < m_lines.size(); ++i) {
+        const QString& cell = m_lines[i].fields[at];
+        if (cell.isEmpty())
+            return TablePlace{m_name, m_lines[i].number, at + 1}.error(u"\"\""_s,
+                                                                       Words::say("a name or a number"));
+        const auto place = known.constFind(cell);
+        if (place != known.cend()) {
+            labels.index.push_back(*place);
+            continue;
+        }
+        known.insert(cell, int(labels.names.size()));
+        labels.index.push_back(int(labels.names.size()));
+        labels.names.append(cell);
+    }
+    return labels;
+}
+
+Expected<std::vector<double>> StudyTable::numbers(const QString& column) const
+{
+    ASSIGN_OR_RETURN(const qsizetype at, place(column));
+    std::vector<double> values;
+    values.reserve(rows());
+    for (std::size_t i = 1; i < m_lines.size(); ++i) {
+        const QString& cell = m_lines[i].fields[at];
+        const QByteArray text = cell.toUtf8();
+        const std::optional<double> value =
+            parseNumber(std::string_view(text.data(), std::size_t(text.size())));
+        if (!value)
+            return TablePlace{m_name, m_lines[i].number, at + 1}.error(u"\"%1\""_s.arg(cell),
+                                                                       Words::say("a finite number"));
+        values.push_back(*value);
+    }
+    return values;
+}
+
+} // namespace gripscope
