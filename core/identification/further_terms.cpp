@@ -6,7 +6,10 @@
 #include "core/identification/output_error/output_error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -23,23 +26,27 @@ bool hasLinear(const Identification& identification)
     return linear != nullptr && linear->status == EstimateStatus::Converged;
 }
 
-/// First-order gain (twice the logarithm of the likelihood) from which on further terms are searched for: a
-/// third of what makes a model decisively better, since a first step sees no more of a large effect. Noise
-/// alone gains as much once in thirty squeezes.
-double worthSearching(const MotionTerms& terms, std::size_t samples)
+int furtherUnknowns(const MotionTerms& terms)
 {
-    const int unknowns = (terms.friction ? 1 : 0) + (terms.relaxation ? 3 : 0) + (terms.cubic ? 1 : 0);
+    return (terms.friction ? 1 : 0) + (terms.relaxation ? 3 : 0) + (terms.cubic ? 1 : 0);
+}
+
+/// First-order gain (twice the logarithm of the likelihood) from which on so many further unknowns are
+/// searched for: a third of what makes a model decisively better, since a first step sees no more of a large
+/// effect. Noise alone gains as much once in thirty squeezes.
+double worthSearching(int unknowns, std::size_t samples)
+{
     return (unknowns * std::log(static_cast<double>(samples)) + decisiveDelta) / 3;
 }
 
-/// Where there is something to compare it with, no sample is lost, the record is short enough for it to be
-/// quick, and a first look says that a motion with these terms explains more.
-bool isWorthSearching(const Identification& identification, const PreparedRecord& record,
-                      const MotionOptions& options)
+/// No sample is lost, and a first look says that a motion with these terms explains more than one with those
+/// of `base`, where the options start.
+bool isWorthSearching(const PreparedRecord& record, const MotionOptions& options,
+                      const MotionTerms& base = {})
 {
-    return hasLinear(identification) && record.lost.empty() && record.force.size() <= longestTried &&
-           expectedGain(record.force, record.position, options) >=
-               worthSearching(options.terms, record.force.size());
+    return record.lost.empty() &&
+           expectedGain(record.force, record.position, options, base) >=
+               worthSearching(furtherUnknowns(options.terms) - furtherUnknowns(base), record.force.size());
 }
 
 /// The gripper is known to have friction: a squeeze is not explained without it.
@@ -62,6 +69,12 @@ MotionOptions fromLinear(Estimator estimator, const Identification& identificati
     return options;
 }
 
+/// There is something to compare with, and the record is short enough for a search to be quick.
+bool canSearch(const Identification& identification, const PreparedRecord& record)
+{
+    return hasLinear(identification) && record.force.size() <= longestTried;
+}
+
 /// A motion with further terms: the one that was asked for; else it is tried where that is worth it. With
 /// parameters, settled or not.
 std::optional<Estimate> motionWith(Estimator estimator, const Identification& identification,
@@ -71,8 +84,8 @@ std::optional<Estimate> motionWith(Estimator estimator, const Identification& id
     const MotionOptions options = fromLinear(estimator, identification, record, task);
     if (const Estimate* const found = identification.find(estimator))
         motion = *found;
-    else if (isWorthSearching(identification, record, options) ||
-             (isKnownToRub(options) && hasLinear(identification) && record.force.size() <= longestTried))
+    else if (canSearch(identification, record) &&
+             (isKnownToRub(options) || isWorthSearching(record, options)))
         motion = estimateMotion(record.force, record.position, options);
     if (motion && !motion->parameters)
         motion.reset();
@@ -93,6 +106,45 @@ double gainOver(const Estimate& linear, const std::optional<Estimate>& other)
         return 0;
     return static_cast<double>(linear.residual.size()) *
            std::log(linear.residuals.sse / other->residuals.sse);
+}
+
+/// A term alone, as far as it was found, and what it gains over the linear motion.
+struct TermAlone {
+    const std::optional<Estimate>* found;
+    double gain;
+};
+
+/// The two terms that gain most, the better first, where both gain much. Friction that is known to be there
+/// belongs to every motion.
+std::optional<std::array<const std::optional<Estimate>*, 2>> bestTwo(const Estimate& linear,
+                                                                     const FurtherTerms& further, bool rubs)
+{
+    constexpr double much = 2 * decisiveDelta;
+    std::array<TermAlone, 3> terms{{{&further.friction, rubs ? std::numeric_limits<double>::infinity()
+                                                             : gainOver(linear, further.friction)},
+                                    {&further.relaxing, gainOver(linear, further.relaxing)},
+                                    {&further.cubic, gainOver(linear, further.cubic)}}};
+    std::ranges::stable_sort(terms, std::greater(), &TermAlone::gain);
+    if (!(terms[1].gain > much))
+        return std::nullopt;
+    return std::array{terms[0].found, terms[1].found};
+}
+
+/// Both terms, from the one that explains more alone and what the other found; where that is worth it beyond
+/// the one alone.
+std::optional<Estimate> motionBeyond(const Estimate& alone, const Estimate& other, Estimator estimator,
+                                     const PreparedRecord& record, const EstimatorTask& task)
+{
+    MotionOptions options = motionOptions(estimator, record, task);
+    options.start = alone.parameters;
+    options.startNuisance = alone.nuisance;
+    options.startTerms = alone.motion->values;
+    for (const MotionParameter parameter : options.terms.parameters())
+        if (options.startTerms[parameter] == 0)
+            options.startTerms[parameter] = other.motion->values[parameter];
+    if (!isWorthSearching(record, options, alone.motion->terms))
+        return std::nullopt;
+    return estimateMotion(record.force, record.position, options);
 }
 
 std::vector<Estimate> motionsOf(const FurtherTerms& further)
@@ -132,19 +184,18 @@ void FurtherTerms::findTogether(const Identification& identification, const Prep
     const Estimate* const linear = identification.find(Estimator::OutputError);
     if (linear == nullptr)
         return;
-    constexpr double much = 2 * decisiveDelta;
-    const double byCubic = gainOver(*linear, cubic);
-    const double byFriction = gainOver(*linear, friction);
-    const double byRelaxing = gainOver(*linear, relaxing);
-    // Friction that is known to be there belongs to every motion.
-    const bool rubs = isKnownToRub(motionOptions(Estimator::Friction, record, task));
-    const double least = rubs ? std::min(byCubic, byRelaxing) : std::min({byCubic, byFriction, byRelaxing});
-    if ((byCubic > much) + (rubs || byFriction > much) + (byRelaxing > much) < 2)
+    const auto terms =
+        bestTwo(*linear, *this, isKnownToRub(motionOptions(Estimator::Friction, record, task)));
+    if (!terms)
         return;
-    const Estimator both = least == byCubic      ? Estimator::FrictionZener
-                           : least == byRelaxing ? Estimator::FrictionDuffing
-                                                 : Estimator::ZenerDuffing;
-    together = settled(motionWith(both, identification, record, task));
+    const auto& [first, second] = *terms;
+    const auto has = [&](const std::optional<Estimate>& term) { return first == &term || second == &term; };
+    const Estimator both = !has(cubic)      ? Estimator::FrictionZener
+                           : !has(relaxing) ? Estimator::FrictionDuffing
+                                            : Estimator::ZenerDuffing;
+    const bool isAlone = *first && *second && identification.find(both) == nullptr;
+    together = settled(isAlone ? motionBeyond(**first, **second, both, record, task)
+                               : motionWith(both, identification, record, task));
 }
 
 ModelComparison comparisonOf(const Identification& identification, const PreparedRecord& record,

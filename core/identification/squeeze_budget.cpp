@@ -37,6 +37,7 @@ ModelDiscrepancy windowDiscrepancy(const PreparedRecord& record, const Estimator
     EstimatorTask each = task;
     each.freeInitialState = true;
     each.residuals = ResidualDepth::Noise;
+    each.near = &whole;
     // Windows of a repeating force need not hold whole periods.
     const Estimator estimator = whole.motion ? whole.estimator : Estimator::OutputError;
     const auto estimateWindow = [&](Window window) {

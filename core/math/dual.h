@@ -53,6 +53,18 @@ struct Dual {
     }
 };
 
+/// With its derivatives multiplied: for what is computed with one of several equal factors' derivatives.
+[[nodiscard]] inline double withSlopesTimes(double /*factor*/, double number)
+{
+    return number;
+}
+template <int N>
+[[nodiscard]] Dual<N> withSlopesTimes(double factor, Dual<N> number)
+{
+    number.slope *= factor;
+    return number;
+}
+
 [[nodiscard]] inline double valuePart(double number)
 {
     return number;

@@ -39,6 +39,12 @@ MotionOptions motionOptions(Estimator estimator, const PreparedRecord& record, c
     if (options.terms.friction &&
         options.terms.spring) // without a part it is the gripper's that is looked for
         options.knownFriction = record.chain.friction;
+    if (task.near != nullptr && task.near->parameters && task.near->motion) {
+        options.start = task.near->parameters;
+        options.startNuisance = task.near->nuisance;
+        options.startTerms = task.near->motion->values;
+        options.startIsNear = true;
+    }
     return options;
 }
 

@@ -16,6 +16,7 @@ struct EstimatorTask {
     bool freeOffset = true;
     std::optional<std::size_t> period;              ///< of the excitation, in samples, where it is known
     ResidualDepth residuals = ResidualDepth::Tests; ///< of output error
+    const Estimate* near = nullptr; ///< what a motion with further terms is expected to be close to
 };
 
 /// Options of any estimator of m, b, k in continuous time: they name the same things alike.

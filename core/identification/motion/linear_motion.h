@@ -50,6 +50,8 @@ public:
     }
 
     [[nodiscard]] const Number& position() const { return m_state[0]; }
+    [[nodiscard]] const Number& speed() const { return m_state[1]; }
+    [[nodiscard]] const Number& strain() const { return m_state[2]; }
 
 private:
     static constexpr std::size_t states = 3;

@@ -74,16 +74,24 @@ std::optional<MotionSearchResult> searchFrom(const MotionProblem& problem,
     MultiStart<MotionSearchResult> searches(problem.terms.friction ? -1.0
                                                                    : poorShare * positionEnergy(problem));
     searches.run(starts, [&](const MotionPoint& start) {
-        return std::optional(searchMotion(problem, start, maxIterations));
+        const auto& best = searches.best();
+        const bool settled = best && best->isSettled();
+        return std::optional(searchMotion(problem, start, maxIterations,
+                                          settled ? std::optional(best->cost()) : std::nullopt));
     });
     return searches.best();
+}
+
+bool isLong(const MotionProblem& problem)
+{
+    return problem.force.size() > 2 * firstPart;
 }
 
 /// The search on the first part of a long record, whose answer is where that on all of it begins.
 std::vector<MotionPoint> startsFor(const MotionProblem& problem, const MotionPoint& linear,
                                    const MotionOptions& options)
 {
-    if (problem.force.size() > 2 * firstPart) {
+    if (isLong(problem)) {
         MotionProblem part = problem;
         static_cast<OutputErrorProblem&>(part) = firstSamples(problem, firstPart);
         const auto found = searchFrom(part, motionStarts(part, linear), options.maxIterations);
@@ -93,50 +101,60 @@ std::vector<MotionPoint> startsFor(const MotionProblem& problem, const MotionPoi
     return motionStarts(problem, linear);
 }
 
-/// The slope of a straight line through the first positions, a sample.
-double startSpeed(const MotionProblem& problem)
+/// From a start that is near, as long as it explains the record: where that does not settle the record does
+/// not determine the motion. Else from all.
+std::optional<MotionSearchResult> searchWell(const MotionProblem& problem, const MotionPoint& linear,
+                                             const MotionOptions& options)
 {
-    const std::size_t count = std::min<std::size_t>(problem.position.size(), 10);
-    const double middle = (static_cast<double>(count) - 1) / 2;
-    double sum = 0;
-    double squares = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double t = static_cast<double>(i) - middle;
-        sum += t * problem.position[i];
-        squares += t * t;
+    if (options.startIsNear) {
+        const auto found = searchFrom(problem, {startNear(problem, linear)}, options.maxIterations);
+        if (found && found->linear.finite && found->cost() <= poorShare * positionEnergy(problem))
+            return found;
     }
-    return squares > 0 ? sum / squares : 0;
+    return searchFrom(problem, startsFor(problem, linear, options), options.maxIterations);
 }
 
 /// Certain that friction does not hold the part when the record begins: chi-square with one degree of
 /// freedom, p = 0.001.
 constexpr double certainlyMoves = 10.83;
 
+/// Where a search for a part that moves at the start may begin: the part at rest, moving, where that is
+/// better already; all starts where there is none at rest.
+std::vector<MotionPoint> movingStarts(const MotionProblem& problem, const MotionPoint& linear,
+                                      const std::optional<MotionSearchResult>& resting,
+                                      const MotionOptions& options)
+{
+    if (!resting || !resting->isSettled())
+        return startsFor(problem, linear, options);
+    std::vector<MotionPoint> best;
+    double lowest = resting->cost();
+    const double slope = startSpeed(problem);
+    for (const double v0 : {linear.v0, slope, 0.3 * slope}) {
+        MotionPoint moving = resting->point;
+        moving.v0 = v0;
+        // Of a long record only a part gave the start: the first answer is no reason to stop looking.
+        if (isLong(problem) && !problem.terms.spring && v0 != 0)
+            best.push_back(moving);
+        const std::optional<MotionCost> there = costAt(problem, moving);
+        if (there && there->cost < lowest) {
+            lowest = there->cost;
+            best = {moving};
+        }
+    }
+    return best;
+}
+
 /// At rest at the start, or, where that is refuted, moving.
 std::optional<MotionSearchResult> searchWithFriction(MotionProblem& problem, const MotionOptions& options)
 {
     problem.startsAtRest = true;
     const MotionPoint linear = linearPoint(problem, options);
-    const auto resting = searchFrom(problem, startsFor(problem, linear, options), options.maxIterations);
+    const auto resting = searchWell(problem, linear, options);
     problem.startsAtRest = false;
     if (!problem.freeInitialState)
         return resting;
-    std::vector<MotionPoint> starts;
-    double best = std::numeric_limits<double>::infinity();
-    const MotionPoint from = resting ? resting->point : linear;
-    const double slope = startSpeed(problem);
-    for (const double v0 : {linear.v0, slope, 0.3 * slope}) {
-        MotionPoint moving = from;
-        moving.v0 = v0;
-        const std::optional<double> cost = costAt(problem, moving);
-        if (cost && *cost < best && (!resting || *cost < resting->cost())) {
-            best = *cost;
-            starts = {moving};
-        }
-    }
-    if (!starts.empty() || !resting || !resting->isSettled()) {
-        if (starts.empty())
-            starts = startsFor(problem, linear, options);
+    const std::vector<MotionPoint> starts = movingStarts(problem, linear, resting, options);
+    if (!starts.empty()) {
         const auto moving = searchFrom(problem, starts, options.maxIterations);
         const double variance = resting ? resting->cost() / MotionSearchResult::degreesOfFreedom(problem) : 0;
         const bool settled = moving && moving->isSettled();
@@ -277,8 +295,7 @@ std::optional<MotionSearchResult> searchFreely(MotionProblem& problem, const Mot
 {
     if (problem.terms.friction)
         return searchWithFriction(problem, options);
-    return searchFrom(problem, startsFor(problem, linearPoint(problem, options), options),
-                      options.maxIterations);
+    return searchWell(problem, linearPoint(problem, options), options);
 }
 
 /// The search from where one ended, with the friction known; its weight from the noise that was left there,
@@ -390,7 +407,7 @@ std::optional<Estimate> estimateWithoutDamping(const Estimate& found, const std:
 } // namespace
 
 double expectedGain(const std::vector<double>& force, const std::vector<double>& position,
-                    const MotionOptions& options)
+                    const MotionOptions& options, const MotionTerms& base)
 {
     constexpr std::array<double, 4> taus{0.002, 0.01, 0.05, 0.25}; // of the record's length
     constexpr double little = 0.01;
@@ -400,22 +417,31 @@ double expectedGain(const std::vector<double>& force, const std::vector<double>&
     if (!options.start || !known.areKnown() || obstacle(problem, options))
         return 0;
     MotionPoint point = linearPoint(problem, options);
-    MotionProblem linear = problem;
-    linear.terms = {};
-    const std::optional<double> cost = costAt(linear, point);
-    if (!cost || !(*cost > 0))
+    MotionProblem fewer = problem;
+    fewer.terms = base;
+    const std::optional<MotionCost> there = costAt(fewer, point);
+    if (!there || !(there->cost > 0))
         return 0;
-    point.values[P::Relaxing] = little * point.values[P::Stiffness];
+    const double cost = there->cost;
+    const bool newDashpot = options.terms.relaxation && !base.relaxation;
+    if (!base.friction)
+        point.values[P::Friction] = point.values[P::FrictionBack] = 0;
+    if (!base.cubic)
+        point.values[P::Cubic] = 0;
+    if (newDashpot)
+        point.values[P::Relaxing] = little * point.values[P::Stiffness];
     double best = 0;
     for (const double tau : taus) {
-        point.values[P::RelaxationTime] = std::max(1.0, tau * static_cast<double>(problem.position.size()));
-        const MotionLinearization there = linearize(problem, point);
-        if (there.finite)
-            best = std::max(best, *cost - (there.cost - there.residual.squaredNorm()));
-        if (!options.terms.relaxation)
+        if (newDashpot)
+            point.values[P::RelaxationTime] =
+                std::max(1.0, tau * static_cast<double>(problem.position.size()));
+        const MotionLinearization with = linearize(problem, point);
+        if (with.finite)
+            best = std::max(best, cost - (with.cost - with.residual.squaredNorm()));
+        if (!newDashpot)
             break;
     }
-    return best / (*cost / MotionSearchResult::degreesOfFreedom(linear));
+    return best / (cost / MotionSearchResult::degreesOfFreedom(fewer));
 }
 
 Estimate estimateMotion(const std::vector<double>& force, const std::vector<double>& position,

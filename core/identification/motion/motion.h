@@ -13,6 +13,9 @@ struct MotionOptions : ContinuousTimeOptions {
     int maxIterations = 40;
     Nuisance startNuisance;  ///< that belongs to `start`, as the next
     MotionValues startTerms; ///< of the further terms; all zero: some are tried
+    /// The start is the answer for nearly the same motion, of which this is another stretch: the search
+    /// begins there, and elsewhere only where that does not settle.
+    bool startIsNear = false;
     /// What is known of the friction beforehand, in the force's unit. Given up where the record refutes it:
     /// the part may have friction of its own.
     std::optional<GripperFriction> knownFriction;
@@ -46,11 +49,11 @@ struct MotionOptions : ContinuousTimeOptions {
 [[nodiscard]] Estimate estimateMotion(const std::vector<double>& force, const std::vector<double>& position,
                                       const MotionOptions& options);
 
-/// By how much the terms would raise twice the logarithm of the likelihood above that of mass, spring and
-/// damper, to first order (a score test): what one step from there would gain, with some times tau for a
-/// dashpot. `options.start`: where the linear motion has its optimum. A fraction of the search that it may
-/// save; 0 where nothing can be said.
+/// By how much the terms would raise twice the logarithm of the likelihood above that of a motion with fewer,
+/// `base`, to first order (a score test): what one step from there would gain, with some times tau for a
+/// dashpot that is new. `options.start` and `startTerms`: where `base` has its optimum. A fraction of the
+/// search that it may save; 0 where nothing can be said.
 [[nodiscard]] double expectedGain(const std::vector<double>& force, const std::vector<double>& position,
-                                  const MotionOptions& options);
+                                  const MotionOptions& options, const MotionTerms& base = {});
 
 } // namespace gripscope

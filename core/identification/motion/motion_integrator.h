@@ -36,7 +36,12 @@ public:
     [[nodiscard]] const Number& position() const { return m_x; }
     [[nodiscard]] const Number& speed() const { return m_v; }
     [[nodiscard]] const Number& strain() const { return m_strain; }
-    [[nodiscard]] bool sticks() const { return m_terms.friction && m_way == 0; }
+    /// Of the friction: 1, -1, or 0 where the part sticks.
+    [[nodiscard]] int way() const { return m_way; }
+    /// The largest of the motion's own rates, from above.
+    [[nodiscard]] double rate() const;
+    /// In how many steps a time is followed that is so many of the motion's fastest own times; 0: too many.
+    [[nodiscard]] static int stepsOver(double span);
 
 private:
     static constexpr int mostTerms = 26;
@@ -50,7 +55,6 @@ private:
     {
         return m_c[static_cast<std::size_t>(parameter)];
     }
-    [[nodiscard]] double rate() const;
     [[nodiscard]] double reach(double wanted) const;
     [[nodiscard]] bool segmentWithoutEvents(double duration, Number force, double slope);
     [[nodiscard]] bool segment(double duration, const Number& force, double slope);
@@ -61,6 +65,10 @@ private:
     [[nodiscard]] Number restForce(const Number& force) const;
     [[nodiscard]] std::optional<double> firstEvent(double duration) const;
     [[nodiscard]] double eventFunction(double t) const;
+    struct EventLook {
+        double time, function; ///< not below zero at the low end, below it at the high one
+    };
+    [[nodiscard]] double eventBetween(EventLook low, EventLook high, double within) const;
     template <typename Time>
     void moveTo(const Time& t);
     void decide(const Number& force);
@@ -74,9 +82,10 @@ private:
     MotionTerms m_terms;
     Coefficients m_c;
     Number m_x, m_v, m_strain;
-    int m_way = 1; ///< of the friction: 1, -1, or 0 where it sticks
+    int m_way = 1;
     int m_order = mostTerms;
-    Series m_xs, m_vs, m_strains, m_squares, m_net; ///< coefficients; of what holds the part while it sticks
+    Series m_xs, m_vs, m_strains, m_net;           ///< coefficients; of what holds the part while it sticks
+    std::array<double, mostTerms + 1> m_squares{}; ///< of x^2, as values: the derivatives do without its own
 };
 
 template <typename Number>
@@ -99,7 +108,6 @@ void MotionIntegrator<Number>::begin(const Number& x, const Number& v, const Num
         m_way = valuePart(m_v) > 0 ? 1 : -1;
 }
 
-/// The largest of the motion's own rates, from above.
 template <typename Number>
 double MotionIntegrator<Number>::rate() const
 {
@@ -122,12 +130,20 @@ double MotionIntegrator<Number>::rate() const
 }
 
 template <typename Number>
+int MotionIntegrator<Number>::stepsOver(double span)
+{
+    if (!(span <= longestStep * mostSubsteps))
+        return 0;
+    return std::max(1, static_cast<int>(std::ceil(span / longestStep)));
+}
+
+template <typename Number>
 bool MotionIntegrator<Number>::advance(double duration, double from, double to)
 {
     const double span = rate() * duration;
-    if (!(span <= longestStep * mostSubsteps))
+    const int steps = stepsOver(span);
+    if (steps == 0)
         return false;
-    const int steps = std::max(1, static_cast<int>(std::ceil(span / longestStep)));
     const double step = duration / steps;
     // The remainder of an exponential's series.
     constexpr double smallest = 1e-13;
@@ -241,10 +257,10 @@ Number MotionIntegrator<Number>::springForce(int n) const
     if (m_terms.relaxation)
         sum += of(P::Relaxing) * m_strains[i];
     if (m_terms.cubic) {
-        Number cube(0);
+        Number cube(0); // d(x^3) = 3 x^2 dx
         for (std::size_t j = 0; j <= i; ++j)
             cube += m_squares[j] * m_xs[i - j];
-        sum += of(P::Cubic) * cube;
+        sum += of(P::Cubic) * withSlopesTimes(3, cube);
     }
     return sum;
 }
@@ -255,12 +271,12 @@ void MotionIntegrator<Number>::springSeries(int n)
     if (!m_terms.cubic)
         return;
     const auto i = static_cast<std::size_t>(n);
-    Number half(0); // each product comes twice, but for one in the middle
+    double half = 0; // each product comes twice, but for one in the middle
     for (std::size_t j = 0; 2 * j < i; ++j)
-        half += m_xs[j] * m_xs[i - j];
-    m_squares[i] = half * 2.0;
+        half += valuePart(m_xs[j]) * valuePart(m_xs[i - j]);
+    m_squares[i] = half * 2;
     if (i % 2 == 0)
-        m_squares[i] += m_xs[i / 2] * m_xs[i / 2];
+        m_squares[i] += valuePart(m_xs[i / 2]) * valuePart(m_xs[i / 2]);
 }
 
 template <typename Number>
@@ -363,25 +379,53 @@ double MotionIntegrator<Number>::eventFunction(double t) const
 template <typename Number>
 std::optional<double> MotionIntegrator<Number>::firstEvent(double duration) const
 {
-    constexpr int looks = 4, mostHalvings = 60;
-    double before = 0;
+    constexpr int looks = 4;
+    constexpr double soonest = 1e-9;
+    EventLook low{0, eventFunction(0)};
+    const bool begins = m_way != 0 && !(low.function > 0);
     for (int i = 1; i <= looks; ++i) {
         const double after = duration * i / looks;
-        if (eventFunction(after) >= 0) {
-            before = after;
-            continue;
+        const EventLook high{after, eventFunction(after)};
+        if (high.function < 0) {
+            // From rest: it has to move before it turns, if ever so little.
+            if (begins && i == 1)
+                for (double soon = after / 16; !(low.function > 0); soon /= 64) {
+                    if (soon < soonest * duration)
+                        return std::nullopt;
+                    low = {soon, eventFunction(soon)};
+                }
+            return eventBetween(low, high, 1e-15 * duration);
         }
-        if (i == 1 && m_way != 0 && !(m_way * valuePart(m_v) > 0) && !(eventFunction(duration / 64) > 0))
-            return std::nullopt; // it only just slips: it does not turn before it moves
-        double low = before;
-        double high = after;
-        for (int n = 0; n < mostHalvings && high - low > 1e-15 * duration; ++n) {
-            const double middle = (low + high) / 2;
-            (eventFunction(middle) >= 0 ? low : high) = middle;
-        }
-        return low + (high - low) / 2;
+        low = high;
     }
     return std::nullopt;
+}
+
+/// By the false position, the end that stays twice counted half (Dowell and Jarratt 1971).
+template <typename Number>
+double MotionIntegrator<Number>::eventBetween(EventLook low, EventLook high, double within) const
+{
+    constexpr int mostSteps = 60;
+    int kept = 0; // 1: the low end, -1: the high one
+    for (int n = 0; n < mostSteps && high.time - low.time > within; ++n) {
+        const double share = std::max(low.function, 0.0) / (std::max(low.function, 0.0) - high.function);
+        const double at = low.time + (high.time - low.time) * share;
+        if (!(at > low.time && at < high.time))
+            break;
+        const double function = eventFunction(at);
+        if (function == 0)
+            return at;
+        if (function > 0) {
+            low = {at, function};
+            high.function *= kept == -1 ? 0.5 : 1;
+            kept = -1;
+        } else {
+            high = {at, function};
+            low.function *= kept == 1 ? 0.5 : 1;
+            kept = 1;
+        }
+    }
+    return std::abs(low.function) < std::abs(high.function) ? low.time : high.time;
 }
 
 template <typename Number>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/motion/motion_model.h"
 
+#include "core/identification/motion/friction_motion.h"
 #include "core/identification/motion/linear_motion.h"
 #include "core/identification/motion/motion_integrator.h"
 #include "core/math/sequential_qr.h"
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <variant>
 
 namespace gripscope {
 
@@ -20,20 +22,25 @@ using P = MotionParameter;
 template <typename Number>
 class SpringAlone {
 public:
+    SpringAlone() = default;
     SpringAlone(const Number& x, const Number& stiffness) : m_position(x), m_stiffness(stiffness) {}
-    void follow(double force) { m_position = Number(force) / m_stiffness; }
+    [[nodiscard]] bool advance(double /*duration*/, double /*from*/, double to)
+    {
+        m_position = Number(to) / m_stiffness;
+        return std::isfinite(valuePart(m_position));
+    }
     [[nodiscard]] const Number& position() const { return m_position; }
 
 private:
     Number m_position, m_stiffness;
 };
 
-/// The integrator of a point; a Dual has a direction for each unknown but the offset.
+/// A motion from a point, by the cheapest way that its terms allow; a Dual has a direction for each unknown
+/// but the offset.
 template <typename Number>
 class Motion {
 public:
-    Motion(const MotionProblem& problem, const MotionPoint& point)
-        : m_problem(problem), m_integrator(problem.terms, coefficients(problem, point))
+    Motion(const MotionProblem& problem, const MotionPoint& point) : m_problem(problem)
     {
         int direction = 0;
         const auto start = [&](double value, bool sought) {
@@ -42,14 +49,17 @@ public:
         const Number x = start(point.x0, problem.seeksPosition());
         const Number v = start(point.v0, problem.seeksSpeed());
         const Number strain = start(point.strain0, problem.seeksStrain());
-        if (!problem.terms.damping) {
-            m_spring.emplace(x, coefficients(problem, point)[static_cast<std::size_t>(P::Stiffness)]);
-            return;
-        }
-        m_integrator.begin(x, v, strain, problem.force.front());
-        if (LinearMotion<Number>::describes(problem.terms))
-            m_linear.emplace(problem.terms, coefficients(problem, point))
-                .begin(x, m_integrator.speed(), strain);
+        const MotionTerms& terms = problem.terms;
+        const auto c = coefficients(problem, point);
+        if (!terms.damping)
+            m_way.template emplace<SpringAlone<Number>>(x, c[static_cast<std::size_t>(P::Stiffness)]);
+        else if (LinearMotion<Number>::describes(terms))
+            m_way.template emplace<LinearMotion<Number>>(terms, c).begin(x, v, strain);
+        else if (FrictionMotion<Number>::describes(terms))
+            m_way.template emplace<FrictionMotion<Number>>(terms, c).begin(x, v, strain);
+        else
+            m_way.template emplace<MotionIntegrator<Number>>(terms, c).begin(x, v, strain,
+                                                                             problem.force.front());
     }
 
     /// From one force's time to the next; show(n, x) at the position's time in between. False: out of bounds.
@@ -65,18 +75,14 @@ public:
         const double between = from + rest * (next - from);
         if (rest > 0 && !run(rest, from, between))
             return false;
-        show(n, m_spring ? m_spring->position() : m_linear ? m_linear->position() : m_integrator.position());
+        show(n, std::visit([](const auto& way) -> const Number& { return way.position(); }, m_way));
         return run(1 - rest, between, next);
     }
 
 private:
     [[nodiscard]] bool run(double duration, double from, double to)
     {
-        if (m_spring) {
-            m_spring->follow(to);
-            return std::isfinite(valuePart(m_spring->position()));
-        }
-        return m_linear ? m_linear->advance(duration, from, to) : m_integrator.advance(duration, from, to);
+        return std::visit([&](auto& way) { return way.advance(duration, from, to); }, m_way);
     }
     static Number seeded(double value, int direction, double rate)
     {
@@ -99,9 +105,8 @@ private:
     }
 
     const MotionProblem& m_problem;
-    MotionIntegrator<Number> m_integrator;
-    std::optional<LinearMotion<Number>> m_linear; ///< in its place where no term bends the motion
-    std::optional<SpringAlone<Number>> m_spring;  ///< in its place where nothing holds the spring up
+    std::variant<SpringAlone<Number>, LinearMotion<Number>, FrictionMotion<Number>, MotionIntegrator<Number>>
+        m_way;
 };
 
 /// Calls use(index, x) for every measured position whose time the force covers.
@@ -145,8 +150,10 @@ bool forEachLinearizedRow(const MotionProblem& problem, const MotionPoint& point
     const int directions = problem.unknowns() - (problem.seeksOffset() ? 1 : 0);
     if (directions <= 6)
         return forEachLinearizedRow<6>(problem, point, use);
-    return directions <= 8 ? forEachLinearizedRow<8>(problem, point, use)
-                           : forEachLinearizedRow<14>(problem, point, use);
+    if (directions <= 8)
+        return forEachLinearizedRow<8>(problem, point, use);
+    return directions <= 10 ? forEachLinearizedRow<10>(problem, point, use)
+                            : forEachLinearizedRow<14>(problem, point, use);
 }
 
 } // namespace
@@ -308,14 +315,17 @@ std::optional<MotionRows> motionRows(const MotionProblem& problem, const MotionP
     return rows;
 }
 
-std::optional<double> costAt(const MotionProblem& problem, const MotionPoint& point)
+std::optional<MotionCost> costAt(const MotionProblem& problem, const MotionPoint& point)
 {
-    double cost = std::pow(problem.priorResidual(point.values[P::Friction]), 2);
+    MotionCost found;
+    found.cost = std::pow(problem.priorResidual(point.values[P::Friction]), 2);
     const bool bounded = forEachRow<double>(problem, point, [&](std::ptrdiff_t index, double x) {
         const double e = problem.position[static_cast<std::size_t>(index)] - x - point.offset;
-        cost += e * e;
+        found.cost += e * e;
+        found.mean += e;
     });
-    return bounded && std::isfinite(cost) ? std::optional(cost) : std::nullopt;
+    found.mean /= static_cast<double>(std::max<std::ptrdiff_t>(problem.measuredRows(), 1));
+    return bounded && std::isfinite(found.cost) ? std::optional(found) : std::nullopt;
 }
 
 std::vector<double> positionsAt(const MotionProblem& problem, const MotionPoint& point)

@@ -80,8 +80,12 @@ struct MotionRows {
 };
 [[nodiscard]] std::optional<MotionRows> motionRows(const MotionProblem& problem, const MotionPoint& point);
 
-/// Sum of squared residuals, the prior's among them; nothing when the motion leaves all bounds.
-[[nodiscard]] std::optional<double> costAt(const MotionProblem& problem, const MotionPoint& point);
+struct MotionCost {
+    double cost = 0; ///< sum of squared residuals, the prior's among them
+    double mean = 0; ///< of the positions' residuals
+};
+/// Nothing when the motion leaves all bounds.
+[[nodiscard]] std::optional<MotionCost> costAt(const MotionProblem& problem, const MotionPoint& point);
 
 /// x + offset at every position's time; before the first force the start, after the last one its force is
 /// held. Empty when the motion leaves all bounds.

@@ -28,9 +28,9 @@ constexpr int mostKinks = 6;
 
 class MotionSearch : LevenbergMarquardt {
 public:
-    MotionSearch(const MotionProblem& problem, const MotionPoint& start)
+    MotionSearch(const MotionProblem& problem, const MotionPoint& start, std::optional<double> lowest)
         : LevenbergMarquardt(squaredSize(problem), arrivedMotion), m_problem(problem),
-          m_parameters(problem.terms.parameters()), m_first(problem.startUnknowns()),
+          m_parameters(problem.terms.parameters()), m_first(problem.startUnknowns()), m_lowest(lowest),
           m_scales(Eigen::VectorXd::Zero(problem.unknowns()))
     {
         m_result.point = start;
@@ -59,12 +59,21 @@ private:
                 m_active.push_back(i);
         m_triangle = linear.triangle;
         m_residual = linear.residual;
-        if (m_active.size() == static_cast<std::size_t>(linear.triangle.cols()))
-            return true;
-        const Triangularized qr = triangularize(linear.triangle(Eigen::all, m_active), linear.residual);
-        m_triangle = qr.triangle;
-        m_residual = qr.right;
-        return true;
+        if (m_active.size() < static_cast<std::size_t>(linear.triangle.cols())) {
+            const Triangularized qr = triangularize(linear.triangle(Eigen::all, m_active), linear.residual);
+            m_triangle = qr.triangle;
+            m_residual = qr.right;
+        }
+        return !isBeaten();
+    }
+    /// Close to where it will end, which is not below what is known.
+    [[nodiscard]] bool isBeaten() const
+    {
+        constexpr double close = 0.3; // standard errors
+        const double variance = cost() / degreesOfFreedom();
+        const double gain = m_residual.squaredNorm();
+        return m_lowest && gain <= close * close * variance &&
+               cost() - gain >= *m_lowest - worthwhileGain * variance;
     }
     [[nodiscard]] bool isHeld(Eigen::Index column) const
     {
@@ -111,8 +120,19 @@ private:
     /// lowest point: then each unknown is tried by itself.
     bool improve() override
     {
-        return LevenbergMarquardt::improve() ||
-               (m_problem.terms.friction && m_kinks++ < mostKinks && improveByUnknown());
+        const double before = cost();
+        const double promised = toGo() * toGo();
+        if (LevenbergMarquardt::improve() && !creeps(before - cost(), promised))
+            return true;
+        return m_problem.terms.friction && m_kinks++ < mostKinks && improveByUnknown();
+    }
+    /// Along a kink steps go on and on for next to nothing of what the slope promises. (A carriage without a
+    /// spring goes far along one, and creeps down to better ones.)
+    [[nodiscard]] bool creeps(double gain, double promised) const
+    {
+        constexpr double hardly = 1e-3;
+        return m_problem.terms.friction && m_problem.terms.spring && gain < hardly * promised &&
+               gain < worthwhileGain * cost() / degreesOfFreedom();
     }
     bool improveByUnknown()
     {
@@ -134,8 +154,8 @@ private:
                                             direction(static_cast<Eigen::Index>(j)) /
                                             inverse.row(column).norm();
                     const auto there = costAt(m_problem, m_result.point.moved(m_problem, step));
-                    if (there && *there < lowest) {
-                        lowest = *there;
+                    if (there && there->cost < lowest) {
+                        lowest = there->cost;
                         best = step;
                     }
                 }
@@ -150,16 +170,41 @@ private:
 
     bool accept(const Step& step) override
     {
-        const MotionPoint point = m_result.point.moved(m_problem, shortening(step) * step);
-        const std::optional<double> there = costAt(m_problem, point); // several times cheaper
-        if (!there || !(*there < m_result.linear.cost))
+        const std::optional<MotionPoint> point = lowerPoint(step);
+        if (!point)
             return false;
-        MotionLinearization trial = linearize(m_problem, point);
+        MotionLinearization trial = linearize(m_problem, *point);
         if (!trial.finite || !(trial.cost < m_result.linear.cost))
             return false;
-        m_result.point = point;
+        m_result.point = *point;
         m_result.linear = std::move(trial);
         return true;
+    }
+    /// Where the step leads, if the cost is lower there; costs are several times cheaper than derivatives. A
+    /// stiffness moves the whole position with its inverse, the offset follows in a straight line: it is put
+    /// right where that is seen, and the start stays where it is measured. (Without this the search creeps
+    /// along the bend between the two.)
+    [[nodiscard]] std::optional<MotionPoint> lowerPoint(const Step& step) const
+    {
+        MotionPoint point = m_result.point.moved(m_problem, shortening(step) * step);
+        const std::optional<MotionCost> there = costAt(m_problem, point);
+        if (!there)
+            return std::nullopt;
+        const auto rows = static_cast<double>(m_problem.measuredRows());
+        const double seen = worthwhileGain * cost() / degreesOfFreedom();
+        double lowest = there->cost;
+        if (m_problem.seeksOffset() && m_problem.terms.spring && there->mean * there->mean * rows > seen) {
+            MotionPoint right = point;
+            right.offset += there->mean;
+            if (m_problem.seeksPosition())
+                right.x0 -= there->mean;
+            const std::optional<MotionCost> better = costAt(m_problem, right);
+            if (better && better->cost < lowest) {
+                lowest = better->cost;
+                point = right;
+            }
+        }
+        return lowest < cost() ? std::optional(point) : std::nullopt;
     }
 
     [[nodiscard]] double shortening(const Step& step) const
@@ -181,6 +226,7 @@ private:
     const MotionProblem& m_problem;
     const std::vector<P> m_parameters;
     const Eigen::Index m_first;
+    const std::optional<double> m_lowest;
     MotionSearchResult m_result;
     Eigen::VectorXd m_scales;
     std::vector<Eigen::Index> m_active; ///< columns that the search moves
@@ -198,9 +244,10 @@ bool MotionSearchResult::isDetermined() const
            scaledConditionNumber(linear.triangle(Eigen::all, linear.moving())) <= largestCondition;
 }
 
-MotionSearchResult searchMotion(const MotionProblem& problem, const MotionPoint& start, int maxIterations)
+MotionSearchResult searchMotion(const MotionProblem& problem, const MotionPoint& start, int maxIterations,
+                                std::optional<double> lowest)
 {
-    return MotionSearch(problem, start).run(maxIterations);
+    return MotionSearch(problem, start, lowest).run(maxIterations);
 }
 
 } // namespace gripscope

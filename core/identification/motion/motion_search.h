@@ -5,6 +5,7 @@
 #include "core/math/levenberg_marquardt.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace gripscope {
@@ -14,6 +15,11 @@ namespace gripscope {
 ///    the sign of the filtered speed for friction and, for relaxation, some times tau.
 ///  - From `other`, m, b and k of the linear motion (0 where none), with some shares of the further terms.
 [[nodiscard]] std::vector<MotionPoint> motionStarts(const MotionProblem& problem, const MotionPoint& other);
+
+/// The point of another stretch of the same motion, begun where this one does.
+[[nodiscard]] MotionPoint startNear(const MotionProblem& problem, const MotionPoint& other);
+/// The slope of a straight line through the first positions, a sample.
+[[nodiscard]] double startSpeed(const MotionProblem& problem);
 
 /// Lost: the motion from the start leaves all bounds. boundaryIndex: of the problem's parameters.
 struct MotionSearchResult : SearchEnd {
@@ -30,8 +36,9 @@ struct MotionSearchResult : SearchEnd {
 };
 
 /// LevenbergMarquardt to 1e-6 standard errors over all unknowns together. Friction that wants to be below
-/// zero stays at zero and out of the search, until it no longer does.
+/// zero stays at zero and out of the search, until it no longer does. `lowest`: the cost of an answer that is
+/// known; a search that will end no lower is given up, NotConverged.
 [[nodiscard]] MotionSearchResult searchMotion(const MotionProblem& problem, const MotionPoint& start,
-                                              int maxIterations);
+                                              int maxIterations, std::optional<double> lowest = std::nullopt);
 
 } // namespace gripscope

@@ -215,8 +215,8 @@ struct MotionCandidates : StartCandidates<MotionPoint> {
     explicit MotionCandidates(const MotionProblem& itsProblem) : problem(itsProblem) {}
     void offer(const MotionPoint& point)
     {
-        if (const std::optional<double> cost = costAt(problem, point))
-            StartCandidates::offer(point, *cost);
+        if (const std::optional<MotionCost> there = costAt(problem, point))
+            StartCandidates::offer(point, there->cost);
     }
 };
 
@@ -232,6 +232,14 @@ std::optional<MotionPoint> refineStart(const MotionProblem& problem, const Motio
     step.head(start) =
         solvePivoted(linear.triangle.topLeftCorner(start, start), linear.residual.head(start)).solution;
     return step.allFinite() ? std::optional(point.moved(problem, step)) : std::nullopt;
+}
+
+/// Its derivatives cost no more than any other point's: a motion that settles within a fraction of a sample
+/// takes many short series, and no filter tells it from one that settles in a sample.
+bool isQuick(const MotionProblem& problem, const MotionPoint& point)
+{
+    constexpr double longest = 3; // decays a sample
+    return !problem.terms.mass || point.values[P::Damping] < longest * point.values[P::Mass];
 }
 
 /// Shares of the further terms beside what is known of the linear motion; 0 where a term is off.
@@ -276,6 +284,31 @@ void offerVariants(MotionCandidates& candidates, const MotionPoint& other)
 
 } // namespace
 
+double startSpeed(const MotionProblem& problem)
+{
+    const std::size_t count = std::min<std::size_t>(problem.position.size(), 10);
+    const double middle = (static_cast<double>(count) - 1) / 2;
+    double sum = 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double t = static_cast<double>(i) - middle;
+        sum += t * problem.position[i];
+        squares += t * t;
+    }
+    return squares > 0 ? sum / squares : 0;
+}
+
+MotionPoint startNear(const MotionProblem& problem, const MotionPoint& other)
+{
+    MotionPoint point = other;
+    if (problem.seeksPosition())
+        point.x0 = problem.position.front() - point.offset;
+    if (problem.seeksSpeed())
+        point.v0 = startSpeed(problem);
+    point.strain0 = 0;
+    return refineStart(problem, point).value_or(point);
+}
+
 std::vector<MotionPoint> motionStarts(const MotionProblem& problem, const MotionPoint& other)
 {
     MotionCandidates candidates(problem);
@@ -283,11 +316,12 @@ std::vector<MotionPoint> motionStarts(const MotionProblem& problem, const Motion
     for (const double bandwidth : filterBandwidths)
         for (const double share : sharesOf(problem.terms.relaxation, relaxationShares))
             if (const auto point =
-                    EquationRegression(problem, bandwidth, std::max(share * count, 1.0)).solve()) {
+                    EquationRegression(problem, bandwidth, std::max(share * count, 1.0)).solve())
                 candidates.offer(*point);
-                if (const auto refined = problem.terms.cubic ? refineStart(problem, *point) : std::nullopt)
-                    candidates.offer(*refined);
-            }
+    if (problem.terms.cubic)
+        for (const MotionPoint& point : candidates.best())
+            if (const auto refined = isQuick(problem, point) ? refineStart(problem, point) : std::nullopt)
+                candidates.offer(*refined);
     if (hasFurther(problem.terms, other.values))
         candidates.offer(other);
     if (other.values[P::Stiffness] > 0)

@@ -35,28 +35,28 @@ Eigen::VectorXd nuisanceStep(const MotionProblem& problem, const MotionRows& row
 /// Gauss-Newton in start and offset; one round where the motion is linear, since they enter linearly.
 std::optional<MotionPoint> fitNuisances(const MotionProblem& problem, MotionPoint point)
 {
-    std::optional<double> cost = costAt(problem, point);
-    for (int round = 0; cost && round < mostRounds; ++round) {
+    std::optional<MotionCost> at = costAt(problem, point);
+    for (int round = 0; at && round < mostRounds; ++round) {
         const std::optional<MotionRows> rows = motionRows(problem, point);
         if (!rows)
             return std::nullopt;
         Eigen::VectorXd step = nuisanceStep(problem, *rows);
         if (!step.allFinite())
             return std::nullopt;
-        const double before = *cost;
+        const double before = at->cost;
         for (int halving = 0; halving < mostHalvings; ++halving, step /= 2) {
             const MotionPoint trial = point.moved(problem, step);
-            const std::optional<double> there = costAt(problem, trial);
-            if (there && *there < *cost) {
+            const std::optional<MotionCost> there = costAt(problem, trial);
+            if (there && there->cost < at->cost) {
                 point = trial;
-                cost = there;
+                at = there;
                 break;
             }
         }
-        if (!(before - *cost > worthwhile * before))
+        if (!(before - at->cost > worthwhile * before))
             break;
     }
-    return cost ? std::optional(point) : std::nullopt;
+    return at ? std::optional(point) : std::nullopt;
 }
 
 /// From where mass, spring and damper alone would start, which is near enough for more.
