@@ -62,6 +62,7 @@ MotionOptions fromLinear(Estimator estimator, const Identification& identificati
                          const PreparedRecord& record, const EstimatorTask& task)
 {
     MotionOptions options = motionOptions(estimator, record, task);
+    options.arrived = nearEnough;
     if (const Estimate* const linear = identification.find(Estimator::OutputError)) {
         options.start = linear->parameters;
         options.startNuisance = linear->nuisance;
@@ -139,11 +140,17 @@ std::optional<Estimate> motionBeyond(const Estimate& alone, const Estimate& othe
     options.start = alone.parameters;
     options.startNuisance = alone.nuisance;
     options.startTerms = alone.motion->values;
+    options.arrived = nearEnough;
     for (const MotionParameter parameter : options.terms.parameters())
         if (options.startTerms[parameter] == 0)
             options.startTerms[parameter] = other.motion->values[parameter];
     if (!isWorthSearching(record, options, alone.motion->terms))
         return std::nullopt;
+    options.startIsNear = true;
+    Estimate near = estimateMotion(record.force, record.position, options);
+    if (near.status == EstimateStatus::Converged)
+        return near;
+    options.startIsNear = false;
     return estimateMotion(record.force, record.position, options);
 }
 

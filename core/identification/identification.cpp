@@ -233,8 +233,11 @@ Identification identify(const Recording& recording, const IdentificationOptions&
         shareAmongThreads(2, 0, [&](std::int64_t part) {
             if (part == 0)
                 result.budget = squeezeBudget(result, record, task, options.hold || recording.hold);
-            else if (!record.held)
-                result.validation = validateOnSecondWindow(best->estimator, record, task);
+            else if (!record.held) {
+                EstimatorTask near = task;
+                near.near = best;
+                result.validation = validateOnSecondWindow(best->estimator, record, near);
+            }
         });
     dropInfluences(result);
     return result;

@@ -44,6 +44,7 @@ MotionOptions motionOptions(Estimator estimator, const PreparedRecord& record, c
         options.startNuisance = task.near->nuisance;
         options.startTerms = task.near->motion->values;
         options.startIsNear = true;
+        options.arrived = nearEnough;
     }
     return options;
 }

@@ -67,17 +67,18 @@ MotionPoint linearPoint(const MotionProblem& problem, const MotionOptions& optio
     return point;
 }
 
-std::optional<MotionSearchResult> searchFrom(const MotionProblem& problem,
-                                             const std::vector<MotionPoint>& starts, int maxIterations)
+std::optional<MotionSearchResult>
+searchFrom(const MotionProblem& problem, const std::vector<MotionPoint>& starts, const MotionOptions& options)
 {
     // With friction there are several lowest points: all starts are followed.
     MultiStart<MotionSearchResult> searches(problem.terms.friction ? -1.0
                                                                    : poorShare * positionEnergy(problem));
     searches.run(starts, [&](const MotionPoint& start) {
         const auto& best = searches.best();
-        const bool settled = best && best->isSettled();
-        return std::optional(searchMotion(problem, start, maxIterations,
-                                          settled ? std::optional(best->cost()) : std::nullopt));
+        MotionSearchOptions own{options.maxIterations, options.arrived};
+        if (best && best->isSettled())
+            own.lowest = best->cost();
+        return std::optional(searchMotion(problem, start, own));
     });
     return searches.best();
 }
@@ -94,7 +95,7 @@ std::vector<MotionPoint> startsFor(const MotionProblem& problem, const MotionPoi
     if (isLong(problem)) {
         MotionProblem part = problem;
         static_cast<OutputErrorProblem&>(part) = firstSamples(problem, firstPart);
-        const auto found = searchFrom(part, motionStarts(part, linear), options.maxIterations);
+        const auto found = searchFrom(part, motionStarts(part, linear), options);
         if (found && found->isSettled() && found->cost() <= poorShare * positionEnergy(part))
             return {found->point};
     }
@@ -107,11 +108,11 @@ std::optional<MotionSearchResult> searchWell(const MotionProblem& problem, const
                                              const MotionOptions& options)
 {
     if (options.startIsNear) {
-        const auto found = searchFrom(problem, {startNear(problem, linear)}, options.maxIterations);
+        const auto found = searchFrom(problem, {startNear(problem, linear)}, options);
         if (found && found->linear.finite && found->cost() <= poorShare * positionEnergy(problem))
             return found;
     }
-    return searchFrom(problem, startsFor(problem, linear, options), options.maxIterations);
+    return searchFrom(problem, startsFor(problem, linear, options), options);
 }
 
 /// Certain that friction does not hold the part when the record begins: chi-square with one degree of
@@ -155,7 +156,7 @@ std::optional<MotionSearchResult> searchWithFriction(MotionProblem& problem, con
         return resting;
     const std::vector<MotionPoint> starts = movingStarts(problem, linear, resting, options);
     if (!starts.empty()) {
-        const auto moving = searchFrom(problem, starts, options.maxIterations);
+        const auto moving = searchFrom(problem, starts, options);
         const double variance = resting ? resting->cost() / MotionSearchResult::degreesOfFreedom(problem) : 0;
         const bool settled = moving && moving->isSettled();
         if (settled && (!resting || !resting->isSettled() ||
@@ -313,7 +314,7 @@ std::optional<MotionSearchResult> searchWithPrior(MotionProblem& problem, const 
         const double variance = (found.cost() - own) / MotionSearchResult::degreesOfFreedom(problem);
         problem.frictionPrior =
             FrictionPrior{known.value / unit, std::sqrt(variance) / (known.standardError / unit)};
-        const auto next = searchFrom(problem, {found.point}, options.maxIterations);
+        const auto next = searchFrom(problem, {found.point}, options);
         if (!next || !next->isSettled())
             return std::nullopt;
         found = *next;

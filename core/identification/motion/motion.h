@@ -7,10 +7,15 @@
 
 namespace gripscope {
 
+/// A search that only compares, or looks at a part of a record, goes no further: a thousandth of a standard
+/// error moves the likelihood by a millionth.
+inline constexpr double nearEnough = 1e-3;
+
 struct MotionOptions : ContinuousTimeOptions {
     MotionTerms terms;
     Estimator estimator = Estimator::Friction; ///< the name the estimate gets
     int maxIterations = 40;
+    double arrived = 1e-6;   ///< the step still to go, in standard errors, at which the search ends
     Nuisance startNuisance;  ///< that belongs to `start`, as the next
     MotionValues startTerms; ///< of the further terms; all zero: some are tried
     /// The start is the answer for nearly the same motion, of which this is another stretch: the search

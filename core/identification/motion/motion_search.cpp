@@ -17,8 +17,6 @@ namespace {
 
 using P = MotionParameter;
 
-/// The step still to go, in standard errors, at which the search has arrived.
-constexpr double arrivedMotion = 1e-6;
 /// Steps in cubic springs and friction are cut to so many springs, or forces, of the problem.
 constexpr double longestOtherStep = 3;
 /// What a step off a kink must lower the cost by, in variances of the residuals: a hundredth of what one
@@ -28,19 +26,19 @@ constexpr int mostKinks = 6;
 
 class MotionSearch : LevenbergMarquardt {
 public:
-    MotionSearch(const MotionProblem& problem, const MotionPoint& start, std::optional<double> lowest)
-        : LevenbergMarquardt(squaredSize(problem), arrivedMotion), m_problem(problem),
-          m_parameters(problem.terms.parameters()), m_first(problem.startUnknowns()), m_lowest(lowest),
+    MotionSearch(const MotionProblem& problem, const MotionPoint& start, const MotionSearchOptions& options)
+        : LevenbergMarquardt(squaredSize(problem), options.arrived), m_problem(problem),
+          m_parameters(problem.terms.parameters()), m_first(problem.startUnknowns()), m_options(options),
           m_scales(Eigen::VectorXd::Zero(problem.unknowns()))
     {
         m_result.point = start;
         m_result.linear = linearize(problem, start);
     }
 
-    MotionSearchResult run(int maxIterations)
+    MotionSearchResult run()
     {
         if (finite())
-            static_cast<SearchEnd&>(m_result) = minimise(maxIterations);
+            static_cast<SearchEnd&>(m_result) = minimise(m_options.maxIterations);
         else
             m_result.outcome = SearchOutcome::Lost;
         return m_result;
@@ -72,8 +70,8 @@ private:
         constexpr double close = 0.3; // standard errors
         const double variance = cost() / degreesOfFreedom();
         const double gain = m_residual.squaredNorm();
-        return m_lowest && gain <= close * close * variance &&
-               cost() - gain >= *m_lowest - worthwhileGain * variance;
+        return m_options.lowest && gain <= close * close * variance &&
+               cost() - gain >= *m_options.lowest - worthwhileGain * variance;
     }
     [[nodiscard]] bool isHeld(Eigen::Index column) const
     {
@@ -126,12 +124,11 @@ private:
             return true;
         return m_problem.terms.friction && m_kinks++ < mostKinks && improveByUnknown();
     }
-    /// Along a kink steps go on and on for next to nothing of what the slope promises. (A carriage without a
-    /// spring goes far along one, and creeps down to better ones.)
+    /// Along a kink steps go on and on for next to nothing of what the slope promises.
     [[nodiscard]] bool creeps(double gain, double promised) const
     {
         constexpr double hardly = 1e-3;
-        return m_problem.terms.friction && m_problem.terms.spring && gain < hardly * promised &&
+        return m_problem.terms.friction && gain < hardly * promised &&
                gain < worthwhileGain * cost() / degreesOfFreedom();
     }
     bool improveByUnknown()
@@ -226,7 +223,7 @@ private:
     const MotionProblem& m_problem;
     const std::vector<P> m_parameters;
     const Eigen::Index m_first;
-    const std::optional<double> m_lowest;
+    const MotionSearchOptions m_options;
     MotionSearchResult m_result;
     Eigen::VectorXd m_scales;
     std::vector<Eigen::Index> m_active; ///< columns that the search moves
@@ -244,10 +241,10 @@ bool MotionSearchResult::isDetermined() const
            scaledConditionNumber(linear.triangle(Eigen::all, linear.moving())) <= largestCondition;
 }
 
-MotionSearchResult searchMotion(const MotionProblem& problem, const MotionPoint& start, int maxIterations,
-                                std::optional<double> lowest)
+MotionSearchResult searchMotion(const MotionProblem& problem, const MotionPoint& start,
+                                const MotionSearchOptions& options)
 {
-    return MotionSearch(problem, start, lowest).run(maxIterations);
+    return MotionSearch(problem, start, options).run();
 }
 
 } // namespace gripscope

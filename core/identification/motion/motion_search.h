@@ -35,10 +35,16 @@ struct MotionSearchResult : SearchEnd {
     }
 };
 
-/// LevenbergMarquardt to 1e-6 standard errors over all unknowns together. Friction that wants to be below
-/// zero stays at zero and out of the search, until it no longer does. `lowest`: the cost of an answer that is
-/// known; a search that will end no lower is given up, NotConverged.
+struct MotionSearchOptions {
+    int maxIterations = 40;
+    double arrived = 1e-6; ///< the step still to go, in standard errors
+    /// The cost of an answer that is known: a search that will end no lower is given up, NotConverged.
+    std::optional<double> lowest = {};
+};
+
+/// LevenbergMarquardt over all unknowns together. Friction that wants to be below zero stays at zero and out
+/// of the search, until it no longer does.
 [[nodiscard]] MotionSearchResult searchMotion(const MotionProblem& problem, const MotionPoint& start,
-                                              int maxIterations, std::optional<double> lowest = std::nullopt);
+                                              const MotionSearchOptions& options);
 
 } // namespace gripscope

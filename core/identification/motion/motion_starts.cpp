@@ -210,12 +210,19 @@ private:
 };
 
 struct MotionCandidates : StartCandidates<MotionPoint> {
+    /// As many samples tell which start is better, where a spring lets the motion forget its start.
+    static constexpr std::size_t enough = 1000;
     const MotionProblem& problem;
+    MotionProblem part;
 
-    explicit MotionCandidates(const MotionProblem& itsProblem) : problem(itsProblem) {}
+    explicit MotionCandidates(const MotionProblem& itsProblem) : problem(itsProblem), part(itsProblem)
+    {
+        if (problem.terms.spring && problem.force.size() > enough)
+            static_cast<OutputErrorProblem&>(part) = firstSamples(problem, enough);
+    }
     void offer(const MotionPoint& point)
     {
-        if (const std::optional<MotionCost> there = costAt(problem, point))
+        if (const std::optional<MotionCost> there = costAt(part, point))
             StartCandidates::offer(point, there->cost);
     }
 };
