@@ -7,10 +7,14 @@
 #include <boost/math/distributions/gamma.hpp>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <boost/math/distributions/non_central_f.hpp>
+#include <boost/math/distributions/non_central_t.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/policies/policy.hpp>
 #include <boost/math/special_functions/gamma.hpp>
+
+#include <cmath>
+#include <numbers>
 
 namespace gripscope {
 
@@ -31,6 +35,11 @@ using Beta = boost::math::beta_distribution<double, Policy>;
 
 } // namespace
 
+double normalBelow(double x)
+{
+    return std::erfc(-x / std::numbers::sqrt2) / 2;
+}
+
 double normalQuantile(double below)
 {
     return boost::math::quantile(Normal(), below);
@@ -49,6 +58,12 @@ double studentAbove(double t, double degreesOfFreedom)
 double studentQuantile(double below, double degreesOfFreedom)
 {
     return boost::math::quantile(Student(degreesOfFreedom), below);
+}
+
+double nonCentralStudentQuantile(double below, double degreesOfFreedom, double shift)
+{
+    return boost::math::quantile(
+        boost::math::non_central_t_distribution<double, Policy>(degreesOfFreedom, shift), below);
 }
 
 double studentQuantileAbove(double above, double degreesOfFreedom)

@@ -9,12 +9,15 @@ namespace gripscope {
 /// (std::domain_error). Overflow gives infinity; in double precision throughout, which is good to 1e-13 and
 /// three times as fast as with long double, and a verdict is mostly quantiles.
 
+[[nodiscard]] double normalBelow(double x);
 [[nodiscard]] double normalQuantile(double below);
 [[nodiscard]] double normalQuantileAbove(double above);
 
 [[nodiscard]] double studentAbove(double t, double degreesOfFreedom);
 [[nodiscard]] double studentQuantile(double below, double degreesOfFreedom);
 [[nodiscard]] double studentQuantileAbove(double above, double degreesOfFreedom);
+/// Of (z + shift) / sqrt(chi^2 / degrees of freedom), z standard normal.
+[[nodiscard]] double nonCentralStudentQuantile(double below, double degreesOfFreedom, double shift);
 
 [[nodiscard]] double chiSquaredBelow(double x, double degreesOfFreedom);
 [[nodiscard]] double chiSquaredAbove(double x, double degreesOfFreedom);

@@ -5905,6 +5905,46 @@ m  %3</translation>
         <source>The gripper takes a sample every %1 ms, and these levels are shorter: choose a longer shortest push.</source>
         <translation>Der Greifer tastet alle %1 ms ab, und diese Stufen sind kürzer: ein längeres kürzestes Drücken wählen.</translation>
     </message>
+    <message>
+        <source>no limit is given: a lower one, an upper one or both</source>
+        <translation>es fehlt eine Grenze: eine untere, eine obere oder beide</translation>
+    </message>
+    <message>
+        <source>a limit is no finite number</source>
+        <translation>eine Grenze ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the lower limit is not below the upper one</source>
+        <translation>die untere Grenze liegt nicht unter der oberen</translation>
+    </message>
+    <message>
+        <source>the deviations of the process and of the measurement are numbers above zero</source>
+        <translation>die Standardabweichungen von Prozess und Messung sind Zahlen über null</translation>
+    </message>
+    <message>
+        <source>the mean of the process is no finite number</source>
+        <translation>der Mittelwert des Prozesses ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the guard band is no finite number</source>
+        <translation>der Sicherheitsabstand ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a risk is between 0 and 1</source>
+        <translation>ein Risiko liegt zwischen 0 und 1</translation>
+    </message>
+    <message>
+        <source>a tolerance interval needs two values at least</source>
+        <translation>ein Toleranzintervall braucht mindestens zwei Werte</translation>
+    </message>
+    <message>
+        <source>content and confidence are between 0 and 1</source>
+        <translation>Anteil und Vertrauensniveau liegen zwischen 0 und 1</translation>
+    </message>
+    <message>
+        <source>a name or a number</source>
+        <translation>ein Name oder eine Zahl</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>

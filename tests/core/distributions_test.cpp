@@ -21,11 +21,6 @@ bool matchesLaw(double found, double expected)
     return std::abs(found - expected) <= closedFormTolerance * std::abs(expected);
 }
 
-double normalBelow(double x)
-{
-    return std::erfc(-x / std::numbers::sqrt2) / 2;
-}
-
 } // namespace
 
 class DistributionsTest : public QObject {

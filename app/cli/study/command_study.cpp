@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/line/commands.h"
 #include "app/cli/line/output.h"
+#include "app/cli/quality/quality_commands.h"
 #include "app/cli/study/study_commands.h"
 
 #include <algorithm>
@@ -24,6 +25,7 @@ const std::vector<Study>& studies()
         {u"recognition"_qs, u"the rates a verdict states beside those that are found"_qs,
          runRecognitionStudy},
         {u"early"_qs, u"squeezes that stop as soon as the stated error allows"_qs, runEarlyStudy},
+        {u"guardband"_qs, u"risks and guard bands of limits on parts"_qs, runGuardBandStudy},
         {u"truth"_qs, u"what is said of parts that rub, yield and bend beside what is so"_qs, runTruthStudy},
     };
     return all;
