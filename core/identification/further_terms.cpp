@@ -195,13 +195,14 @@ void FurtherTerms::findTogether(const Identification& identification, const Prep
         bestTwo(*linear, *this, isKnownToRub(motionOptions(Estimator::Friction, record, task)));
     if (!terms)
         return;
-    const auto& [first, second] = *terms;
-    const auto has = [&](const std::optional<Estimate>& term) { return first == &term || second == &term; };
+    const std::optional<Estimate>& first = *terms->front();
+    const std::optional<Estimate>& second = *terms->back();
+    const auto has = [&](const std::optional<Estimate>& term) { return &first == &term || &second == &term; };
     const Estimator both = !has(cubic)      ? Estimator::FrictionZener
                            : !has(relaxing) ? Estimator::FrictionDuffing
                                             : Estimator::ZenerDuffing;
-    const bool isAlone = *first && *second && identification.find(both) == nullptr;
-    together = settled(isAlone ? motionBeyond(**first, **second, both, record, task)
+    const bool isAlone = first && second && identification.find(both) == nullptr;
+    together = settled(isAlone ? motionBeyond(*first, *second, both, record, task)
                                : motionWith(both, identification, record, task));
 }
 
