@@ -1,10 +1,10 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the packages of dependencies.txt that are missing here and says which.
-# Usage: packaging/install_dependencies.sh KIND...      (kinds: build run test check)
+# Usage: packaging/install_dependencies.sh KIND...      (kinds: build run test check package)
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-[[ $# -gt 0 ]] || { echo "usage: $0 build|run|test|check ..." >&2; exit 2; }
+[[ $# -gt 0 ]] || { echo "usage: $0 build|run|test|check|package ..." >&2; exit 2; }
 
 command -v dpkg-query >/dev/null || {
   echo "This set-up knows Debian and Ubuntu. Elsewhere, install the counterparts of $here/dependencies.txt by hand." >&2

@@ -12,6 +12,8 @@ const std::vector<Command>& commands()
         {u"devices"_qs, u"lists the grippers that can be connected"_qs, runDevices},
         {u"profile"_qs, u"teaches Gripscope the reports of other makers' grippers"_qs, runProfile},
         {u"device"_qs, u"says what a gripper is and does, and tests it without moving it"_qs, runDevice},
+        {u"self-check"_qs,
+         u"says what is wrong with library, clock, disk and permissions of this computer"_qs, runSelfCheck},
         {u"record"_qs, u"squeezes, or only listens, and writes a recording"_qs, runRecord},
         {u"replay"_qs, u"cuts the squeezes out of captured sessions, bit for bit"_qs, runReplay},
         {u"captures"_qs, u"lists, verifies and prunes kept sessions"_qs, runCaptures},

@@ -4,6 +4,7 @@
 #include "ui/settings/values/settings.h"
 
 #include <QCommandLineParser>
+#include <QFileInfo>
 #include <QRegularExpression>
 
 #include <cstring>
@@ -29,8 +30,23 @@ Expected<QSize> parseSize(const QString& text)
     return QSize(match.captured(1).toInt(), match.captured(2).toInt());
 }
 
+/// A capture is opened as the desktop opens files: by its name alone.
+Expected<QString> gripperOf(const QCommandLineParser& parser)
+{
+    const QStringList files = parser.positionalArguments();
+    if (files.isEmpty())
+        return parser.value(u"device"_s);
+    if (!files.first().endsWith(".gscap"_L1, Qt::CaseInsensitive))
+        return usage(u"%1 is not an option. Try --help."_s.arg(files.first()));
+    if (files.size() > 1 || parser.isSet(u"device"_s))
+        return usage(u"%1 is one gripper too many."_s.arg(files.last()));
+    return u"replay:"_s + QFileInfo(files.first()).absoluteFilePath();
+}
+
 void addOptions(QCommandLineParser& parser)
 {
+    parser.addPositionalArgument(u"FILE.gscap"_s, u"A capture to replay, in place of a gripper."_s,
+                                 u"[FILE.gscap]"_s);
     parser.addOptions({
         {u"tour"_s, u"Save one picture of every page in DIR, then end."_s, u"DIR"_s},
         {u"theme"_s, u"light, dark or contrast, for this run; otherwise as set."_s, u"THEME"_s},
@@ -55,9 +71,8 @@ Expected<DesktopOptions> parseDesktopOptions(const QStringList& arguments)
     addOptions(parser);
     if (!parser.parse(arguments))
         return usage(parser.errorText());
-    if (!parser.positionalArguments().isEmpty())
-        return usage(u"%1 is not an option. Try --help."_s.arg(parser.positionalArguments().first()));
     DesktopOptions options;
+    ASSIGN_OR_RETURN(options.device, gripperOf(parser));
     if (parser.isSet(u"help"_s))
         options.answer = parser.helpText().trimmed();
     else if (parser.isSet(u"version"_s))
@@ -82,7 +97,6 @@ Expected<DesktopOptions> parseDesktopOptions(const QStringList& arguments)
             return usage(u"--scale is %1; it must be a number from 1 to 4."_s.arg(parser.value(u"scale"_s)));
     }
     options.tourFolder = parser.value(u"tour"_s);
-    options.device = parser.value(u"device"_s);
     options.library = parser.value(u"library"_s);
     options.examples = parser.isSet(u"examples"_s);
     if (parser.isSet(u"tour"_s) && options.tourFolder.isEmpty())

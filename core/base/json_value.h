@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QJsonArray>
 #include <QJsonValue>
 #include <QString>
 
@@ -17,6 +18,13 @@ namespace gripscope {
 [[nodiscard]] inline QJsonValue jsonNumber(const std::optional<double>& value)
 {
     return value ? jsonNumber(*value) : QJsonValue(QJsonValue::Null);
+}
+
+/// [lower, upper], null where there is none.
+[[nodiscard]] inline QJsonArray jsonInterval(const std::optional<double>& lower,
+                                             const std::optional<double>& upper)
+{
+    return {jsonNumber(lower), jsonNumber(upper)};
 }
 
 /// A text that was not given is null in JSON, not an empty one.

@@ -52,13 +52,14 @@ LoadErrors errorsAsLeft(const SensorCalibration& calibration, const CalibrationE
                     &correction);
 }
 
-Conformity judgeConformity(double largestError, double expandedUncertainty, double tolerance,
-                           DecisionRule rule)
+CalibrationConformity judgeConformity(double largestError, double expandedUncertainty, double tolerance,
+                                      DecisionRule rule)
 {
     const double guard = rule == DecisionRule::Guarded ? expandedUncertainty : 0;
     if (largestError + guard <= tolerance)
-        return Conformity::Conforms;
-    return largestError - guard > tolerance ? Conformity::DoesNotConform : Conformity::Undecided;
+        return CalibrationConformity::Conforms;
+    return largestError - guard > tolerance ? CalibrationConformity::DoesNotConform
+                                            : CalibrationConformity::Undecided;
 }
 
 std::vector<UpAndDown> upAndDown(const std::vector<CalibrationPoint>& points)

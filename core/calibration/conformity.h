@@ -19,12 +19,12 @@ struct LoadErrors {
 [[nodiscard]] LoadErrors errorsAsLeft(const SensorCalibration& calibration,
                                       const CalibrationEvaluation& evaluation);
 
-enum class Conformity { Conforms, DoesNotConform, Undecided };
+enum class CalibrationConformity { Conforms, DoesNotConform, Undecided };
 
 /// Guarded: conforms where error + U <= tolerance, does not where error - U > tolerance, undecided between
 /// (guard band U, ILAC-G8:09/2019, 4.2.3). Simple: conforms where error <= tolerance, else does not.
-[[nodiscard]] Conformity judgeConformity(double largestError, double expandedUncertainty, double tolerance,
-                                         DecisionRule rule);
+[[nodiscard]] CalibrationConformity judgeConformity(double largestError, double expandedUncertainty,
+                                                    double tolerance, DecisionRule rule);
 
 /// Mean readings at one load, reached from below and from above.
 struct UpAndDown {

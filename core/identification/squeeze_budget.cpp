@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,14 +17,16 @@ namespace gripscope {
 
 namespace {
 
+/// Of any window.
+constexpr std::size_t fewestInWindow = 60;
+
 /// For a motion without a mass or a spring, whose swings and time constants say nothing of how long a part
 /// must be.
 std::vector<Window> evenWindows(std::size_t samples)
 {
     constexpr std::size_t windows = 5;
-    constexpr std::size_t fewest = 60;
     std::vector<Window> out;
-    for (std::size_t i = 0; i < windows && samples >= windows * fewest; ++i)
+    for (std::size_t i = 0; i < windows && samples >= windows * fewestInWindow; ++i)
         out.push_back({i * (samples / windows), samples / windows});
     return out;
 }
@@ -40,16 +43,22 @@ ModelDiscrepancy windowDiscrepancy(const PreparedRecord& record, const Estimator
     each.near = &whole;
     // Windows of a repeating force need not hold whole periods.
     const Estimator estimator = whole.motion ? whole.estimator : Estimator::OutputError;
+    // Windows side by side, equally long: each has its own place.
+    std::vector<std::optional<MotionEstimate>> found(record.force.size() / fewestInWindow);
     const auto estimateWindow = [&](Window window) {
         Estimate part = runEstimator(estimator, windowOf(record, window), each);
-        if (part.motion)
-            motions.push_back(*part.motion);
+        found[window.first / window.count] = part.motion;
         return part;
     };
     if (whole.isPartialMotion()) // no mass or no spring: what there is is compared one by one
         for (const Window& window : evenWindows(record.force.size()))
             estimateWindow(window);
-    return modelDiscrepancy(record.force.size(), record.sampleTime_s, whole, estimateWindow);
+    ModelDiscrepancy discrepancy =
+        modelDiscrepancy(record.force.size(), record.sampleTime_s, whole, estimateWindow);
+    for (const std::optional<MotionEstimate>& motion : found)
+        if (motion)
+            motions.push_back(*motion);
+    return discrepancy;
 }
 
 /// A carriage whose damping and friction differ with the way it moves.

@@ -11,6 +11,7 @@
 #include "core/library/migrations/migration.h"
 #include "core/library/migrations/schema_check.h"
 #include "core/library/people/people_register.h"
+#include "core/library/tables/adjustment_table.h"
 #include "core/library/tables/audit_table.h"
 #include "core/library/tables/calibration_tables.h"
 #include "core/library/tables/document_table.h"
@@ -37,6 +38,23 @@ namespace gripscope {
 using namespace Qt::StringLiterals;
 
 namespace {
+
+/// A type is not enrolled on a gripper whose squeezes are adjusted to another.
+Expected<void> refuseAdjusted(Database& database, const NewGrasp& grasp)
+{
+    const QString serial = grasp.recording ? grasp.recording->provenance.value(u"serial"_s) : QString();
+    if (serial.isEmpty())
+        return {};
+    ASSIGN_OR_RETURN(const auto adjustment, adjustment_table::inForce(database, serial));
+    if (!adjustment)
+        return {};
+    return failure(ErrorCode::Usage,
+                   {Words::tr("The squeezes of gripper %1 are adjusted to types that were "
+                              "enrolled on another; a type that is enrolled here would be "
+                              "judged wrongly. Enrol it on the other gripper, or withdraw the "
+                              "adjustment.")
+                        .arg(serial)});
+}
 
 /// One more squeeze of a type is a new version of the library.
 Expected<qint64> recordSqueeze(Database& database, const NewGrasp& grasp)
@@ -156,6 +174,8 @@ Expected<std::optional<ChainEnd>> Library::birth() const
 Expected<GraspRecord> Library::addGrasp(const NewGrasp& grasp)
 {
     return d->write<GraspRecord>(Words::tr("store the squeeze"), [&]() -> Expected<GraspRecord> {
+        if (!grasp.typeId.isEmpty())
+            RETURN_IF_ERROR(refuseAdjusted(*d->database, grasp));
         ASSIGN_OR_RETURN(const auto version,
                          grasp.typeId.isEmpty() ? Expected<qint64>(0) : recordSqueeze(*d->database, grasp));
         const auto id = storeGrasp(*d->database, grasp, version);

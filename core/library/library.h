@@ -8,6 +8,7 @@
 #include "core/library/records/measuring_chain_record.h"
 #include "core/library/records/squeeze_record.h"
 #include "core/library/records/type_record.h"
+#include "core/quality/conformity/limit_risks.h"
 #include "core/recognition/types/type_model.h"
 #include "core/recognition/verdict/verdict.h"
 #include "core/signal/recording/recording.h"
@@ -42,11 +43,23 @@ struct EnrollmentDraft;
 struct DraftSqueeze;
 struct PartPicture;
 enum class DraftEnd;
+struct NewStudy;
+struct ProcessLimitsRecord;
+struct ProcessPlace;
+struct ProcessQuery;
+struct ProcessValues;
+struct StudyRecord;
+struct NewStudyMeasurement;
+struct StudyMeasurementRecord;
+enum class StudyState;
 struct ReferenceCheck;
 struct ReferenceCheckRecord;
 struct ReferenceObject;
 struct NewBatch;
 struct BatchRecord;
+struct NewAdjustment;
+struct AdjustmentRecord;
+struct AdjustmentStanding;
 class AuditTrail;
 class PeopleRegister;
 
@@ -129,6 +142,17 @@ public:
     /// What a scanner reads on its parts; empty: no longer any. Usage: another type has that code.
     [[nodiscard]] Expected<TypeRecord> setTypeCode(const QString& typeId, const QString& code,
                                                    const ChangeNote& note);
+
+    /// What m, b and k of its parts may be, in the units of the type; empty: anything. The same again changes
+    /// nothing. Where people are in force the type then needs approval again. Usage: PartLimits::validate().
+    [[nodiscard]] Expected<TypeRecord> setTypeLimits(const QString& typeId, const PartLimits& limits,
+                                                     const ChangeNote& note);
+    /// What the limits of a type risk, by its own accepted squeezes (limitRisks()), of m, b, k: those that
+    /// have limits. Their uncertainties are those of the budgets they were stored with, else of their
+    /// estimates.
+    [[nodiscard]] Expected<LimitRisks> typeRisks(const TypeRecord& type, const PartLimits& limits) const;
+    /// The accepted squeezes of a type as its limits see them, in its units.
+    [[nodiscard]] Expected<std::vector<MeasuredValues>> measuredSqueezes(const TypeRecord& type) const;
 
     // Versions
     [[nodiscard]] Expected<qint64> version() const;
@@ -239,6 +263,22 @@ public:
     /// With the reference object of the gripper and its newest check.
     [[nodiscard]] Expected<CalibrationsInForce> calibrationsInForce(const QString& gripperSerial) const;
 
+    // Grippers adjusted to types that were enrolled on another (gripper_adjustment.h)
+    /// From now on squeezes of that gripper are adjusted so; one that was in force before is replaced. Usage:
+    /// no serial number or reason, a number that is not finite, a covariance that is none, or a type in use
+    /// that was enrolled on this gripper, whose parts would be judged wrongly.
+    [[nodiscard]] Expected<AdjustmentRecord> acceptAdjustment(const NewAdjustment& adjustment);
+    /// Squeezes of its gripper are no longer adjusted. One that is not in force any more stays as it is.
+    /// NotFound. Usage: no reason.
+    [[nodiscard]] Expected<void> withdrawAdjustment(const QString& id, const QString& reason,
+                                                    const QString& operatorName);
+    [[nodiscard]] Expected<std::vector<AdjustmentRecord>> adjustments(int limit) const; ///< newest first
+    /// Those in force, one a gripper, with what speaks against them by now.
+    [[nodiscard]] Expected<std::vector<AdjustmentStanding>> adjustmentsInForce() const;
+    /// The types in use, each with the serial numbers of the grippers that its accepted squeezes are from; an
+    /// empty one where that is not known.
+    [[nodiscard]] Expected<QMap<QString, QStringList>> grippersOfTypes() const;
+
     // Enrolments under way (enrollment_draft.h)
     /// In force for its name from now on.
     [[nodiscard]] Expected<void> saveDraft(const EnrollmentDraft& draft);
@@ -249,6 +289,41 @@ public:
     [[nodiscard]] Expected<void> addDraftSqueeze(const DraftSqueeze& squeeze);
     /// NotFound; StorageCorrupt when the bytes are not those that were stored.
     [[nodiscard]] Expected<DraftSqueeze> draftSqueeze(const QString& id) const;
+
+    // Studies of the gripper (study_record.h): kept squeeze by squeeze, taken back by a further row
+    /// Usage: no name, kind or plan.
+    [[nodiscard]] Expected<StudyRecord> beginStudy(const NewStudy& study);
+    /// One try at a row of its plan, with its raw recording, whole or not at all. NotFound: no such study.
+    /// Usage: it has ended, a number that is not finite, an uncertainty below zero.
+    [[nodiscard]] Expected<StudyMeasurementRecord> addStudyMeasurement(const NewStudyMeasurement& measured);
+    /// It counts no longer, and stays on record; again changes nothing. NotFound. Usage: its study has ended.
+    [[nodiscard]] Expected<void> undoStudyMeasurement(const QString& measurementId, const QString& reason,
+                                                      const QString& operatorName);
+    /// Ending it again changes nothing. NotFound. Usage: Open is no end.
+    [[nodiscard]] Expected<StudyRecord> endStudy(const QString& studyId, StudyState end,
+                                                 const QString& reason, const QString& operatorName);
+    [[nodiscard]] Expected<std::optional<StudyRecord>> study(const QString& studyId) const;
+    [[nodiscard]] Expected<std::vector<StudyRecord>> studies(int limit) const; ///< newest first
+    /// Those that can be gone on with, newest first.
+    [[nodiscard]] Expected<std::vector<StudyRecord>> unfinishedStudies() const;
+    /// All, those taken back too, in the order in which they were stored.
+    [[nodiscard]] Expected<std::vector<StudyMeasurementRecord>>
+    studyMeasurements(const QString& studyId) const;
+
+    // Control charts of a type's inspections (core/library/records/process_values.h)
+    /// Adds the next stretch of them to `values`, and says where to go on; until it is `through`.
+    [[nodiscard]] Expected<ProcessPlace> processStretch(const ProcessQuery& query, ProcessPlace place,
+                                                        ProcessValues& values) const;
+    /// The key of the squeeze that was inspected as this number. NotFound.
+    [[nodiscard]] Expected<QString> inspectedSqueeze(qint64 number) const;
+    /// In force for the charts of this type from now on; none where the text is empty; told to the audit
+    /// trail. Usage: no type, or not allowed to (ChangeTypes).
+    [[nodiscard]] Expected<void> fixProcessLimits(const QString& type, const QString& limits,
+                                                  const QString& operatorName);
+    /// The last that were fixed, by whichever name the type had then; nothing where none ever were.
+    [[nodiscard]] Expected<std::optional<ProcessLimitsRecord>> processLimits(const QString& type) const;
+    /// As the types that have these names, or had them last, are called today; each once.
+    [[nodiscard]] Expected<QStringList> typeNamesToday(const QStringList& names) const;
 
     // Pictures of parts
     /// Once; Usage when it is neither PNG nor JPEG.

@@ -4,6 +4,7 @@
 #include "core/library/tables/approval_check.h"
 #include "core/library/tables/change_table.h"
 #include "core/library/tables/grasp_table.h"
+#include "core/library/tables/person_table.h"
 #include "core/library/tables/placement_table.h"
 #include "core/library/tables/type_state_table.h"
 #include "core/library/tables/type_tables.h"
@@ -140,8 +141,9 @@ Expected<TypeRecord> split(Database& database, const QString& typeId, const QStr
     change.other = name;
     change.squeezes = int(moved.size());
     ASSIGN_OR_RETURN(const auto version, change_table::insert(database, change));
-    const auto added = createType(database, {name, type->recipe, type->forceUnit, type->positionUnit},
-                                  TypeStatus::Enrolled, version);
+    const auto added =
+        createType(database, {name, type->recipe, type->forceUnit, type->positionUnit, type->limits},
+                   TypeStatus::Enrolled, version);
     if (!added)
         return added;
     auto done = placeAll(database, version, moved, added->id);
@@ -180,6 +182,27 @@ Expected<TypeRecord> setCode(Database& database, const QString& typeId, const QS
     state.code = code;
     if (done = changeState(database, change, state); !done)
         return tl::unexpected(done.error());
+    return requireType(database, typeId);
+}
+
+/// What parts are held to is approved as their squeezes are; where there are no people, whoever sets it
+/// stands for it.
+Expected<TypeRecord> setLimits(Database& database, const QString& typeId, const PartLimits& wanted,
+                               const ChangeNote& note)
+{
+    const PartLimits limits = wanted.isEmpty() ? PartLimits() : wanted; // a rule for nothing is none
+    const auto type = requireType(database, typeId);
+    if (!type || type->limits == limits)
+        return type;
+    RETURN_IF_ERROR(requireReason(note));
+    if (std::optional<Error> problem = limits.isEmpty() ? std::nullopt : limits.validate())
+        return tl::unexpected(*problem);
+    ASSIGN_OR_RETURN(const auto people, person_table::isAnybodyThere(database));
+    LibraryChange change = changeOf(ChangeKind::Limits, *type, note);
+    change.other = toText(limits);
+    TypeState state = people ? unapproved(*type) : stateOf(*type);
+    state.limits = limits;
+    RETURN_IF_ERROR(changeState(database, change, state));
     return requireType(database, typeId);
 }
 
@@ -305,6 +328,13 @@ Expected<TypeRecord> Library::setTypeCode(const QString& typeId, const QString& 
 {
     return d->writeIf<TypeRecord>(Permission::ChangeTypes, Words::tr("store the code"),
                                   [&] { return setCode(*d->database, typeId, code.trimmed(), note); });
+}
+
+Expected<TypeRecord> Library::setTypeLimits(const QString& typeId, const PartLimits& limits,
+                                            const ChangeNote& note)
+{
+    return d->writeIf<TypeRecord>(Permission::ChangeTypes, Words::tr("store the tolerance limits"),
+                                  [&] { return setLimits(*d->database, typeId, limits, note); });
 }
 
 } // namespace gripscope

@@ -36,7 +36,7 @@ const TypeState* find(const std::vector<TypeState>& states, const QString& typeI
 bool isSame(const TypeState& one, const TypeState& other)
 {
     return one.name == other.name && one.status == other.status && one.recipeVersion == other.recipeVersion &&
-           one.code == other.code;
+           one.code == other.code && one.limits == other.limits;
 }
 
 /// What types and squeezes were like at two versions.

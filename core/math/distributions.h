@@ -9,14 +9,17 @@ namespace gripscope {
 /// (std::domain_error). Overflow gives infinity; in double precision throughout, which is good to 1e-13 and
 /// three times as fast as with long double, and a verdict is mostly quantiles.
 
+[[nodiscard]] double normalDensity(double x);
 [[nodiscard]] double normalBelow(double x);
+[[nodiscard]] double normalAbove(double x);
 [[nodiscard]] double normalQuantile(double below);
 [[nodiscard]] double normalQuantileAbove(double above);
 
 [[nodiscard]] double studentAbove(double t, double degreesOfFreedom);
 [[nodiscard]] double studentQuantile(double below, double degreesOfFreedom);
 [[nodiscard]] double studentQuantileAbove(double above, double degreesOfFreedom);
-/// Of (z + shift) / sqrt(chi^2 / degrees of freedom), z standard normal.
+/// Of (z + `shift`) / sqrt(chi^2 / degreesOfFreedom), z standard normal; `shift` up to some thousands.
+[[nodiscard]] double nonCentralStudentBelow(double t, double degreesOfFreedom, double shift);
 [[nodiscard]] double nonCentralStudentQuantile(double below, double degreesOfFreedom, double shift);
 
 [[nodiscard]] double chiSquaredBelow(double x, double degreesOfFreedom);

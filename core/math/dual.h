@@ -53,6 +53,16 @@ struct Dual {
     }
 };
 
+/// What a number's derivatives are held in; a plain number has none.
+template <typename Number>
+struct SlopesOf {
+    using Type = double;
+};
+template <int N>
+struct SlopesOf<Dual<N>> {
+    using Type = Eigen::Array<double, N, 1>;
+};
+
 /// With its derivatives multiplied: for what is computed with one of several equal factors' derivatives.
 [[nodiscard]] inline double withSlopesTimes(double /*factor*/, double number)
 {
@@ -63,6 +73,24 @@ template <int N>
 {
     number.slope *= factor;
     return number;
+}
+
+/// sum += a b, in one pass over the derivatives.
+inline void addProduct(double& sum, double a, double b)
+{
+    sum += a * b;
+}
+template <int N>
+void addProduct(Dual<N>& sum, const Dual<N>& a, const Dual<N>& b)
+{
+    sum.value += a.value * b.value;
+    sum.slope += a.value * b.slope + b.value * a.slope;
+}
+template <int N>
+void addProduct(Dual<N>& sum, const Dual<N>& a, double factor)
+{
+    sum.value += a.value * factor;
+    sum.slope += a.slope * factor;
 }
 
 [[nodiscard]] inline double valuePart(double number)

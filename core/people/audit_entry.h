@@ -33,6 +33,13 @@ inline constexpr char16_t gripperArmed[] = u"gripper.armed";         ///< the su
 inline constexpr char16_t inspectionVoided[] = u"inspection.voided"; ///< the subject is its number
 inline constexpr char16_t batchBegun[] = u"batch.begun";
 inline constexpr char16_t batchEnded[] = u"batch.ended";
+inline constexpr char16_t studyBegun[] = u"study.begun";
+inline constexpr char16_t studyEnded[] = u"study.ended";
+inline constexpr char16_t studyUndone[] = u"study.undone"; ///< of one measurement
+/// That squeezes of a gripper, the subject, are adjusted to types that were enrolled on another; and no
+/// longer.
+inline constexpr char16_t adjustmentAccepted[] = u"adjustment.accepted";
+inline constexpr char16_t adjustmentWithdrawn[] = u"adjustment.withdrawn";
 inline constexpr char16_t exported[] = u"export.made";              ///< the subject is the file
 inline constexpr char16_t libraryBackedUp[] = u"library.backed_up"; ///< the subject is the copy
 /// The subject is the backup. In the library that it takes the place of, before it does; then in the other.
@@ -40,7 +47,9 @@ inline constexpr char16_t libraryRestoreBegun[] = u"library.restore_begun";
 inline constexpr char16_t libraryRestored[] = u"library.restored";
 inline constexpr char16_t capturesPruned[] = u"captures.pruned";
 inline constexpr char16_t profileInstalled[] = u"profile.installed";
-inline constexpr char16_t clockBack[] = u"clock.back"; ///< of the station, since its last entry
+inline constexpr char16_t clockBack[] = u"clock.back";     ///< of the station, since its last entry
+inline constexpr char16_t chartsFixed[] = u"charts.fixed"; ///< limits of a type's control charts
+inline constexpr char16_t chartsReleased[] = u"charts.released";
 inline constexpr char16_t typePrefix[] = u"type.";
 } // namespace audit_action
 

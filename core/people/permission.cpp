@@ -61,6 +61,8 @@ QString inWords(Permission permission)
         return Words::tr("Changing settings");
     case Permission::RestoreLibrary:
         return Words::tr("Putting back a backup of the library");
+    case Permission::AdjustGrippers:
+        return Words::tr("Adjusting a gripper to types of another");
     case Permission::Arm:
         return Words::tr("Arming the gripper");
     }
@@ -90,6 +92,8 @@ QString toString(Permission permission)
         return u"change_settings"_s;
     case Permission::RestoreLibrary:
         return u"restore_library"_s;
+    case Permission::AdjustGrippers:
+        return u"adjust_grippers"_s;
     case Permission::Arm:
         return u"arm"_s;
     }

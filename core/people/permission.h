@@ -19,6 +19,7 @@ enum class Permission {
     ManagePeople,
     ChangeSettings,
     RestoreLibrary, ///< put a backup in the library's place
+    AdjustGrippers, ///< to types that were enrolled on another, and to end that
     Arm             ///< the gripper, so that it may move; see ArmingPolicy
 };
 

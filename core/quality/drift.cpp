@@ -224,4 +224,20 @@ Expected<DriftReport> findDrift(const TypeModels& models, const std::vector<Type
     return report;
 }
 
+std::optional<Finding> driftSignal(const DriftReport& report)
+{
+    if (!report.moved.isEmpty() && !report.words.empty())
+        return report.words.front();
+    QStringList beyond;
+    for (const TypeDrift& type : report.types)
+        if (type.average.cwiseAbs().maxCoeff() > report.averageLimit || type.tSquared > report.tSquaredLimit)
+            beyond << type.type;
+    if (beyond.isEmpty())
+        return {};
+    return Words::say(
+               "The last squeezes of %1 lie beside its enrolment, more than chance leaves: its charts are "
+               "beyond their limits. Look at the next ones.")
+        .arg(beyond.join(QStringLiteral(", ")));
+}
+
 } // namespace gripscope

@@ -76,6 +76,10 @@ struct DriftReport {
 [[nodiscard]] Expected<DriftReport>
 findDrift(const TypeModels& models, const std::vector<TypeSqueeze>& recent, const DriftOptions& options = {});
 
+/// A sentence for whoever inspects parts: what moved, or else whose charts are beyond their limits with their
+/// last squeeze. Nothing where neither is so.
+[[nodiscard]] std::optional<Finding> driftSignal(const DriftReport& report);
+
 /// The control charts of one type; see findDrift().
 class SelfStartingChart {
 public:

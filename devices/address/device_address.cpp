@@ -160,10 +160,43 @@ std::optional<Expected<void>> parseRealOption(const QString& key, const QString&
     return {};
 }
 
+/// What is squeezed of a gauge study, and how it scatters; nothing for other options.
+std::optional<Expected<void>> parseStudyOption(const QString& key, const QString& value,
+                                               VirtualAddress& address)
+{
+    VirtualStudyPart study = address.study.value_or(VirtualStudyPart());
+    const std::pair<const char*, int&> places[] = {
+        {"part", study.part}, {"operator", study.operatorNumber}, {"trial", study.trial}};
+    const std::pair<const char*, double&> spreads[] = {{"part-spread", study.partSpread},
+                                                       {"operator-spread", study.operatorSpread},
+                                                       {"repeat-spread", study.repeatSpread}};
+    for (const auto& [name, place] : places)
+        if (key == QLatin1String(name)) {
+            bool isNumber = false;
+            place = value.toInt(&isNumber);
+            if (!isNumber || place < 1 || place > VirtualStudyPart::mostOfStudy)
+                return wrong(key + u'=' + value, Words::tr("%1 is a whole number from 1 to %2")
+                                                     .arg(key)
+                                                     .arg(VirtualStudyPart::mostOfStudy));
+            address.study = study;
+            return Expected<void>();
+        }
+    for (const auto& [name, spread] : spreads)
+        if (key == QLatin1String(name))
+            return number(key, value, 0, VirtualStudyPart::largestSpread)
+                .map([&, to = &spread](double found) {
+                    *to = found;
+                    address.study = study;
+                });
+    return {};
+}
+
 Expected<void> parseVirtualOption(const QString& key, const QString& value, VirtualAddress& address)
 {
     if (const std::optional<Expected<void>> real = parseRealOption(key, value, address))
         return *real;
+    if (const std::optional<Expected<void>> study = parseStudyOption(key, value, address))
+        return *study;
     if (key == u"object") {
         address.object = value;
         return VirtualObject::fromText(value).map([](const VirtualObject&) {});
@@ -201,7 +234,8 @@ Expected<void> parseVirtualOption(const QString& key, const QString& value, Virt
         key,
         Words::tr(
             "virtual: knows object, seed, noise, speed, friction, own-friction, zener, k3, rate, jitter, "
-            "fault, script, capture, profile and like"));
+            "part, operator, trial, part-spread, operator-spread, repeat-spread, fault, script, capture, "
+            "profile and like"));
 }
 
 Expected<DeviceAddress> parseVirtual(const QString& rest)
@@ -217,6 +251,8 @@ Expected<DeviceAddress> parseVirtual(const QString& rest)
             return wrong(u'"' + option + u'"', Words::tr("an option is name=value"));
         RETURN_IF_ERROR(parseVirtualOption(option.section(u'=', 0, 0), option.section(u'=', 1), address));
     }
+    if (address.study)
+        address.study->seed = address.seed;
     const SimulatedPart* const simulated = simulatedPart(address.object);
     const bool zenerGiven = address.terms.relaxationTime_s > 0;
     if (simulated != nullptr && !zenerGiven) {

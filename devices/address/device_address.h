@@ -19,6 +19,8 @@ struct VirtualAddress {
     QString object = QStringLiteral("A"); ///< "A".."D", "m,b,k" in SI, or a SimulatedPart
     std::uint64_t seed = 1;
     VirtualTerms terms = {};
+    /// A part of a gauge study, its seed the one above; none: the object scatters by itself.
+    std::optional<VirtualStudyPart> study = {};
     double samplesPerSecond = 2000;
     double jitter_s = 0; ///< standard deviation of when a position is taken, about when it says
     std::optional<double> positionNoise_m; ///< standard deviation; default 5 um
@@ -48,12 +50,13 @@ using DeviceAddress = std::variant<VirtualAddress, HidAddress, ReplayAddress>;
 
 /// `virtual:?object=A&seed=7&noise=20e-6&speed=0&fault=loss:0.01,stuck&script=FILE`, with friction=N,
 /// own-friction=N, zener=SHARE,TAU, k3=N_PER_M3, rate=HZ and jitter=S of parts and grippers that are not
-/// ideal (object=tomato and other simulated parts yield without zener=), `hid:`, `hid:1209:0001`,
-/// `hid:1209:0001:SERIAL`, `hid:1209:0001:SERIAL?port=usb-0000:00:14.0-2/input0` (of several with the same
-/// number, or none, the one at that port), `replay:FILE` or `replay:FILE?speed=10` (a recording, or a
-/// capture: FILE ends in .gscap). With the option capture=FILE, behind `virtual:?` or `hid:...?`, the raw
-/// reports are kept. Usage errors name the part that is wrong and what it may be. profile=FILE reads another
-/// maker's gripper by that profile.
+/// ideal (object=tomato and other simulated parts yield without zener=), with part=N, operator=N, trial=N,
+/// part-spread=S, operator-spread=S and repeat-spread=S of a gauge study (VirtualStudyPart), `hid:`,
+/// `hid:1209:0001`, `hid:1209:0001:SERIAL`, `hid:1209:0001:SERIAL?port=usb-0000:00:14.0-2/input0` (of several
+/// with the same number, or none, the one at that port), `replay:FILE` or `replay:FILE?speed=10` (a
+/// recording, or a capture: FILE ends in .gscap). With the option capture=FILE, behind `virtual:?` or
+/// `hid:...?`, the raw reports are kept. Usage errors name the part that is wrong and what it may be.
+/// profile=FILE reads another maker's gripper by that profile.
 ///
 /// Faults: loss:P, duplicate:P, crc:P, saturate:N, stuck and units from the beginning on; stall:S, unplug:S,
 /// deaf:S, hang-feature:S, hang-write:S, broken:S and button:S after so many seconds; replug:S so long after

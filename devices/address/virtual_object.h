@@ -8,6 +8,7 @@
 #include <QString>
 
 #include <cstdint>
+#include <optional>
 
 namespace gripscope {
 
@@ -26,6 +27,22 @@ struct VirtualTerms {
     friend bool operator==(const VirtualTerms&, const VirtualTerms&) = default;
 };
 
+/// One squeeze of a gauge study whose true variances are known: m, b and k are each their centre times
+///     1 + partSpread z(part) + operatorSpread z(operator) + repeatSpread z(part, operator, trial, squeeze)
+/// with independent standard normal z that `seed`, the quantity and what stands in brackets decide, so that
+/// the components of variance are the squares of the spreads times the centre, and there is no interaction.
+struct VirtualStudyPart {
+    int part = 1, operatorNumber = 1, trial = 1;                 ///< 1 to mostOfStudy
+    double partSpread = 0, operatorSpread = 0, repeatSpread = 0; ///< 0 to largestSpread
+    std::uint64_t seed = 1;
+    static constexpr int mostOfStudy = 1000;
+    static constexpr double largestSpread = 0.1; ///< five deviations of all three stay above zero
+
+    /// A seed for what else is random in that squeeze, which is another one for each.
+    [[nodiscard]] std::uint64_t noiseSeed() const;
+    friend bool operator==(const VirtualStudyPart&, const VirtualStudyPart&) = default;
+};
+
 /// What the virtual gripper holds: a kind of object whose m, b and k differ from squeeze to squeeze.
 ///
 /// log(m, b, k) is normal. Its mean is that of the logarithms of the type's ten rows in the appendix, taken
@@ -38,6 +55,9 @@ public:
     /// "A" to "D", the key of a SimulatedPart, or three numbers with commas between: m in kg (1e-6 to 1e3), b
     /// in N s/m (0 to 1e6), k in N/m (1 to 1e9). Usage otherwise.
     [[nodiscard]] static Expected<VirtualObject> fromText(const QString& text);
+
+    /// From now on that part of a study, which scatters as the study says and in no other way.
+    void takePartOf(const VirtualStudyPart& study) { m_study = study; }
 
     /// One without scatter; m and k positive.
     [[nodiscard]] static VirtualObject exactly(const MassDampingStiffness& centre)
@@ -55,6 +75,9 @@ public:
     [[nodiscard]] const MassDampingStiffness& centre() const { return m_centre; }
 
 private:
+    [[nodiscard]] MassDampingStiffness drawOfStudy(std::uint64_t squeeze) const;
+
+    std::optional<VirtualStudyPart> m_study;
     MassDampingStiffness m_centre;
     Eigen::Matrix3d m_scatter =
         Eigen::Matrix3d::Zero(); ///< symmetric square root of the covariance of the logs

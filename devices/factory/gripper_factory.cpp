@@ -6,6 +6,7 @@
 #include "devices/address/device_address.h"
 #include "devices/hid/hid_return.h"
 #include "devices/hid/hid_transport.h"
+#include "devices/hid/node_permission.h"
 #include "devices/profile/profiled_device.h"
 #include "devices/replay/capture_decoder.h"
 #include "devices/replay/capture_transport.h"
@@ -201,8 +202,10 @@ std::vector<FoundDevice> devicesAmong(const std::vector<HidNode>& nodes)
                            node.accessible ? u"available"_qs : u"no permission"_qs};
         if (device.address.contains(u"?port="))
             device.port = node.port;
-        if (!node.accessible)
-            device.toAllow = permissionCommands(node);
+        if (!node.accessible) {
+            device.missing = missingIn(permissionOf(node));
+            device.toAllow = permissionCommand(node);
+        }
         found.push_back(device);
     };
     for (const HidNode& node : grippersAmong(nodes))

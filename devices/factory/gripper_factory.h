@@ -41,8 +41,9 @@ private:
 
 struct FoundDevice {
     QString address, serial, name, state; ///< state: "available", "no permission"
-    QString port{};        ///< where it is plugged in, when its serial number does not tell it from another
-    QStringList toAllow{}; ///< without permission: what a person types in a terminal, a command each
+    QString port{};    ///< where it is plugged in, when its serial number does not tell it from another
+    QString missing{}; ///< without permission: which one is, in words
+    QString toAllow{}; ///< without permission: the line that helps, for a terminal
 };
 /// The virtual gripper, every gripper on USB-HID and every device there that has a profile, found through the
 /// system's device list (never by hid_enumerate, which crashes when a device goes away meanwhile).

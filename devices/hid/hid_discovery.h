@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QStringList>
+#include <QString>
 
 #include <cstdint>
 #include <vector>
@@ -27,11 +27,5 @@ struct HidNode {
 [[nodiscard]] std::vector<HidNode>
 listHidNodes(const QString& classFolder = QStringLiteral("/sys/class/hidraw"),
              const QString& deviceFolder = QStringLiteral("/dev"));
-
-/// What a person types in a terminal, one command a line, to be allowed to open `node`; it is connected by
-/// itself then.
-[[nodiscard]] QStringList permissionCommands(const HidNode& node);
-/// The same in words.
-[[nodiscard]] QString permissionAdvice(const HidNode& node);
 
 } // namespace gripscope

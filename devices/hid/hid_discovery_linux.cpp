@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/words.h"
 #include "devices/hid/hid_discovery.h"
 
 #include <QDir>
@@ -75,22 +74,6 @@ std::vector<HidNode> listHidNodes(const QString& classFolder, const QString& dev
         nodes.push_back(node);
     }
     return nodes;
-}
-
-QStringList permissionCommands(const HidNode& node)
-{
-    const auto hex = [](std::uint16_t id) { return u"%1"_qs.arg(id, 4, 16, QLatin1Char('0')); };
-    const QString rule =
-        u"KERNEL==\"hidraw*\", SUBSYSTEM==\"hidraw\", ATTRS{idVendor}==\"%1\", "
-        "ATTRS{idProduct}==\"%2\", TAG+=\"uaccess\""_qs.arg(hex(node.vendor), hex(node.product));
-    return {u"echo '%1' | sudo tee /etc/udev/rules.d/70-gripscope.rules"_qs.arg(rule),
-            u"sudo udevadm control --reload"_qs, u"sudo udevadm trigger --subsystem-match=hidraw"_qs};
-}
-
-QString permissionAdvice(const HidNode& node)
-{
-    return Words::tr("Type this in a terminal, then it is connected by itself:\n") +
-           permissionCommands(node).join(u'\n');
 }
 
 } // namespace gripscope

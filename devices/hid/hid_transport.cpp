@@ -2,6 +2,7 @@
 #include "devices/hid/hid_transport.h"
 
 #include "core/base/words.h"
+#include "devices/hid/node_permission.h"
 
 #include <QStringList>
 #include <hidapi/hidapi.h>

@@ -20,6 +20,11 @@ constexpr double contact_m =
     0.012347; ///< where the finger touches the object; the encoder's zero is elsewhere
 constexpr double positionRange_m = 0.05;
 
+std::uint64_t noiseSeedOf(const VirtualFirmwareOptions& options)
+{
+    return options.noiseSeed.value_or(options.seed);
+}
+
 std::int32_t toCounts(double value, double perCount)
 {
     return static_cast<std::int32_t>(std::lround(value / perCount));
@@ -35,7 +40,8 @@ std::int64_t protectiveForce(std::int32_t limit)
 
 VirtualFirmware::VirtualFirmware(VirtualFirmwareOptions options)
     : m_options(std::move(options)), m_maxForce(ownForce), m_maxTravel(ownTravel),
-      m_noise(m_options.seed, noSqueeze, noisePurpose), m_jitter(m_options.seed, noSqueeze, jitterPurpose)
+      m_noise(noiseSeedOf(m_options), noSqueeze, noisePurpose),
+      m_jitter(noiseSeedOf(m_options), noSqueeze, jitterPurpose)
 {
 }
 
@@ -126,8 +132,8 @@ void VirtualFirmware::beginSqueeze()
 {
     flush();
     const MassDampingStiffness object = m_options.object.draw(m_options.seed, m_squeezes);
-    m_noise = RandomStream(m_options.seed, m_squeezes, noisePurpose);
-    m_jitter = RandomStream(m_options.seed, m_squeezes, jitterPurpose);
+    m_noise = RandomStream(noiseSeedOf(m_options), m_squeezes, noisePurpose);
+    m_jitter = RandomStream(noiseSeedOf(m_options), m_squeezes, jitterPurpose);
     ++m_squeezes;
     m_part = VirtualPart(object, m_options.terms, sampleTime_s() / (1 + m_faults.clockRate));
     m_before = m_part;

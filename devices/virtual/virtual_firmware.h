@@ -16,7 +16,8 @@ struct VirtualFirmwareOptions {
     QString objectName;
     VirtualTerms terms = {};
     std::uint64_t seed = 1;
-    double sampleTime_s = 0.0005; ///< 0.2 ms to 50 ms
+    std::optional<std::uint64_t> noiseSeed = {}; ///< of its noise; `seed` where it is not given
+    double sampleTime_s = 0.0005;                ///< 0.2 ms to 50 ms
     double jitter_s = 0; ///< standard deviation of when a position is taken; up to a quarter of a sample time
     /// 5 um beside steps of 20 um (5.8 um as a standard deviation) is what a mid-range encoder on a finger
     /// gives.

@@ -22,6 +22,8 @@ Expected<std::shared_ptr<VirtualTransport>> VirtualTransport::make(const Virtual
                                                                    std::chrono::milliseconds patience)
 {
     ASSIGN_OR_RETURN(VirtualObject object, VirtualObject::fromText(address.object));
+    if (address.study)
+        object.takePartOf(*address.study);
     VirtualFirmwareOptions options;
     options.object = object;
     options.objectName = address.object;
@@ -29,6 +31,8 @@ Expected<std::shared_ptr<VirtualTransport>> VirtualTransport::make(const Virtual
     options.sampleTime_s = 1 / address.samplesPerSecond;
     options.jitter_s = address.jitter_s;
     options.seed = address.seed;
+    if (address.study)
+        options.noiseSeed = address.study->noiseSeed();
     if (address.positionNoise_m)
         options.positionNoise_m = *address.positionNoise_m;
     options.millimetres = address.millimetres;

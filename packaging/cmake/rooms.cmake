@@ -7,7 +7,7 @@
 function(gripscope_library_of out header)
   set(library "")
   if(header MATCHES "^Q[A-Z]|^Qt[A-Z]")
-    foreach(module IN ITEMS Core Gui Widgets Sql Charts Svg OpenGL Multimedia DBus)
+    foreach(module IN ITEMS Core Gui Widgets Sql Charts Svg OpenGL Multimedia DBus Network)
       if(EXISTS "${GRIPSCOPE_QT_HEADERS}/Qt${module}/${header}")
         string(TOLOWER "qt-${module}" library)
         break()

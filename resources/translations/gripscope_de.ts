@@ -115,6 +115,143 @@
     </message>
 </context>
 <context>
+    <name>CapabilityNumbers</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Pp (percentiles)</source>
+        <translation>Pp (Perzentile)</translation>
+    </message>
+    <message>
+        <source>Ppk (percentiles)</source>
+        <translation>Ppk (Perzentile)</translation>
+    </message>
+    <message>
+        <source> (Box-Cox)</source>
+        <translation> (Box-Cox)</translation>
+    </message>
+    <message>
+        <source>No tolerance limits: type them here, or give the type its own. The histogram shows how the values lie.</source>
+        <translation>Keine Toleranzgrenzen: hier tippen oder dem Typ eigene geben. Das Histogramm zeigt, wie die Werte liegen.</translation>
+    </message>
+    <message>
+        <source>Beyond the limits: %1 ppm observed.</source>
+        <translation>Jenseits der Grenzen: %1 ppm beobachtet.</translation>
+    </message>
+    <message>
+        <source>Beyond the limits: %1 ppm expected, %2 ppm observed.</source>
+        <translation>Jenseits der Grenzen: %1 ppm erwartet, %2 ppm beobachtet.</translation>
+    </message>
+    <message>
+        <source>Too few values to tell whether they are normal.</source>
+        <translation>Zu wenige Werte, um zu sagen, ob sie normalverteilt sind.</translation>
+    </message>
+    <message>
+        <source>Nothing speaks against normal values (Anderson-Darling, p %1).</source>
+        <translation>Nichts spricht gegen normalverteilte Werte (Anderson-Darling, p %1).</translation>
+    </message>
+    <message>
+        <source>The values are not normal (Anderson-Darling, p %1).</source>
+        <translation>Die Werte sind nicht normalverteilt (Anderson-Darling, p %1).</translation>
+    </message>
+    <message>
+        <source>To the power of %1 they are: the indices are of these (Box-Cox).</source>
+        <translation>Mit der Potenz %1 sind sie es: Die Indizes sind von diesen (Box-Cox).</translation>
+    </message>
+    <message>
+        <source>The verdict goes by their percentiles, which need no distribution.</source>
+        <translation>Das Urteil folgt ihren Perzentilen, die keine Verteilung brauchen.</translation>
+    </message>
+</context>
+<context>
+    <name>ControlSeries</name>
+    <message>
+        <source>T² of m, b and k together</source>
+        <translation>T² von m, b und k zusammen</translation>
+    </message>
+    <message>
+        <source>Moving range of %1</source>
+        <translation>Gleitende Spannweite von %1</translation>
+    </message>
+    <message>
+        <source>Range of %1</source>
+        <translation>Spannweite von %1</translation>
+    </message>
+    <message>
+        <source>Standard deviation of %1</source>
+        <translation>Standardabweichung von %1</translation>
+    </message>
+    <message>
+        <source>Moving average of %1</source>
+        <translation>Gleitender Mittelwert von %1</translation>
+    </message>
+    <message>
+        <source>Sums of %1</source>
+        <translation>Summen von %1</translation>
+    </message>
+    <message>
+        <source>Mean of %1</source>
+        <translation>Mittelwert von %1</translation>
+    </message>
+</context>
+<context>
+    <name>DriftCharts</name>
+    <message>
+        <source>Since the enrolment, the last squeezes of each type (change, 95 %)</source>
+        <translation>Seit dem Einlernen, die letzten Druckversuche jedes Typs (Änderung, 95 %)</translation>
+    </message>
+    <message>
+        <source>No type has three squeezes since its enrolment.</source>
+        <translation>Kein Typ hat drei Druckversuche seit seinem Einlernen.</translation>
+    </message>
+    <message>
+        <source>%1 (%)</source>
+        <translation>%1 (%)</translation>
+    </message>
+    <message>
+        <source>All together</source>
+        <translation>Alle zusammen</translation>
+    </message>
+    <message>
+        <source>%1, squeeze by squeeze (% from the enrolment)</source>
+        <translation>%1, Versuch für Versuch (% vom Einlernen)</translation>
+    </message>
+    <message>
+        <source>Inspection</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>No inspected squeeze of an approved type.</source>
+        <translation>Kein geprüfter Druckversuch eines freigegebenen Typs.</translation>
+    </message>
+    <message>
+        <source>since %1</source>
+        <translation>seit %1</translation>
+    </message>
+    <message>
+        <source>This gripper against the enrolment: as measured, and adjusted (95 %)</source>
+        <translation>Dieser Greifer gegen das Einlernen: wie gemessen und angepasst (95 %)</translation>
+    </message>
+    <message>
+        <source>No squeeze yet.</source>
+        <translation>Noch kein Druckversuch.</translation>
+    </message>
+    <message>
+        <source>%1, as measured</source>
+        <translation>%1, wie gemessen</translation>
+    </message>
+    <message>
+        <source>%1, adjusted</source>
+        <translation>%1, angepasst</translation>
+    </message>
+    <message>
+        <source>The adjustment</source>
+        <translation>Die Anpassung</translation>
+    </message>
+</context>
+<context>
     <name>Error</name>
     <message>
         <source>%1</source>
@@ -409,6 +546,77 @@ m  %3</translation>
     </message>
 </context>
 <context>
+    <name>ProcessNames</name>
+    <message>
+        <source>Individuals and moving range</source>
+        <translation>Einzelwerte und gleitende Spannweite</translation>
+    </message>
+    <message>
+        <source>Mean and range</source>
+        <translation>Mittelwert und Spannweite</translation>
+    </message>
+    <message>
+        <source>Mean and standard deviation</source>
+        <translation>Mittelwert und Standardabweichung</translation>
+    </message>
+    <message>
+        <source>Moving average (EWMA)</source>
+        <translation>Gleitender Mittelwert (EWMA)</translation>
+    </message>
+    <message>
+        <source>Cumulative sums (CUSUM)</source>
+        <translation>Kumulierte Summen (CUSUM)</translation>
+    </message>
+    <message>
+        <source>m, b and k together (T²)</source>
+        <translation>m, b und k zusammen (T²)</translation>
+    </message>
+    <message>
+        <source>Western Electric rules</source>
+        <translation>Regeln von Western Electric</translation>
+    </message>
+    <message>
+        <source>Nelson&apos;s rules</source>
+        <translation>Regeln von Nelson</translation>
+    </message>
+    <message>
+        <source>Limits only</source>
+        <translation>Nur Grenzen</translation>
+    </message>
+    <message>
+        <source>Limits from the inspections shown.</source>
+        <translation>Grenzen aus den gezeigten Prüfungen.</translation>
+    </message>
+    <message>
+        <source>%1 inspections, %2 to %3</source>
+        <translation>%1 Prüfungen, %2 bis %3</translation>
+    </message>
+    <message>
+        <source>Limits from the inspections shown; there are fixed ones, from %1.</source>
+        <translation>Grenzen aus den gezeigten Prüfungen; es gibt festgelegte, aus %1.</translation>
+    </message>
+    <message>
+        <source>Limits fixed %1 by %2, from %3.</source>
+        <translation>Grenzen am %1 von %2 festgelegt, aus %3.</translation>
+    </message>
+    <message>
+        <source>somebody not named</source>
+        <translation>jemand ohne Namen</translation>
+    </message>
+    <message>
+        <source>No inspection matches the filters.</source>
+        <translation>Keine Prüfung passt zu den Filtern.</translation>
+    </message>
+    <message>
+        <source>%1 was not determined in any of these inspections.</source>
+        <translation>%1 wurde in keiner dieser Prüfungen bestimmt.</translation>
+    </message>
+    <message>
+        <source>%1: %2 inspections; a chart needs at least %3.</source>
+        <translation>%1: %2 Prüfungen; eine Karte braucht mindestens %3.</translation>
+    </message>
+</context>
+<context>
     <name>ReferenceWords</name>
     <message>
         <source>Mass m</source>
@@ -547,6 +755,524 @@ m  %3</translation>
             <numerusform>%n Druckversuch mit %1</numerusform>
             <numerusform>%n Druckversuche mit %1</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>ShiftWords</name>
+    <message>
+        <source>%1 % (%2 to %3)</source>
+        <translation>%1 % (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>Too few squeezes to say</source>
+        <translation>Zu wenige Druckversuche für eine Aussage</translation>
+    </message>
+    <message>
+        <source>Nothing has moved</source>
+        <translation>Nichts hat sich verschoben</translation>
+    </message>
+    <message>
+        <source>The force or the position sensor has moved</source>
+        <translation>Der Kraft- oder der Wegsensor hat sich verschoben</translation>
+    </message>
+    <message>
+        <source>The fingers have changed</source>
+        <translation>Die Finger haben sich geändert</translation>
+    </message>
+    <message>
+        <source>The gripper has moved: sensor or fingers</source>
+        <translation>Der Greifer hat sich verschoben: Sensor oder Finger</translation>
+    </message>
+    <message>
+        <source>The product has moved, not the gripper</source>
+        <translation>Das Produkt hat sich verschoben, nicht der Greifer</translation>
+    </message>
+    <message>
+        <source>Something has moved: the product or the gripper</source>
+        <translation>Etwas hat sich verschoben: das Produkt oder der Greifer</translation>
+    </message>
+    <message>
+        <source>Several types have moved, each in its own way</source>
+        <translation>Mehrere Typen haben sich verschoben, jeder auf seine Weise</translation>
+    </message>
+    <message>
+        <source>Inspect parts, with the expected type stated where it is known: three of a type or more.</source>
+        <translation>Teile prüfen, mit Angabe des erwarteten Typs, wo er bekannt ist: drei eines Typs oder mehr.</translation>
+    </message>
+    <message>
+        <source>Check the calibration of force and position, and calibrate the one that is off.</source>
+        <translation>Die Kalibrierung von Kraft und Weg prüfen und neu kalibrieren, was abweicht.</translation>
+    </message>
+    <message>
+        <source>Look at the fingers, then measure the empty gripper again (its baseline).</source>
+        <translation>Die Finger ansehen, dann den leeren Greifer neu messen.</translation>
+    </message>
+    <message>
+        <source>Check the calibration first; where it holds, measure the empty gripper again.</source>
+        <translation>Zuerst die Kalibrierung prüfen; wenn sie stimmt, den leeren Greifer neu messen.</translation>
+    </message>
+    <message>
+        <source>Look at the parts of %1 from that inspection on.</source>
+        <translation>Die Teile von %1 ab dieser Prüfung ansehen.</translation>
+    </message>
+    <message>
+        <source>Look at the batch %1: parts of %2.</source>
+        <translation>Das Los %1 ansehen: Teile von %2.</translation>
+    </message>
+    <message>
+        <source>Squeeze parts of other types too: only they tell the product from the gripper.</source>
+        <translation>Auch Teile anderer Typen drücken: Nur sie trennen das Produkt vom Greifer.</translation>
+    </message>
+    <message>
+        <source>Look at the products; enrol again those types that are as they should be.</source>
+        <translation>Die Produkte ansehen; die Typen neu einlernen, die so sind, wie sie sein sollen.</translation>
+    </message>
+    <message>
+        <source>Go to Calibrate</source>
+        <translation>Zum Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Go to History</source>
+        <translation>Zum Verlauf</translation>
+    </message>
+    <message>
+        <source>Go to Enroll</source>
+        <translation>Zum Einlernen</translation>
+    </message>
+    <message>
+        <source>Go to Inspect</source>
+        <translation>Zum Prüfen</translation>
+    </message>
+</context>
+<context>
+    <name>StudyCharts</name>
+    <message>
+        <source>Components of variation (%)</source>
+        <translation>Streuungskomponenten (%)</translation>
+    </message>
+    <message>
+        <source>of variance</source>
+        <translation>der Varianz</translation>
+    </message>
+    <message>
+        <source>of study variation</source>
+        <translation>der Studienstreuung</translation>
+    </message>
+    <message>
+        <source>%1 by part</source>
+        <translation>%1 nach Teil</translation>
+    </message>
+    <message>
+        <source>Part; the line joins the means</source>
+        <translation>Teil; die Linie verbindet die Mittelwerte</translation>
+    </message>
+    <message>
+        <source>%1 by operator</source>
+        <translation>%1 nach Bediener</translation>
+    </message>
+    <message>
+        <source>This study has no operators of its own.</source>
+        <translation>Diese Studie hat keine eigenen Bediener.</translation>
+    </message>
+    <message>
+        <source>Operator; the line joins the means</source>
+        <translation>Bediener; die Linie verbindet die Mittelwerte</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Part; lines that cross are parts on which operators disagree</source>
+        <translation>Teil; wo sich Linien kreuzen, sind Bediener uneins</translation>
+    </message>
+    <message>
+        <source>Repeatability</source>
+        <translation>Wiederholpräzision</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Part × operator</source>
+        <translation>Teil × Bediener</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>Part × station</source>
+        <translation>Teil × Station</translation>
+    </message>
+    <message>
+        <source>Reproducibility</source>
+        <translation>Vergleichpräzision</translation>
+    </message>
+    <message>
+        <source>Gauge</source>
+        <translation>Messmittel</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Gesamt</translation>
+    </message>
+    <message>
+        <source>%1: range by operator and part</source>
+        <translation>%1: Spannweite nach Bediener und Teil</translation>
+    </message>
+    <message>
+        <source>%1: mean by part and operator</source>
+        <translation>%1: Mittelwert nach Teil und Bediener</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Squeezes in their order</source>
+        <translation>Druckversuche in ihrer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>no bias</source>
+        <translation>richtig</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Parts that each rater judges alike, and right (%)</source>
+        <translation>Teile, die jeder Prüfer gleich und richtig beurteilt (%)</translation>
+    </message>
+    <message>
+        <source>Rater</source>
+        <translation>Prüfer</translation>
+    </message>
+    <message>
+        <source>alike each time</source>
+        <translation>jedes Mal gleich</translation>
+    </message>
+    <message>
+        <source>right each time</source>
+        <translation>jedes Mal richtig</translation>
+    </message>
+    <message>
+        <source>%1, squeeze by squeeze</source>
+        <translation>%1, Druckversuch für Druckversuch</translation>
+    </message>
+    <message>
+        <source>%1: bias</source>
+        <translation>%1: Abweichung</translation>
+    </message>
+</context>
+<context>
+    <name>StudyDueWords</name>
+    <message>
+        <source>Type-1 study</source>
+        <translation>Typ-1-Studie</translation>
+    </message>
+    <message>
+        <source>Gauge study</source>
+        <translation>Messmittelstudie</translation>
+    </message>
+    <message>
+        <source>Linearity study</source>
+        <translation>Linearitätsstudie</translation>
+    </message>
+    <message>
+        <source>Attribute study</source>
+        <translation>Attributive Studie</translation>
+    </message>
+    <message>
+        <source>due</source>
+        <translation>fällig</translation>
+    </message>
+    <message>
+        <source>not asked for</source>
+        <translation>nicht verlangt</translation>
+    </message>
+    <message>
+        <source>not to be repeated</source>
+        <translation>nicht zu wiederholen</translation>
+    </message>
+    <message>
+        <source>overdue since %1</source>
+        <translation>überfällig seit %1</translation>
+    </message>
+    <message>
+        <source>holds until %1: repeat it soon</source>
+        <translation>gilt bis %1: bald wiederholen</translation>
+    </message>
+    <message>
+        <source>holds until %1</source>
+        <translation>gilt bis %1</translation>
+    </message>
+    <message>
+        <source>type-1 study</source>
+        <translation>Typ-1-Studie</translation>
+    </message>
+    <message>
+        <source>gauge study</source>
+        <translation>Messmittelstudie</translation>
+    </message>
+    <message>
+        <source>linearity study</source>
+        <translation>Linearitätsstudie</translation>
+    </message>
+    <message>
+        <source>attribute study</source>
+        <translation>attributive Studie</translation>
+    </message>
+    <message>
+        <source>%1 overdue since %2</source>
+        <translation>%1 überfällig seit %2</translation>
+    </message>
+    <message>
+        <source>%1 due %2</source>
+        <translation>%1 fällig: %2</translation>
+    </message>
+    <message>
+        <source>today</source>
+        <translation>heute</translation>
+    </message>
+    <message>
+        <source>tomorrow</source>
+        <translation>morgen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 due in %n days</source>
+        <translation>
+            <numerusform>%1 in %n Tag fällig</numerusform>
+            <numerusform>%1 in %n Tagen fällig</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>None of this gripper yet: the Quality page leads through them.</source>
+        <translation>Noch keine dieses Greifers: Die Seite Qualität führt hindurch.</translation>
+    </message>
+    <message>
+        <source>Types on another gripper</source>
+        <translation>Typen an einem anderen Greifer</translation>
+    </message>
+</context>
+<context>
+    <name>StudyNumbers</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>%1: all repeats are equal</source>
+        <translation>%1: alle Wiederholungen sind gleich</translation>
+    </message>
+    <message>
+        <source>%1: %2 (95 %: %3 to %4)</source>
+        <translation>%1: %2 (95 %: %3 bis %4)</translation>
+    </message>
+    <message>
+        <source>%1: %2 (95 %: %3 or more)</source>
+        <translation>%1: %2 (95 %: %3 oder mehr)</translation>
+    </message>
+    <message>
+        <source>Components of variation</source>
+        <translation>Streuungskomponenten</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation>Standardabweichung</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>of variance</source>
+        <translation>der Varianz</translation>
+    </message>
+    <message>
+        <source>of study variation</source>
+        <translation>der Studienstreuung</translation>
+    </message>
+    <message>
+        <source>of tolerance</source>
+        <translation>der Toleranz</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Kennzahlen</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Anzeigen</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Repeatability (standard deviation)</source>
+        <translation>Wiederholpräzision (Standardabweichung)</translation>
+    </message>
+    <message>
+        <source>Share of the tolerance that the scatter takes</source>
+        <translation>Anteil der Streuung an der Toleranz</translation>
+    </message>
+    <message>
+        <source>Smallest step between readings</source>
+        <translation>Kleinster Schritt zwischen Anzeigen</translation>
+    </message>
+    <message>
+        <source>Bias at each reference</source>
+        <translation>Abweichung bei jeder Referenz</translation>
+    </message>
+    <message>
+        <source>Test of no bias</source>
+        <translation>Test auf keine Abweichung</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>%1 (95 %: %2 to %3)</source>
+        <translation>%1 (95 %: %2 bis %3)</translation>
+    </message>
+    <message>
+        <source>Raters</source>
+        <translation>Prüfer</translation>
+    </message>
+    <message>
+        <source>Rater</source>
+        <translation>Prüfer</translation>
+    </message>
+    <message>
+        <source>Verdicts</source>
+        <translation>Urteile</translation>
+    </message>
+    <message>
+        <source>Parts judged alike each time</source>
+        <translation>Teile jedes Mal gleich beurteilt</translation>
+    </message>
+    <message>
+        <source>Parts judged right each time</source>
+        <translation>Teile jedes Mal richtig beurteilt</translation>
+    </message>
+    <message>
+        <source>Misses</source>
+        <translation>Übersehen</translation>
+    </message>
+    <message>
+        <source>False alarms</source>
+        <translation>Fehlalarme</translation>
+    </message>
+    <message>
+        <source>All together</source>
+        <translation>Alle zusammen</translation>
+    </message>
+    <message>
+        <source>combinations of them: more than %1</source>
+        <translation>Kombinationen davon: mehr als %1</translation>
+    </message>
+    <message>
+        <source>combinations of them: up to %1</source>
+        <translation>Kombinationen davon: bis %1</translation>
+    </message>
+</context>
+<context>
+    <name>StudyWords</name>
+    <message>
+        <source>Gauge repeatability and reproducibility</source>
+        <translation>Wiederhol- und Vergleichpräzision</translation>
+    </message>
+    <message>
+        <source>Type-1 study</source>
+        <translation>Typ-1-Studie</translation>
+    </message>
+    <message>
+        <source>Linearity</source>
+        <translation>Linearität</translation>
+    </message>
+    <message>
+        <source>Attribute agreement</source>
+        <translation>Übereinstimmung von Urteilen</translation>
+    </message>
+    <message>
+        <source>Does it tell parts apart, and is the scatter due to the gripper or to its operators?</source>
+        <translation>Unterscheidet er Teile, und kommt die Streuung vom Greifer oder von den Bedienern?</translation>
+    </message>
+    <message>
+        <source>Does it find the value of one known part, again and again?</source>
+        <translation>Findet er immer wieder den Wert eines bekannten Teils?</translation>
+    </message>
+    <message>
+        <source>Is it as right for soft parts as for stiff ones?</source>
+        <translation>Ist er bei weichen Teilen so richtig wie bei steifen?</translation>
+    </message>
+    <message>
+        <source>Do people call the same parts good, and are they right?</source>
+        <translation>Nennen Personen dieselben Teile gut, und haben sie recht?</translation>
+    </message>
+    <message>
+        <source>unfinished: %1 of %2</source>
+        <translation>nicht beendet: %1 von %2</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>given up</source>
+        <translation>aufgegeben</translation>
+    </message>
+    <message>
+        <source>Types on another gripper</source>
+        <translation>Typen an einem anderen Greifer</translation>
+    </message>
+    <message>
+        <source>Do types that were enrolled on another gripper serve here, and by which adjustment?</source>
+        <translation>Taugen Typen, die an einem anderen Greifer eingelernt wurden, hier, und mit welcher Anpassung?</translation>
     </message>
 </context>
 <context>
@@ -5638,10 +6364,6 @@ m  %3</translation>
         <translation>zener sind zwei Zahlen, der Anteil von k, der nachgibt, und seine Zeit in Sekunden, etwa 0.2,0.03</translation>
     </message>
     <message>
-        <source>virtual: knows object, seed, noise, speed, friction, own-friction, zener, k3, rate, jitter, fault, script, capture, profile and like</source>
-        <translation>virtual: kennt object, seed, noise, speed, friction, own-friction, zener, k3, rate, jitter, fault, script, capture, profile und like</translation>
-    </message>
-    <message>
         <source>jitter is at most %1 of the time between two samples, here %2 s</source>
         <translation>jitter ist höchstens das %1-fache der Abtastzeit, hier %2 s</translation>
     </message>
@@ -5945,6 +6667,1970 @@ m  %3</translation>
         <source>a name or a number</source>
         <translation>ein Name oder eine Zahl</translation>
     </message>
+    <message>
+        <source>%1 is %2 % above %3</source>
+        <translation>%1 liegt %2 % über %3</translation>
+    </message>
+    <message>
+        <source>%1 is %2 % below %3</source>
+        <translation>%1 liegt %2 % unter %3</translation>
+    </message>
+    <message>
+        <source>%1 %2 is above %3</source>
+        <translation>%1 %2 liegt über %3</translation>
+    </message>
+    <message>
+        <source>%1 %2 is below %3</source>
+        <translation>%1 %2 liegt unter %3</translation>
+    </message>
+    <message>
+        <source>%1 %2 against %3, the risk not to conform is %4 %</source>
+        <translation>%1 %2 gegen %3, das Risiko der Nichtkonformität ist %4 %</translation>
+    </message>
+    <message>
+        <source>how well it knows %1 is not known</source>
+        <translation>wie genau er %1 kennt, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>it does not determine %1</source>
+        <translation>er bestimmt %1 nicht</translation>
+    </message>
+    <message>
+        <source>conforms</source>
+        <translation>konform</translation>
+    </message>
+    <message>
+        <source>does not conform</source>
+        <translation>nicht konform</translation>
+    </message>
+    <message>
+        <source>too near the limit for this squeeze</source>
+        <translation>für diesen Druckversuch zu nahe an der Toleranzgrenze</translation>
+    </message>
+    <message>
+        <source>not decidable by this squeeze</source>
+        <translation>mit diesem Druckversuch nicht entscheidbar</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>a limit of m, b or k is not above zero</source>
+        <translation>eine Toleranzgrenze von m, b oder k ist nicht größer als null</translation>
+    </message>
+    <message>
+        <source>the consumer&apos;s risk is above 0 and below 0.5</source>
+        <translation>das Kundenrisiko liegt über 0 und unter 0,5</translation>
+    </message>
+    <message>
+        <source>Tolerance limits</source>
+        <translation>Toleranzgrenzen</translation>
+    </message>
+    <message>
+        <source>store the tolerance limits</source>
+        <translation>die Toleranzgrenzen speichern</translation>
+    </message>
+    <message>
+        <source>tolerance limits of parts</source>
+        <translation>Toleranzgrenzen von Teilen</translation>
+    </message>
+    <message>
+        <source>%1 no longer has tolerance limits.</source>
+        <translation>%1 hat keine Toleranzgrenzen mehr.</translation>
+    </message>
+    <message>
+        <source>The tolerance limits of %1 are %2.</source>
+        <translation>Die Toleranzgrenzen von %1 sind %2.</translation>
+    </message>
+    <message>
+        <source>Tolerance limits changed</source>
+        <translation>Toleranzgrenzen geändert</translation>
+    </message>
+    <message>
+        <source>study with the key %1</source>
+        <translation>Studie mit dem Schlüssel %1</translation>
+    </message>
+    <message>
+        <source>The study %1 has ended; nothing is added to it or taken back any more.</source>
+        <translation>Die Studie %1 ist beendet; nichts kommt mehr hinzu, nichts wird mehr zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>A measurement of a study has finite numbers and a row of its plan.</source>
+        <translation>Eine Messung einer Studie hat endliche Zahlen und eine Zeile ihres Plans.</translation>
+    </message>
+    <message>
+        <source>A study needs a name.</source>
+        <translation>Eine Studie braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>A study needs its kind and its plan.</source>
+        <translation>Eine Studie braucht ihre Art und ihren Plan.</translation>
+    </message>
+    <message>
+        <source>begin the study</source>
+        <translation>die Studie beginnen</translation>
+    </message>
+    <message>
+        <source>store the measurement</source>
+        <translation>die Messung speichern</translation>
+    </message>
+    <message>
+        <source>take the measurement back</source>
+        <translation>die Messung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>measurement with the key %1</source>
+        <translation>Messung mit dem Schlüssel %1</translation>
+    </message>
+    <message>
+        <source>A study ends finished or abandoned.</source>
+        <translation>Eine Studie endet abgeschlossen oder abgebrochen.</translation>
+    </message>
+    <message>
+        <source>end the study</source>
+        <translation>die Studie beenden</translation>
+    </message>
+    <message>
+        <source>studies of the gripper</source>
+        <translation>Studien des Greifers</translation>
+    </message>
+    <message>
+        <source>read the studies</source>
+        <translation>die Studien lesen</translation>
+    </message>
+    <message>
+        <source>read the measurements of the study</source>
+        <translation>die Messungen der Studie lesen</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>squeeze of the plan</source>
+        <translation>Druckversuch des Plans</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>abandoned</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>gauge repeatability and reproducibility</source>
+        <translation>Wiederhol- und Vergleichspräzision</translation>
+    </message>
+    <message>
+        <source>type-1 study</source>
+        <translation>Verfahren 1</translation>
+    </message>
+    <message>
+        <source>linearity</source>
+        <translation>Linearität</translation>
+    </message>
+    <message>
+        <source>attribute agreement</source>
+        <translation>Übereinstimmung attributiver Urteile</translation>
+    </message>
+    <message>
+        <source>Study begun</source>
+        <translation>Studie begonnen</translation>
+    </message>
+    <message>
+        <source>Study ended</source>
+        <translation>Studie beendet</translation>
+    </message>
+    <message>
+        <source>Measurement of a study taken back</source>
+        <translation>Messung einer Studie zurückgenommen</translation>
+    </message>
+    <message>
+        <source>No part was judged twice, so that agreement among the raters cannot be seen: let them judge the same parts.</source>
+        <translation>Kein Teil wurde zweimal beurteilt, darum ist nicht zu sehen, wie die Beurteilenden übereinstimmen: sie dieselben Teile beurteilen lassen.</translation>
+    </message>
+    <message>
+        <source>All verdicts are the same, so that kappa does not exist: agreement and chance look alike. Take parts of all classes.</source>
+        <translation>Alle Urteile sind gleich, darum gibt es kein Kappa: Übereinstimmung und Zufall sehen gleich aus. Teile aller Klassen nehmen.</translation>
+    </message>
+    <message>
+        <source>The verdicts agree well: Fleiss&apos; kappa %1 (z %2).</source>
+        <translation>Die Urteile stimmen gut überein: Fleiss’ Kappa %1 (z %2).</translation>
+    </message>
+    <message>
+        <source>The verdicts agree in part only: Fleiss&apos; kappa %1 (z %2). Look at the parts on which they differ, and agree on what counts.</source>
+        <translation>Die Urteile stimmen nur teilweise überein: Fleiss’ Kappa %1 (z %2). Die Teile ansehen, bei denen sie auseinandergehen, und vereinbaren, was zählt.</translation>
+    </message>
+    <message>
+        <source>The verdicts agree poorly: Fleiss&apos; kappa %1 (z %2). The parts cannot be judged this way: state what counts, train, and repeat.</source>
+        <translation>Die Urteile stimmen schlecht überein: Fleiss’ Kappa %1 (z %2). So lassen sich die Teile nicht beurteilen: festlegen, was zählt, schulen und wiederholen.</translation>
+    </message>
+    <message>
+        <source>%1 judges %2 of the parts right each time; %3 % are needed.</source>
+        <translation>%1 beurteilt %2 der Teile jedes Mal richtig; nötig sind %3 %.</translation>
+    </message>
+    <message>
+        <source>%1 accepts %2 of what is not good; %3 % are allowed.</source>
+        <translation>%1 nimmt %2 von dem an, was nicht gut ist; erlaubt sind %3 %.</translation>
+    </message>
+    <message>
+        <source>%1 rejects %2 of what is good; %3 % are allowed.</source>
+        <translation>%1 weist %2 von dem zurück, was gut ist; erlaubt sind %3 %.</translation>
+    </message>
+    <message>
+        <source>%1 judges only %2 of the parts the same way each time.</source>
+        <translation>%1 beurteilt nur %2 der Teile jedes Mal gleich.</translation>
+    </message>
+    <message>
+        <source>%1 has judged no part.</source>
+        <translation>%1 hat kein Teil beurteilt.</translation>
+    </message>
+    <message>
+        <source>%1 left %2 of %3 verdicts undecided: they count as not right, but neither as missed nor as false alarms.</source>
+        <translation>%1 ließ %2 von %3 Urteilen offen: Sie zählen als nicht richtig, aber weder als übersehen noch als Fehlalarm.</translation>
+    </message>
+    <message>
+        <source>The kappa of %1 against the reference does not exist: both have one class only, the same.</source>
+        <translation>Das Kappa von %1 gegen die Referenz gibt es nicht: Beide haben nur eine Klasse, dieselbe.</translation>
+    </message>
+    <message>
+        <source>%1 pairs of raters have no part in common, so that they have no kappa.</source>
+        <translation>%1 Paare von Beurteilenden haben kein Teil gemeinsam und darum kein Kappa.</translation>
+    </message>
+    <message>
+        <source>%1 pairs of raters gave all parts the same class, so that their kappa does not exist.</source>
+        <translation>%1 Paare von Beurteilenden gaben allen Teilen dieselbe Klasse, darum gibt es ihr Kappa nicht.</translation>
+    </message>
+    <message>
+        <source>Which class is that of good parts is not known, so that misses and false alarms are not counted: name it (--accepted).</source>
+        <translation>Welche Klasse die der guten Teile ist, ist nicht bekannt, darum werden Übersehenes und Fehlalarme nicht gezählt: sie nennen (--accepted).</translation>
+    </message>
+    <message>
+        <source>Misses and false alarms count the class %1 against all others.</source>
+        <translation>Übersehenes und Fehlalarme zählen die Klasse %1 gegen alle anderen.</translation>
+    </message>
+    <message>
+        <source>%1 parts were not judged by every rater and are left out where all are compared.</source>
+        <translation>%1 Teile wurden nicht von allen beurteilt und bleiben weg, wo alle verglichen werden.</translation>
+    </message>
+    <message>
+        <source>No verdict is called %1; there are: %2.</source>
+        <translation>Kein Urteil heißt %1; es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>The class %1 cannot be both accepted and undecided.</source>
+        <translation>Die Klasse %1 kann nicht zugleich angenommen und unentschieden sein.</translation>
+    </message>
+    <message>
+        <source>The confidence must lie between 0 and 1.</source>
+        <translation>Das Vertrauensniveau muss zwischen 0 und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>verdicts</source>
+        <translation>Urteile</translation>
+    </message>
+    <message>
+        <source>found the references %1 and %2 for part %3</source>
+        <translation>gefunden: die Referenzen %1 und %2 für Teil %3</translation>
+    </message>
+    <message>
+        <source>expected one for each part</source>
+        <translation>erwartet: eine für jedes Teil</translation>
+    </message>
+    <message>
+        <source>Name the columns of part, rater and verdict, or those of the raters: either a verdict a row, or a column a rater.</source>
+        <translation>Die Spalten von Teil, Beurteilenden und Urteil nennen oder die der Beurteilenden: entweder ein Urteil je Zeile oder eine Spalte je Beurteilenden.</translation>
+    </message>
+    <message>
+        <source>A rater&apos;s column is named twice.</source>
+        <translation>Die Spalte eines Beurteilenden ist zweimal genannt.</translation>
+    </message>
+    <message>
+        <source>found no verdict</source>
+        <translation>gefunden: kein Urteil</translation>
+    </message>
+    <message>
+        <source>found %1 raters</source>
+        <translation>gefunden: %1 Beurteilende</translation>
+    </message>
+    <message>
+        <source>expected at most %1: is it the right column?</source>
+        <translation>erwartet: höchstens %1; ist es die richtige Spalte?</translation>
+    </message>
+    <message>
+        <source>found %1 kinds of verdicts</source>
+        <translation>gefunden: %1 Arten von Urteilen</translation>
+    </message>
+    <message>
+        <source>readings of the reference parts</source>
+        <translation>Anzeigen der Referenzteile</translation>
+    </message>
+    <message>
+        <source>The process variation must be a number above zero.</source>
+        <translation>Die Prozessstreuung muss eine Zahl über null sein.</translation>
+    </message>
+    <message>
+        <source>found %1 references and %2 values</source>
+        <translation>gefunden: %1 Referenzen und %2 Werte</translation>
+    </message>
+    <message>
+        <source>expected a reference for each value</source>
+        <translation>erwartet: eine Referenz für jeden Wert</translation>
+    </message>
+    <message>
+        <source>found a number that is not finite or too large</source>
+        <translation>gefunden: eine Zahl, die nicht endlich oder zu groß ist</translation>
+    </message>
+    <message>
+        <source>expected finite numbers</source>
+        <translation>erwartet: endliche Zahlen</translation>
+    </message>
+    <message>
+        <source>found %1 different references</source>
+        <translation>gefunden: %1 verschiedene Referenzen</translation>
+    </message>
+    <message>
+        <source>expected 2 at least, better 5 over the whole range; for one reference there is the type-1 study</source>
+        <translation>erwartet: mindestens 2, besser 5 über den ganzen Bereich; für eine Referenz gibt es die Studie Typ 1</translation>
+    </message>
+    <message>
+        <source>found numbers too large or too small to calculate with</source>
+        <translation>gefunden: Zahlen, die zum Rechnen zu groß oder zu klein sind</translation>
+    </message>
+    <message>
+        <source>expected another unit</source>
+        <translation>erwartet: eine andere Einheit</translation>
+    </message>
+    <message>
+        <source>The readings lie on the line bias = %1 + %2 reference without any scatter, so that nothing can be tested. Record more digits, or repeat each reference.</source>
+        <translation>Die Anzeigen liegen ohne jede Streuung auf der Geraden Abweichung = %1 + %2 Referenz, darum lässt sich nichts prüfen. Mehr Stellen aufzeichnen oder jede Referenz wiederholen.</translation>
+    </message>
+    <message>
+        <source>Linear: neither a bias nor a change of it over the range is seen.</source>
+        <translation>Linear: Weder eine Abweichung noch ihre Änderung über den Bereich ist zu sehen.</translation>
+    </message>
+    <message>
+        <source>No single reference shows a bias.</source>
+        <translation>Keine einzelne Referenz zeigt eine Abweichung.</translation>
+    </message>
+    <message>
+        <source>A bias is seen at the references %1.</source>
+        <translation>Eine Abweichung zeigt sich bei den Referenzen %1.</translation>
+    </message>
+    <message>
+        <source>It cannot be tested at %1, where no scatter is seen: repeat the readings.</source>
+        <translation>Nicht prüfbar ist sie bei %1, wo keine Streuung zu sehen ist: die Anzeigen wiederholen.</translation>
+    </message>
+    <message>
+        <source>Over the process variation the bias changes by %1, that is %2 % of it.</source>
+        <translation>Über die Prozessstreuung ändert sich die Abweichung um %1, das sind %2 % davon.</translation>
+    </message>
+    <message>
+        <source>There are %1 references with %2 readings at the least; usual are %3 over the whole range with %4 each.</source>
+        <translation>Es gibt %1 Referenzen mit mindestens %2 Anzeigen; üblich sind %3 über den ganzen Bereich mit je %4.</translation>
+    </message>
+    <message>
+        <source>readings of the reference part</source>
+        <translation>Anzeigen des Referenzteils</translation>
+    </message>
+    <message>
+        <source>expected at least 2, better 50: squeeze the part again</source>
+        <translation>erwartet: mindestens 2, besser 50; das Teil noch einmal drücken</translation>
+    </message>
+    <message>
+        <source>The reference must be a finite number.</source>
+        <translation>Die Referenz muss eine endliche Zahl sein.</translation>
+    </message>
+    <message>
+        <source>The tolerance must be a number above zero.</source>
+        <translation>Die Toleranz muss eine Zahl über null sein.</translation>
+    </message>
+    <message>
+        <source>The share of the tolerance must be above 0 and at most 100 percent.</source>
+        <translation>Der Anteil an der Toleranz muss über 0 und höchstens 100 Prozent sein.</translation>
+    </message>
+    <message>
+        <source>The spread must be above 0 and at most 100 standard deviations.</source>
+        <translation>Die Spanne muss über 0 und höchstens 100 Standardabweichungen sein.</translation>
+    </message>
+    <message>
+        <source>The minimum of Cg and Cgk must be a number above zero.</source>
+        <translation>Das Minimum von Cg und Cgk muss eine Zahl über null sein.</translation>
+    </message>
+    <message>
+        <source>found numbers too large to calculate with</source>
+        <translation>gefunden: Zahlen, die zum Rechnen zu groß sind</translation>
+    </message>
+    <message>
+        <source>Not capable: all %1 readings are the same and lie %2 from the reference, more than half of the share of the tolerance that is allowed. Calibrate the gripper.</source>
+        <translation>Nicht fähig: Alle %1 Anzeigen sind gleich und liegen %2 von der Referenz, mehr als die Hälfte des erlaubten Anteils an der Toleranz. Den Greifer kalibrieren.</translation>
+    </message>
+    <message>
+        <source>All %1 readings are the same, so that Cg and Cgk do not exist: the scatter is below the step of the readings. Record more digits and repeat the study.</source>
+        <translation>Alle %1 Anzeigen sind gleich, darum gibt es Cg und Cgk nicht: Die Streuung liegt unter dem Schritt der Anzeigen. Mehr Stellen aufzeichnen und die Studie wiederholen.</translation>
+    </message>
+    <message>
+        <source>The readings scatter too little for Cg and Cgk to be numbers: check their unit and that of the tolerance.</source>
+        <translation>Die Anzeigen streuen zu wenig, als dass Cg und Cgk Zahlen wären: ihre Einheit und die der Toleranz prüfen.</translation>
+    </message>
+    <message>
+        <source>Capable: Cg %1 and Cgk %2 reach %3.</source>
+        <translation>Fähig: Cg %1 und Cgk %2 erreichen %3.</translation>
+    </message>
+    <message>
+        <source>Not capable: Cg %1 and Cgk %2, at least %3 is needed. The readings scatter too much: look at fixture, contact and force first, then at the bias.</source>
+        <translation>Nicht fähig: Cg %1 und Cgk %2, nötig ist mindestens %3. Die Anzeigen streuen zu sehr: zuerst Aufnahme, Kontakt und Kraft ansehen, dann die Abweichung.</translation>
+    </message>
+    <message>
+        <source>Not capable: Cg %1 and Cgk %2, at least %3 is needed. The readings scatter too much: look at fixture, contact and force.</source>
+        <translation>Nicht fähig: Cg %1 und Cgk %2, nötig ist mindestens %3. Die Anzeigen streuen zu sehr: Aufnahme, Kontakt und Kraft ansehen.</translation>
+    </message>
+    <message>
+        <source>Not capable: Cg %1 is enough, Cgk %2 is not, at least %3 is needed. The scatter is small enough, the bias is not: calibrate the gripper and repeat the study.</source>
+        <translation>Nicht fähig: Cg %1 genügt, Cgk %2 nicht, nötig ist mindestens %3. Die Streuung ist klein genug, die Abweichung nicht: den Greifer kalibrieren und die Studie wiederholen.</translation>
+    </message>
+    <message>
+        <source>Not capable: Cg %1 and Cgk %2 reach %3, but the step of the readings is too coarse to trust them.</source>
+        <translation>Nicht fähig: Cg %1 und Cgk %2 erreichen %3, aber der Schritt der Anzeigen ist zu grob, um ihnen zu trauen.</translation>
+    </message>
+    <message>
+        <source>The mean of the readings lies %1 from the reference; how sure that is cannot be said without scatter.</source>
+        <translation>Der Mittelwert der Anzeigen liegt %1 von der Referenz; wie sicher das ist, lässt sich ohne Streuung nicht sagen.</translation>
+    </message>
+    <message>
+        <source>No bias is seen: %1, from %2 to %3 with %4 % confidence.</source>
+        <translation>Keine Abweichung zu sehen: %1, von %2 bis %3 mit %4 % Vertrauen.</translation>
+    </message>
+    <message>
+        <source>The gripper reads too much by %1, from %2 to %3 with %4 % confidence.</source>
+        <translation>Der Greifer zeigt um %1 zu viel an, von %2 bis %3 mit %4 % Vertrauen.</translation>
+    </message>
+    <message>
+        <source>The gripper reads too little: bias %1, from %2 to %3 with %4 % confidence.</source>
+        <translation>Der Greifer zeigt zu wenig an: Abweichung %1, von %2 bis %3 mit %4 % Vertrauen.</translation>
+    </message>
+    <message>
+        <source>The verdict is not certain: with %1 readings Cgk lies between %2 and %3. More readings narrow that.</source>
+        <translation>Das Urteil ist nicht sicher: Bei %1 Anzeigen liegt Cgk zwischen %2 und %3. Mehr Anzeigen engen das ein.</translation>
+    </message>
+    <message>
+        <source>The smallest step between the readings is %1, that is %2 % of the tolerance; at most %3 % are allowed. Record more digits, or take a finer sensor.</source>
+        <translation>Der kleinste Schritt zwischen den Anzeigen ist %1, das sind %2 % der Toleranz; erlaubt sind höchstens %3 %. Mehr Stellen aufzeichnen oder einen feineren Sensor nehmen.</translation>
+    </message>
+    <message>
+        <source>%1 standard deviations take %2 % of the tolerance; a minimum of %3 allows %4 %. Cg would reach it at a tolerance of %5, Cgk at one of %6.</source>
+        <translation>%1 Standardabweichungen nehmen %2 % der Toleranz ein; ein Minimum von %3 erlaubt %4 %. Cg würde es bei einer Toleranz von %5 erreichen, Cgk bei einer von %6.</translation>
+    </message>
+    <message>
+        <source>%1 readings are few: Booklet 10 asks for %2, and for %3 at least. Squeeze the reference part more often.</source>
+        <translation>%1 Anzeigen sind wenige: Heft 10 verlangt %2 und mindestens %3. Das Referenzteil öfter drücken.</translation>
+    </message>
+    <message>
+        <source>it is %1</source>
+        <translation>er ist %1</translation>
+    </message>
+    <message>
+        <source>a power needs numbers above 0; take percentiles</source>
+        <translation>eine Potenz braucht Zahlen über 0; Perzentile nehmen</translation>
+    </message>
+    <message>
+        <source>Value %1</source>
+        <translation>Wert %1</translation>
+    </message>
+    <message>
+        <source>The values</source>
+        <translation>Die Werte</translation>
+    </message>
+    <message>
+        <source>they are too few, or do not vary</source>
+        <translation>sie sind zu wenige oder alle gleich</translation>
+    </message>
+    <message>
+        <source>at least %1 that differ were expected</source>
+        <translation>erwartet wurden mindestens %1, die sich unterscheiden</translation>
+    </message>
+    <message>
+        <source>The upper limit</source>
+        <translation>Die obere Grenze</translation>
+    </message>
+    <message>
+        <source>The target</source>
+        <translation>Der Zielwert</translation>
+    </message>
+    <message>
+        <source>The lower limit</source>
+        <translation>Die untere Grenze</translation>
+    </message>
+    <message>
+        <source>The lower limit %1 cannot be passed by values above 0; only the upper one counts.</source>
+        <translation>Die untere Grenze %1 können Werte über 0 nicht unterschreiten; nur die obere zählt.</translation>
+    </message>
+    <message>
+        <source>The values are not normal (Anderson-Darling p %1): indices and ppm are not what they seem. Take a distribution by Box and Cox, or percentiles.</source>
+        <translation>Die Werte sind nicht normalverteilt (Anderson-Darling, p %1): Kennzahlen und ppm sind nicht, was sie scheinen. Eine Verteilung nach Box und Cox oder Perzentile nehmen.</translation>
+    </message>
+    <message>
+        <source>Too few values to tell whether they are normal.</source>
+        <translation>Zu wenige Werte, um zu sagen, ob sie normalverteilt sind.</translation>
+    </message>
+    <message>
+        <source>%1 values tell an index within wide bounds; take at least %2.</source>
+        <translation>%1 Werte grenzen eine Kennzahl nur weit ein; mindestens %2 nehmen.</translation>
+    </message>
+    <message>
+        <source>The intervals of Cp and Cpk count %1 degrees of freedom, as is customary; sigma within subgroups is worth %2, and by these the intervals are wider; they stand beside.</source>
+        <translation>Die Intervalle von Cp und Cpk zählen %1 Freiheitsgrade, wie es üblich ist; Sigma innerhalb der Untergruppen ist %2 wert, und damit sind die Intervalle breiter; sie stehen daneben.</translation>
+    </message>
+    <message>
+        <source>The values spread more overall than within subgroups: the process moves. Look at its control chart first.</source>
+        <translation>Die Werte streuen insgesamt mehr als innerhalb der Untergruppen: Der Prozess wandert. Zuerst seine Regelkarte ansehen.</translation>
+    </message>
+    <message>
+        <source>The confidence must be between 0 and 1.</source>
+        <translation>Das Vertrauensniveau muss zwischen 0 und 1 sein.</translation>
+    </message>
+    <message>
+        <source>The target must be a finite number.</source>
+        <translation>Der Zielwert muss eine endliche Zahl sein.</translation>
+    </message>
+    <message>
+        <source>Capable: the index is 1.33 or more, and so is the lower end of its interval.</source>
+        <translation>Fähig: Die Kennzahl ist 1,33 oder mehr, und ebenso das untere Ende ihres Intervalls.</translation>
+    </message>
+    <message>
+        <source>Probably capable: the index is 1.33 or more, but its interval reaches down to %1. Measure more parts to be sure.</source>
+        <translation>Wahrscheinlich fähig: Die Kennzahl ist 1,33 oder mehr, aber ihr Intervall reicht bis %1 hinunter. Mehr Teile messen, um sicher zu sein.</translation>
+    </message>
+    <message>
+        <source>Not capable: the index is below 1, and so is its interval. Centre the process, or make it vary less.</source>
+        <translation>Nicht fähig: Die Kennzahl ist unter 1 und ihr Intervall auch. Den Prozess zentrieren oder seine Streuung verringern.</translation>
+    </message>
+    <message>
+        <source>Not capable as it seems: the index is below 1, its interval reaches up to %1. Centre the process, or make it vary less.</source>
+        <translation>Wohl nicht fähig: Die Kennzahl ist unter 1, ihr Intervall reicht bis %1 hinauf. Den Prozess zentrieren oder seine Streuung verringern.</translation>
+    </message>
+    <message>
+        <source>Barely capable: the index is between 1 and 1.33. Watch the process, centre it, or make it vary less.</source>
+        <translation>Kaum fähig: Die Kennzahl ist zwischen 1 und 1,33. Den Prozess beobachten, zentrieren oder seine Streuung verringern.</translation>
+    </message>
+    <message>
+        <source>The first %1 points cannot settle the limits: there are %2, and at least 2 are needed.</source>
+        <translation>Die ersten %1 Punkte können die Grenzen nicht festlegen: Es gibt %2, und mindestens 2 sind nötig.</translation>
+    </message>
+    <message>
+        <source>The subgroups</source>
+        <translation>Die Untergruppen</translation>
+    </message>
+    <message>
+        <source>there is one</source>
+        <translation>es gibt eine</translation>
+    </message>
+    <message>
+        <source>at least two are needed to settle limits; state target and sigma, or smaller subgroups</source>
+        <translation>mindestens zwei sind nötig, um Grenzen festzulegen; Zielwert und Sigma angeben oder kleinere Untergruppen</translation>
+    </message>
+    <message>
+        <source>each holds one value</source>
+        <translation>jede enthält einen Wert</translation>
+    </message>
+    <message>
+        <source>take i-mr, ewma or cusum, or larger subgroups</source>
+        <translation>i-mr, ewma oder cusum nehmen oder größere Untergruppen</translation>
+    </message>
+    <message>
+        <source>they hold several values each</source>
+        <translation>sie enthalten je mehrere Werte</translation>
+    </message>
+    <message>
+        <source>take xbar-r or xbar-s, or leave the subgroups out</source>
+        <translation>xbar-r oder xbar-s nehmen oder die Untergruppen weglassen</translation>
+    </message>
+    <message>
+        <source>The limits come from %1 points; they are uncertain themselves. Take at least %2.</source>
+        <translation>Die Grenzen stammen aus %1 Punkten; sie sind selbst unsicher. Mindestens %2 nehmen.</translation>
+    </message>
+    <message>
+        <source>The subgroups have %1 to %2 values, and each its own limits.</source>
+        <translation>Die Untergruppen haben %1 bis %2 Werte und jede ihre eigenen Grenzen.</translation>
+    </message>
+    <message>
+        <source>%1 subgroups hold one value; they say nothing about sigma.</source>
+        <translation>%1 Untergruppen enthalten einen Wert; über Sigma sagen sie nichts.</translation>
+    </message>
+    <message>
+        <source>Run rules are for charts of independent points; on EWMA and CUSUM charts only the limits count.</source>
+        <translation>Regeln für Folgen gelten für Karten unabhängiger Punkte; auf EWMA- und CUSUM-Karten zählen nur die Grenzen.</translation>
+    </message>
+    <message>
+        <source>the step from the value before is beyond its limit</source>
+        <translation>der Schritt vom Wert davor liegt jenseits seiner Grenze</translation>
+    </message>
+    <message>
+        <source>the values of the subgroup differ more than they should</source>
+        <translation>die Werte der Untergruppe unterscheiden sich mehr, als sie sollten</translation>
+    </message>
+    <message>
+        <source>the values of the subgroup differ less than they should</source>
+        <translation>die Werte der Untergruppe unterscheiden sich weniger, als sie sollten</translation>
+    </message>
+    <message>
+        <source>the upper sum is above its limit: higher since about point %1</source>
+        <translation>die obere Summe liegt über ihrer Grenze: höher seit etwa Punkt %1</translation>
+    </message>
+    <message>
+        <source>the lower sum is above its limit: lower since about point %1</source>
+        <translation>die untere Summe liegt über ihrer Grenze: niedriger seit etwa Punkt %1</translation>
+    </message>
+    <message>
+        <source>the moving average is above its limit</source>
+        <translation>der gleitende Mittelwert liegt über seiner Grenze</translation>
+    </message>
+    <message>
+        <source>the moving average is below its limit</source>
+        <translation>der gleitende Mittelwert liegt unter seiner Grenze</translation>
+    </message>
+    <message>
+        <source>Point %1: %2</source>
+        <translation>Punkt %1: %2</translation>
+    </message>
+    <message>
+        <source>Mean and covariance of a T^2 chart do not fit.</source>
+        <translation>Mittelwert und Kovarianz einer T²-Karte passen nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>The share of false alarms must be above 0 and at most 0.5.</source>
+        <translation>Der Anteil der Fehlalarme muss über 0 und höchstens 0,5 sein.</translation>
+    </message>
+    <message>
+        <source>%1 degrees of freedom for %2 columns</source>
+        <translation>%1 Freiheitsgrade für %2 Spalten</translation>
+    </message>
+    <message>
+        <source>at least two more rows than columns, within subgroups where there are any, were expected</source>
+        <translation>erwartet wurden mindestens zwei Zeilen mehr als Spalten, innerhalb der Untergruppen, wo es sie gibt</translation>
+    </message>
+    <message>
+        <source>The columns</source>
+        <translation>Die Spalten</translation>
+    </message>
+    <message>
+        <source>one of them does not vary, or follows from the others</source>
+        <translation>eine von ihnen ändert sich nicht oder folgt aus den anderen</translation>
+    </message>
+    <message>
+        <source>leave that column out</source>
+        <translation>diese Spalte weglassen</translation>
+    </message>
+    <message>
+        <source>A row for the chart</source>
+        <translation>Eine Zeile für die Karte</translation>
+    </message>
+    <message>
+        <source>it has %1 columns</source>
+        <translation>sie hat %1 Spalten</translation>
+    </message>
+    <message>
+        <source>%1 finite numbers were expected</source>
+        <translation>%1 endliche Zahlen wurden erwartet</translation>
+    </message>
+    <message>
+        <source>The limits come from few rows (%1 degrees of freedom); take more before they are relied on.</source>
+        <translation>Die Grenzen stammen aus wenigen Zeilen (%1 Freiheitsgrade); mehr nehmen, bevor man sich auf sie verlässt.</translation>
+    </message>
+    <message>
+        <source>Point %1: T^2 is above its limit, mostly by %2</source>
+        <translation>Punkt %1: T² liegt über seiner Grenze, vor allem durch %2</translation>
+    </message>
+    <message>
+        <source>The centre of a chart must be a finite number.</source>
+        <translation>Die Mitte einer Karte muss eine endliche Zahl sein.</translation>
+    </message>
+    <message>
+        <source>The sigma of a chart must be above 0.</source>
+        <translation>Das Sigma einer Karte muss über 0 sein.</translation>
+    </message>
+    <message>
+        <source>A subgroup has at least one value.</source>
+        <translation>Eine Untergruppe hat mindestens einen Wert.</translation>
+    </message>
+    <message>
+        <source>The weight lambda of an EWMA chart must be above 0 and at most 1.</source>
+        <translation>Das Gewicht lambda einer EWMA-Karte muss über 0 und höchstens 1 sein.</translation>
+    </message>
+    <message>
+        <source>The width of an EWMA chart&apos;s limits must be above 0.</source>
+        <translation>Die Breite der Grenzen einer EWMA-Karte muss über 0 sein.</translation>
+    </message>
+    <message>
+        <source>The reference value k of a CUSUM chart must not be below 0.</source>
+        <translation>Der Referenzwert k einer CUSUM-Karte darf nicht unter 0 sein.</translation>
+    </message>
+    <message>
+        <source>The decision interval h of a CUSUM chart must be above 0.</source>
+        <translation>Das Entscheidungsintervall h einer CUSUM-Karte muss über 0 sein.</translation>
+    </message>
+    <message>
+        <source>A subgroup</source>
+        <translation>Eine Untergruppe</translation>
+    </message>
+    <message>
+        <source>it has %1 values</source>
+        <translation>sie hat %1 Werte</translation>
+    </message>
+    <message>
+        <source>a chart of individuals takes one at a time; take xbar-r or xbar-s</source>
+        <translation>eine Karte einzelner Werte nimmt einen nach dem anderen; xbar-r oder xbar-s nehmen</translation>
+    </message>
+    <message>
+        <source>at least one was expected</source>
+        <translation>mindestens einer wurde erwartet</translation>
+    </message>
+    <message>
+        <source>A value for the chart</source>
+        <translation>Ein Wert für die Karte</translation>
+    </message>
+    <message>
+        <source>it is missing or not finite</source>
+        <translation>er fehlt oder ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>leave it out, or measure it again</source>
+        <translation>ihn weglassen oder noch einmal messen</translation>
+    </message>
+    <message>
+        <source>The test of normality</source>
+        <translation>Die Prüfung auf Normalverteilung</translation>
+    </message>
+    <message>
+        <source>there are %1 values</source>
+        <translation>es gibt %1 Werte</translation>
+    </message>
+    <message>
+        <source>at least %1 were expected</source>
+        <translation>mindestens %1 wurden erwartet</translation>
+    </message>
+    <message>
+        <source>the values do not vary</source>
+        <translation>die Werte ändern sich nicht</translation>
+    </message>
+    <message>
+        <source>record more digits</source>
+        <translation>mehr Stellen aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Confidence must be between 0 and 1, and resamples between %1 and %2.</source>
+        <translation>Das Vertrauensniveau muss zwischen 0 und 1 sein, die Zahl der Stichproben zwischen %1 und %2.</translation>
+    </message>
+    <message>
+        <source>their percentiles coincide: too many are the same</source>
+        <translation>ihre Perzentile fallen zusammen: zu viele sind gleich</translation>
+    </message>
+    <message>
+        <source>The outer percentiles of %1 values are about the smallest and the largest of them: the indices are too good. Take at least %2 values, or a distribution by Box and Cox.</source>
+        <translation>Die äußeren Perzentile von %1 Werten sind etwa der kleinste und der größte: Die Kennzahlen sind zu gut. Mindestens %2 Werte nehmen oder eine Verteilung nach Box und Cox.</translation>
+    </message>
+    <message>
+        <source>one point beyond its limits</source>
+        <translation>ein Punkt jenseits seiner Grenzen</translation>
+    </message>
+    <message>
+        <source>%1 points in a row on one side of the centre</source>
+        <translation>%1 Punkte in Folge auf einer Seite der Mitte</translation>
+    </message>
+    <message>
+        <source>6 points in a row that rise, or fall</source>
+        <translation>6 Punkte in Folge, die steigen oder fallen</translation>
+    </message>
+    <message>
+        <source>14 points in a row that alternate up and down</source>
+        <translation>14 Punkte in Folge abwechselnd auf und ab</translation>
+    </message>
+    <message>
+        <source>2 of 3 points in a row more than 2 sigma from the centre, on one side</source>
+        <translation>2 von 3 Punkten in Folge mehr als 2 Sigma von der Mitte, auf einer Seite</translation>
+    </message>
+    <message>
+        <source>4 of 5 points in a row more than 1 sigma from the centre, on one side</source>
+        <translation>4 von 5 Punkten in Folge mehr als 1 Sigma von der Mitte, auf einer Seite</translation>
+    </message>
+    <message>
+        <source>15 points in a row within 1 sigma of the centre</source>
+        <translation>15 Punkte in Folge innerhalb 1 Sigma um die Mitte</translation>
+    </message>
+    <message>
+        <source>8 points in a row more than 1 sigma from the centre, on either side</source>
+        <translation>8 Punkte in Folge mehr als 1 Sigma von der Mitte, auf beiden Seiten</translation>
+    </message>
+    <message>
+        <source>A subgroup has at least one row.</source>
+        <translation>Eine Untergruppe hat mindestens eine Zeile.</translation>
+    </message>
+    <message>
+        <source>there are %1</source>
+        <translation>es gibt %1</translation>
+    </message>
+    <message>
+        <source>one for each of the %1 rows of the subgroups was expected, and at least one</source>
+        <translation>erwartet wurde einer für jede der %1 Zeilen der Untergruppen und mindestens einer</translation>
+    </message>
+    <message>
+        <source>leave out its row, or measure it again</source>
+        <translation>seine Zeile weglassen oder noch einmal messen</translation>
+    </message>
+    <message>
+        <source>moving ranges are of individual values; take ranges or deviations</source>
+        <translation>gleitende Spannweiten sind die einzelner Werte; Spannweiten oder Standardabweichungen nehmen</translation>
+    </message>
+    <message>
+        <source>there is one value</source>
+        <translation>es gibt einen Wert</translation>
+    </message>
+    <message>
+        <source>at least two are needed to see how values differ</source>
+        <translation>mindestens zwei sind nötig, um zu sehen, wie sich Werte unterscheiden</translation>
+    </message>
+    <message>
+        <source>subgroups of at least two, or a chart of individuals, were expected</source>
+        <translation>erwartet wurden Untergruppen von mindestens zwei oder eine Karte einzelner Werte</translation>
+    </message>
+    <message>
+        <source>they do not vary within subgroups</source>
+        <translation>sie ändern sich innerhalb der Untergruppen nicht</translation>
+    </message>
+    <message>
+        <source>record more digits, or state sigma</source>
+        <translation>mehr Stellen aufzeichnen oder Sigma angeben</translation>
+    </message>
+    <message>
+        <source>%1 combinations of part, operator and station that are not balanced</source>
+        <translation>%1 Kombinationen von Teil, Bediener und Station, die nicht ausgewogen sind</translation>
+    </message>
+    <message>
+        <source>at most %1, or as many measurements of each; a sample of the parts will do</source>
+        <translation>höchstens %1, oder von jeder gleich viele Messungen; eine Stichprobe der Teile genügt</translation>
+    </message>
+    <message>
+        <source>Parts and operators of the table</source>
+        <translation>Teile und Bediener der Tabelle</translation>
+    </message>
+    <message>
+        <source>each operator measured one part only, which nobody else measured</source>
+        <translation>jeder Bediener hat nur ein Teil gemessen, das sonst niemand gemessen hat</translation>
+    </message>
+    <message>
+        <source>operators who measure several parts each, or no operator column (then all counts as one operator)</source>
+        <translation>Bediener, die je mehrere Teile messen, oder keine Spalte der Bediener (dann gilt alles als ein Bediener)</translation>
+    </message>
+    <message>
+        <source>no part was measured by two operators</source>
+        <translation>kein Teil wurde von zwei Bedienern gemessen</translation>
+    </message>
+    <message>
+        <source>the same parts for all operators, or a nested design</source>
+        <translation>dieselben Teile für alle Bediener, oder ein geschachtelter Plan</translation>
+    </message>
+    <message>
+        <source>The labels of the runs repeat under the parts: taken as nested, runs counted anew within each part. Where a label means the same under every part, choose the crossed design (--design crossed).</source>
+        <translation>Die Namen der Durchgänge wiederholen sich bei den Teilen: als geschachtelt genommen, Durchgänge in jedem Teil neu gezählt. Wo ein Name bei jedem Teil dasselbe bedeutet, den gekreuzten Plan wählen (--design crossed).</translation>
+    </message>
+    <message>
+        <source>Taken as nested: the operators (runs) are numbered within each part.</source>
+        <translation>Als geschachtelt genommen: die Bediener (Läufe) sind innerhalb jedes Teils nummeriert.</translation>
+    </message>
+    <message>
+        <source>Taken as nested: each operator has parts of their own.</source>
+        <translation>Als geschachtelt genommen: jeder Bediener hat eigene Teile.</translation>
+    </message>
+    <message>
+        <source>Labels of operators repeat under the parts: taken as operators (runs) numbered within each part. Where the operators have parts of their own, say so (--inside part) or give each part a name of its own.</source>
+        <translation>Die Namen der Bediener wiederholen sich bei den Teilen: als Bediener (Durchgänge) genommen, die in jedem Teil neu gezählt sind. Wo die Bediener eigene Teile haben, das sagen (--inside part) oder jedem Teil einen eigenen Namen geben.</translation>
+    </message>
+    <message>
+        <source>Labels of parts repeat under the operators: taken as parts of each operator&apos;s own. Where operators (runs) are numbered within each part, say so (--inside operator) or give each a name of its own.</source>
+        <translation>Die Namen der Teile wiederholen sich bei den Bedienern: als eigene Teile jedes Bedieners genommen. Wo Bediener (Durchgänge) in jedem Teil gezählt sind, das sagen (--inside operator) oder jedem einen eigenen Namen geben.</translation>
+    </message>
+    <message>
+        <source>Taken as crossed: an operator&apos;s label means the same operator under every part. Where operators (runs) are numbered anew within each part, or parts within each operator, choose the nested design (--design nested).</source>
+        <translation>Als gekreuzt genommen: Der Name eines Bedieners meint bei jedem Teil denselben. Wo Bediener (Durchgänge) in jedem Teil neu gezählt sind oder Teile bei jedem Bediener, den geschachtelten Plan wählen (--design nested).</translation>
+    </message>
+    <message>
+        <source>%1 of %2 combinations of part, operator and station were not measured: the components are estimated by restricted maximum likelihood (REML).</source>
+        <translation>%1 von %2 Kombinationen von Teil, Bediener und Station wurden nicht gemessen: die Komponenten werden mit der eingeschränkten Maximum-Likelihood-Methode (REML) geschätzt.</translation>
+    </message>
+    <message>
+        <source>Not every combination was measured equally often: the components are estimated by restricted maximum likelihood (REML).</source>
+        <translation>Nicht jede Kombination wurde gleich oft gemessen: die Komponenten werden mit der eingeschränkten Maximum-Likelihood-Methode (REML) geschätzt.</translation>
+    </message>
+    <message>
+        <source>No operator measured a part twice: the interaction of part and operator cannot be told from repeatability and counts as part of it. Repeat each measurement at least once to see it.</source>
+        <translation>Kein Bediener hat ein Teil zweimal gemessen: die Wechselwirkung von Teil und Bediener ist von der Wiederholpräzision nicht zu trennen und zählt zu ihr. Jede Messung mindestens einmal wiederholen, um sie zu sehen.</translation>
+    </message>
+    <message>
+        <source>No part was measured twice at a station: the interaction of part and station cannot be told from repeatability and counts as part of it. Repeat each measurement at least once to see it.</source>
+        <translation>Kein Teil wurde an einer Station zweimal gemessen: die Wechselwirkung von Teil und Station ist von der Wiederholpräzision nicht zu trennen und zählt zu ihr. Jede Messung mindestens einmal wiederholen, um sie zu sehen.</translation>
+    </message>
+    <message>
+        <source>No operator (run) measured a part twice: operators cannot be told from repeatability and count as part of it.</source>
+        <translation>Kein Bediener (Lauf) hat ein Teil zweimal gemessen: Bediener sind von der Wiederholpräzision nicht zu trennen und zählen zu ihr.</translation>
+    </message>
+    <message>
+        <source>one part only</source>
+        <translation>nur ein Teil</translation>
+    </message>
+    <message>
+        <source>at least two parts, better ten, that differ as production does</source>
+        <translation>mindestens zwei Teile, besser zehn, die sich unterscheiden wie die Fertigung</translation>
+    </message>
+    <message>
+        <source>There is one operator only: nothing is known about differences between operators.</source>
+        <translation>Es gibt nur einen Bediener: über Unterschiede zwischen Bedienern ist nichts bekannt.</translation>
+    </message>
+    <message>
+        <source>There is one station only: nothing is known about differences between stations.</source>
+        <translation>Es gibt nur eine Station: über Unterschiede zwischen Stationen ist nichts bekannt.</translation>
+    </message>
+    <message>
+        <source>each part was measured once</source>
+        <translation>jedes Teil wurde einmal gemessen</translation>
+    </message>
+    <message>
+        <source>repeated measurements of the same parts, without which nothing is known about the gripper</source>
+        <translation>wiederholte Messungen derselben Teile, ohne die über den Greifer nichts bekannt ist</translation>
+    </message>
+    <message>
+        <source>Column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>values beyond 1e150</source>
+        <translation>Werte jenseits von 1e150</translation>
+    </message>
+    <message>
+        <source>values in another unit</source>
+        <translation>Werte in einer anderen Einheit</translation>
+    </message>
+    <message>
+        <source>all values are equal</source>
+        <translation>alle Werte sind gleich</translation>
+    </message>
+    <message>
+        <source>values with more digits: finer than the parts differ</source>
+        <translation>Werte mit mehr Stellen: feiner, als sich die Teile unterscheiden</translation>
+    </message>
+    <message>
+        <source>values that differ by less than 1e-150</source>
+        <translation>Werte, die sich um weniger als 1e-150 unterscheiden</translation>
+    </message>
+    <message>
+        <source>The method of moments serves balanced tables: REML was used in its place.</source>
+        <translation>Die Momentenmethode gilt für ausgewogene Tabellen: an ihrer Stelle wurde REML verwendet.</translation>
+    </message>
+    <message>
+        <source>repeatability</source>
+        <translation>Wiederholpräzision</translation>
+    </message>
+    <message>
+        <source>the operators</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>the interaction of part and operator</source>
+        <translation>Wechselwirkung von Teil und Bediener</translation>
+    </message>
+    <message>
+        <source>the stations</source>
+        <translation>Stationen</translation>
+    </message>
+    <message>
+        <source>the interaction of part and station</source>
+        <translation>Wechselwirkung von Teil und Station</translation>
+    </message>
+    <message>
+        <source>the parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>the gauge</source>
+        <translation>Messmittel</translation>
+    </message>
+    <message>
+        <source>This gripper is good enough to judge these parts: the gauge takes %1 % of the study variation (below 10 %).</source>
+        <translation>Dieser Greifer ist gut genug, um diese Teile zu beurteilen: das Messmittel nimmt %1 % der Studienstreuung ein (unter 10 %).</translation>
+    </message>
+    <message>
+        <source>This gripper may do, depending on what is at stake: the gauge takes %1 % of the study variation (up to 10 % is good, above 30 % is not).</source>
+        <translation>Dieser Greifer mag genügen, je nachdem, was auf dem Spiel steht: das Messmittel nimmt %1 % der Studienstreuung ein (bis 10 % ist gut, über 30 % nicht).</translation>
+    </message>
+    <message>
+        <source>This gripper is not good enough to judge these parts: the gauge takes %1 % of the study variation (at most 30 %, better 10 %).</source>
+        <translation>Dieser Greifer ist nicht gut genug, um diese Teile zu beurteilen: das Messmittel nimmt %1 % der Studienstreuung ein (höchstens 30 %, besser 10 %).</translation>
+    </message>
+    <message>
+        <source> It takes %1 % of the tolerance.</source>
+        <translation> Es nimmt %1 % der Toleranz ein.</translation>
+    </message>
+    <message>
+        <source>Nothing of the gauge was seen at all: its repeats are equal. Check that the values have enough digits and that no row was copied.</source>
+        <translation>Vom Messmittel war gar nichts zu sehen: seine Wiederholungen sind gleich. Prüfen, ob die Werte genug Stellen haben und keine Zeile kopiert wurde.</translation>
+    </message>
+    <message>
+        <source>It cannot tell these parts apart.</source>
+        <translation>Er kann diese Teile nicht unterscheiden.</translation>
+    </message>
+    <message>
+        <source>It tells %1 kinds of part apart, where five are the least.</source>
+        <translation>Er unterscheidet %1 Klassen von Teilen; fünf sind das Mindeste.</translation>
+    </message>
+    <message>
+        <source>It tells %1 kinds of part apart.</source>
+        <translation>Er unterscheidet %1 Klassen von Teilen.</translation>
+    </message>
+    <message>
+        <source> With so few measurements it may be as few as %1.</source>
+        <translation> Bei so wenigen Messungen können es auch nur %1 sein.</translation>
+    </message>
+    <message>
+        <source>Most of the variance comes from %1 (%2 %)</source>
+        <translation>Der größte Teil der Varianz: %1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>, most of the gauge&apos;s own from %1 (%2 % of it).</source>
+        <translation>, von der des Messmittels: %1 (%2 % davon).</translation>
+    </message>
+    <message>
+        <source>Operators make %1 % of the variance.</source>
+        <translation>Bediener machen %1 % der Varianz aus.</translation>
+    </message>
+    <message>
+        <source>Stations make %1 % of the variance.</source>
+        <translation>Stationen machen %1 % der Varianz aus.</translation>
+    </message>
+    <message>
+        <source>Next: use it, and repeat the study after repairs, new fingers or a new operator.</source>
+        <translation>Weiter: ihn verwenden, und die Studie nach Reparaturen, mit neuen Fingern oder einem neuen Bediener wiederholen.</translation>
+    </message>
+    <message>
+        <source>Next: reduce what comes from %1, then repeat the study; until then let one operator at one station measure what is to be compared.</source>
+        <translation>Weiter: vermindern, was hiervon kommt: %1; dann die Studie wiederholen. Bis dahin misst ein Bediener an einer Station, was verglichen werden soll.</translation>
+    </message>
+    <message>
+        <source>Next: squeeze each part %1 times and take the mean, or make the squeeze itself repeat better (stronger or longer excitation, a firmer seat), then repeat the study.</source>
+        <translation>Weiter: jedes Teil %1-mal drücken und mitteln, oder den Druckversuch selbst wiederholbarer machen (stärkere oder längere Anregung, festerer Sitz), dann die Studie wiederholen.</translation>
+    </message>
+    <message>
+        <source>Next: make the squeeze itself repeat better (stronger or longer excitation, a firmer seat), and choose parts that differ as production does, then repeat the study.</source>
+        <translation>Weiter: den Druckversuch selbst wiederholbarer machen (stärkere oder längere Anregung, festerer Sitz) und Teile wählen, die sich unterscheiden wie die Fertigung, dann die Studie wiederholen.</translation>
+    </message>
+    <message>
+        <source>Pooled: %1 is not seen (F = %2, p = %3, above %4) and counts as repeatability; without pooling it is kept.</source>
+        <translation>Zusammengefasst: nicht zu sehen ist %1 (F = %2, p = %3, über %4) und zählt zur Wiederholpräzision; ohne Zusammenfassen bleibt es stehen.</translation>
+    </message>
+    <message>
+        <source>The estimated variance of %1 is negative (%2) and is taken as 0 in all sums: it is too small for this table to see.</source>
+        <translation>Die geschätzte Varianz (%1) ist negativ (%2) und gilt in allen Summen als 0: sie ist zu klein, um in dieser Tabelle gesehen zu werden.</translation>
+    </message>
+    <message>
+        <source>The variance of %1 is estimated as 0, the least that it can be: it is too small for this table to see.</source>
+        <translation>Die Varianz (%1) wird auf 0 geschätzt, das Kleinste, was sie sein kann: sie ist zu klein, um in dieser Tabelle gesehen zu werden.</translation>
+    </message>
+    <message>
+        <source>The likelihood was not maximised to the last digits: take the components as approximate.</source>
+        <translation>Die Likelihood wurde nicht bis auf die letzten Stellen maximiert: die Komponenten als Näherung nehmen.</translation>
+    </message>
+    <message>
+        <source>The values cannot be judged together: one of them repeats exactly, or is determined by the others.</source>
+        <translation>Die Werte lassen sich nicht gemeinsam beurteilen: einer wiederholt sich genau oder ist durch die anderen bestimmt.</translation>
+    </message>
+    <message>
+        <source>Along some combination of the values the parts&apos; estimated variance is negative; it is taken as 0.</source>
+        <translation>Entlang einer Kombination der Werte ist die geschätzte Varianz der Teile negativ; sie gilt als 0.</translation>
+    </message>
+    <message>
+        <source>The range method serves balanced tables of parts and operators alone, each operator measuring each part equally often. Use the analysis of variance or REML.</source>
+        <translation>Die Spannweitenmethode gilt für ausgewogene Tabellen aus Teilen und Bedienern allein, in denen jeder Bediener jedes Teil gleich oft misst. Die Varianzanalyse oder REML verwenden.</translation>
+    </message>
+    <message>
+        <source>The range method: nothing was measured twice, so there are no ranges of trials. Repeat each measurement.</source>
+        <translation>Spannweitenmethode: nichts wurde zweimal gemessen, also gibt es keine Spannweiten der Durchgänge. Jede Messung wiederholen.</translation>
+    </message>
+    <message>
+        <source>The range method: at most %1 parts and %1 trials; use the analysis of variance.</source>
+        <translation>Spannweitenmethode: höchstens %1 Teile und %1 Durchgänge; die Varianzanalyse verwenden.</translation>
+    </message>
+    <message>
+        <source>The range method: too many operators; use the analysis of variance instead.</source>
+        <translation>Spannweitenmethode: zu viele Bediener; stattdessen die Varianzanalyse verwenden.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of measurement %1</source>
+        <translation>Unsicherheit der Messung %1</translation>
+    </message>
+    <message>
+        <source>above 0</source>
+        <translation>über 0</translation>
+    </message>
+    <message>
+        <source>Operators cannot be told from the other columns, which determine them: left out.</source>
+        <translation>Bediener sind von den anderen Spalten nicht zu trennen, die sie bestimmen: weggelassen.</translation>
+    </message>
+    <message>
+        <source>Stations cannot be told from the other columns, which determine them: left out.</source>
+        <translation>Stationen sind von den anderen Spalten nicht zu trennen, die sie bestimmen: weggelassen.</translation>
+    </message>
+    <message>
+        <source>The interaction of part and operator cannot be told from the other effects in this table: left out.</source>
+        <translation>Die Wechselwirkung von Teil und Bediener ist in dieser Tabelle von den anderen Wirkungen nicht zu trennen: weggelassen.</translation>
+    </message>
+    <message>
+        <source>The interaction of part and station cannot be told from the other effects in this table: left out.</source>
+        <translation>Die Wechselwirkung von Teil und Station ist in dieser Tabelle von den anderen Wirkungen nicht zu trennen: weggelassen.</translation>
+    </message>
+    <message>
+        <source>value column %1: all its values are equal</source>
+        <translation>Wertespalte %1: alle ihre Werte sind gleich</translation>
+    </message>
+    <message>
+        <source>parts cannot be told from operators or stations</source>
+        <translation>Teile sind von Bedienern oder Stationen nicht zu trennen</translation>
+    </message>
+    <message>
+        <source>several parts for each operator and station</source>
+        <translation>mehrere Teile für jeden Bediener und jede Station</translation>
+    </message>
+    <message>
+        <source>nothing was measured twice</source>
+        <translation>nichts wurde zweimal gemessen</translation>
+    </message>
+    <message>
+        <source>repeated measurements, without which repeatability is not known</source>
+        <translation>wiederholte Messungen, ohne die die Wiederholpräzision nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>The plan of a study</source>
+        <translation>Der Plan einer Studie</translation>
+    </message>
+    <message>
+        <source>kind, order, quantity and seed of a study</source>
+        <translation>Art, Reihenfolge, Größe und Startwert einer Studie</translation>
+    </message>
+    <message>
+        <source>1 to %1 rows</source>
+        <translation>1 bis %1 Zeilen</translation>
+    </message>
+    <message>
+        <source>places in the lists of the plan</source>
+        <translation>Plätze in den Listen des Plans</translation>
+    </message>
+    <message>
+        <source>Put in part %1 (trial %2 of %3).</source>
+        <translation>Teil %1 einlegen (Durchgang %2 von %3).</translation>
+    </message>
+    <message>
+        <source>%1 puts in part %2 (trial %3 of %4).</source>
+        <translation>%1 legt Teil %2 ein (Durchgang %3 von %4).</translation>
+    </message>
+    <message>
+        <source> At station %1.</source>
+        <translation> An Station %1.</translation>
+    </message>
+    <message>
+        <source>All %1 squeezes are through.</source>
+        <translation>Alle %1 Druckversuche sind gemacht.</translation>
+    </message>
+    <message>
+        <source>Squeeze %1 of %2.</source>
+        <translation>Druckversuch %1 von %2.</translation>
+    </message>
+    <message>
+        <source> Left out: %1.</source>
+        <translation> Ausgelassen: %1.</translation>
+    </message>
+    <message>
+        <source> Repeated: %1.</source>
+        <translation> Wiederholt: %1.</translation>
+    </message>
+    <message>
+        <source>The labels of a study differ: one is there twice.</source>
+        <translation>Die Bezeichnungen einer Studie müssen verschieden sein: eine ist doppelt.</translation>
+    </message>
+    <message>
+        <source>A label of a study has 1 to %1 characters.</source>
+        <translation>Eine Bezeichnung einer Studie hat 1 bis %1 Zeichen.</translation>
+    </message>
+    <message>
+        <source>A study against references needs one for each part.</source>
+        <translation>Eine Studie gegen Referenzen braucht eine für jedes Teil.</translation>
+    </message>
+    <message>
+        <source>A reference value is a number.</source>
+        <translation>Ein Referenzwert ist eine Zahl.</translation>
+    </message>
+    <message>
+        <source>A study has 1 to %1 squeezes of at least one part.</source>
+        <translation>Eine Studie hat 1 bis %1 Druckversuche an mindestens einem Teil.</translation>
+    </message>
+    <message>
+        <source>A gauge study needs two parts or more, each measured twice or more often. Ten parts, three operators and three trials are usual.</source>
+        <translation>Eine Messmittelstudie braucht mindestens zwei Teile, jedes mindestens zweimal gemessen. Üblich sind zehn Teile, drei Bediener und drei Durchgänge.</translation>
+    </message>
+    <message>
+        <source>A type-1 study is one part, squeezed by one person again and again: 50 times is usual, 25 the least that is.</source>
+        <translation>Verfahren 1 ist ein Teil, von einer Person immer wieder gedrückt: üblich sind 50-mal, mindestens 25-mal.</translation>
+    </message>
+    <message>
+        <source>Linearity needs two references or more. Five parts over the range, twelve trials each, are usual.</source>
+        <translation>Linearität braucht mindestens zwei Referenzen. Üblich sind fünf Teile über den Bereich, je zwölf Durchgänge.</translation>
+    </message>
+    <message>
+        <source>Attribute agreement needs two parts or more, and two raters or two trials. 50 parts, three raters and three trials are usual.</source>
+        <translation>Die Übereinstimmung attributiver Urteile braucht mindestens zwei Teile und zwei Prüfer oder zwei Durchgänge. Üblich sind 50 Teile, drei Prüfer und drei Durchgänge.</translation>
+    </message>
+    <message>
+        <source>It does not determine m, b and k.</source>
+        <translation>Er bestimmt m, b und k nicht.</translation>
+    </message>
+    <message>
+        <source>The study %1</source>
+        <translation>Die Studie %1</translation>
+    </message>
+    <message>
+        <source>no quantity that all squeezes determined</source>
+        <translation>keine Größe, die alle Druckversuche bestimmt haben</translation>
+    </message>
+    <message>
+        <source>measurements of m, b or k</source>
+        <translation>Messungen von m, b oder k</translation>
+    </message>
+    <message>
+        <source>measurements in several units</source>
+        <translation>Messungen in mehreren Einheiten</translation>
+    </message>
+    <message>
+        <source>measurements in one unit</source>
+        <translation>Messungen in einer Einheit</translation>
+    </message>
+    <message>
+        <source>No study is under way. Begin one, or go on with one.</source>
+        <translation>Es läuft keine Studie. Eine beginnen oder mit einer weitermachen.</translation>
+    </message>
+    <message>
+        <source>All squeezes of the study are through. Finish it.</source>
+        <translation>Alle Druckversuche der Studie sind gemacht. Die Studie abschließen.</translation>
+    </message>
+    <message>
+        <source>The study was begun with gripper %1, and %2 is connected. Connect the first one, or begin a study of its own.</source>
+        <translation>Die Studie wurde mit Greifer %1 begonnen, verbunden ist %2. Den ersten verbinden oder eine eigene Studie beginnen.</translation>
+    </message>
+    <message>
+        <source>A study is under way. Finish or abandon it first.</source>
+        <translation>Es läuft eine Studie. Sie zuerst abschließen oder abbrechen.</translation>
+    </message>
+    <message>
+        <source>What a rater says of a part is a word of a study of attributes.</source>
+        <translation>Was ein Prüfer über ein Teil sagt, ist ein Wort einer attributiven Studie.</translation>
+    </message>
+    <message>
+        <source>There is nothing to take back.</source>
+        <translation>Es gibt nichts zurückzunehmen.</translation>
+    </message>
+    <message>
+        <source>%1 squeezes are left. Make them, or say why the study ends without them.</source>
+        <translation>%1 Druckversuche fehlen noch. Sie machen, oder begründen, warum die Studie ohne sie endet.</translation>
+    </message>
+    <message>
+        <source>All repeats of %1 are equal, so nothing is known of how well it is measured.</source>
+        <translation>Alle Wiederholungen von %1 sind gleich; wie gut es gemessen wird, ist damit nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>This gripper does not tell these parts apart by %1.</source>
+        <translation>Dieser Greifer unterscheidet diese Teile nicht nach %1.</translation>
+    </message>
+    <message>
+        <source>This gripper tells %1 kinds of %2 apart.</source>
+        <translation>Dieser Greifer unterscheidet %1 Klassen von %2.</translation>
+    </message>
+    <message>
+        <source>Operators are not the trouble.</source>
+        <translation>An den Bedienern liegt es nicht.</translation>
+    </message>
+    <message>
+        <source>Operators are the trouble: they make %1 % of the gauge&apos;s variance in %2.</source>
+        <translation>Es liegt an den Bedienern: sie machen %1 % der Varianz des Messmittels bei %2 aus.</translation>
+    </message>
+    <message>
+        <source>Operators differ, but squeezes of one operator differ more: operators make %1 % of the gauge&apos;s variance in %2.</source>
+        <translation>Die Bediener unterscheiden sich, die Druckversuche eines Bedieners aber mehr: Bediener machen %1 % der Varianz des Messmittels bei %2 aus.</translation>
+    </message>
+    <message>
+        <source>%1 is a whole number from 1 to %2</source>
+        <translation>%1 ist eine ganze Zahl von 1 bis %2</translation>
+    </message>
+    <message>
+        <source>virtual: knows object, seed, noise, speed, friction, own-friction, zener, k3, rate, jitter, part, operator, trial, part-spread, operator-spread, repeat-spread, fault, script, capture, profile and like</source>
+        <translation>virtual: kennt object, seed, noise, speed, friction, own-friction, zener, k3, rate, jitter, part, operator, trial, part-spread, operator-spread, repeat-spread, fault, script, capture, profile und like</translation>
+    </message>
+    <message>
+        <source>The last squeezes of %1 lie beside its enrolment, more than chance leaves: its charts are beyond their limits. Look at the next ones.</source>
+        <translation>Die letzten Druckversuche von %1 liegen weiter neben dem Einlernen, als der Zufall erklärt: Die Regelkarten sind über ihren Grenzen. Auf die nächsten achten.</translation>
+    </message>
+    <message>
+        <source>A type-1 study needs the tolerance of its quantity.</source>
+        <translation>Eine Typ-1-Studie braucht die Toleranz ihrer Größe.</translation>
+    </message>
+    <message>
+        <source>a squeeze without its quantity or reference</source>
+        <translation>ein Druckversuch ohne seine Größe oder Referenz</translation>
+    </message>
+    <message>
+        <source>the quantity of the study from every squeeze</source>
+        <translation>die Größe der Studie aus jedem Druckversuch</translation>
+    </message>
+    <message>
+        <source>Not linear: the bias changes by %1 for each unit of the reference (%2). Calibrate the gripper at both ends of its range, then repeat the study.</source>
+        <translation>Nicht linear: Die Abweichung ändert sich um %1 je Einheit der Referenz (%2). Den Greifer an beiden Enden seines Bereichs kalibrieren, dann die Studie wiederholen.</translation>
+    </message>
+    <message>
+        <source>Linear, but biased: the zero line is not within what the readings allow (%1); the mean bias is %2. Take it off by a calibration, then repeat the study.</source>
+        <translation>Linear, aber mit Abweichung: Die Nulllinie liegt nicht in dem, was die Anzeigen zulassen (%1); die mittlere Abweichung ist %2. Sie durch eine Kalibrierung abziehen, dann die Studie wiederholen.</translation>
+    </message>
+    <message>
+        <source>A straight line does not describe the bias (lack of fit, %1): go by the bias at each reference, and calibrate with a curve.</source>
+        <translation>Eine Gerade beschreibt die Abweichung nicht (mangelnde Anpassung, %1): nach der Abweichung bei jeder Referenz gehen und mit einer Kurve kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Operators differ from part to part (interaction, %1): they grip some parts differently. Look where, and how those parts are put in.</source>
+        <translation>Die Bediener unterscheiden sich von Teil zu Teil (Wechselwirkung, %1): manche Teile greifen sie anders. Nachsehen, wo, und wie diese Teile eingelegt werden.</translation>
+    </message>
+    <message>
+        <source>Stations differ from part to part (interaction, %1). Look at which parts, and how they sit there.</source>
+        <translation>Die Stationen unterscheiden sich von Teil zu Teil (Wechselwirkung, %1). Nachsehen, bei welchen Teilen, und wie sie dort sitzen.</translation>
+    </message>
+    <message>
+        <source>Operators matter: they differ (%1) and make %2 % of the variance. Agree on one way to put the part in and to start.</source>
+        <translation>Die Bediener zählen: sie unterscheiden sich (%1) und machen %2 % der Varianz aus. Eine gemeinsame Art vereinbaren, das Teil einzulegen und zu starten.</translation>
+    </message>
+    <message>
+        <source>Stations matter: they differ (%1) and make %2 % of the variance. Calibrate them against each other.</source>
+        <translation>Die Stationen zählen: sie unterscheiden sich (%1) und machen %2 % der Varianz aus. Sie gegeneinander kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Operators are not the trouble: no difference between them is seen (%1).</source>
+        <translation>An den Bedienern liegt es nicht: zwischen ihnen ist kein Unterschied zu sehen (%1).</translation>
+    </message>
+    <message>
+        <source>Stations are not the trouble: no difference between them is seen (%1).</source>
+        <translation>An den Stationen liegt es nicht: zwischen ihnen ist kein Unterschied zu sehen (%1).</translation>
+    </message>
+    <message>
+        <source>Repeats scatter %1 times as much as the squeezes&apos; own uncertainties say (%2): something that a squeeze does not see, such as how the part sits, differs from squeeze to squeeze.</source>
+        <translation>Wiederholungen streuen %1-mal so stark, wie die eigenen Unsicherheiten der Druckversuche sagen (%2): etwas, das ein Druckversuch nicht sieht, etwa wie das Teil sitzt, ändert sich von einem zum anderen.</translation>
+    </message>
+    <message>
+        <source>Repeats scatter only %1 times as much as the squeezes&apos; own uncertainties say (%2): these are stated too large, or hold what all squeezes have in common.</source>
+        <translation>Wiederholungen streuen nur %1-mal so stark, wie die eigenen Unsicherheiten der Druckversuche sagen (%2): diese sind zu groß angegeben oder enthalten, was allen Druckversuchen gemeinsam ist.</translation>
+    </message>
+    <message>
+        <source>Repeats scatter as the squeezes&apos; own uncertainties say (%1 times, %2).</source>
+        <translation>Wiederholungen streuen so, wie die eigenen Unsicherheiten der Druckversuche sagen (%1-mal, %2).</translation>
+    </message>
+    <message>
+        <source>Together the values tell up to %1 combinations apart, as many as that only where parts come in all of them; the best of them alone (%2) tells %3 kinds of part.</source>
+        <translation>Zusammen unterscheiden die Werte bis zu %1 Kombinationen, so viele aber nur, wo es Teile in allen gibt; der beste allein (%2) unterscheidet %3 Klassen von Teilen.</translation>
+    </message>
+    <message>
+        <source>nothing that counts was measured</source>
+        <translation>nichts gemessen, was zählt</translation>
+    </message>
+    <message>
+        <source>a squeeze or a verdict of every part</source>
+        <translation>ein Druckversuch oder ein Urteil von jedem Teil</translation>
+    </message>
+    <message>
+        <source>By %1 together it tells more than %2 combinations apart, such as stiff and light from stiff and heavy, where parts come in all of them.</source>
+        <translation>Nach %1 zusammen unterscheidet er mehr als %2 Kombinationen, etwa steif und leicht von steif und schwer, wo es Teile in allen gibt.</translation>
+    </message>
+    <message>
+        <source>By %1 together it tells up to %2 combinations apart, such as stiff and light from stiff and heavy, where parts come in all of them.</source>
+        <translation>Nach %1 zusammen unterscheidet er bis zu %2 Kombinationen, etwa steif und leicht von steif und schwer, wo es Teile in allen gibt.</translation>
+    </message>
+    <message>
+        <source>The heartbeat of the PLC stands still.</source>
+        <translation>Das Lebenszeichen der SPS steht still.</translation>
+    </message>
+    <message>
+        <source>The heartbeat of the PLC stands still. The gripper was stopped and disarmed; arm it again when the PLC is back.</source>
+        <translation>Das Lebenszeichen der SPS steht still. Der Greifer wurde gestoppt und entschärft; neu scharf schalten, wenn die SPS wieder da ist.</translation>
+    </message>
+    <message>
+        <source>Part %1 was not inspected: %2</source>
+        <translation>Teil %1 wurde nicht geprüft: %2</translation>
+    </message>
+    <message>
+        <source>its squeeze did not come to its end.</source>
+        <translation>sein Druckversuch kam nicht zum Ende.</translation>
+    </message>
+    <message>
+        <source>No PLC connected since %1.</source>
+        <translation>Keine SPS verbunden seit %1.</translation>
+    </message>
+    <message>
+        <source>A PLC is connected, and its heartbeat stands still: it has to write another number all the time.</source>
+        <translation>Eine SPS ist verbunden, und ihr Lebenszeichen steht still: Sie muss ständig eine andere Zahl schreiben.</translation>
+    </message>
+    <message>
+        <source>%1 was turned away: it is not among the addresses that may connect.</source>
+        <translation>%1 wurde abgewiesen: nicht unter den Adressen, die sich verbinden dürfen.</translation>
+    </message>
+    <message>
+        <source>PLC has not acknowledged result %1.</source>
+        <translation>Die SPS hat Ergebnis %1 nicht quittiert.</translation>
+    </message>
+    <message>
+        <source>PLC: off</source>
+        <translation>SPS: aus</translation>
+    </message>
+    <message>
+        <source>PLC: not listening</source>
+        <translation>SPS: nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>PLC: in step</source>
+        <translation>SPS: im Takt</translation>
+    </message>
+    <message>
+        <source>PLC: see why</source>
+        <translation>SPS: siehe</translation>
+    </message>
+    <message>
+        <source>the PLC has not acknowledged the result before</source>
+        <translation>die SPS hat das Ergebnis davor nicht quittiert</translation>
+    </message>
+    <message>
+        <source>the part before is still being inspected</source>
+        <translation>das Teil davor wird noch geprüft</translation>
+    </message>
+    <message>
+        <source>the gripper is not armed; a person at the station has to arm it</source>
+        <translation>der Greifer ist nicht scharf; eine Person an der Station muss ihn scharf schalten</translation>
+    </message>
+    <message>
+        <source>the station is not ready; see what it says of its gripper</source>
+        <translation>die Station ist nicht bereit; siehe, was sie über ihren Greifer sagt</translation>
+    </message>
+    <message>
+        <source>no type has that number at this station; see its list of types</source>
+        <translation>an dieser Station hat kein Typ diese Nummer; siehe ihre Liste der Typen</translation>
+    </message>
+    <message>
+        <source>the heartbeat of the PLC stands still</source>
+        <translation>das Lebenszeichen der SPS steht still</translation>
+    </message>
+    <message>
+        <source>it is not the number that is next; the PLC has to read the last trigger that was answered</source>
+        <translation>es ist nicht die nächste Nummer; die SPS muss den zuletzt beantworteten Auslöser lesen</translation>
+    </message>
+    <message>
+        <source>Trigger %1 for part %2 was refused: %3.</source>
+        <translation>Auslöser %1 für Teil %2 wurde abgelehnt: %3.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no network address; 127.0.0.1 listens to this computer alone, 0.0.0.0 to all networks.</source>
+        <translation>„%1“ ist keine Netzadresse; 127.0.0.1 hört nur auf diesen Rechner, 0.0.0.0 auf alle Netze.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither a network address nor a network such as 10.1.2.0/24.</source>
+        <translation>„%1“ ist weder eine Netzadresse noch ein Netz wie 10.1.2.0/24.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no HOST:PORT such as 127.0.0.1:1502.</source>
+        <translation>„%1“ ist kein HOST:PORT wie 127.0.0.1:1502.</translation>
+    </message>
+    <message>
+        <source>Nothing can listen on %1:%2 (%3). Choose another address or port.</source>
+        <translation>Auf %1:%2 kann nicht gehört werden (%3). Andere Adresse oder anderen Port wählen.</translation>
+    </message>
+    <message>
+        <source>The squeezes of gripper %1 are adjusted to types that were enrolled on another; a type that is enrolled here would be judged wrongly. Enrol it on the other gripper, or withdraw the adjustment.</source>
+        <translation>Die Druckversuche des Greifers %1 werden an Typen angepasst, die an einem anderen eingelernt wurden; ein hier eingelernter Typ würde falsch beurteilt. Ihn am anderen Greifer einlernen oder die Anpassung zurückziehen.</translation>
+    </message>
+    <message>
+        <source>This gripper has no serial number to keep its adjustment under.</source>
+        <translation>Dieser Greifer hat keine Seriennummer, unter der seine Anpassung aufbewahrt werden könnte.</translation>
+    </message>
+    <message>
+        <source>Say why the gripper is adjusted.</source>
+        <translation>Angeben, warum der Greifer angepasst wird.</translation>
+    </message>
+    <message>
+        <source>An adjustment holds a number that is not finite.</source>
+        <translation>Eine Anpassung enthält eine Zahl, die nicht endlich ist.</translation>
+    </message>
+    <message>
+        <source>%1 was enrolled on this gripper itself: adjusted, its parts would be judged wrongly. Enrol it on the other gripper or retire it first.</source>
+        <translation>%1 wurde an diesem Greifer selbst eingelernt: Angepasst würden seine Teile falsch beurteilt. Ihn zuerst am anderen Greifer einlernen oder außer Gebrauch nehmen.</translation>
+    </message>
+    <message>
+        <source>store the adjustment</source>
+        <translation>die Anpassung speichern</translation>
+    </message>
+    <message>
+        <source>Say why the adjustment is withdrawn.</source>
+        <translation>Angeben, warum die Anpassung zurückgezogen wird.</translation>
+    </message>
+    <message>
+        <source>adjustment with the key %1</source>
+        <translation>Anpassung mit dem Schlüssel %1</translation>
+    </message>
+    <message>
+        <source>withdraw the adjustment</source>
+        <translation>die Anpassung zurückziehen</translation>
+    </message>
+    <message>
+        <source>fix the limits of the charts</source>
+        <translation>die Grenzen der Regelkarten festlegen</translation>
+    </message>
+    <message>
+        <source>what control charts are drawn from</source>
+        <translation>woraus Regelkarten gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>adjustments of grippers</source>
+        <translation>Anpassungen von Greifern</translation>
+    </message>
+    <message>
+        <source>The adjustment of this gripper is older than its calibration of %1: what was corrected then may be corrected twice. Measure the adjustment again, or withdraw it.</source>
+        <translation>Die Anpassung dieses Greifers ist älter als seine Kalibrierung vom %1: Was dabei berichtigt wurde, wird womöglich doppelt berichtigt. Die Anpassung neu messen oder zurückziehen.</translation>
+    </message>
+    <message>
+        <source>%1 was enrolled on this gripper itself, whose squeezes are adjusted to another: its parts are judged wrongly. Enrol it on the other gripper, or withdraw the adjustment.</source>
+        <translation>%1 wurde an diesem Greifer selbst eingelernt, dessen Druckversuche an einen anderen angepasst werden: Seine Teile werden falsch beurteilt. Ihn am anderen Greifer einlernen oder die Anpassung zurückziehen.</translation>
+    </message>
+    <message>
+        <source>read the adjustments of grippers</source>
+        <translation>die Anpassungen von Greifern lesen</translation>
+    </message>
+    <message>
+        <source>The adjustment of gripper %1</source>
+        <translation>Die Anpassung des Greifers %1</translation>
+    </message>
+    <message>
+        <source>its numbers are not those that were stored</source>
+        <translation>ihre Zahlen sind nicht die gespeicherten</translation>
+    </message>
+    <message>
+        <source>read the limits of the charts</source>
+        <translation>die Grenzen der Regelkarten lesen</translation>
+    </message>
+    <message>
+        <source>types on another gripper</source>
+        <translation>Typen an einem anderen Greifer</translation>
+    </message>
+    <message>
+        <source>Gripper adjusted to types of another</source>
+        <translation>Greifer an Typen eines anderen angepasst</translation>
+    </message>
+    <message>
+        <source>Adjustment of a gripper withdrawn</source>
+        <translation>Anpassung eines Greifers zurückgezogen</translation>
+    </message>
+    <message>
+        <source>Adjusting a gripper to types of another</source>
+        <translation>Einen Greifer an Typen eines anderen anpassen</translation>
+    </message>
+    <message>
+        <source>Types on another gripper need each two squeezes or more there. Five of each are usual.</source>
+        <translation>Typen an einem anderen Greifer brauchen dort je zwei Druckversuche oder mehr. Fünf je Typ sind üblich.</translation>
+    </message>
+    <message>
+        <source>By the other squeezes that was a part of %1, not of %2. Take it back if the wrong part was in.</source>
+        <translation>Nach den anderen Druckversuchen war das ein Teil von %1, nicht von %2. Zurücknehmen, wenn das falsche Teil eingelegt war.</translation>
+    </message>
+    <message>
+        <source>By the other squeezes that was no part of %1. Take it back if the wrong part was in; if it was the right one, this type is not common to both grippers.</source>
+        <translation>Nach den anderen Druckversuchen war das kein Teil von %1. Zurücknehmen, wenn das falsche Teil eingelegt war; war es das richtige, ist dieser Typ nicht beiden Greifern gemeinsam.</translation>
+    </message>
+    <message>
+        <source>The inspections</source>
+        <translation>Die Prüfungen</translation>
+    </message>
+    <message>
+        <source>their m, b and k are in units that cannot be compared</source>
+        <translation>ihre m, b und k haben Einheiten, die sich nicht vergleichen lassen</translation>
+    </message>
+    <message>
+        <source>choose one gripper, or state the units of its channels</source>
+        <translation>einen Greifer wählen, oder die Einheiten seiner Kanäle angeben</translation>
+    </message>
+    <message>
+        <source>The charts of %1 signal. %2.</source>
+        <translation>Die Regelkarten von %1 melden. %2.</translation>
+    </message>
+    <message>
+        <source>m, b and k together are beyond their limit, mostly by %1</source>
+        <translation>m, b und k zusammen sind jenseits ihrer Grenze, vor allem durch %1</translation>
+    </message>
+    <message>
+        <source>the upper sum is above its limit: the values have risen</source>
+        <translation>die obere Summe ist über ihrer Grenze: die Werte sind gestiegen</translation>
+    </message>
+    <message>
+        <source>the lower sum is above its limit: the values have fallen</source>
+        <translation>die untere Summe ist über ihrer Grenze: die Werte sind gefallen</translation>
+    </message>
+    <message>
+        <source>above the upper limit</source>
+        <translation>über der oberen Grenze</translation>
+    </message>
+    <message>
+        <source>below the lower limit</source>
+        <translation>unter der unteren Grenze</translation>
+    </message>
+    <message>
+        <source>%1 at inspection %2: %3</source>
+        <translation>%1 bei Prüfung %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 at inspection %2: %3, since inspection %4</source>
+        <translation>%1 bei Prüfung %2: %3, seit Prüfung %4</translation>
+    </message>
+    <message>
+        <source>How seldom a false signal comes cannot be told for this chart.</source>
+        <translation>Wie selten ein falsches Signal kommt, lässt sich für diese Karte nicht sagen.</translation>
+    </message>
+    <message>
+        <source>While nothing changes, one point in %1 signals by chance; once m, b and k have moved together by one standard deviation, a signal comes within %2 points on average.</source>
+        <translation>Solange sich nichts ändert, meldet einer von %1 Punkten zufällig; haben sich m, b und k zusammen um eine Standardabweichung verschoben, kommt im Mittel innerhalb von %2 Punkten ein Signal.</translation>
+    </message>
+    <message>
+        <source>While nothing changes, one point in %1 signals by chance on each chart; once a quantity has moved by one sigma, a signal comes within %2 points on average.</source>
+        <translation>Solange sich nichts ändert, meldet auf jeder Karte einer von %1 Punkten zufällig; hat sich eine Größe um ein Sigma verschoben, kommt im Mittel innerhalb von %2 Punkten ein Signal.</translation>
+    </message>
+    <message>
+        <source>Types on another gripper are judged squeeze by squeeze.</source>
+        <translation>Typen an einem anderen Greifer werden Druckversuch für Druckversuch beurteilt.</translation>
+    </message>
+    <message>
+        <source>inspection %1 of %2</source>
+        <translation>Prüfung %1 vom %2</translation>
+    </message>
+    <message>
+        <source>It was so from the first of these inspections on: the change is older.</source>
+        <translation>Es war so ab der ersten dieser Prüfungen: Die Änderung ist älter.</translation>
+    </message>
+    <message>
+        <source>Since %1.</source>
+        <translation>Seit %1.</translation>
+    </message>
+    <message>
+        <source>With 95 % between %1 and %2.</source>
+        <translation>Mit 95 % zwischen %1 und %2.</translation>
+    </message>
+    <message>
+        <source>That was in the batch %1.</source>
+        <translation>Das war im Los %1.</translation>
+    </message>
+    <message>
+        <source>No adjustment yet: it takes %1 squeezes of each type, of two types or more.</source>
+        <translation>Noch keine Anpassung: Nötig sind %1 Druckversuche je Typ, von zwei Typen oder mehr.</translation>
+    </message>
+    <message>
+        <source>Too few squeezes of %1: %2 of each type are the least, since one that went wrong is not seen among two.</source>
+        <translation>Zu wenige Druckversuche von %1: %2 je Typ sind das Mindeste, da ein misslungener unter zweien nicht auffällt.</translation>
+    </message>
+    <message>
+        <source>So far of one type only: whether others need the same adjustment shows with a second.</source>
+        <translation>Bisher nur von einem Typ: Ob andere dieselbe Anpassung brauchen, zeigt ein zweiter.</translation>
+    </message>
+    <message>
+        <source>The adjustment is known well enough: %1 (95 %). More squeezes would change no verdict.</source>
+        <translation>Die Anpassung ist gut genug bekannt: %1 (95 %). Weitere Druckversuche würden kein Urteil ändern.</translation>
+    </message>
+    <message>
+        <source>Known so far to %1 (95 %). %2 more squeezes of each type bring that to %3, a third of what squeezes of one type scatter: then it widens no verdict.</source>
+        <translation>Bisher bekannt auf %1 (95 %). %2 weitere Druckversuche je Typ bringen das auf %3, ein Drittel dessen, was Druckversuche eines Typs streuen: Dann weitet sie kein Urteil.</translation>
+    </message>
+    <message>
+        <source>Known so far to %1 (95 %). More squeezes here help little: the enrolment of the types is not known better. Its uncertainty counts in every verdict.</source>
+        <translation>Bisher bekannt auf %1 (95 %). Weitere Druckversuche helfen hier wenig: Das Einlernen der Typen ist nicht besser bekannt. Die Unsicherheit zählt in jedem Urteil.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 need different adjustments: one of them is not common to both grippers, or a wrong part was in. A third type tells which.</source>
+        <translation>%1 und %2 brauchen verschiedene Anpassungen: Einer davon ist nicht beiden Greifern gemeinsam, oder ein falsches Teil war eingelegt. Ein dritter Typ sagt, welcher.</translation>
+    </message>
+    <message>
+        <source>%1 does not fit the adjustment of the others: not the same parts on both grippers, or a wrong part was in. Leave it out, or squeeze it again.</source>
+        <translation>%1 passt nicht zur Anpassung der anderen: nicht dieselben Teile an beiden Greifern, oder ein falsches Teil war eingelegt. Auslassen oder noch einmal drücken.</translation>
+    </message>
+    <message>
+        <source>the recording of a measurement</source>
+        <translation>die Aufnahme einer Messung</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>reading and writing</source>
+        <translation>Lesen und Schreiben</translation>
+    </message>
+    <message>
+        <source>%1 (it belongs to %2, group %3, %4)</source>
+        <translation>%1 (gehört %2, Gruppe %3, %4)</translation>
+    </message>
+    <message>
+        <source>What is missing is %1.</source>
+        <translation>Es fehlt: %1.</translation>
+    </message>
+    <message>
+        <source>not looked at</source>
+        <translation>nicht angesehen</translation>
+    </message>
+    <message>
+        <source>there is none yet</source>
+        <translation>es gibt noch keine</translation>
+    </message>
+    <message>
+        <source>Keep the file as it is and go on with a backup: gripscope-cli library restore. gripscope-cli library verify --library %1 tells all.</source>
+        <translation>Die Datei aufheben, wie sie ist, und mit einer Sicherung weiterarbeiten: gripscope-cli library restore. gripscope-cli library verify --library %1 sagt alles.</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s driver for SQLite is missing</source>
+        <translation>Qts Treiber für SQLite fehlt</translation>
+    </message>
+    <message>
+        <source>Type this in a terminal: sudo apt install libqt6sql6-sqlite</source>
+        <translation>In ein Terminal eingeben: sudo apt install libqt6sql6-sqlite</translation>
+    </message>
+    <message>
+        <source>%1 is not there yet; it is made when it is first needed</source>
+        <translation>%1 gibt es noch nicht; wird angelegt, sobald sie gebraucht wird</translation>
+    </message>
+    <message>
+        <source>%1, version %2 of the schema</source>
+        <translation>%1, Version %2 des Schemas</translation>
+    </message>
+    <message>
+        <source>A newer program wrote it; this one knows version %1. Install the newer one.</source>
+        <translation>Ein neueres Programm hat sie geschrieben; dieses kennt Version %1. Das neuere installieren.</translation>
+    </message>
+    <message>
+        <source>The program brings it to version %1 when it opens it; make a copy before: gripscope-cli library backup.</source>
+        <translation>Das Programm bringt sie beim Öffnen auf Version %1; vorher eine Kopie machen: gripscope-cli library backup.</translation>
+    </message>
+    <message>
+        <source>Integrity</source>
+        <translation>Unversehrtheit</translation>
+    </message>
+    <message>
+        <source>%1 rows are as they were written</source>
+        <translation>%1 Zeilen sind, wie sie geschrieben wurden</translation>
+    </message>
+    <message>
+        <source>%1 differences; the first: %2</source>
+        <translation>%1 Abweichungen; die erste: %2</translation>
+    </message>
+    <message>
+        <source>Ledger</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>%1: %2 links</source>
+        <translation>%1: %2 Glieder</translation>
+    </message>
+    <message>
+        <source>nothing has been written yet</source>
+        <translation>noch nichts geschrieben</translation>
+    </message>
+    <message>
+        <source>%1; this computer does not know them</source>
+        <translation>%1; dieser Rechner kennt sie nicht</translation>
+    </message>
+    <message>
+        <source>That is so when the library came from elsewhere. Otherwise ask who changed it: its end may be missing.</source>
+        <translation>So ist es, wenn die Bibliothek von anderswo kam. Sonst fragen, wer sie geändert hat: Ihr Ende kann fehlen.</translation>
+    </message>
+    <message>
+        <source>%1; not all signed</source>
+        <translation>%1; nicht alle signiert</translation>
+    </message>
+    <message>
+        <source>See to the key of this station, the line below.</source>
+        <translation>Nach dem Schlüssel dieser Station sehen, die Zeile darunter.</translation>
+    </message>
+    <message>
+        <source>%1; their ends are those that this computer knows</source>
+        <translation>%1; ihre Enden sind die, die dieser Rechner kennt</translation>
+    </message>
+    <message>
+        <source>Key of this station</source>
+        <translation>Schlüssel der Station</translation>
+    </message>
+    <message>
+        <source>%1 may not be read by this user</source>
+        <translation>%1 darf dieser Benutzer nicht lesen</translation>
+    </message>
+    <message>
+        <source>Type this in a terminal: %1</source>
+        <translation>In ein Terminal eingeben: %1</translation>
+    </message>
+    <message>
+        <source>others may read or change %1</source>
+        <translation>andere dürfen %1 lesen oder ändern</translation>
+    </message>
+    <message>
+        <source>%1, this user&apos;s alone</source>
+        <translation>%1, nur für diesen Benutzer</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation>Datenträger</translation>
+    </message>
+    <message>
+        <source>nothing may be written in %1</source>
+        <translation>in %1 darf nichts geschrieben werden</translation>
+    </message>
+    <message>
+        <source>how much is free in %1 is not known</source>
+        <translation>wie viel in %1 frei ist, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>See to it that its disk is there.</source>
+        <translation>Dafür sorgen, dass der Datenträger da ist.</translation>
+    </message>
+    <message>
+        <source>%1 GB free in %2</source>
+        <translation>%1 GB frei in %2</translation>
+    </message>
+    <message>
+        <source>Make room, or move the library to a larger disk.</source>
+        <translation>Platz schaffen oder die Bibliothek auf einen größeren Datenträger legen.</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>no gripper is plugged in, and none was calibrated</source>
+        <translation>kein Greifer ist angesteckt, und keiner wurde kalibriert</translation>
+    </message>
+    <message>
+        <source>%1 has none of its %2</source>
+        <translation>%1 hat keine (%2)</translation>
+    </message>
+    <message>
+        <source>%1, %2: was due on %3</source>
+        <translation>%1, %2: war fällig am %3</translation>
+    </message>
+    <message>
+        <source>%1, %2: is due on %3</source>
+        <translation>%1, %2: ist fällig am %3</translation>
+    </message>
+    <message>
+        <source>%1, %2: holds until %3</source>
+        <translation>%1, %2: gilt bis %3</translation>
+    </message>
+    <message>
+        <source>Calibrate these channels on the page Calibrate.</source>
+        <translation>Diese Kanäle auf der Seite Kalibrieren kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Set the clock; by the network, type this in a terminal: sudo timedatectl set-ntp true</source>
+        <translation>Die Uhr stellen; über das Netz, in ein Terminal eingeben: sudo timedatectl set-ntp true</translation>
+    </message>
+    <message>
+        <source>it says %1, which is long gone</source>
+        <translation>sie sagt %1, was lange her ist</translation>
+    </message>
+    <message>
+        <source>it says %1, but the library was written at %2</source>
+        <translation>sie sagt %1, aber die Bibliothek wurde um %2 geschrieben</translation>
+    </message>
+    <message>
+        <source>%1; whether it is kept right is not known here</source>
+        <translation>%1; ob sie richtig gehalten wird, ist hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Neither timedatectl nor chronyc answers: compare it with another clock.</source>
+        <translation>Weder timedatectl noch chronyc antworten: mit einer anderen Uhr vergleichen.</translation>
+    </message>
+    <message>
+        <source>%1, not kept right by the network (%2)</source>
+        <translation>%1, nicht vom Netz gestellt (%2)</translation>
+    </message>
+    <message>
+        <source>%1, kept right by the network (%2)</source>
+        <translation>%1, vom Netz gestellt (%2)</translation>
+    </message>
+    <message>
+        <source>Permissions</source>
+        <translation>Zugriffsrechte</translation>
+    </message>
+    <message>
+        <source>%1 may be opened</source>
+        <translation>%1 darf geöffnet werden</translation>
+    </message>
+    <message>
+        <source>%1 (%2): what is missing is %3</source>
+        <translation>%1 (%2): es fehlt: %3</translation>
+    </message>
+    <message>
+        <source>no gripper is plugged in; one may be opened</source>
+        <translation>kein Greifer ist angesteckt; einer dürfte geöffnet werden</translation>
+    </message>
+    <message>
+        <source>no gripper is plugged in, and no rule lets this user open one</source>
+        <translation>kein Greifer ist angesteckt, und keine Regel lässt diesen Benutzer einen öffnen</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>Versionen</translation>
+    </message>
+    <message>
+        <source>The program was built with Qt %1: install the package that was built for this system.</source>
+        <translation>Das Programm wurde mit Qt %1 gebaut: das Paket installieren, das für dieses System gebaut wurde.</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>chart</source>
+        <translation>Regelkarte</translation>
+    </message>
+    <message>
+        <source>from inspection</source>
+        <translation>ab Prüfung</translation>
+    </message>
+    <message>
+        <source>to inspection</source>
+        <translation>bis Prüfung</translation>
+    </message>
+    <message>
+        <source>sigma</source>
+        <translation>Sigma</translation>
+    </message>
+    <message>
+        <source>Limits of control charts fixed</source>
+        <translation>Grenzen von Regelkarten festgelegt</translation>
+    </message>
+    <message>
+        <source>Limits of control charts released</source>
+        <translation>Grenzen von Regelkarten freigegeben</translation>
+    </message>
+    <message>
+        <source>Chance alone would make some %1 of them.</source>
+        <translation>Der Zufall allein ergäbe etwa %1 davon.</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>
@@ -6067,20 +8753,24 @@ m  %3</translation>
         <translation>Dieser Benutzer darf %1 nicht öffnen</translation>
     </message>
     <message>
-        <source>Type this in a terminal, once on this computer. It asks for the password of an administrator. Gripscope then connects the gripper by itself.</source>
-        <translation>Dies in ein Terminal eingeben, einmal auf diesem Rechner. Es fragt nach dem Passwort eines Administrators. Danach verbindet Gripscope den Greifer von selbst.</translation>
-    </message>
-    <message>
-        <source>Commands to type</source>
-        <translation>Einzugebende Befehle</translation>
-    </message>
-    <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>What is missing is %1.</source>
+        <translation>Es fehlt: %1.</translation>
+    </message>
+    <message>
+        <source>Type this line in a terminal. It asks for the password of an administrator. Gripscope then connects the gripper by itself.</source>
+        <translation>Diese Zeile in ein Terminal eingeben. Sie fragt nach dem Passwort eines Administrators. Danach verbindet Gripscope den Greifer von selbst.</translation>
+    </message>
+    <message>
+        <source>Line to type</source>
+        <translation>Einzugebende Zeile</translation>
     </message>
 </context>
 <context>
@@ -6749,6 +9439,10 @@ m  %3</translation>
         <source>Certificate written to %1</source>
         <translation>Zertifikat nach %1 geschrieben</translation>
     </message>
+    <message>
+        <source>Studies</source>
+        <translation>Studien</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::CalibrateSetup</name>
@@ -7298,6 +9992,17 @@ m  %3</translation>
     <message>
         <source>Remark</source>
         <translation>Bemerkung</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CategoryPlot</name>
+    <message>
+        <source>Series</source>
+        <translation>Reihe</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
     </message>
 </context>
 <context>
@@ -7883,6 +10588,37 @@ sd</source>
     </message>
 </context>
 <context>
+    <name>gripscope::ControlView</name>
+    <message>
+        <source>%1: inspection</source>
+        <translation>%1: Prüfung</translation>
+    </message>
+    <message>
+        <source>%1: time (UTC)</source>
+        <translation>%1: Zeit (UTC)</translation>
+    </message>
+    <message>
+        <source>%1: lower sum</source>
+        <translation>%1: untere Summe</translation>
+    </message>
+    <message>
+        <source>%1: lower limit</source>
+        <translation>%1: untere Grenze</translation>
+    </message>
+    <message>
+        <source>%1: upper limit</source>
+        <translation>%1: obere Grenze</translation>
+    </message>
+    <message>
+        <source>%1: signal</source>
+        <translation>%1: Signal</translation>
+    </message>
+    <message>
+        <source>Control charts</source>
+        <translation>Regelkarten</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::CorrelationPlot</name>
     <message>
         <source>95 % band</source>
@@ -7910,6 +10646,13 @@ sd</source>
     <message>
         <source>95 % band (half width)</source>
         <translation>95-%-Band (halbe Breite)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::CoursePlot</name>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
     </message>
 </context>
 <context>
@@ -8187,6 +10930,105 @@ sd</source>
     <message>
         <source>%1, %2, %3 samples</source>
         <translation>%1, %2, %3 Abtastwerte</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::DriftView</name>
+    <message>
+        <source>All studies</source>
+        <translation>Alle Studien</translation>
+    </message>
+    <message>
+        <source>How many inspections are looked at</source>
+        <translation>Wie viele Prüfungen angesehen werden</translation>
+    </message>
+    <message>
+        <source>Newest %1</source>
+        <translation>Neueste %1</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>All grippers</source>
+        <translation>Alle Greifer</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>All stations</source>
+        <translation>Alle Stationen</translation>
+    </message>
+    <message>
+        <source>What moved</source>
+        <translation>Was sich verschoben hat</translation>
+    </message>
+    <message>
+        <source>Shifts by type</source>
+        <translation>Verschiebungen nach Typ</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Squeezes</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>By chance</source>
+        <translation>Durch Zufall</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Regelkarten</translation>
+    </message>
+    <message>
+        <source>Being read…</source>
+        <translation>Wird gelesen …</translation>
+    </message>
+    <message>
+        <source>No type is approved</source>
+        <translation>Kein Typ ist freigegeben</translation>
+    </message>
+    <message>
+        <source>No inspection to look at</source>
+        <translation>Keine Prüfung zum Ansehen</translation>
+    </message>
+    <message>
+        <source>Enrol types and approve them; what is inspected then is held against them.</source>
+        <translation>Typen einlernen und freigeben; was dann geprüft wird, wird mit ihnen verglichen.</translation>
+    </message>
+    <message>
+        <source>No inspected squeeze of an approved type is among those that are chosen.</source>
+        <translation>Unter den gewählten ist kein geprüfter Druckversuch eines freigegebenen Typs.</translation>
+    </message>
+    <message>
+        <source>What to do next: %1</source>
+        <translation>Was als Nächstes zu tun ist: %1</translation>
+    </message>
+    <message>
+        <source>Squeezes of approved types: %1. Inspections left out: %2, of no known type, not valid or void. A type is said to have moved where none has in one look of a hundred.</source>
+        <translation>Druckversuche freigegebener Typen: %1. Ausgelassene Prüfungen: %2, von keinem bekannten Typ, ungültig oder storniert. Dass sich ein Typ verschoben hat, wird in einem von hundert Fällen gemeldet, in denen es nicht stimmt.</translation>
+    </message>
+    <message>
+        <source>alarm at squeeze %1</source>
+        <translation>Alarm bei Versuch %1</translation>
+    </message>
+    <message>
+        <source>quiet</source>
+        <translation>ruhig</translation>
+    </message>
+    <message>
+        <source>All together</source>
+        <translation>Alle zusammen</translation>
+    </message>
+    <message>
+        <source>one factor fits all: %1</source>
+        <translation>ein Faktor passt für alle: %1</translation>
     </message>
 </context>
 <context>
@@ -9188,6 +12030,10 @@ Fit</translation>
         <source>Code…</source>
         <translation>Code…</translation>
     </message>
+    <message>
+        <source>Limits…</source>
+        <translation>Toleranzen…</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::EstimateRegion</name>
@@ -10135,6 +12981,13 @@ Vorh. %</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::HistogramPlot</name>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::HistoryCharts</name>
     <message>
         <source>Over time</source>
@@ -10484,6 +13337,18 @@ Vorh. %</translation>
         <source>Sorted: only the newest %1</source>
         <translation>Sortiert: nur die neuesten %1</translation>
     </message>
+    <message>
+        <source>All that is listed, for Q-DAS…</source>
+        <translation>Alles Gelistete für Q-DAS…</translation>
+    </message>
+    <message>
+        <source>Export for Q-DAS</source>
+        <translation>Für Q-DAS exportieren</translation>
+    </message>
+    <message>
+        <source>AQDEF (*.dfq)</source>
+        <translation>AQDEF (*.dfq)</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::HistoryReport</name>
@@ -10682,6 +13547,10 @@ Vorh. %</translation>
     <message>
         <source>Its number is that of its entry in the audit trail.</source>
         <translation>Seine Nummer ist die seines Eintrags im Änderungsprotokoll.</translation>
+    </message>
+    <message>
+        <source>Does not conform to its limits</source>
+        <translation>Nicht konform zu den Toleranzgrenzen</translation>
     </message>
 </context>
 <context>
@@ -10964,6 +13833,14 @@ Vorh. %</translation>
     <message>
         <source>The station&apos;s clock was set back from %1 to %2: this time may be wrong.</source>
         <translation>Die Uhr der Station wurde von %1 auf %2 zurückgestellt: Diese Zeit ist womöglich falsch.</translation>
+    </message>
+    <message>
+        <source>Tolerance limits</source>
+        <translation>Toleranzgrenzen</translation>
+    </message>
+    <message>
+        <source>%1 not conforming</source>
+        <translation>%1 nicht konform</translation>
     </message>
 </context>
 <context>
@@ -11334,6 +14211,10 @@ Vorh. %</translation>
         <source>Batch %1 has ended</source>
         <translation>Los %1 ist beendet</translation>
     </message>
+    <message>
+        <source>Adjusted to the gripper of the types: %1.</source>
+        <translation>An den Greifer der Typen angepasst: %1.</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::InspectReason</name>
@@ -11452,6 +14333,10 @@ Vorh. %</translation>
         <source>%1: %2 of %3</source>
         <translation>%1: %2 von %3</translation>
     </message>
+    <message>
+        <source>%1 not conforming</source>
+        <translation>%1 nicht konform</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::InspectionList</name>
@@ -11462,6 +14347,25 @@ Vorh. %</translation>
     <message>
         <source>Click a line to see its squeeze on the Fit page</source>
         <translation>Eine Zeile anklicken, um den Druckversuch auf der Seite Fit zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::IntervalPlot</name>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Lower limit, 95 %</source>
+        <translation>Untere Grenze, 95 %</translation>
+    </message>
+    <message>
+        <source>Upper limit, 95 %</source>
+        <translation>Obere Grenze, 95 %</translation>
     </message>
 </context>
 <context>
@@ -11724,6 +14628,29 @@ Vorh. %</translation>
     <message>
         <source>This is a copy of another library. All of the library of now goes out of use, and is kept aside.</source>
         <translation>Das ist die Kopie einer anderen Bibliothek. Die ganze jetzige Bibliothek wird außer Gebrauch genommen und beiseitegelegt.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::LimitFields</name>
+    <message>
+        <source>At least</source>
+        <translation>Mindestens</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>%1, at least</source>
+        <translation>%1, mindestens</translation>
+    </message>
+    <message>
+        <source>%1, at most</source>
+        <translation>%1, höchstens</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
     </message>
 </context>
 <context>
@@ -12632,6 +15559,10 @@ Vorh. %</translation>
         <source>%1?</source>
         <translation>%1?</translation>
     </message>
+    <message>
+        <source>does not conform</source>
+        <translation>nicht konform</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::OverlayDialog</name>
@@ -12882,6 +15813,358 @@ Vorh. %</translation>
     <message>
         <source>The two are not the same. Type the second one again.</source>
         <translation>Die beiden stimmen nicht überein. Das zweite noch einmal eintippen.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ProcessCapabilityPanel</name>
+    <message>
+        <source>Capability</source>
+        <translation>Fähigkeit</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation>Untere Grenze</translation>
+    </message>
+    <message>
+        <source>Upper limit</source>
+        <translation>Obere Grenze</translation>
+    </message>
+    <message>
+        <source>Typed here; the type keeps its own.</source>
+        <translation>Hier getippt; der Typ behält seine eigenen.</translation>
+    </message>
+    <message>
+        <source>The type&apos;s own tolerance limits.</source>
+        <translation>Die eigenen Toleranzgrenzen des Typs.</translation>
+    </message>
+    <message>
+        <source>A limit is a number, or nothing.</source>
+        <translation>Eine Grenze ist eine Zahl oder nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ProcessControls</name>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>m, b and k</source>
+        <translation>m, b und k</translation>
+    </message>
+    <message>
+        <source>Rules</source>
+        <translation>Regeln</translation>
+    </message>
+    <message>
+        <source>n = </source>
+        <comment>size of a subgroup</comment>
+        <translation>n = </translation>
+    </message>
+    <message>
+        <source>Inspections in a subgroup</source>
+        <translation>Prüfungen in einer Stichprobe</translation>
+    </message>
+    <message>
+        <source>Filters</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>All stations</source>
+        <translation>Alle Stationen</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>All grippers</source>
+        <translation>Alle Greifer</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>All operators</source>
+        <translation>Alle Bediener</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>All batches</source>
+        <translation>Alle Chargen</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Charge</translation>
+    </message>
+    <message>
+        <source>Any time</source>
+        <translation>Jederzeit</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>From … to …</source>
+        <translation>Von … bis …</translation>
+    </message>
+    <message>
+        <source>First day</source>
+        <translation>Erster Tag</translation>
+    </message>
+    <message>
+        <source>Last day</source>
+        <translation>Letzter Tag</translation>
+    </message>
+    <message>
+        <source>Filters (%1)</source>
+        <translation>Filter (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ProcessReport</name>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Inspections</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>From, to</source>
+        <translation>Von, bis</translation>
+    </message>
+    <message>
+        <source>Only</source>
+        <translation>Nur</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Rules</source>
+        <translation>Regeln</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Steady: no signal.</source>
+        <translation>Ruhig: kein Signal.</translation>
+    </message>
+    <message>
+        <source>Not steady: %1 signals, the newest %2 of them below.</source>
+        <translation>Nicht ruhig: %1 Signale, die neuesten %2 davon unten.</translation>
+    </message>
+    <message>
+        <source>Inspection</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Since inspection</source>
+        <translation>Seit Prüfung</translation>
+    </message>
+    <message>
+        <source>Capability: %1</source>
+        <translation>Fähigkeit: %1</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>Control charts: %1</source>
+        <translation>Regelkarten: %1</translation>
+    </message>
+    <message>
+        <source>Made %1 by %2 with Gripscope %3.</source>
+        <translation>Erstellt %1 von %2 mit Gripscope %3.</translation>
+    </message>
+    <message>
+        <source>somebody not named</source>
+        <translation>jemand ohne Namen</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ProcessSignalList</name>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Inspection</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Since inspection</source>
+        <translation>Seit Prüfung</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Steady: no signal.</source>
+        <translation>Ruhig: kein Signal.</translation>
+    </message>
+    <message>
+        <source>Not steady: %1 signals; the newest %2 are listed.</source>
+        <translation>Nicht ruhig: %1 Signale; die neuesten %2 sind aufgeführt.</translation>
+    </message>
+    <message>
+        <source>Not steady: one signal.</source>
+        <translation>Nicht ruhig: ein Signal.</translation>
+    </message>
+    <message>
+        <source>Not steady: %1 signals.</source>
+        <translation>Nicht ruhig: %1 Signale.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ProcessView</name>
+    <message>
+        <source>Points written to %1</source>
+        <translation>Punkte in %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Report written to %1</source>
+        <translation>Bericht in %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>All studies</source>
+        <translation>Alle Studien</translation>
+    </message>
+    <message>
+        <source>Fix limits</source>
+        <translation>Grenzen festlegen</translation>
+    </message>
+    <message>
+        <source>From the inspections in view (drag over a stretch to bring it into view): later ones are then judged by these limits, and Inspect tells what they signal</source>
+        <translation>Aus den Prüfungen im Bild (über einen Abschnitt ziehen holt ihn ins Bild): Spätere werden dann nach diesen Grenzen beurteilt, und Prüfen sagt, was sie melden</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>No fixed limits any more: the inspections shown settle them</source>
+        <translation>Keine festgelegten Grenzen mehr: Die gezeigten Prüfungen bestimmen sie</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV…</translation>
+    </message>
+    <message>
+        <source>Every point of these charts, as a table</source>
+        <translation>Jeder Punkt dieser Karten, als Tabelle</translation>
+    </message>
+    <message>
+        <source>Report (PDF)…</source>
+        <translation>Bericht (PDF)…</translation>
+    </message>
+    <message>
+        <source>Save the charts&apos; points</source>
+        <translation>Punkte der Karten speichern</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation>Neu lesen</translation>
+    </message>
+    <message>
+        <source>Reading the inspections…</source>
+        <translation>Prüfungen werden gelesen…</translation>
+    </message>
+    <message>
+        <source>Drawing the charts…</source>
+        <translation>Karten werden gezeichnet…</translation>
+    </message>
+    <message>
+        <source>The inspections could not be read.</source>
+        <translation>Die Prüfungen ließen sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>No type is enrolled yet. Enroll one, then inspect parts of it: the charts show how their m, b and k go.</source>
+        <translation>Noch ist kein Typ eingelernt. Einen einlernen, dann Teile davon prüfen: Die Karten zeigen, wie ihre m, b und k verlaufen.</translation>
+    </message>
+    <message>
+        <source>No inspection has recognised a part of this type yet.</source>
+        <translation>Noch keine Prüfung hat ein Teil dieses Typs erkannt.</translation>
+    </message>
+    <message>
+        <source>No inspection matches the filters.</source>
+        <translation>Keine Prüfung passt zu den Filtern.</translation>
+    </message>
+    <message>
+        <source>%1 inspections</source>
+        <translation>%1 Prüfungen</translation>
     </message>
 </context>
 <context>
@@ -13150,6 +16433,33 @@ Vorh. %</translation>
     <message>
         <source>of %1</source>
         <translation>von %1</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::QualityPage</name>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+    <message>
+        <source>Gauge %1</source>
+        <translation>Messmittel %1</translation>
+    </message>
+    <message>
+        <source>Type-1 %1</source>
+        <translation>Typ 1, %1</translation>
+    </message>
+    <message>
+        <source>Linearity %1</source>
+        <translation>Linearität %1</translation>
+    </message>
+    <message>
+        <source>Attributes %1</source>
+        <translation>Urteile %1</translation>
+    </message>
+    <message>
+        <source>Cola 330 ml, tray 1</source>
+        <translation>Cola 330 ml, Palette 1</translation>
     </message>
 </context>
 <context>
@@ -14254,6 +17564,82 @@ Vorh. %</translation>
         <source>By which reference masses in kg or lb are taken for forces.</source>
         <translation>Mit ihr werden Referenzmassen in kg oder lb zu Kräften.</translation>
     </message>
+    <message>
+        <source>Studies of the gripper</source>
+        <translation>Studien des Greifers</translation>
+    </message>
+    <message>
+        <source>Months for which a study holds that is begun from now on.</source>
+        <translation>So viele Monate gilt eine Studie, die ab jetzt begonnen wird.</translation>
+    </message>
+    <message>
+        <source>Type-1 study is due again</source>
+        <translation>Typ-1-Studie wieder fällig</translation>
+    </message>
+    <message>
+        <source>Gauge study is due again</source>
+        <translation>Messmittelstudie wieder fällig</translation>
+    </message>
+    <message>
+        <source>Linearity study is due again</source>
+        <translation>Linearitätsstudie wieder fällig</translation>
+    </message>
+    <message>
+        <source>Attribute study is due again</source>
+        <translation>Attributive Studie wieder fällig</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>A PLC may trigger squeezes</source>
+        <translation>Eine SPS darf Druckversuche auslösen</translation>
+    </message>
+    <message>
+        <source>By Modbus TCP, of a gripper that a person has armed. The register map is in the manual.</source>
+        <translation>Über Modbus TCP, an einem Greifer, den eine Person scharf geschaltet hat. Die Registertabelle steht im Handbuch.</translation>
+    </message>
+    <message>
+        <source>Listens on</source>
+        <translation>Hört auf</translation>
+    </message>
+    <message>
+        <source>A network address of this computer. Empty: 127.0.0.1, which no other computer reaches.</source>
+        <translation>Eine Netzadresse dieses Rechners. Leer: 127.0.0.1, die kein anderer Rechner erreicht.</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>502 needs a right that programs usually lack.</source>
+        <translation>502 braucht ein Recht, das Programme meist nicht haben.</translation>
+    </message>
+    <message>
+        <source>Who may connect</source>
+        <translation>Wer sich verbinden darf</translation>
+    </message>
+    <message>
+        <source>Addresses and networks such as 10.1.2.0/24, parted by semicolons; this computer always may.</source>
+        <translation>Adressen und Netze wie 10.1.2.0/24, durch Semikolon getrennt; dieser Rechner darf immer.</translation>
+    </message>
+    <message>
+        <source>Types by number</source>
+        <translation>Typen nach Nummer</translation>
+    </message>
+    <message>
+        <source>Their names, parted by semicolons: the first is the PLC&apos;s type 1.</source>
+        <translation>Ihre Namen, durch Semikolon getrennt: Der erste ist Typ 1 der SPS.</translation>
+    </message>
+    <message>
+        <source>The PLC is lost</source>
+        <translation>Die SPS gilt als verloren</translation>
+    </message>
+    <message>
+        <source>When its heartbeat stands still for so long: the gripper is then stopped and disarmed.</source>
+        <translation>Wenn ihr Lebenszeichen so lange stillsteht: Der Greifer wird dann gestoppt und entschärft.</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::SettingRow</name>
@@ -14657,6 +18043,557 @@ Vorh. %</translation>
     </message>
 </context>
 <context>
+    <name>gripscope::StudyForm</name>
+    <message>
+        <source>Name of the study</source>
+        <translation>Name der Studie</translation>
+    </message>
+    <message>
+        <source>1, 2, 3 … unless parts have labels of their own</source>
+        <translation>1, 2, 3 …, wenn Teile keine eigenen haben</translation>
+    </message>
+    <message>
+        <source>Names, with commas between them</source>
+        <translation>Namen, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>One operator after the other</source>
+        <translation>Ein Bediener nach dem anderen</translation>
+    </message>
+    <message>
+        <source>Trial after trial</source>
+        <translation>Durchgang für Durchgang</translation>
+    </message>
+    <message>
+        <source>All mixed</source>
+        <translation>Alles gemischt</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Kennzeichen</translation>
+    </message>
+    <message>
+        <source>Operators</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>Referenzen</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Squeezed as</source>
+        <translation>Gedrückt wie</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Tolerance of %1</source>
+        <translation>Toleranz von %1</translation>
+    </message>
+    <message>
+        <source>From the lower to the upper limit of the product; may stay unstated</source>
+        <translation>Von der unteren zur oberen Grenze des Produkts; kann offen bleiben</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Begin the study (Enter)</source>
+        <translation>Studie beginnen (Enter)</translation>
+    </message>
+    <message>
+        <source>A new type: %1</source>
+        <translation>Ein neuer Typ: %1</translation>
+    </message>
+    <message>
+        <source>Parts of %1: %2</source>
+        <translation>Teile von %1: %2</translation>
+    </message>
+    <message>
+        <source>Give the study a name.</source>
+        <translation>Der Studie einen Namen geben.</translation>
+    </message>
+    <message>
+        <source>State the tolerance that the part&apos;s quantity has: the gripper is measured against it.</source>
+        <translation>Die Toleranz der Größe angeben: An ihr wird der Greifer gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 verdicts in random order. Nobody sees what was said before.</source>
+        <translation>%1 Urteile in zufälliger Reihenfolge. Niemand sieht, was vorher gesagt wurde.</translation>
+    </message>
+    <message>
+        <source>%1 squeezes in random order. Nobody sees a result before the end.</source>
+        <translation>%1 Druckversuche in zufälliger Reihenfolge. Niemand sieht vor dem Ende ein Ergebnis.</translation>
+    </message>
+    <message>
+        <source>The right word for each part, with semicolons between; may stay empty</source>
+        <translation>Das richtige Wort für jedes Teil, durch Semikolons getrennt; kann leer bleiben</translation>
+    </message>
+    <message>
+        <source>What the part is, in %1</source>
+        <translation>Wert des Teils, in %1</translation>
+    </message>
+    <message>
+        <source>What each part is, in %1, with semicolons between</source>
+        <translation>Wert jedes Teils, in %1, durch Semikolons getrennt</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::StudyLead</name>
+    <message>
+        <source>Arm the gripper</source>
+        <translation>Greifer scharf schalten</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Kennzeichen</translation>
+    </message>
+    <message>
+        <source>typed or scanned, then Enter</source>
+        <translation>tippen oder scannen</translation>
+    </message>
+    <message>
+        <source>Label of the part between the fingers</source>
+        <translation>Kennzeichen des Teils zwischen den Fingern</translation>
+    </message>
+    <message>
+        <source>Ask for it each time</source>
+        <translation>Jedes Mal danach fragen</translation>
+    </message>
+    <message>
+        <source>No part is squeezed before its label was typed or scanned</source>
+        <translation>Kein Teil wird gedrückt, bevor sein Kennzeichen getippt oder gescannt ist</translation>
+    </message>
+    <message>
+        <source>or another word, then Enter</source>
+        <translation>oder ein anderes Wort, dann Enter</translation>
+    </message>
+    <message>
+        <source>What the part is called</source>
+        <translation>Wie das Teil genannt wird</translation>
+    </message>
+    <message>
+        <source>Take the last one back (Ctrl+Z)</source>
+        <translation>Letzten zurücknehmen (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Leave this one out…</source>
+        <translation>Dieses auslassen …</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Goes back to the list; the study is kept and can be gone on with</source>
+        <translation>Zurück zur Liste; die Studie bleibt und kann fortgesetzt werden</translation>
+    </message>
+    <message>
+        <source>End it here…</source>
+        <translation>Hier beenden …</translation>
+    </message>
+    <message>
+        <source>All squeezes are through</source>
+        <translation>Alle Druckversuche sind gemacht</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Als Nächstes</translation>
+    </message>
+    <message>
+        <source>Operator %1</source>
+        <translation>Bediener %1</translation>
+    </message>
+    <message>
+        <source>Part %1</source>
+        <translation>Teil %1</translation>
+    </message>
+    <message>
+        <source>Trial %1 of %2</source>
+        <translation>Durchgang %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, at station %2</source>
+        <translation>%1, an Station %2</translation>
+    </message>
+    <message>
+        <source>Squeezing…</source>
+        <translation>Drückt…</translation>
+    </message>
+    <message>
+        <source>Finding m, b and k…</source>
+        <translation>m, b und k werden bestimmt…</translation>
+    </message>
+    <message>
+        <source>Being stored…</source>
+        <translation>Wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Nothing can be taken back once the result is shown.</source>
+        <translation>Sobald das Ergebnis gezeigt ist, kann nichts mehr zurückgenommen werden.</translation>
+    </message>
+    <message>
+        <source>Look at part %1 and say what it is.</source>
+        <translation>Teil %1 ansehen und sagen, was es ist.</translation>
+    </message>
+    <message>
+        <source>Put part %1 between the fingers, hands clear, then arm.</source>
+        <translation>Teil %1 zwischen die Finger legen, Hände weg, dann schärfen.</translation>
+    </message>
+    <message>
+        <source>Put part %1 between the fingers, then type or scan its label.</source>
+        <translation>Teil %1 zwischen die Finger legen, dann sein Kennzeichen tippen oder scannen.</translation>
+    </message>
+    <message>
+        <source>Put part %1 between the fingers, hands clear, then press Space.</source>
+        <translation>Teil %1 zwischen die Finger legen, Hände weg, dann die Leertaste drücken.</translation>
+    </message>
+    <message>
+        <source>Finish and show the result</source>
+        <translation>Beenden und Ergebnis zeigen</translation>
+    </message>
+    <message>
+        <source>Squeeze (Space)</source>
+        <translation>Drücken (Leertaste)</translation>
+    </message>
+    <message>
+        <source>That squeeze does not count: %1 Squeeze the same part again.</source>
+        <translation>Dieser Druckversuch zählt nicht: %1 Dasselbe Teil noch einmal drücken.</translation>
+    </message>
+    <message>
+        <source>What is measured is stored at once, and shown when the study is finished.</source>
+        <translation>Jede Messung ist sofort gespeichert und wird gezeigt, wenn die Studie beendet ist.</translation>
+    </message>
+    <message>
+        <source>Part %1 was taken back and comes again.</source>
+        <translation>Teil %1 ist zurückgenommen und kommt noch einmal.</translation>
+    </message>
+    <message>
+        <source>Part %1 was left out.</source>
+        <translation>Teil %1 ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Part %1 is stored.</source>
+        <translation>Teil %1 ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>That is part %1. Take it out and put in part %2.</source>
+        <translation>Das ist Teil %1. Herausnehmen und Teil %2 einlegen.</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>schlecht</translation>
+    </message>
+    <message>
+        <source>Leave part %1 out</source>
+        <translation>Teil %1 auslassen</translation>
+    </message>
+    <message>
+        <source>Why is it not squeezed? The reason is kept.</source>
+        <translation>Warum wird es nicht gedrückt? Der Grund bleibt aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>End the study here</source>
+        <translation>Studie hier beenden</translation>
+    </message>
+    <message>
+        <source>Squeezes are left. Why does it end without them? The reason is kept, and the result rests on what was measured.</source>
+        <translation>Druckversuche stehen noch aus. Warum endet die Studie ohne sie? Der Grund bleibt aufgezeichnet, und das Ergebnis beruht auf dem, was gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Beenden</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::StudyList</name>
+    <message>
+        <source>Begun and not finished</source>
+        <translation>Begonnen und nicht beendet</translation>
+    </message>
+    <message>
+        <source>Studies, in the order of practice</source>
+        <translation>Studien, in der üblichen Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Studies so far</source>
+        <translation>Bisherige Studien</translation>
+    </message>
+    <message>
+        <source>No study yet. Begin with a type-1 study if you have a part whose m, b or k is known, else with gauge repeatability and reproducibility: ten parts, three people, three squeezes each.</source>
+        <translation>Noch keine Studie. Mit einer Typ-1-Studie beginnen, wenn von einem Teil m, b oder k bekannt ist, sonst mit Wiederhol- und Vergleichpräzision: zehn Teile, drei Personen, je drei Druckversuche.</translation>
+    </message>
+    <message>
+        <source>finished %1 by %2, gripper %3</source>
+        <translation>beendet %1 von %2, Greifer %3</translation>
+    </message>
+    <message>
+        <source>somebody not named</source>
+        <translation>einer nicht genannten Person</translation>
+    </message>
+    <message>
+        <source>Begin…</source>
+        <translation>Beginnen …</translation>
+    </message>
+    <message>
+        <source>Begin: %1</source>
+        <translation>Beginnen: %1</translation>
+    </message>
+    <message>
+        <source>Is what is made steady, and within its limits?</source>
+        <translation>Ist die Fertigung stetig und innerhalb ihrer Grenzen?</translation>
+    </message>
+    <message>
+        <source>from inspections</source>
+        <translation>aus Prüfungen</translation>
+    </message>
+    <message>
+        <source>gripper %1</source>
+        <translation>Greifer %1</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Go on with %1</source>
+        <translation>%1 fortsetzen</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>finished %1 by %2</source>
+        <translation>beendet %1 von %2</translation>
+    </message>
+    <message>
+        <source>Open: control charts and capability</source>
+        <translation>Öffnen: Regelkarten und Fähigkeit</translation>
+    </message>
+    <message>
+        <source>Control charts and capability</source>
+        <translation>Regelkarten und Fähigkeit</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Ansehen</translation>
+    </message>
+    <message>
+        <source>Look at what moved</source>
+        <translation>Ansehen, was sich verschoben hat</translation>
+    </message>
+    <message>
+        <source>What moved</source>
+        <translation>Was sich verschoben hat</translation>
+    </message>
+    <message>
+        <source>Sensor, fingers or product: what lies elsewhere than when it was enrolled, and since when?</source>
+        <translation>Sensor, Finger oder Produkt: Was liegt anderswo als beim Einlernen, und seit wann?</translation>
+    </message>
+    <message>
+        <source>Another gripper</source>
+        <translation>Ein anderer Greifer</translation>
+    </message>
+    <message>
+        <source>with a second gripper</source>
+        <translation>mit einem zweiten Greifer</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::StudyOutcome</name>
+    <message>
+        <source>All studies</source>
+        <translation>Alle Studien</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV …</translation>
+    </message>
+    <message>
+        <source>Every measurement that counts, as a table</source>
+        <translation>Jede Messung, die zählt, als Tabelle</translation>
+    </message>
+    <message>
+        <source>Report (PDF)…</source>
+        <translation>Bericht (PDF) …</translation>
+    </message>
+    <message>
+        <source>Save the measurements</source>
+        <translation>Messungen speichern</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>gripper %1</source>
+        <translation>Greifer %1</translation>
+    </message>
+    <message>
+        <source>This study was given up.</source>
+        <translation>Diese Studie wurde aufgegeben.</translation>
+    </message>
+    <message>
+        <source>Being worked out…</source>
+        <translation>Wird ausgewertet …</translation>
+    </message>
+    <message>
+        <source>Distinct categories – %1</source>
+        <translation>Unterscheidbare Klassen – %1</translation>
+    </message>
+    <message>
+        <source>Measurements written to %1</source>
+        <translation>Messungen nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Report written to %1</source>
+        <translation>Bericht nach %1 geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::StudyReport</name>
+    <message>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>Led by</source>
+        <translation>Geleitet von</translation>
+    </message>
+    <message>
+        <source>From, to</source>
+        <translation>Von, bis</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>%1 parts, %2 operators, %3 trials, in random order</source>
+        <translation>%1 Teile, %2 Bediener, %3 Durchgänge, in zufälliger Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Operators</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Squeezed as</source>
+        <translation>Gedrückt wie</translation>
+    </message>
+    <message>
+        <source>Squeezes</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>%1 not made, %2 left out, %3 repeated</source>
+        <translation>%1 nicht gemacht, %2 ausgelassen, %3 wiederholt</translation>
+    </message>
+    <message>
+        <source>Ended because</source>
+        <translation>Beendet, weil</translation>
+    </message>
+    <message>
+        <source>Distinct categories</source>
+        <translation>Unterscheidbare Klassen</translation>
+    </message>
+    <message>
+        <source>Made %1 by %2 with Gripscope %3.</source>
+        <translation>Erstellt %1 von %2 mit Gripscope %3.</translation>
+    </message>
+    <message>
+        <source>somebody not named</source>
+        <translation>einer nicht genannten Person</translation>
+    </message>
+    <message>
+        <source>Study of the gripper: %1</source>
+        <translation>Studie des Greifers: %1</translation>
+    </message>
+    <message>
+        <source>Gauge repeatability and reproducibility</source>
+        <translation>Wiederhol- und Vergleichpräzision</translation>
+    </message>
+    <message>
+        <source>Type-1 study</source>
+        <translation>Typ-1-Studie</translation>
+    </message>
+    <message>
+        <source>Linearity</source>
+        <translation>Linearität</translation>
+    </message>
+    <message>
+        <source>Attribute agreement</source>
+        <translation>Übereinstimmung von Urteilen</translation>
+    </message>
+    <message>
+        <source>%1 parts, %2 trials, in random order</source>
+        <translation>%1 Teile, %2 Durchgänge, in zufälliger Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Holds until</source>
+        <translation>Gilt bis</translation>
+    </message>
+    <message>
+        <source>One part, %1 squeezes</source>
+        <translation>Ein Teil, %1 Druckversuche</translation>
+    </message>
+    <message>
+        <source>Types on another gripper</source>
+        <translation>Typen an einem anderen Greifer</translation>
+    </message>
+</context>
+<context>
     <name>gripscope::TextQuestion</name>
     <message>
         <source>Cancel</source>
@@ -14672,6 +18609,363 @@ Vorh. %</translation>
     <message>
         <source>Time (ms)</source>
         <translation>Zeit (ms)</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::TransferLead</name>
+    <message>
+        <source>Arm the gripper</source>
+        <translation>Greifer scharf schalten</translation>
+    </message>
+    <message>
+        <source>Work out the adjustment</source>
+        <translation>Anpassung ausrechnen</translation>
+    </message>
+    <message>
+        <source>Take the last one back (Ctrl+Z)</source>
+        <translation>Letzten zurücknehmen (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Leave this one out…</source>
+        <translation>Dieses auslassen …</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Goes back to the list; the squeezes are kept and can be gone on with</source>
+        <translation>Geht zur Liste zurück; die Druckversuche bleiben, und es kann fortgesetzt werden</translation>
+    </message>
+    <message>
+        <source>Give up…</source>
+        <translation>Aufgeben …</translation>
+    </message>
+    <message>
+        <source>A part of %1</source>
+        <translation>Ein Teil von %1</translation>
+    </message>
+    <message>
+        <source>All squeezes are through</source>
+        <translation>Alle Druckversuche sind gemacht</translation>
+    </message>
+    <message>
+        <source>Squeeze %1 of %2 of this type</source>
+        <translation>Druckversuch %1 von %2 dieses Typs</translation>
+    </message>
+    <message>
+        <source>Any good part of that type will do, another one each time if you have some: what two grippers differ by is held against how parts differ.</source>
+        <translation>Jedes gute Teil dieses Typs ist recht, jedes Mal ein anderes, wenn es mehrere gibt: Worin sich zwei Greifer unterscheiden, wird daran gemessen, wie sich Teile unterscheiden.</translation>
+    </message>
+    <message>
+        <source>That squeeze does not count: %1 Squeeze a part of the same type again.</source>
+        <translation>Dieser Druckversuch zählt nicht: %1 Noch einmal ein Teil desselben Typs drücken.</translation>
+    </message>
+    <message>
+        <source>Each squeeze is stored at once.</source>
+        <translation>Jeder Druckversuch wird sofort gespeichert.</translation>
+    </message>
+    <message>
+        <source>The last squeeze was taken back; a part of its type comes again.</source>
+        <translation>Der letzte Druckversuch wurde zurückgenommen; ein Teil seines Typs kommt noch einmal.</translation>
+    </message>
+    <message>
+        <source>The last squeeze is stored.</source>
+        <translation>Der letzte Druckversuch ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>Squeezing…</source>
+        <translation>Drückt…</translation>
+    </message>
+    <message>
+        <source>Finding m, b and k…</source>
+        <translation>m, b und k werden bestimmt…</translation>
+    </message>
+    <message>
+        <source>Being stored…</source>
+        <translation>Wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Nothing can be taken back once the adjustment is worked out.</source>
+        <translation>Ist die Anpassung ausgerechnet, lässt sich nichts mehr zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Put the part between the fingers, hands clear, then arm.</source>
+        <translation>Das Teil zwischen die Finger legen, Hände weg, dann scharf schalten.</translation>
+    </message>
+    <message>
+        <source>Put the part between the fingers, hands clear, then press Space.</source>
+        <translation>Das Teil zwischen die Finger legen, Hände weg, dann die Leertaste drücken.</translation>
+    </message>
+    <message>
+        <source>%1 Being worked out…</source>
+        <translation>%1 Wird ausgewertet …</translation>
+    </message>
+    <message>
+        <source>Squeeze (Space)</source>
+        <translation>Drücken (Leertaste)</translation>
+    </message>
+    <message>
+        <source>From three squeezes of each type on that fit one another; what is missing is said beside</source>
+        <translation>Ab drei Druckversuchen je Typ, die zueinander passen; was fehlt, steht daneben</translation>
+    </message>
+    <message>
+        <source>enough for the adjustment</source>
+        <translation>genug für die Anpassung</translation>
+    </message>
+    <message>
+        <source>Leave this squeeze of %1 out</source>
+        <translation>Diesen Druckversuch von %1 auslassen</translation>
+    </message>
+    <message>
+        <source>Why is it not squeezed? The reason is kept.</source>
+        <translation>Warum wird es nicht gedrückt? Der Grund bleibt aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation>Aufgeben</translation>
+    </message>
+    <message>
+        <source>No adjustment comes of these squeezes then; they stay on record. Why? The reason is kept.</source>
+        <translation>Aus diesen Druckversuchen wird dann keine Anpassung; sie bleiben aufgezeichnet. Warum? Der Grund bleibt aufgezeichnet.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::TransferOutcome</name>
+    <message>
+        <source>All studies</source>
+        <translation>Alle Studien</translation>
+    </message>
+    <message>
+        <source>Accept the adjustment…</source>
+        <translation>Anpassung annehmen …</translation>
+    </message>
+    <message>
+        <source>What an adjustment by the other types leaves of each</source>
+        <translation>Was eine Anpassung nach den anderen Typen von jedem übrig lässt</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Squeezes</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Fits</source>
+        <translation>Passt</translation>
+    </message>
+    <message>
+        <source>gripper %1</source>
+        <translation>Greifer %1</translation>
+    </message>
+    <message>
+        <source>This was given up: %1</source>
+        <translation>Dies wurde aufgegeben: %1</translation>
+    </message>
+    <message>
+        <source>Being worked out…</source>
+        <translation>Wird ausgewertet …</translation>
+    </message>
+    <message>
+        <source>The squeezes give no adjustment.</source>
+        <translation>Die Druckversuche ergeben keine Anpassung.</translation>
+    </message>
+    <message>
+        <source>%1 does not fit: one adjustment would be wrong for it.</source>
+        <translation>%1 passt nicht: Eine gemeinsame Anpassung wäre dafür falsch.</translation>
+    </message>
+    <message>
+        <source>There are fewer than three squeezes of a type.</source>
+        <translation>Von einem Typ gibt es weniger als drei Druckversuche.</translation>
+    </message>
+    <message>
+        <source>The squeezes give no adjustment</source>
+        <translation>Die Druckversuche ergeben keine Anpassung</translation>
+    </message>
+    <message>
+        <source>One adjustment does not explain all types</source>
+        <translation>Eine Anpassung erklärt nicht alle Typen</translation>
+    </message>
+    <message>
+        <source>An adjustment helps: types serve here with it</source>
+        <translation>Eine Anpassung hilft: Mit ihr taugen die Typen hier</translation>
+    </message>
+    <message>
+        <source>The two grippers find the same as far as can be told</source>
+        <translation>Beide Greifer finden dasselbe, soweit es sich sagen lässt</translation>
+    </message>
+    <message>
+        <source>Residual check: that the types differ so much by chance has a probability of %1. %2</source>
+        <translation>Prüfung der Residuen: Dass sich die Typen zufällig so sehr unterscheiden, hat eine Wahrscheinlichkeit von %1. %2</translation>
+    </message>
+    <message>
+        <source>In force since %1, accepted by %2. Every inspection on gripper %3 is adjusted by it.</source>
+        <translation>In Kraft seit %1, angenommen von %2. Jede Prüfung am Greifer %3 wird damit angepasst.</translation>
+    </message>
+    <message>
+        <source>somebody not named</source>
+        <translation>einer nicht genannten Person</translation>
+    </message>
+    <message>
+        <source>It was accepted %1 and is no longer in force.</source>
+        <translation>Sie wurde %1 angenommen und ist nicht mehr in Kraft.</translation>
+    </message>
+    <message>
+        <source>Another adjustment of this gripper is in force since %1: this one would replace it.</source>
+        <translation>Eine andere Anpassung dieses Greifers ist seit %1 in Kraft: Diese würde sie ersetzen.</translation>
+    </message>
+    <message>
+        <source>no other type</source>
+        <translation>kein anderer Typ</translation>
+    </message>
+    <message>
+        <source>yes (%1)</source>
+        <translation>ja (%1)</translation>
+    </message>
+    <message>
+        <source>no (%1)</source>
+        <translation>nein (%1)</translation>
+    </message>
+    <message>
+        <source>The adjustment</source>
+        <translation>Die Anpassung</translation>
+    </message>
+    <message>
+        <source>Adjust gripper %1</source>
+        <translation>Greifer %1 anpassen</translation>
+    </message>
+    <message>
+        <source>Gripper %1 is adjusted to the types from now on.</source>
+        <translation>Greifer %1 wird von jetzt an den Typen angepasst.</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::TransferStart</name>
+    <message>
+        <source>a gripper not named</source>
+        <translation>einem nicht genannten Greifer</translation>
+    </message>
+    <message>
+        <source>Adjustments</source>
+        <translation>Anpassungen</translation>
+    </message>
+    <message>
+        <source>All studies</source>
+        <translation>Alle Studien</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Types on another gripper</source>
+        <translation>Typen an einem anderen Greifer</translation>
+    </message>
+    <message>
+        <source>Types were enrolled on one gripper and are to be recognised by another. Squeeze parts of some of them here: how the two grippers differ follows from that, and every later inspection on this gripper is adjusted by it.</source>
+        <translation>Typen wurden an einem Greifer eingelernt und sollen von einem anderen erkannt werden. Teile einiger davon hier drücken: Daraus folgt, worin sich die beiden Greifer unterscheiden, und jede spätere Prüfung an diesem Greifer wird damit angepasst.</translation>
+    </message>
+    <message>
+        <source>Squeezes of each type</source>
+        <translation>Druckversuche je Typ</translation>
+    </message>
+    <message>
+        <source>Which types do you have parts of here?</source>
+        <translation>Von welchen Typen sind hier Teile da?</translation>
+    </message>
+    <message>
+        <source>Connected is gripper %1. No type was enrolled on another.</source>
+        <translation>Verbunden ist Greifer %1. Kein Typ wurde an einem anderen eingelernt.</translation>
+    </message>
+    <message>
+        <source>Connected is gripper %1. Types were enrolled on: %2.</source>
+        <translation>Verbunden ist Greifer %1. Typen wurden eingelernt an: %2.</translation>
+    </message>
+    <message>
+        <source>enrolled on this gripper itself</source>
+        <translation>an diesem Greifer selbst eingelernt</translation>
+    </message>
+    <message>
+        <source>not approved</source>
+        <translation>nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>enrolled on %1</source>
+        <translation>eingelernt an %1</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>somebody not named</source>
+        <translation>einer nicht genannten Person</translation>
+    </message>
+    <message>
+        <source>Gripper %1: in force</source>
+        <translation>Greifer %1: in Kraft</translation>
+    </message>
+    <message>
+        <source>Gripper %1: withdrawn</source>
+        <translation>Greifer %1: zurückgezogen</translation>
+    </message>
+    <message>
+        <source>Gripper %1: replaced</source>
+        <translation>Greifer %1: ersetzt</translation>
+    </message>
+    <message>
+        <source>%1. Accepted %2 by %3, of %4 squeezes of %5: %6</source>
+        <translation>%1. Angenommen %2 von %3, aus %4 Druckversuchen von %5: %6</translation>
+    </message>
+    <message>
+        <source>Withdrawn %1 by %2: %3</source>
+        <translation>Zurückgezogen %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>Withdraw…</source>
+        <translation>Zurückziehen …</translation>
+    </message>
+    <message>
+        <source>Withdraw the adjustment of gripper %1</source>
+        <translation>Anpassung des Greifers %1 zurückziehen</translation>
+    </message>
+    <message>
+        <source>The adjustment is withdrawn.</source>
+        <translation>Die Anpassung ist zurückgezogen.</translation>
+    </message>
+    <message>
+        <source>Another gripper %1</source>
+        <translation>Ein anderer Greifer %1</translation>
+    </message>
+    <message>
+        <source>Connect the gripper that the types are to be recognised by.</source>
+        <translation>Den Greifer verbinden, der die Typen erkennen soll.</translation>
+    </message>
+    <message>
+        <source>This gripper has no serial number to keep an adjustment under.</source>
+        <translation>Dieser Greifer hat keine Seriennummer, unter der eine Anpassung aufbewahrt werden könnte.</translation>
+    </message>
+    <message>
+        <source>No type is enrolled. Enrol types on the other gripper, in this library, first.</source>
+        <translation>Kein Typ ist eingelernt. Zuerst am anderen Greifer Typen einlernen, in dieser Bibliothek.</translation>
+    </message>
+    <message>
+        <source>Choose the types that you have parts of, two or more.</source>
+        <translation>Die Typen wählen, von denen Teile da sind, zwei oder mehr.</translation>
+    </message>
+    <message>
+        <source>%1 squeezes, in random order.</source>
+        <translation>%1 Druckversuche, in zufälliger Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>%1 With a second type it shows whether one adjustment serves all.</source>
+        <translation>%1 Mit einem zweiten Typ zeigt sich, ob eine Anpassung für alle taugt.</translation>
     </message>
 </context>
 <context>
@@ -14811,6 +19105,85 @@ Vorh. %</translation>
     <message>
         <source>nothing expected</source>
         <translation>nichts erwartet</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::TypeLimitsDialog</name>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>%1: too few squeezes whose uncertainty is known</source>
+        <translation>%1: zu wenige Druckversuche mit bekannter Unsicherheit</translation>
+    </message>
+    <message>
+        <source>%1, by %2 squeezes: consumer&apos;s risk %3, producer&apos;s risk %4</source>
+        <translation>%1, nach %2 Druckversuchen: Kundenrisiko %3, Herstellerrisiko %4</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Tolerance limits</source>
+        <translation>Toleranzgrenzen</translation>
+    </message>
+    <message>
+        <source>Parts that are recognised as this type are then also said to conform, not to conform, or to be too near the limit for their squeeze.</source>
+        <translation>Von Teilen, die als dieser Typ erkannt werden, heißt es dann auch, ob sie konform sind, nicht konform oder für ihren Druckversuch zu nahe an der Grenze.</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Rule of decision</source>
+        <translation>Entscheidungsregel</translation>
+    </message>
+    <message>
+        <source>Proven with 95 % (ISO 14253-1)</source>
+        <translation>Mit 95 % nachgewiesen (ISO 14253-1)</translation>
+    </message>
+    <message>
+        <source>Proven up to a consumer&apos;s risk of</source>
+        <translation>Nachgewiesen bis zu einem Kundenrisiko von</translation>
+    </message>
+    <message>
+        <source>By the value alone</source>
+        <translation>Nach dem Wert allein</translation>
+    </message>
+    <message>
+        <source>Consumer&apos;s risk</source>
+        <translation>Kundenrisiko</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Why? The reason is kept with the change.</source>
+        <translation>Warum? Der Grund wird mit der Änderung aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>A limit is not a number.</source>
+        <translation>Eine Grenze ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>Without a limit nothing is said of parts beyond their type.</source>
+        <translation>Ohne Grenze wird über Teile nichts außer ihrem Typ gesagt.</translation>
+    </message>
+    <message>
+        <source>Consumer&apos;s risk: of all parts, those accepted that do not conform. Producer&apos;s risk: those that conform and are not accepted, too near a limit among them (JCGM 106).</source>
+        <translation>Kundenrisiko: von allen Teilen die, die angenommen werden, obwohl sie nicht konform sind. Herstellerrisiko: die, die konform sind und nicht angenommen werden, auch weil sie zu nahe an einer Grenze liegen (JCGM 106).</translation>
     </message>
 </context>
 <context>
@@ -14986,7 +19359,7 @@ Vorh. %</translation>
     </message>
     <message>
         <source>Manage types…</source>
-        <translation>Typen verwalten…</translation>
+        <translation>Verwalten…</translation>
     </message>
     <message>
         <source>Rename, merge, split or retire types; undo changes</source>
@@ -14995,6 +19368,14 @@ Vorh. %</translation>
     <message>
         <source>Without m, b and k, so not in this picture: %1.</source>
         <translation>Ohne m, b und k, darum nicht in diesem Bild: %1.</translation>
+    </message>
+    <message>
+        <source>Limits…</source>
+        <translation>Toleranzen…</translation>
+    </message>
+    <message>
+        <source>What mass, damping and stiffness of the parts of a type may be</source>
+        <translation>Was Masse, Dämpfung und Steifigkeit der Teile eines Typs sein dürfen</translation>
     </message>
 </context>
 <context>

@@ -79,8 +79,13 @@ void until(const std::function<bool()>& done)
     }
 }
 
-/// Milliseconds, one a squeeze.
-std::vector<double> waits(int types, int squeezes)
+/// Of one squeeze, each in milliseconds from the arrival of its last sample: when it was known to be through,
+/// when it was judged, when that was painted.
+struct Waits {
+    double through = 0, judged = 0, painted = 0;
+};
+
+std::vector<Waits> waits(int types, int squeezes)
 {
     const QTemporaryDir folder;
     const QString file = folder.filePath(u"bench.db"_s);
@@ -100,13 +105,16 @@ std::vector<double> waits(int types, int squeezes)
     auto* panel = window.findChild<VerdictPanel*>();
     PaintWatch watch;
     panel->installEventFilter(&watch);
-    std::vector<double> waited;
+    std::vector<Waits> waited;
     for (int i = 0; i < squeezes; ++i) {
         until([&] { return bench.connection().armed() && session.state() == InspectSession::State::Ready; });
         std::optional<Clock::time_point> last;
+        Clock::time_point through;
         const auto follow = QObject::connect(&bench, &Workbench::ticked, &bench, [&] {
-            if (!last && session.state() == InspectSession::State::Judging)
-                last = bench.connection().counters().newestArrival;
+            if (last || session.state() != InspectSession::State::Judging)
+                return;
+            last = bench.connection().counters().newestArrival;
+            through = Clock::now();
         });
         if (!session.squeeze())
             qFatal("a squeeze cannot begin");
@@ -114,16 +122,22 @@ std::vector<double> waits(int types, int squeezes)
         const Clock::time_point known = Clock::now();
         until([&] { return panel->outcome().has_value() && watch.painted > known; });
         QObject::disconnect(follow);
+        const auto since = [&](Clock::time_point then) {
+            return std::chrono::duration<double, std::milli>(then - *last).count();
+        };
         if (last)
-            waited.push_back(std::chrono::duration<double, std::milli>(watch.painted - *last).count());
+            waited.push_back({since(through), since(known), since(watch.painted)});
         until([&] { return !session.storing(); });
     }
-    std::sort(waited.begin(), waited.end());
     return waited;
 }
 
-double quantile(const std::vector<double>& sorted, double share)
+double quantile(const std::vector<Waits>& waited, double Waits::*which, double share)
 {
+    std::vector<double> sorted;
+    for (const Waits& one : waited)
+        sorted.push_back(one.*which);
+    std::sort(sorted.begin(), sorted.end());
     const auto at = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
     return sorted.empty() ? 0 : sorted[std::min(std::max<std::size_t>(at, 1), sorted.size()) - 1];
 }
@@ -139,9 +153,13 @@ int main(int argc, char** argv)
     const auto option = arguments.indexOf(u"--squeezes"_s);
     const int squeezes = option > 0 ? arguments.value(option + 1).toInt() : 200;
     for (const int types : {4, 100}) {
-        const std::vector<double> waited = waits(types, squeezes);
+        const std::vector<Waits> waited = waits(types, squeezes);
         std::printf("%3d types, %zu squeezes: last sample to painted verdict, median %.0f ms, p99 %.0f ms\n",
-                    types, waited.size(), quantile(waited, 0.5), quantile(waited, 0.99));
+                    types, waited.size(), quantile(waited, &Waits::painted, 0.5),
+                    quantile(waited, &Waits::painted, 0.99));
+        std::printf("    known to be through %.0f, %.0f; judged %.0f, %.0f\n",
+                    quantile(waited, &Waits::through, 0.5), quantile(waited, &Waits::through, 0.99),
+                    quantile(waited, &Waits::judged, 0.5), quantile(waited, &Waits::judged, 0.99));
     }
     return 0;
 }

@@ -51,13 +51,39 @@ private slots:
         }
         QVERIFY(matchesLaw(chiSquaredQuantile(0.95, 2), -2 * std::log(0.05)));
     }
-    void aShiftedSquareIsTwoNormalTails()
+    /// The Poisson mixture that defines it: sum over j of Poisson(j; shift / 2) P(chi^2 of p + 2 j <= x).
+    void shiftedSquaresAreAMixtureOfChiSquares()
     {
-        for (const double d : {0.3, 1.0, 4.0})
-            for (const double x : {0.5, 3.0, 20.0}) {
-                const double expected = normalBelow(std::sqrt(x) - d) - normalBelow(-std::sqrt(x) - d);
-                QVERIFY(std::abs(nonCentralChiSquaredBelow(x, 1, d * d) - expected) < 1e-10);
+        for (const double p : {1.0, 2.0, 3.0, 4.0})
+            for (const double d : {1e-5, 1e-3, 0.3, 1.0, 4.0, 9.0})
+                for (const double x : {1e-3, 0.5, 3.0, 20.0, 120.0}) {
+                    double expected = 0;
+                    for (int j = 0; j < 250; ++j) {
+                        const double weight =
+                            std::exp(j * std::log(d * d / 2) - d * d / 2 - logGamma(j + 1.0));
+                        expected += weight * chiSquaredBelow(x, p + 2 * j);
+                    }
+                    const double found = nonCentralChiSquaredBelow(x, p, d * d);
+                    QVERIFY2(std::abs(found - expected) < 1e-13 + 1e-10 * expected,
+                             qPrintable(QStringLiteral("p %1, d %2, x %3: %4, %5")
+                                            .arg(p)
+                                            .arg(d)
+                                            .arg(x)
+                                            .arg(found, 0, 'g', 15)
+                                            .arg(expected, 0, 'g', 15)));
+                }
+    }
+    /// With two degrees of freedom the integral over chi is done by parts, a = t / sqrt(2).
+    void aShiftedStudentWithTwoDegreesIsClosed()
+    {
+        for (const double d : {-2.0, 0.0, 0.7, 3.0, 20.0})
+            for (const double t : {-3.0, 0.5, 2.0, 25.0}) {
+                const double a = t / std::sqrt(2), b = std::sqrt(1 + a * a);
+                const double expected =
+                    normalBelow(-d) + a / b * std::exp(-d * d / (2 * b * b)) * normalBelow(a * d / b);
+                QVERIFY(std::abs(nonCentralStudentBelow(t, 2, d) - expected) < 1e-10);
             }
+        QVERIFY(matchesLaw(normalAbove(1.3), normalBelow(-1.3)));
     }
     void fisherWithTwoInTheNumeratorIsAPower()
     {

@@ -78,7 +78,8 @@ private slots:
     }
     void everyScreenHasAPageWithItsPicture()
     {
-        for (const char* screen : {"live", "inspect", "enroll", "types", "fit", "calibrate", "history"}) {
+        for (const char* screen :
+             {"live", "inspect", "enroll", "types", "fit", "calibrate", "history", "quality"}) {
             const QString name = QString::fromLatin1(screen);
             const QString picture = u"pictures/%1.png"_s.arg(name);
             QVERIFY2(page(name + u".md"_s).contains(u'(' + picture + u')'), screen);

@@ -2,6 +2,7 @@
 #include "devices/protocol/report.h"
 #include "devices/virtual/fault_timeline.h"
 #include "tests/support/test_registry.h"
+#include "tests/support/why_not.h"
 
 #include <QFile>
 #include <QTest>
@@ -83,7 +84,7 @@ private slots:
         QVERIFY(first > 0);
         const auto events =
             parseFaultScript(text.mid(first, text.indexOf("\n\n", first) - first), u"virtual.md"_qs);
-        QVERIFY2(events.has_value(), events ? "" : qPrintable(events.error().describe()));
+        QVERIFY2(events.has_value(), qPrintable(test::whyNot(events)));
         QCOMPARE(events->size(), std::size_t(7));
         const auto unknown = parseFaultScript("0 fire", u"x"_qs);
         const QString words = unknown.error().argument(2).section(u"one of "_qs, 1);

@@ -120,18 +120,7 @@ private slots:
         QVERIFY(refused.error().code == ErrorCode::DevicePermission);
         const QString text = refused.error().describe();
         QVERIFY(text.contains(u"/dev/hidraw7"_qs));
-        QVERIFY(text.contains(u"ATTRS{idVendor}==\"1209\""_qs));
-        QVERIFY(text.contains(u"TAG+=\"uaccess\""_qs));
-    }
-
-    void theAdviceIsTheRuleThatIsPackaged()
-    {
-        QFile rule(QStringLiteral(GRIPSCOPE_SOURCE_DIR "/packaging/70-gripscope.rules"));
-        QVERIFY(rule.open(QIODevice::ReadOnly));
-        const QString advice = permissionAdvice({u"/dev/hidraw0"_qs, 0x1209, 1, {}, {}, true, false});
-        const QString line = QString::fromUtf8(rule.readAll()).trimmed().section(u'\n', -1);
-        QVERIFY2(advice.contains(line), qPrintable(line));
-        QVERIFY(advice.contains(u"\nsudo udevadm trigger"_qs)); // a command a line
+        QVERIFY(text.contains(u"sudo "_qs)); // node_permission_test tells which line
     }
 
     void aMissingGripperIsTold()

@@ -5,6 +5,7 @@
 #include "devices/replay/capture_reader.h"
 #include "devices/replay/captured_session.h"
 #include "tests/support/test_registry.h"
+#include "tests/support/why_not.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -73,7 +74,7 @@ private slots:
     {
         const auto good = readCapturedSession(written(
             u"good.gscap"_s, session(0.0005, note(500, "squeeze begins\nmode: movement\nsamples: 100\n"))));
-        QVERIFY2(good, good ? "" : qPrintable(good.error().describe()));
+        QVERIFY2(good, qPrintable(test::whyNot(good)));
         QCOMPARE(good->counters.samples, std::uint64_t(200));
         QCOMPARE(good->squeezes.size(), std::size_t(1));
     }
@@ -93,7 +94,7 @@ private slots:
     {
         const QByteArray begins = note(500, "squeeze begins\nmode: movement\nsamples: 9999999999999999999\n");
         const auto read = readCapturedSession(written(u"count.gscap"_s, session(0.0005, begins)));
-        QVERIFY2(read, read ? "" : qPrintable(read.error().describe()));
+        QVERIFY2(read, qPrintable(test::whyNot(read)));
         QVERIFY(read->squeezes.empty());
     }
     void moreSqueezesThanASessionHasAreAnError()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/devices/lying_gripper.h"
 #include "tests/support/test_registry.h"
+#include "tests/support/why_not.h"
 
 #include <QTest>
 
@@ -79,7 +80,7 @@ class LyingGripperTest : public QObject {
         const bool runs = gripper.runUntil([&] { return !samplesMoving(gripper.samples).empty(); }, 1000);
         if (!runs)
             qWarning("state %d; %s", int(gripper.control.squeeze().state),
-                     gripper.control.error() ? qPrintable(gripper.control.error()->describe()) : "");
+                     qPrintable(whyNot(gripper.control.error())));
         return runs;
     }
 

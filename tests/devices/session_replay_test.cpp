@@ -10,6 +10,7 @@
 #include "devices/replay/captured_session.h"
 #include "tests/devices/connected_program.h"
 #include "tests/support/test_registry.h"
+#include "tests/support/why_not.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -297,7 +298,7 @@ private slots:
     void theSqueezesAreCutOutAsTheyWere()
     {
         const Expected<CapturedSession> session = readCapturedSession(m_capture);
-        QVERIFY2(session.has_value(), session ? "" : qPrintable(session.error().describe()));
+        QVERIFY2(session.has_value(), qPrintable(whyNot(session)));
         QCOMPARE(session->squeezes.size(), std::size_t(enrolled + inspected));
         for (std::size_t i = 0; i < session->squeezes.size(); ++i) {
             const CapturedSqueeze& squeeze = session->squeezes[i];

@@ -11,6 +11,7 @@
 #include "devices/virtual/virtual_transport.h"
 #include "tests/devices/port_helpers.h"
 #include "tests/support/test_registry.h"
+#include "tests/support/why_not.h"
 
 #include <QTest>
 
@@ -242,8 +243,7 @@ private slots:
         QVERIFY(address);
         Squeezer squeezer(std::get<VirtualAddress>(*address), lie);
         QVERIFY(squeezer.armed() && squeezer.squeeze());
-        QVERIFY2(squeezer.job.state() == SqueezeJob::State::Done,
-                 squeezer.job.error() ? qPrintable(squeezer.job.error()->describe()) : "");
+        QVERIFY2(squeezer.job.state() == SqueezeJob::State::Done, qPrintable(whyNot(squeezer.job.error())));
         const Verdict verdict = judged(squeezer.job.recording());
         QVERIFY2(toString(verdict.validity.verdict) == validity, qPrintable(inWords(verdict)));
         QCOMPARE(verdict.kind == VerdictKind::Invalid, validity == u"invalid"_s);

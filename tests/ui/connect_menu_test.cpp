@@ -76,7 +76,7 @@ private slots:
         QTest::newRow("nameless") << device << false
                                   << u"Bench gripper · no serial number · at usb-2/input0"_s;
         device = first;
-        device.toAllow = QStringList{u"sudo something"_s};
+        device.toAllow = u"sudo something"_s;
         QTest::newRow("forbidden") << device << false
                                    << u"Bench gripper · serial GS-1 · no permission: see what to type"_s;
     }
@@ -144,7 +144,8 @@ private slots:
         menu.popup({});
         menu.close();
         FoundDevice forbidden = first;
-        forbidden.toAllow = QStringList{u"sudo one"_s, u"sudo two"_s};
+        forbidden.missing = u"writing"_s;
+        forbidden.toAllow = u"sudo one && sudo two"_s;
         menu.showFound({forbidden});
         const QList<QAction*> actions = menu.actions();
         const auto found = std::find_if(actions.begin(), actions.end(), [](const QAction* action) {
@@ -155,7 +156,11 @@ private slots:
         const auto* dialog = f.window->findChild<AccessDialog*>();
         QVERIFY(dialog && dialog->isVisible());
         QCOMPARE(dialog->findChild<QPlainTextEdit*>(u"accessCommands"_s)->toPlainText(),
-                 u"sudo one\nsudo two"_s);
+                 u"sudo one && sudo two"_s);
+        bool told = false; // which permission it is, too
+        for (const QLabel* label : dialog->findChildren<QLabel*>())
+            told = told || label->text().startsWith(u"What is missing is writing. "_s);
+        QVERIFY(told);
     }
 
     void whatToTypeStaysWhileAnotherGripperIsConnected()

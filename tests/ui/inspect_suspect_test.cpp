@@ -214,7 +214,7 @@ void InspectSuspectTest::everyOutcomeLooksOtherwiseInDoubt()
     std::vector<QImage> seen;
     for (const InspectionOutcome outcome :
          {InspectionOutcome::AsExpected, InspectionOutcome::OtherType, InspectionOutcome::Unknown,
-          InspectionOutcome::Inconclusive, InspectionOutcome::NotValid})
+          InspectionOutcome::Inconclusive, InspectionOutcome::NotValid, InspectionOutcome::DoesNotConform})
         for (const bool suspect : {false, true}) {
             panel.showOutcome(outcome, u"A"_s, u"words"_s, suspect);
             seen.push_back(painted(panel));

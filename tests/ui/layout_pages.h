@@ -13,7 +13,7 @@ namespace gripscope::test {
 inline void pageRows()
 {
     QTest::addColumn<QString>("id");
-    for (const char* id : {"live", "inspect", "enroll", "types", "fit", "calibrate", "history"})
+    for (const char* id : {"live", "inspect", "enroll", "types", "fit", "calibrate", "history", "quality"})
         QTest::newRow(id) << QString::fromLatin1(id);
 }
 

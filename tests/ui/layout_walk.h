@@ -42,9 +42,12 @@ class LayoutWalk {
 public:
     explicit LayoutWalk(QWidget& top) : m_top(&top) {}
 
-    /// `where`: the state, and how it is looked at.
+    /// `where`: the state, and how it is looked at. For eyes: with GRIPSCOPE_LOOKS=FOLDER a picture of each.
     void look(const QString& where)
     {
+        if (const QString folder = qEnvironmentVariable("GRIPSCOPE_LOOKS"); !folder.isEmpty())
+            m_top->grab().save(QStringLiteral("%1/%2 %3.png")
+                                   .arg(folder, QString(where).replace(u'/', u'-'), QLocale().name()));
         for (const QString& finding : findingsNow(*m_top))
             note(finding, where);
     }

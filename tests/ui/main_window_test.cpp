@@ -53,7 +53,7 @@ void MainWindowTest::nothingIsCutOffAtTheLeastSize_data()
 {
     QTest::addColumn<QString>("id");
     QTest::addColumn<bool>("withMessage");
-    for (const char* id : {"live", "inspect", "enroll", "types", "fit", "calibrate", "history"})
+    for (const char* id : {"live", "inspect", "enroll", "types", "fit", "calibrate", "history", "quality"})
         QTest::newRow(id) << QString::fromLatin1(id) << false;
     // The pages on which a squeeze may go wrong keep their room even under an error of two lines.
     for (const char* id : {"live", "inspect", "enroll"})
@@ -149,7 +149,7 @@ void MainWindowTest::armingIsAPersonsClick()
 void MainWindowTest::stopOnEveryPageStopsAndDisarms_data()
 {
     QTest::addColumn<QString>("id");
-    for (const char* id : {"live", "inspect", "enroll", "types", "fit", "calibrate", "history"})
+    for (const char* id : {"live", "inspect", "enroll", "types", "fit", "calibrate", "history", "quality"})
         QTest::newRow(id) << QString::fromLatin1(id);
 }
 

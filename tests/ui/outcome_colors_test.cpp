@@ -148,11 +148,10 @@ private slots:
         QFETCH(ThemeKind, theme);
         constexpr double least = 20, leastWithoutGreen = 10; // a just noticeable difference is about 1
         const ThemeTokens t = themeTokens(theme);
-        const std::pair<const char*, QColor> colors[] = {{"as expected", t.asExpected},
-                                                         {"other type", t.otherType},
-                                                         {"unknown", t.unknown},
-                                                         {"inconclusive", t.inconclusive},
-                                                         {"not valid", t.notValid}};
+        const std::pair<const char*, QColor> colors[] = {
+            {"as expected", t.asExpected}, {"other type", t.otherType},
+            {"unknown", t.unknown},        {"inconclusive", t.inconclusive},
+            {"not valid", t.notValid},     {"does not conform", t.doesNotConform}};
         for (const auto& [name, color] : colors)
             for (const auto& [otherName, other] : colors) {
                 if (color == other)

@@ -19,9 +19,9 @@ using namespace gripscope;
 
 namespace {
 
-constexpr InspectionOutcome allOutcomes[] = {InspectionOutcome::AsExpected, InspectionOutcome::OtherType,
-                                             InspectionOutcome::Unknown, InspectionOutcome::Inconclusive,
-                                             InspectionOutcome::NotValid};
+constexpr InspectionOutcome allOutcomes[] = {
+    InspectionOutcome::AsExpected,   InspectionOutcome::OtherType, InspectionOutcome::Unknown,
+    InspectionOutcome::Inconclusive, InspectionOutcome::NotValid,  InspectionOutcome::DoesNotConform};
 
 QImage sign(InspectionOutcome outcome)
 {
@@ -60,6 +60,7 @@ private slots:
     void theVerdictFillsItsField();
     void theStripKeepsTwentyAndOpensTheOneThatIsClicked();
     void theYieldLeavesOutWhatWasNotJudged();
+    void limitsAreSaidInOneSentence();
     void soundsAreToldApart();
 };
 
@@ -84,7 +85,7 @@ void OutcomeViewTest::wordsDiffer()
     QStringList words;
     for (const InspectionOutcome outcome : allOutcomes)
         words << outcomeWord(outcome);
-    QCOMPARE(QSet<QString>(words.begin(), words.end()).size(), 5);
+    QCOMPARE(QSet<QString>(words.begin(), words.end()).size(), qsizetype(std::size(allOutcomes)));
 }
 
 void OutcomeViewTest::headlinesNameWhatMatters()
@@ -133,7 +134,7 @@ void OutcomeViewTest::everyWordReadsOnItsTint()
     QSet<int> patterns;
     for (const InspectionOutcome outcome : allOutcomes)
         patterns << static_cast<int>(outcomeFill(outcome).style());
-    QCOMPARE(patterns.size(), 5);
+    QCOMPARE(patterns.size(), qsizetype(std::size(allOutcomes)));
     Theme::instance().apply(ThemeKind::Light);
 }
 
@@ -256,12 +257,34 @@ void OutcomeViewTest::theYieldLeavesOutWhatWasNotJudged()
     QVERIFY(yieldExplained(counts).contains(u"40 of 41"_s));
 }
 
+void OutcomeViewTest::limitsAreSaidInOneSentence()
+{
+    const auto said = [](double k, InspectionOutcome outcome) {
+        InspectSession::Result r = result(outcome);
+        PartLimits limits;
+        limits.quantities[2] = ToleranceLimits{11500, 12500};
+        r.verdict.conformity =
+            *judgeConformity(limits, {std::nullopt, std::nullopt, MeasuredValue{k, 100}}, 1.0);
+        return verdictWords(r);
+    };
+    const VerdictWords beyond = said(12900, InspectionOutcome::DoesNotConform);
+    QCOMPARE(beyond.headline, u"A"_s);
+    QCOMPARE(beyond.outcome, u"does not conform"_s);
+    QCOMPARE(beyond.reason, u"Does not conform: k 12.9 kN/m is above 12.5 kN/m."_s);
+    const VerdictWords near = said(12450, InspectionOutcome::Inconclusive);
+    QCOMPARE(near.headline, u"A?"_s);
+    QCOMPARE(near.outcome, u"too near the limit for this squeeze"_s);
+    QVERIFY(near.reason.contains(u"the risk not to conform is 31 %"_s));
+    QVERIFY(said(12000, InspectionOutcome::AsExpected).reason.startsWith(u"Conforms."_s));
+}
+
 void OutcomeViewTest::soundsAreToldApart()
 {
     // By more than pitch: number of tones, length, or direction.
     QSet<QByteArray> allOutcomes;
-    for (const Sound sound : {Sound::AsExpected, Sound::OtherType, Sound::Unknown, Sound::Inconclusive,
-                              Sound::NotValid, Sound::BatchWhole, Sound::CodeUnknown, Sound::Countdown}) {
+    for (const Sound sound :
+         {Sound::AsExpected, Sound::OtherType, Sound::Unknown, Sound::Inconclusive, Sound::NotValid,
+          Sound::BatchWhole, Sound::CodeUnknown, Sound::Countdown, Sound::DoesNotConform}) {
         const std::vector<Tone> tones = tonesOf(sound);
         double seconds = 0;
         for (const Tone& tone : tones)
@@ -275,7 +298,7 @@ void OutcomeViewTest::soundsAreToldApart()
         QVERIFY(std::abs(int(first[samples.size() / 2 - 1])) < 400);
         allOutcomes << samples;
     }
-    QCOMPARE(allOutcomes.size(), 8);
+    QCOMPARE(allOutcomes.size(), 9);
     QVERIFY(tonesOf(Sound::NotValid)[0].seconds > 2 * tonesOf(Sound::AsExpected)[0].seconds);
 }
 

@@ -36,7 +36,7 @@ void TourTest::savesOnePictureAPage()
     QCOMPARE(runTour(options), 0);
     QStringList names = QDir(options.folder).entryList({u"*.png"_s}, QDir::Files, QDir::Name);
     QCOMPARE(names, (QStringList{u"calibrate.png"_s, u"enroll.png"_s, u"fit.png"_s, u"history.png"_s,
-                                 u"inspect.png"_s, u"live.png"_s, u"types.png"_s}));
+                                 u"inspect.png"_s, u"live.png"_s, u"quality.png"_s, u"types.png"_s}));
     for (const QString& name : names) {
         const QImage picture(QDir(options.folder).filePath(name));
         QCOMPARE(picture.size(), options.size);

@@ -7,13 +7,12 @@
 #include "ui/context/connection_words.h"
 #include "ui/context/doorbell.h"
 #include "ui/context/sign_in.h"
+#include "ui/context/window_in_front.h"
 #include "ui/format/reference_words.h"
 #include "ui/settings/values/settings.h"
 #include "ui/widgets/plain_text.h"
 
-#include <QApplication>
 #include <QTimer>
-#include <QWidget>
 
 #include <utility>
 
@@ -38,8 +37,8 @@ struct ConnectionView {
 struct Workbench::Private {
     Private(Workbench* bench, const QString& libraryFile, const QString& settingsFile)
         : settings(settingsFile), library(libraryFile), connection(factory), enrollment(connection, library),
-          inspection(connection, library), bell(bench, [bench] { bench->tick(); }),
-          background(library, bell.button())
+          inspection(connection, library), study(connection, library),
+          bell(bench, [bench] { bench->tick(); }), background(library, bell.button())
     {
     }
 
@@ -50,6 +49,7 @@ struct Workbench::Private {
     ConnectSession connection;
     EnrollSession enrollment;
     InspectSession inspection;
+    StudySession study;
     LiveFeed live;
     Messages messages;
     Navigator navigator;
@@ -62,7 +62,7 @@ struct Workbench::Private {
     bool trial = false;
     int stops = 0; ///< asked for by a person
     ConnectionView seen;
-    std::optional<Error> connectionError, inspectionError, enrollmentError;
+    std::optional<Error> connectionError, inspectionError, enrollmentError, studyError;
     std::optional<Error> unreadTold; ///< why it is not known what the library knows of the gripper
     KeepSessions keeping{CaptureFolder::defaultPath(), {}, false};
     bool keeps = false;
@@ -120,6 +120,11 @@ InspectSession& Workbench::inspection()
     return d->inspection;
 }
 
+StudySession& Workbench::study()
+{
+    return d->study;
+}
+
 LibraryService& Workbench::library()
 {
     return d->library;
@@ -167,6 +172,7 @@ void Workbench::setOperatorName(const QString& name)
     d->operatorName = name;
     d->enrollment.setOperator(name);
     d->inspection.setOperator(name);
+    d->study.setOperator(name);
     emit operatorChanged();
 }
 
@@ -237,22 +243,6 @@ Messages::Condition Workbench::untilConnected() const
     return [this] { return d->connection.state() != ConnectSession::State::Connected; };
 }
 
-namespace {
-
-/// What a question to the person who works here is shown over.
-QWidget* windowInFront()
-{
-    if (QWidget* active = QApplication::activeWindow())
-        return active;
-    const QWidgetList windows = QApplication::topLevelWidgets();
-    const auto shown = std::find_if(windows.begin(), windows.end(), [](const QWidget* one) {
-        return one->isVisible() && one->windowType() == Qt::Window;
-    });
-    return shown == windows.end() ? nullptr : *shown;
-}
-
-} // namespace
-
 /// Who may is what the library's policy says. Stopped while that is asked, it is not armed.
 void Workbench::arm()
 {
@@ -295,6 +285,7 @@ void Workbench::stop()
 bool Workbench::squeezing() const
 {
     return d->trial || d->inspection.state() == InspectSession::State::Squeezing ||
+           d->study.state() == StudySession::State::Squeezing ||
            d->enrollment.activity() == EnrollSession::Activity::Squeezing;
 }
 
@@ -326,6 +317,7 @@ void Workbench::tick()
     noticeReferenceCheck();
     noticeEnrollment();
     noticeInspection();
+    noticeStudy();
     if (d->inspection.state() == InspectSession::State::Squeezing && !d->untilTheEnd.isActive())
         d->untilTheEnd.start();
     d->background.poll();
@@ -464,6 +456,14 @@ void Workbench::noticeInspection()
 {
     if (d->inspection.poll())
         tellInspection();
+}
+
+void Workbench::noticeStudy()
+{
+    if (!d->study.poll())
+        return;
+    noticeError(d->studyError, d->study.lastError());
+    emit studyChanged();
 }
 
 void Workbench::tellInspection()

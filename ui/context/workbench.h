@@ -5,6 +5,7 @@
 #include "core/session/connection/connect_session.h"
 #include "core/session/enroll/enroll_session.h"
 #include "core/session/inspect/inspect_session.h"
+#include "core/session/quality/study_session.h"
 #include "devices/factory/gripper_factory.h"
 #include "ui/context/background.h"
 #include "ui/context/messages.h"
@@ -38,6 +39,7 @@ public:
     [[nodiscard]] ConnectSession& connection();
     [[nodiscard]] EnrollSession& enrollment();
     [[nodiscard]] InspectSession& inspection();
+    [[nodiscard]] StudySession& study();
     [[nodiscard]] LibraryService& library();
     [[nodiscard]] Settings& settings();
     [[nodiscard]] const LiveFeed& live() const;
@@ -77,7 +79,11 @@ public:
     /// Types or squeezes in the library were changed by a page.
     void tellLibraryChanged();
     /// A calibration of the connected gripper was stored, and is in force.
-    void tellCalibrationChanged() { emit connectionChanged(); }
+    void tellCalibrationChanged()
+    {
+        tellLibraryChanged(); // an adjustment of the gripper may be older than its calibration now
+        emit connectionChanged();
+    }
 
 signals:
     void ticked();            ///< after every poll; pages refresh what moved
@@ -85,6 +91,7 @@ signals:
     void libraryChanged();    ///< types, squeezes or inspections were added
     void inspectionChanged();
     void enrollmentChanged();
+    void studyChanged();
     void operatorChanged();
     void ratesChanged();
     void keepingChanged();
@@ -105,6 +112,7 @@ private:
     void askAgain(const QString& serial, const Error& reason);
     void noticeEnrollment();
     void noticeInspection();
+    void noticeStudy();
     void tellInspection();
     void applyPolicy();
     void noticeError(std::optional<Error>& known, const std::optional<Error>& now);

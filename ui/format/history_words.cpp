@@ -161,6 +161,7 @@ QString HistoryWords::summary(const HistoryCounts& counts)
     if (const QString yield = yieldText(yieldOf(counts)); !yield.isEmpty())
         parts << yield;
     add(counts.otherType, tr("%1 other type"));
+    add(counts.doesNotConform, tr("%1 not conforming"));
     add(counts.unknown, tr("%1 unknown"));
     add(counts.inconclusive, tr("%1 inconclusive"));
     add(counts.notValid, tr("%1 not valid"));
@@ -219,6 +220,8 @@ std::vector<Fact> HistoryWords::facts(const SqueezeDetails& details)
     add(tr("Part"), entry.part);
     add(tr("Part number"), entry.partNumber);
     add(tr("Voided, does not count"), entry.voided);
+    if (entry.conformityValues)
+        add(tr("Tolerance limits"), inWords(*entry.conformityValues).describe());
     if (const auto posterior = entry.tellingPosterior())
         add(tr("Posterior"), formatProbability(std::min(*posterior, 1 - 1e-15)));
     if (entry.distance && entry.gate)

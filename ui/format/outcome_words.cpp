@@ -41,6 +41,8 @@ QString outcomeWord(InspectionOutcome outcome)
         return OutcomeWords::tr("inconclusive");
     case InspectionOutcome::NotValid:
         return OutcomeWords::tr("not valid");
+    case InspectionOutcome::DoesNotConform:
+        return OutcomeWords::tr("does not conform");
     }
     return {};
 }
@@ -102,6 +104,12 @@ QString reasonOf(const InspectSession::Result& result)
     const Verdict& verdict = result.verdict;
     if (result.outcome == InspectionOutcome::NotValid)
         return described(verdict.reasons).join(u' ');
+    if (verdict.conformity) {
+        const QString limits = inWords(*verdict.conformity).describe();
+        return verdict.conformity->decision != ConformityDecision::Conforms || verdict.reasons.empty()
+                   ? limits
+                   : limits + u' ' + verdict.reasons.front().describe();
+    }
     const bool contradicted = result.earlyEnd && verdict.kind == VerdictKind::Inconclusive;
     if (result.outcome == InspectionOutcome::Inconclusive && !verdict.rival.isEmpty() &&
         !verdict.heldForStranger && !contradicted)
@@ -125,7 +133,13 @@ VerdictWords headlineOf(const InspectSession::Result& result)
                 verdict.nearest.isEmpty() ? OutcomeWords::tr("no type is enrolled yet")
                                           : OutcomeWords::tr("none of the enrolled types"),
                 {}};
+    case InspectionOutcome::DoesNotConform:
+        return {verdict.type, outcomeWord(result.outcome), {}};
     case InspectionOutcome::Inconclusive: {
+        if (verdict.conformity)
+            return {OutcomeWords::tr("%1?").arg(verdict.type),
+                    inWords(verdict.conformity->decision).describe(),
+                    {}};
         if (verdict.heldForStranger)
             return {OutcomeWords::tr("%1?").arg(verdict.nearest), outcomeWord(result.outcome), {}};
         const QStringList two = likeliest(verdict.posterior);

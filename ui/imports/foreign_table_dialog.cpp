@@ -6,6 +6,7 @@
 #include "core/signal/recording/units.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/narrow_choice.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -40,12 +41,9 @@ const RegisteredDialog<ForeignTableDialog> foreignTableRow("foreign table", [](W
 
 QComboBox* makeChoiceBox(const QString& name)
 {
-    auto* box = new QComboBox;
+    auto* box = new NarrowChoice(9); // columns may have long names
     box->setObjectName(name);
     box->setMinimumHeight(metrics::touchTarget);
-    // Columns may have long names.
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(9);
     return box;
 }
 

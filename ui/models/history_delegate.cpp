@@ -65,6 +65,8 @@ QString wordsOf(HistoryColumn column, const QVariant& value, const QString& unit
         return formatLength(value.toDouble());
     case ColumnFormat::Estimator:
         return HistoryWords::estimator(value.toString());
+    case ColumnFormat::Conformity:
+        return inWords(ConformityDecision(value.toInt())).describe();
     case ColumnFormat::Text:
         break;
     }

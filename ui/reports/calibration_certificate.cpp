@@ -86,14 +86,14 @@ QString identityTable(const CalibrationRecord& record)
            pdfRow(CertificateWords::tr("Note"), record.note.isEmpty() ? u"–"_s : record.note) + u"</table>"_s;
 }
 
-QString inWords(Conformity conformity)
+QString inWords(CalibrationConformity conformity)
 {
     switch (conformity) {
-    case Conformity::Conforms:
+    case CalibrationConformity::Conforms:
         return CertificateWords::tr("conforms");
-    case Conformity::DoesNotConform:
+    case CalibrationConformity::DoesNotConform:
         return CertificateWords::tr("does not conform");
-    case Conformity::Undecided:
+    case CalibrationConformity::Undecided:
         break;
     }
     return CertificateWords::tr(

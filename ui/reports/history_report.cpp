@@ -92,6 +92,9 @@ QString countsTable(const HistoryCounts& counts)
             html += pdfRow(HistoryReportWords::tr("Known type, none expected"),
                            shareText(counts.knownType, yield.judged));
         html += pdfRow(HistoryReportWords::tr("Other type"), shareText(counts.otherType, yield.judged));
+        if (counts.doesNotConform > 0)
+            html += pdfRow(HistoryReportWords::tr("Does not conform to its limits"),
+                           shareText(counts.doesNotConform, yield.judged));
         html += pdfRow(HistoryReportWords::tr("Unknown"), shareText(counts.unknown, yield.judged));
     }
     html += pdfRow(HistoryReportWords::tr("Inconclusive, not judged"), formatCount(counts.inconclusive));

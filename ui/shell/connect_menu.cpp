@@ -39,17 +39,18 @@ AccessDialog::AccessDialog(Workbench& workbench, const FoundDevice& device, QWid
     auto* column = new QVBoxLayout(this);
     setSpacing(column, 24, 16);
     column->addWidget(makeLabel(tr("This user may not open %1").arg(device.name), "heading", this));
-    auto* what =
-        makeLabel(tr("Type this in a terminal, once on this computer. It asks for the password of an "
-                     "administrator. Gripscope then connects the gripper by itself."),
-                  "", this);
+    const QString missing =
+        device.missing.isEmpty() ? QString() : tr("What is missing is %1.").arg(device.missing) + u' ';
+    auto* what = makeLabel(missing + tr("Type this line in a terminal. It asks for the password of an "
+                                        "administrator. Gripscope then connects the gripper by itself."),
+                           "", this);
     what->setWordWrap(true);
     column->addWidget(what);
 
-    const QString text = device.toAllow.join(u'\n');
+    const QString text = device.toAllow;
     auto* commands = new QPlainTextEdit(text, this);
     commands->setObjectName("accessCommands");
-    commands->setAccessibleName(tr("Commands to type"));
+    commands->setAccessibleName(tr("Line to type"));
     commands->setReadOnly(true);
     commands->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     commands->setMinimumHeight(152);

@@ -12,6 +12,7 @@
 #include "ui/pages/history/history_page.h"
 #include "ui/pages/inspect/inspect_page.h"
 #include "ui/pages/live/live_page.h"
+#include "ui/pages/quality/quality_page.h"
 #include "ui/pages/types/types_page.h"
 #include "ui/people/authorize.h"
 #include "ui/settings/settings_dialog.h"
@@ -116,9 +117,20 @@ void MainWindow::tellDisarmed()
 
 void MainWindow::addPages()
 {
-    m_pages = {new LivePage(*m_workbench),   new InspectPage(*m_workbench), new EnrollPage(*m_workbench),
-               new TypesPage(*m_workbench),  new FitPage(*m_workbench),     new CalibratePage(*m_workbench),
-               new HistoryPage(*m_workbench)};
+    auto* history = new HistoryPage(*m_workbench);
+    auto* quality = new QualityPage(*m_workbench);
+    m_pages = {new LivePage(*m_workbench),
+               new InspectPage(*m_workbench),
+               new EnrollPage(*m_workbench),
+               new TypesPage(*m_workbench),
+               new FitPage(*m_workbench),
+               new CalibratePage(*m_workbench),
+               history,
+               quality};
+    connect(quality, &QualityPage::squeezeAsked, this, [this, history](const QString& graspId) {
+        showPage(history->id());
+        history->showSqueeze(graspId);
+    });
     for (Page* page : m_pages)
         m_stack->addWidget(page);
 }

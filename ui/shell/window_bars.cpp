@@ -2,11 +2,14 @@
 #include "ui/shell/window_bars.h"
 
 #include "core/calibration/calibration_record.h"
+#include "core/library/library.h"
 #include "ui/context/connection_words.h"
 #include "ui/context/workbench.h"
 #include "ui/format/calibration_words.h"
 #include "ui/format/number_format.h"
 #include "ui/format/reference_words.h"
+#include "ui/format/study_due_words.h"
+#include "ui/line/line_station.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/elided_label.h"
@@ -20,6 +23,10 @@
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
+
+namespace {
+constexpr int mostStudies = 200; // the newest: what is due rests on the last of each kind
+}
 
 RailButton::RailButton(const QString& text, const QString& icon, QWidget* parent)
     : QAbstractButton(parent), m_icon(icon)
@@ -96,8 +103,21 @@ StatusLine::StatusLine(Workbench& workbench, QWidget* parent) : QFrame(parent), 
     timer->start(500);
     connect(&workbench, &Workbench::connectionChanged, this, &StatusLine::refresh);
     connect(&workbench, &Workbench::libraryChanged, this, &StatusLine::askVersion);
+    connect(&workbench, &Workbench::studyChanged, this, &StatusLine::askStudies);
     askVersion();
+    askStudies();
     refresh();
+}
+
+void StatusLine::askStudies()
+{
+    const bool ended = m_workbench->study().state() == StudySession::State::Ended;
+    if (std::exchange(m_studyEnded, ended) == ended)
+        return;
+    using Studies = std::vector<StudyRecord>;
+    m_workbench->background().ask<Studies>(
+        this, [](Library& library) { return library.studies(mostStudies); },
+        [this](Expected<Studies> studies) { m_studies = std::move(studies).value_or(Studies()); });
 }
 
 void StatusLine::askVersion()
@@ -121,6 +141,7 @@ QStringList StatusLine::standing() const
     if (position != nullptr && (force == nullptr || position->due < force->due))
         words << CalibrationWords::brief(SensorChannel::Position, position, today);
     words << ReferenceWords::brief(calibration.reference(), QDateTime::currentDateTimeUtc());
+    words << StudyDueWords::brief(studyStandings(m_studies, connection.identity().serial), today);
     words.removeAll(QString());
     return words;
 }
@@ -140,6 +161,10 @@ void StatusLine::refresh()
         if (counters.stalled)
             parts << tr("silent");
         parts << standing();
+    }
+    if (const LineStation& line = LineStation::of(*m_workbench); line.on()) {
+        const LineWords words = line.words();
+        parts << words.headline.describe() << described(words.problems);
     }
     const QFileInfo library(m_workbench->library().file());
     parts << (m_version > 0 ? tr("library %1 v%2").arg(library.completeBaseName()).arg(m_version)

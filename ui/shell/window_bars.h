@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/library/records/study_record.h"
 #include "core/session/connection/loss_watch.h"
 
 #include <QAbstractButton>
@@ -66,11 +67,14 @@ public:
 private:
     void refresh();
     void askVersion();
-    [[nodiscard]] QStringList standing() const; ///< of the connected gripper's channels
+    void askStudies();                          ///< where one may have been finished
+    [[nodiscard]] QStringList standing() const; ///< of the connected gripper's channels and studies
     Workbench* m_workbench;
     ElidedLabel* m_label;
     QString m_shown;
     qint64 m_version = 0; ///< of the library; 0: not known yet
+    std::vector<StudyRecord> m_studies;
+    std::optional<bool> m_studyEnded; ///< when they were asked for
 };
 
 } // namespace gripscope

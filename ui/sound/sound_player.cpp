@@ -32,6 +32,8 @@ Sound soundOf(InspectionOutcome outcome, bool suspect)
         return Sound::Unknown;
     case InspectionOutcome::Inconclusive:
         return Sound::Inconclusive;
+    case InspectionOutcome::DoesNotConform:
+        return Sound::DoesNotConform;
     case InspectionOutcome::NotValid:
         break;
     }
@@ -51,6 +53,8 @@ std::vector<Tone> tonesOf(Sound sound)
         return {{740, 0.1}, {0, 0.05}, {740, 0.1}};
     case Sound::NotValid:
         return {{294, 0.4}};
+    case Sound::DoesNotConform: // down, and further than another type
+        return {{988, 0.09}, {0, 0.03}, {740, 0.09}, {0, 0.03}, {494, 0.16}};
     case Sound::BatchWhole:
         return {{784, 0.1}, {988, 0.1}, {1319, 0.2}};
     case Sound::Suspect:

@@ -23,7 +23,8 @@ enum class Sound {
     BatchWhole,
     CodeUnknown,
     Suspect,
-    Countdown
+    Countdown,
+    DoesNotConform
 };
 /// A verdict on a suspect measurement sounds like no other, whatever it says of the part.
 [[nodiscard]] Sound soundOf(InspectionOutcome outcome, bool suspect = false);

@@ -122,6 +122,7 @@ ThemeTokens lightTokens()
     t.unknown = QColor(QRgb{0xFF5F3BC9});
     t.inconclusive = QColor(QRgb{0xFF383D44});
     t.notValid = QColor(QRgb{0xFF8F5500});
+    t.doesNotConform = QColor(QRgb{0xFF540C00});
     t.suspect = QColor(QRgb{0xFF6E6600});
     t.force = QColor(QRgb{0xFF0B6E99});
     t.position = QColor(QRgb{0xFFA84A0A});
@@ -146,6 +147,7 @@ ThemeTokens darkTokens()
     t.unknown = QColor(QRgb{0xFFA58CFF});
     t.inconclusive = QColor(QRgb{0xFFD8DDE3});
     t.notValid = QColor(QRgb{0xFFF0B04A});
+    t.doesNotConform = QColor(QRgb{0xFFE47854});
     t.suspect = QColor(QRgb{0xFFE8E04A});
     t.force = QColor(QRgb{0xFF5CC0EA});
     t.position = QColor(QRgb{0xFFFF9F5A});
@@ -169,6 +171,7 @@ ThemeTokens highContrastTokens()
     t.unknown = QColor(QRgb{0xFF95AEFE});
     t.inconclusive = QColor(QRgb{0xFFFFFFFF});
     t.notValid = QColor(QRgb{0xFFFF9A3D});
+    t.doesNotConform = QColor(QRgb{0xFFD88484});
     t.suspect = t.accent;
     t.force = QColor(QRgb{0xFFFFFFFF});
     t.position = QColor(QRgb{0xFFFFFFFF});
@@ -297,6 +300,8 @@ QColor Theme::outcomeColor(InspectionOutcome outcome) const
         return m_tokens.inconclusive;
     case InspectionOutcome::NotValid:
         return m_tokens.notValid;
+    case InspectionOutcome::DoesNotConform:
+        return m_tokens.doesNotConform;
     }
     return m_tokens.text;
 }

@@ -26,7 +26,7 @@ struct ThemeTokens {
     ThemeKind kind = ThemeKind::Light;
     QColor page, surface, line, text, secondText, accent, stop;
     QColor disabled; ///< words, signs and frames of what cannot be used now
-    QColor asExpected, otherType, unknown, inconclusive, notValid;
+    QColor asExpected, otherType, unknown, inconclusive, notValid, doesNotConform;
     QColor suspect; ///< of any outcome whose measurement is in doubt
     QColor force, position, model;
     QColor selected;     ///< ground of what is chosen in a list, a table or a menu

@@ -24,7 +24,7 @@ InspectionLine inspectionLine(const InspectionRecord& record)
 {
     return {record.number,
             record.graspId,
-            inspectionOutcome(record.verdict, record.type, record.expectedType),
+            inspectionOutcome(record.judged(), record.type, record.expectedType),
             record.type,
             record.seconds,
             record.suspect && record.verdict != VerdictKind::Invalid,

@@ -90,6 +90,11 @@ void paintOutcomeSign(QPainter& painter, const QRectF& box, InspectionOutcome ou
     case InspectionOutcome::NotValid:
         paintTriangle(painter, box, color, s);
         break;
+    case InspectionOutcome::DoesNotConform:
+        painter.drawEllipse(c, 0.36 * s, 0.36 * s);
+        painter.drawLine(QPointF(c.x() - 0.25 * s, c.y() + 0.25 * s),
+                         QPointF(c.x() + 0.25 * s, c.y() - 0.25 * s));
+        break;
     }
     painter.restore();
 }
@@ -140,6 +145,8 @@ QBrush outcomeFill(InspectionOutcome outcome)
         return {faint, Qt::Dense7Pattern};
     case InspectionOutcome::NotValid:
         return {faint, Qt::HorPattern};
+    case InspectionOutcome::DoesNotConform:
+        return {faint, Qt::VerPattern};
     }
     return tokens.surface;
 }

@@ -42,10 +42,10 @@ void ProgressRing::paintEvent(QPaintEvent*)
     const double thick = 12;
     QRectF circle(0, 0, size - thick, size - thick);
     circle.moveCenter(QRectF(rect()).center());
-    // One segment a squeeze: the number can be counted as well as read.
-    const double gap = m_wanted > 1 ? 4 : 0;
+    // One segment a squeeze: the number can be counted as well as read, as long as there are gaps to be seen.
     const int shown = std::max(m_wanted, m_done);
     const double each = 360.0 / shown;
+    const double gap = m_wanted > 1 && each >= 8 ? 4 : 0;
     for (int i = 0; i < shown; ++i) {
         const QColor color = i < m_done ? t.accent : Theme::mix(t.surface, t.secondText, 0.25);
         painter.setPen(QPen(color, thick, Qt::SolidLine, Qt::FlatCap));

@@ -20,14 +20,22 @@ int runDevices(const QStringList& arguments)
     QString text =
         u"%1%2%3%4"_qs.arg(u"address"_qs, -28).arg(u"serial"_qs, -16).arg(u"state"_qs, -16).arg(u"name"_qs);
     for (const FoundDevice& device : findDevices()) {
-        devices.append(QJsonObject{{u"address"_qs, device.address},
-                                   {u"serial"_qs, device.serial},
-                                   {u"name"_qs, device.name},
-                                   {u"state"_qs, device.state}});
+        QJsonObject one{{u"address"_qs, device.address},
+                        {u"serial"_qs, device.serial},
+                        {u"name"_qs, device.name},
+                        {u"state"_qs, device.state}};
+        if (!device.toAllow.isEmpty()) {
+            one.insert(u"missing"_qs, device.missing);
+            one.insert(u"to_allow"_qs, device.toAllow);
+        }
+        devices.append(one);
         text += u"\n%1%2%3%4"_qs.arg(device.address, -28)
                     .arg(device.serial, -16)
                     .arg(device.state, -16)
                     .arg(device.name);
+        if (!device.toAllow.isEmpty())
+            text += u"\n  What is missing is %1. Type this in a terminal:\n  %2"_qs.arg(device.missing,
+                                                                                        device.toAllow);
     }
     if (line.isSet(u"json"_qs))
         printJson({{u"devices"_qs, devices}});

@@ -251,6 +251,11 @@ private:
                     record->takenUtc.date().toString(Qt::ISODate), record->due.toString(Qt::ISODate)));
         if (!calibration.unusable().isEmpty())
             message(calibration.unusable());
+        for (const StudyStanding& study : m_chains.studies(serial))
+            if (study.due)
+                message(u"Its last study of the kind %1 ended %2, due again %3."_qs.arg(
+                    toString(study.kind), study.last->ended->toLocalTime().date().toString(Qt::ISODate),
+                    study.due->toString(Qt::ISODate)));
     }
 
     /// The gripper's own, or what became of the connection.

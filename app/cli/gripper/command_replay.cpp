@@ -107,7 +107,9 @@ private:
         Recording recording = squeeze.recording;
         if (!squeeze.noted) // else it has what was known of its gripper then, and that is what was judged
             session.complete(recording, source);
-        const Expected<InspectSession::Result> result = session.judgeAgain(std::move(recording), source, how);
+        const Expected<InspectSession::Result> result = session.judgeAgain(
+            std::move(recording), source, how,
+            before ? Classification::Adjusting::AsThen : Classification::Adjusting::AsTheLibrary);
         if (!result)
             return refuse(result.error(), document);
         document[u"rates"_qs] = ratesJson(how.rates, m_request.ratesGiven ? u"given"_qs
@@ -224,8 +226,7 @@ int runReplay(const QStringList& arguments)
         if (!library)
             return fail(library.error(), request.json);
         for (auto* session : {&request.inspections, &request.others})
-            *session = std::make_unique<Classification>(*library, IdentificationOptions{}, request.rates,
-                                                        std::nullopt);
+            *session = std::make_unique<Classification>(*library, IdentificationOptions{}, request.rates);
         if (const std::optional<Error> error = request.inspections->begin())
             return fail(*error, request.json);
         if (const std::optional<Error> error = request.others->begin(Classification::Telling::Nothing))

@@ -38,6 +38,14 @@ KnownGripper ChainLibrary::known(const QString& gripperSerial)
     return {};
 }
 
+std::vector<StudyStanding> ChainLibrary::studies(const QString& gripperSerial)
+{
+    constexpr int mostRead = 200; // the newest: what is due rests on the last of each kind
+    if (gripperSerial.isEmpty() || !m_library)
+        return {};
+    return studyStandings(m_library->studies(mostRead).value_or(std::vector<StudyRecord>()), gripperSerial);
+}
+
 void ChainLibrary::complete(Recording& recording, const QString& recordingFile)
 {
     if (!(recording.chain == MeasuringChain()))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/quality/study_due.h"
 #include "core/session/squeeze/stored_chain.h"
 
 #include <memory>
@@ -17,6 +18,8 @@ public:
     [[nodiscard]] std::optional<MeasuringChainRecord> find(const QString& gripperSerial);
     /// With the calibrations of its sensors: for a gripper that is connected.
     [[nodiscard]] KnownGripper known(const QString& gripperSerial);
+    /// When its studies are due again.
+    [[nodiscard]] std::vector<StudyStanding> studies(const QString& gripperSerial);
     /// Gives a recording that names its gripper and has no chain the library's, told on standard error.
     void complete(Recording& recording, const QString& recordingFile);
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/library/library_squeezes.h"
+#include "app/cli/library/existing_library.h"
 #include "app/cli/library/shift_json.h"
 #include "app/cli/line/commands.h"
 #include "app/cli/line/output.h"
 #include "app/cli/options/shared_options.h"
 #include "core/base/json_value.h"
 #include "core/quality/drift.h"
+#include "core/session/inspect/inspected_squeezes.h"
 
 #include <QJsonArray>
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/library/library_squeezes.h"
+#include "app/cli/library/existing_library.h"
 #include "app/cli/line/command_line.h"
 #include "app/cli/line/commands.h"
 #include "app/cli/line/output.h"
 #include "app/cli/options/shared_options.h"
 #include "core/session/library/history_document.h"
+
+#include <QSaveFile>
 
 #include <cstdio>
 #include <utility>
@@ -76,6 +78,24 @@ HistoryQuery queryOf(CommandLine& line)
     return query;
 }
 
+/// Nothing: as a table.
+std::optional<HistoryFormat> formatOf(CommandLine& line)
+{
+    static const QStringList names{u"table"_qs, toString(HistoryFormat::Csv), toString(HistoryFormat::Json),
+                                   toString(HistoryFormat::Aqdef)};
+    const int chosen = line.choice(u"format"_qs, names);
+    const bool json = line.isSet(u"json"_qs), csv = line.isSet(u"csv"_qs);
+    if (json && csv)
+        line.reject(u"--csv and --json exclude each other."_qs);
+    if (line.isSet(u"format"_qs) && (json || csv))
+        line.reject(u"--format stands for --csv and --json; give one of them."_qs);
+    if (json)
+        return HistoryFormat::Json;
+    if (csv)
+        return HistoryFormat::Csv;
+    return chosen > 0 ? std::optional(static_cast<HistoryFormat>(chosen - 1)) : std::nullopt;
+}
+
 QString lineOf(const HistoryEntry& entry)
 {
     const auto& p = entry.parameters;
@@ -112,19 +132,52 @@ Expected<void> printTable(Library& library, const HistoryQuery& query)
     return {};
 }
 
-Expected<void> printDocument(Library& library, const HistoryQuery& query, HistoryFormat format)
+/// To standard output, or to a file that is there whole or not at all.
+class HistoryOutput {
+public:
+    explicit HistoryOutput(const QString& file) : m_file(file) {}
+    [[nodiscard]] QString name() const { return toFile() ? m_file.fileName() : u"standard output"_qs; }
+    [[nodiscard]] Expected<void> open()
+    {
+        return !toFile() || m_file.open(QIODevice::WriteOnly) ? Expected<void>() : unwritable();
+    }
+    [[nodiscard]] Expected<void> write(const QByteArray& piece)
+    {
+        if (!toFile())
+            std::fwrite(piece.constData(), 1, static_cast<std::size_t>(piece.size()), stdout);
+        else if (m_file.write(piece) != piece.size())
+            return unwritable();
+        return {};
+    }
+    [[nodiscard]] Expected<void> close()
+    {
+        return !toFile() || m_file.commit() ? Expected<void>() : unwritable();
+    }
+
+private:
+    [[nodiscard]] bool toFile() const { return !m_file.fileName().isEmpty(); }
+    [[nodiscard]] Expected<void> unwritable() const
+    {
+        return failure(ErrorCode::FileUnwritable, {m_file.fileName(), m_file.errorString()});
+    }
+    QSaveFile m_file;
+};
+
+Expected<void> printDocument(Library& library, const HistoryQuery& query, HistoryFormat format,
+                             const QString& file)
 {
+    HistoryOutput output(file);
+    RETURN_IF_ERROR(output.open());
     HistoryDocument document(query, format);
     bool told = false;
     while (!document.ended()) {
         ASSIGN_OR_RETURN(const QByteArray piece, document.next(library));
         if (!piece.isEmpty() && !std::exchange(told, true)) // what cannot be told does not leave the library
-            RETURN_IF_ERROR(library.tellExport(u"standard output"_qs,
-                                               format == HistoryFormat::Csv ? u"csv"_qs : u"json"_qs,
-                                               static_cast<qint64>(document.total())));
-        std::fwrite(piece.constData(), 1, static_cast<std::size_t>(piece.size()), stdout);
+            RETURN_IF_ERROR(
+                library.tellExport(output.name(), toString(format), static_cast<qint64>(document.total())));
+        RETURN_IF_ERROR(output.write(piece));
     }
-    return {};
+    return output.close();
 }
 
 } // namespace
@@ -136,21 +189,24 @@ int runHistory(const QStringList& arguments)
     addLibraryOption(line);
     addFilters(line);
     line.flag(u"csv"_qs, u"As CSV, with all that is known of each."_qs);
+    line.option(u"format"_qs, u"FORMAT"_qs,
+                u"table, csv, json or aqdef (for Q-DAS; the valid values of m, b and k)."_qs, u"table"_qs);
+    line.shortOption(u'o', u"output"_qs, u"FILE"_qs, u"Where it is written, but for a table."_qs);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
     const HistoryQuery query = queryOf(line);
     const bool json = line.isSet(u"json"_qs);
-    const bool csv = line.isSet(u"csv"_qs);
-    if (json && csv)
-        line.reject(u"--csv and --json exclude each other."_qs);
+    const std::optional<HistoryFormat> format = formatOf(line);
+    const QString file = line.text(u"output"_qs);
+    if (line.isSet(u"output"_qs) && (!format || file.isEmpty()))
+        line.reject(u"-o takes the name of a file, and a format of --format csv, json or aqdef."_qs);
     if (const std::optional<int> exit = line.finish())
         return *exit;
     const Expected<std::unique_ptr<Library>> library = libraryFile(line).and_then(openExistingLibrary);
     if (!library)
         return fail(library.error(), json);
     const Expected<void> done =
-        json || csv ? printDocument(**library, query, json ? HistoryFormat::Json : HistoryFormat::Csv)
-                    : printTable(**library, query);
+        format ? printDocument(**library, query, *format, file) : printTable(**library, query);
     return done ? 0 : fail(done.error(), json);
 }
 

@@ -20,6 +20,7 @@ const std::vector<Command>& typeActions()
          showConfusion},
         {u"rename"_qs, u"gives a type another name"_qs, renameType},
         {u"code"_qs, u"sets what a scanner reads on the parts of a type"_qs, setTypeCode},
+        {u"limits"_qs, u"sets or shows the tolerance limits of a type, and what they risk"_qs, typeLimits},
         {u"merge"_qs, u"moves the squeezes of a type into another"_qs, mergeTypes},
         {u"split"_qs, u"moves some squeezes of a type into a new one"_qs, splitType},
         {u"retire"_qs, u"keeps a type, but recognises it no longer"_qs, retireType},

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/library/measured_transfer.h"
 
-#include "app/cli/library/library_squeezes.h"
+#include "app/cli/library/existing_library.h"
+#include "core/session/inspect/inspected_squeezes.h"
 #include "core/session/squeeze/comparable_units.h"
 
 namespace gripscope::cli {

@@ -2,8 +2,7 @@
 #include "app/cli/library/shift_json.h"
 
 #include "core/base/json_value.h"
-
-#include <QJsonArray>
+#include "core/math/matrix_json.h"
 
 namespace gripscope::cli {
 
@@ -27,13 +26,9 @@ QJsonObject shiftJson(const TypeShift& shift)
 
 QJsonObject commonShiftJson(const CommonShift& shift)
 {
-    QJsonArray covariance;
-    for (int i = 0; i < 3; ++i)
-        covariance.append(QJsonArray{jsonNumber(shift.covariance(i, 0)), jsonNumber(shift.covariance(i, 1)),
-                                     jsonNumber(shift.covariance(i, 2))});
     return {{u"value"_qs, vectorJson(shift.value)},
             {u"standard_errors"_qs, vectorJson(shift.covariance.diagonal().cwiseSqrt())},
-            {u"covariance"_qs, covariance},
+            {u"covariance"_qs, matrixJson(shift.covariance)},
             {u"p"_qs, jsonNumber(shift.pValue)},
             {u"agreement_p"_qs, jsonNumber(shift.agreement)}};
 }

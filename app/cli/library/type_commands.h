@@ -13,6 +13,7 @@ int guideEnrollment(const QStringList& arguments);
 int showConfusion(const QStringList& arguments);
 int renameType(const QStringList& arguments);
 int setTypeCode(const QStringList& arguments);
+int typeLimits(const QStringList& arguments);
 int mergeTypes(const QStringList& arguments);
 int splitType(const QStringList& arguments);
 int retireType(const QStringList& arguments);

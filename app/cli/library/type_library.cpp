@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/library/type_library.h"
 
-#include "app/cli/library/library_squeezes.h"
+#include "app/cli/library/existing_library.h"
 #include "app/cli/line/output.h"
 #include "app/cli/options/shared_options.h"
 

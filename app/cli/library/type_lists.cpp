@@ -3,6 +3,7 @@
 #include "app/cli/library/type_commands.h"
 #include "app/cli/library/type_library.h"
 #include "app/cli/line/output.h"
+#include "core/base/json_value.h"
 
 #include <QJsonArray>
 
@@ -47,6 +48,7 @@ void tell(const LibraryState& state, const CommandLine& line)
                                  {u"status"_qs, toString(type.status)},
                                  {u"squeezes"_qs, type.squeezes},
                                  {u"code"_qs, type.code},
+                                 {u"limits"_qs, jsonText(toText(type.limits))},
                                  {u"key"_qs, type.typeId}});
         if (!line.isSet(u"json"_qs))
             print(u"%1: %2, %3 squeezes"_qs.arg(type.name, toString(type.status)).arg(type.squeezes));

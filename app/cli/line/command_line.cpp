@@ -57,8 +57,6 @@ CommandLine::CommandLine(const QString& command, const QString& description, con
     : m_command(command), m_arguments(arguments)
 {
     m_parser.setApplicationDescription(description);
-    m_parser.addOption({{u"h"_qs, u"help"_qs}, u"Shows this text."_qs});
-    m_names << u"help"_qs;
     flag(u"json"_qs,
          json == Json::OneDocument
              ? u"Writes a JSON document to standard output, messages to standard error."_qs
@@ -90,9 +88,13 @@ void CommandLine::shortOption(QChar letter, const QString& name, const QString& 
 
 std::optional<int> CommandLine::parse(const QStringList& arguments)
 {
+    // Last, for a command may have an h of its own: a CUSUM's decision interval.
+    const QStringList help{u"h"_qs, u"help"_qs};
+    m_parser.addOption({help.mid(m_names.contains(u"h"_qs) ? 1 : 0), u"Shows this text."_qs});
+    m_names << u"help"_qs;
     const bool understood = m_parser.parse(QStringList{u"gripscope-cli"_qs} + arguments);
     if (m_parser.isSet(u"help"_qs)) {
-        print(help());
+        print(helpText());
         return 0;
     }
     if (understood) {
@@ -112,7 +114,7 @@ std::optional<int> CommandLine::parse(const QStringList& arguments)
     return usage(problem);
 }
 
-QString CommandLine::help() const
+QString CommandLine::helpText() const
 {
     // The parser's own first line knows nothing of subcommands.
     const QString text = m_parser.helpText();

@@ -51,7 +51,7 @@ public:
 
 private:
     void rejectValue(const QString& name, const QString& expected);
-    [[nodiscard]] QString help() const;
+    [[nodiscard]] QString helpText() const;
     [[nodiscard]] int usage(const QString& problem) const;
 
     QString m_command, m_arguments;

@@ -20,6 +20,7 @@ struct Command {
 
 int runDemo(const QStringList& arguments);
 int runDevice(const QStringList& arguments);
+int runSelfCheck(const QStringList& arguments);
 int runDevices(const QStringList& arguments);
 int runProfile(const QStringList& arguments);
 int runRecord(const QStringList& arguments);

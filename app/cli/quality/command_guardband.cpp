@@ -99,15 +99,10 @@ int runGuardBandStudy(const QStringList& arguments)
     const double guard = line.number(u"guard"_qs);
     if (const std::optional<int> exit = line.finish())
         return *exit;
-    const bool json = line.isSet(u"json"_qs);
-    const auto found = findGuardBands(process, guard);
-    if (!found)
-        return fail(found.error(), json);
-    if (json)
-        printJson(toJson(*found, process.uncertainty));
-    else
-        print(text(*found, process.uncertainty));
-    return 0;
+    return showStudy(
+        findGuardBands(process, guard), line,
+        [&](const auto& found) { return toJson(found, process.uncertainty); },
+        [&](const auto& found) { return text(found, process.uncertainty); });
 }
 
 } // namespace gripscope::cli

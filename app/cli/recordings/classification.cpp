@@ -2,7 +2,7 @@
 #include "app/cli/recordings/classification.h"
 
 #include "app/cli/library/chain_library.h"
-#include "app/cli/library/library_squeezes.h"
+#include "app/cli/library/existing_library.h"
 #include "app/cli/line/drive.h"
 #include "app/cli/line/output.h"
 #include "app/cli/options/shared_options.h"
@@ -42,6 +42,17 @@ struct Classification::Private {
         return session.lastError();
     }
 
+    Expected<InspectSession::Result> judge(Recording recording, const QString& source,
+                                           const std::optional<EarlyEnd>& earlyEnd)
+    {
+        RETURN_IF_ERROR(session.judgeRecording(std::move(recording), source, earlyEnd));
+        if (const std::optional<Error> error =
+                waitFor([this] { return session.state() == InspectSession::State::Ready; }))
+            return tl::unexpected<Error>(*error);
+        return *session.result();
+    }
+
+    std::optional<std::optional<CommonShift>> transfer; ///< that was stated, which may be that there is none
     ChainLibrary chains;
     DeviceFactory devices;
     LibraryService library;
@@ -50,13 +61,12 @@ struct Classification::Private {
 };
 
 Classification::Classification(const QString& library, const IdentificationOptions& options,
-                               const VerdictOptions& rates, const std::optional<CommonShift>& transfer)
+                               const VerdictOptions& rates)
     : d(std::make_unique<Private>(library))
 {
     d->session.setStoring(false);
     d->session.setIdentificationOptions(options);
     d->session.setRates(rates);
-    d->session.setTransfer(transfer);
 }
 
 Classification::~Classification() = default;
@@ -64,6 +74,12 @@ Classification::~Classification() = default;
 void Classification::setPolicy(const JudgingPolicy& policy)
 {
     d->session.setPolicy(policy);
+}
+
+void Classification::setTransfer(const std::optional<CommonShift>& transfer)
+{
+    d->transfer = transfer;
+    d->session.setTransfer(transfer);
 }
 
 std::optional<Error> Classification::begin(Telling telling)
@@ -77,24 +93,23 @@ std::optional<Error> Classification::begin(Telling telling)
 
 Expected<InspectSession::Result> Classification::judge(Recording recording, const QString& source)
 {
-    return judgeAgain(std::move(recording), source, {d->session.rates(), {}, d->session.policy()});
+    return d->judge(std::move(recording), source, {});
 }
 
 Expected<InspectSession::Result> Classification::judgeAgain(Recording recording, const QString& source,
-                                                            const SqueezeJudged& before)
+                                                            const SqueezeJudged& before, Adjusting adjusting)
 {
     const VerdictOptions own = d->session.rates();
     const JudgingPolicy ownPolicy = d->session.policy();
     d->session.setRates(before.rates);
     d->session.setPolicy(before.policy);
-    const Expected<void> begun = d->session.judgeRecording(std::move(recording), source, before.earlyEnd);
-    d->session.setRates(own); // those of the squeeze are the ones it began with
+    if (adjusting == Adjusting::AsThen)
+        d->session.setTransfer(before.transfer);
+    Expected<InspectSession::Result> result = d->judge(std::move(recording), source, before.earlyEnd);
+    d->session.setRates(own);
     d->session.setPolicy(ownPolicy);
-    RETURN_IF_ERROR(begun);
-    if (const std::optional<Error> error =
-            d->waitFor([this] { return d->session.state() == InspectSession::State::Ready; }))
-        return tl::unexpected<Error>(*error);
-    return *d->session.result();
+    d->transfer ? d->session.setTransfer(*d->transfer) : d->session.setTransferOfLibrary();
+    return result;
 }
 
 void Classification::complete(Recording& recording, const QString& source)

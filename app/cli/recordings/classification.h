@@ -15,12 +15,14 @@ namespace gripscope::cli {
 /// Verdicts on recordings, one after another, as a session of inspections gives them; nothing is stored.
 class Classification {
 public:
-    Classification(const QString& library, const IdentificationOptions& options, const VerdictOptions& rates,
-                   const std::optional<CommonShift>& transfer);
+    Classification(const QString& library, const IdentificationOptions& options, const VerdictOptions& rates);
     ~Classification();
 
     /// What is refused though it could be judged; nothing unless told otherwise.
     void setPolicy(const JudgingPolicy& policy);
+    /// What all recordings are adjusted by, or that none is. Until this is said, those of a gripper that the
+    /// library has an adjustment for are adjusted by it.
+    void setTransfer(const std::optional<CommonShift>& transfer);
 
     enum class Telling { Unapproved, Nothing };
     /// Reads the types; tells of those that are not approved.
@@ -29,9 +31,12 @@ public:
     void complete(Recording& recording, const QString& source);
     /// `source` names the recording in messages.
     [[nodiscard]] Expected<InspectSession::Result> judge(Recording recording, const QString& source);
-    /// As it was judged before: at those rates, and with what had ended the squeeze before its time.
+    /// As it was judged before: at those rates, with what had ended the squeeze before its time, and adjusted
+    /// as it was then, or by what the library has now.
+    enum class Adjusting { AsThen, AsTheLibrary };
     [[nodiscard]] Expected<InspectSession::Result> judgeAgain(Recording recording, const QString& source,
-                                                              const SqueezeJudged& before);
+                                                              const SqueezeJudged& before,
+                                                              Adjusting adjusting = Adjusting::AsThen);
     [[nodiscard]] Expected<InspectSession::Result> judge(const QString& file, const CsvReadOptions& reading);
 
 private:

@@ -10,6 +10,8 @@
 
 #include <QJsonArray>
 
+#include <utility>
+
 namespace gripscope::cli {
 
 using namespace Qt::StringLiterals;
@@ -68,12 +70,15 @@ int runClassify(const QStringList& arguments)
     const Expected<std::optional<CommonShift>> transfer = transferFrom(line.text(u"transfer"_qs), *library);
     if (!transfer)
         return fail(transfer.error(), json);
-    Classification classification(*library, options, rates, *transfer);
+    Classification classification(*library, options, rates);
+    if (line.isSet(u"transfer"_qs))
+        classification.setTransfer(*transfer);
     classification.setPolicy(policy);
     if (const std::optional<Error> error = classification.begin())
         return fail(*error, json);
     ExitCode exit;
     QJsonArray results;
+    bool isAdjustmentTold = false;
     for (const QString& file : line.files()) {
         const Expected<InspectSession::Result> result = classification.judge(file, reading);
         if (!result) {
@@ -87,9 +92,14 @@ int runClassify(const QStringList& arguments)
         QJsonObject document = verdictJson(file, result->verdict);
         if (result->refused)
             document[u"refused"_qs] = true;
+        if (!result->adjustmentId.isEmpty())
+            document[u"adjustment"_qs] = result->adjustmentId;
         results.append(document);
         if (!json)
             print(verdictText(file, result->verdict));
+        if (!result->adjustmentId.isEmpty() && !std::exchange(isAdjustmentTold, true))
+            message(u"Adjusted to the gripper that the types were enrolled on, as the library has it; "
+                    "--transfer states another adjustment."_qs);
     }
     if (json)
         printJson({{u"results"_qs, results}});

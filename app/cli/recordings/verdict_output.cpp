@@ -3,6 +3,7 @@
 
 #include "app/cli/line/output.h"
 #include "core/base/json_value.h"
+#include "core/quality/conformity/conformity_json.h"
 
 #include <QJsonArray>
 
@@ -29,6 +30,8 @@ QJsonObject verdictJson(const QString& file, const Verdict& verdict)
             {u"stranger_posterior"_qs, jsonNumber(verdict.strangerPosterior)},
             {u"stranger_accept"_qs, jsonNumber(verdict.strangerAccept)},
             {u"samples_used"_qs, static_cast<qint64>(verdict.samplesUsed)},
+            {u"conformity"_qs,
+             verdict.conformity ? QJsonValue(conformityJson(*verdict.conformity)) : QJsonValue()},
             {u"validity"_qs, toString(verdict.validity.verdict)},
             {u"checks_failed"_qs, QJsonArray::fromStringList(verdict.validity.checksFailed)},
             {u"reasons"_qs, QJsonArray::fromStringList(described(verdict.allReasons()))}};
@@ -42,6 +45,8 @@ QString verdictText(const QString& file, const Verdict& verdict)
                                              QString::number(verdict.posterior.value(verdict.type), 'f', 4));
     else if (!verdict.nearest.isEmpty())
         text += u", nearest %1"_qs.arg(verdict.nearest);
+    if (verdict.conformity)
+        text += u", "_qs + inWords(verdict.conformity->decision).english();
     if (verdict.distance && verdict.gate)
         text += u"; %1 sd away, gate %2 sd"_qs.arg(QString::number(std::sqrt(*verdict.distance), 'f', 1),
                                                    QString::number(std::sqrt(*verdict.gate), 'f', 1));

@@ -25,8 +25,17 @@ const std::vector<Study>& studies()
         {u"recognition"_qs, u"the rates a verdict states beside those that are found"_qs,
          runRecognitionStudy},
         {u"early"_qs, u"squeezes that stop as soon as the stated error allows"_qs, runEarlyStudy},
-        {u"guardband"_qs, u"risks and guard bands of limits on parts"_qs, runGuardBandStudy},
         {u"truth"_qs, u"what is said of parts that rub, yield and bend beside what is so"_qs, runTruthStudy},
+        {u"gauge"_qs, u"gauge repeatability and reproducibility of a table"_qs, runGaugeStudy},
+        {u"type1"_qs, u"one reference part squeezed many times: Cg, Cgk and bias"_qs, runTypeOneStudy},
+        {u"linearity"_qs, u"the bias over several reference parts"_qs, runLinearityStudy},
+        {u"attributes"_qs, u"how well verdicts agree, with one another and with a reference"_qs,
+         runAttributeStudy},
+        {u"capability"_qs, u"a process against limits: Cp, Cpk, Pp, Ppk, Cpm with their intervals"_qs,
+         runCapabilityStudy},
+        {u"chart"_qs, u"control charts of a table's values: limits, rules, signals, run lengths"_qs,
+         runChartStudy},
+        {u"guardband"_qs, u"risks and guard bands of limits on parts"_qs, runGuardBandStudy},
     };
     return all;
 }
@@ -60,16 +69,18 @@ int runStudy(const QStringList& arguments)
     }
     CommandLine line(
         u"study"_qs,
-        u"Repeats experiments with known truth. %1. \"study NAME --help\" tells a study's options."_qs.arg(
-            lines.join(u"; "_qs)),
+        u"Repeats experiments with known truth, or judges gauges, processes and limits. %1. \"study NAME --help\" tells a study's options."_qs
+            .arg(lines.join(u"; "_qs)),
         u"NAME"_qs);
     addStudyOptions(line, 500);
-    for (const Study& study : studies()) {
-        if (!arguments.contains(study.name))
+    // The first that is a study's name: a column may be called "truth".
+    for (qsizetype i = 0; i < arguments.size(); ++i) {
+        const qsizetype study = names.indexOf(arguments[i]);
+        if (study < 0)
             continue;
         QStringList others = arguments;
-        others.removeOne(study.name);
-        return study.run(others);
+        others.removeAt(i);
+        return studies()[std::size_t(study)].run(others);
     }
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;

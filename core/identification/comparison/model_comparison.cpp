@@ -101,8 +101,18 @@ OutputErrorOptions fromLinear(OutputErrorOptions options, const Estimate& linear
     return options;
 }
 
+/// Of what is known already, what explains most: only a model that explains more is asked for its errors.
+const Estimate& mostExplained(const Estimate& linear, const std::vector<Estimate>& motions)
+{
+    const Estimate* most = &linear;
+    for (const Estimate& motion : motions)
+        if (motion.motion && motion.parameters && explainsMore(motion, *most))
+            most = &motion;
+    return *most;
+}
+
 ComparedModel delayed(const std::vector<double>& force, const std::vector<double>& position,
-                      const OutputErrorOptions& options, const Estimate& linear)
+                      const OutputErrorOptions& options, const Estimate& linear, const Estimate& known)
 {
     constexpr int iterations = 4;
     OutputErrorOptions moved = fromLinear(options, linear);
@@ -127,7 +137,7 @@ ComparedModel delayed(const std::vector<double>& force, const std::vector<double
         return best;
     moved.lag_s = options.lag_s + *best.delay_s;
     moved.start = best.estimate.parameters;
-    best.estimate = estimateBeside(linear, force, position, moved);
+    best.estimate = estimateBeside(known, force, position, moved);
     return best;
 }
 
@@ -155,7 +165,8 @@ double lossWithoutOffset(const Estimate& linear, const std::vector<double>& forc
 /// that the search without it, which has nowhere to settle then, would only keep the verdict waiting.
 std::optional<ComparedModel> otherOffset(const std::vector<double>& force,
                                          const std::vector<double>& position,
-                                         const OutputErrorOptions& options, const Estimate& linear)
+                                         const OutputErrorOptions& options, const Estimate& linear,
+                                         const Estimate& known)
 {
     constexpr double hopeless = 100 * decisiveDelta;
     if (lossWithoutOffset(linear, force, options) > hopeless)
@@ -165,7 +176,7 @@ std::optional<ComparedModel> otherOffset(const std::vector<double>& force,
     return modelOf(options.freeOffset ? u"without_offset"_s : u"with_offset"_s,
                    options.freeOffset ? Words::say("no offset of the position")
                                       : Words::say("an offset of the position"),
-                   estimateBeside(linear, force, position, other));
+                   estimateBeside(known, force, position, other));
 }
 
 /// What a motion with further terms is called in the sentence that it explains a squeeze better.
@@ -202,7 +213,8 @@ int extraUnknowns(const MotionEstimate& motion, bool freeInitialState)
 /// Side by side: somebody waits for the verdict that rests on them.
 std::vector<ComparedModel> candidates(const std::vector<double>& force, const std::vector<double>& position,
                                       const OutputErrorOptions& options, const Estimate& linear,
-                                      const Estimate& otherHold, const std::vector<Estimate>& motions)
+                                      const Estimate& otherHold, const std::vector<Estimate>& motions,
+                                      const Estimate& known)
 {
     std::vector<ComparedModel> models;
     models.push_back(modelOf(u"linear"_s, Words::say("mass, spring and damper"), linear));
@@ -216,12 +228,12 @@ std::vector<ComparedModel> candidates(const std::vector<double>& force, const st
                                       : Words::say("a force that runs straight from sample to sample"),
                              otherHold));
     std::vector<std::function<std::optional<ComparedModel>()>> others;
-    others.emplace_back([&] { return delayed(force, position, options, linear); }); // the longest
-    others.emplace_back([&] { return otherOffset(force, position, options, linear); });
+    others.emplace_back([&] { return delayed(force, position, options, linear, known); }); // the longest
+    others.emplace_back([&] { return otherOffset(force, position, options, linear, known); });
     if (straight)
         others.emplace_back([&, other = fromLinear(options, linear)] {
             return modelOf(u"smooth_force"_s, Words::say("a force that is smooth between its samples"),
-                           estimateBeside(linear, straightAsSpline(force), position, other));
+                           estimateBeside(known, straightAsSpline(force), position, other));
         });
     std::vector<std::optional<ComparedModel>> found(others.size());
     shareAmongThreads(static_cast<std::int64_t>(others.size()), 0, [&](std::int64_t i) {
@@ -233,15 +245,17 @@ std::vector<ComparedModel> candidates(const std::vector<double>& force, const st
     return models;
 }
 
-/// The smaller standard errors count: a poor model's own are large because it is poor, and where it explains
-/// less than the linear one they are not known under its noise (estimateBeside).
-double changeInErrors(const Estimate& linear, const Estimate& other)
+/// The smaller standard errors count: a poor model's own are large because it is poor. A motion's own are
+/// known where it explains more than the linear one; another model's under its noise only where it explains
+/// more than `known`, the best of all (estimateBeside).
+double changeInErrors(const Estimate& linear, const Estimate& known, const Estimate& other)
 {
     const std::optional<Eigen::Vector3d> errors = linear.standardErrors();
     const std::optional<Eigen::Vector3d> others = other.standardErrors();
     if (!errors || !others)
         return 0;
-    const Eigen::Vector3d smaller = explainsMore(other, linear) ? errors->cwiseMin(*others) : *errors;
+    const bool areKnown = explainsMore(other, other.motion ? linear : known);
+    const Eigen::Vector3d smaller = areKnown ? errors->cwiseMin(*others) : *errors;
     const Eigen::Vector3d change = other.parameters->vector() - linear.parameters->vector();
     const double largest = smaller.minCoeff() > 0 ? change.cwiseAbs().cwiseQuotient(smaller).maxCoeff() : 0.0;
     return std::isfinite(largest) ? largest : 0;
@@ -286,13 +300,14 @@ ModelComparison compareModels(const std::vector<double>& force, const std::vecto
     if (linear.status != EstimateStatus::Converged || !linear.parameters ||
         linear.residual.size() != force.size() || force.size() != position.size())
         return comparison;
-    for (ComparedModel& model : candidates(force, position, options, linear, otherHold, motions)) {
+    const Estimate& known = mostExplained(linear, motions);
+    for (ComparedModel& model : candidates(force, position, options, linear, otherHold, motions, known)) {
         if (!judge(model, options, knownFriction)) {
             if (model.id == u"linear"_s)
                 return comparison;
             continue;
         }
-        model.change = changeInErrors(linear, model.estimate);
+        model.change = changeInErrors(linear, known, model.estimate);
         comparison.ranked.push_back(std::move(model));
     }
     std::stable_sort(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/identification/motion/cubic_motion.h"
 #include "core/identification/motion/linear_motion.h"
 #include "core/identification/motion/motion_integrator.h"
 
@@ -10,17 +11,17 @@
 
 namespace gripscope {
 
-/// What MotionIntegrator does where friction, or a damping of its own each way, is all that bends the motion:
-/// between two moments at which the speed passes zero it is linear, and goes by the products of LinearMotion.
-/// The integrator is asked for the samples in which such a moment is, or may be.
-template <typename Number>
+/// What MotionIntegrator does with friction, or a damping of its own each way: between two moments at which
+/// the speed passes zero the motion is `Smooth`, that of LinearMotion or CubicMotion with an offset of the
+/// force. The integrator is asked for the samples in which such a moment is, or may be.
+template <typename Number, typename Smooth = LinearMotion<Number>>
 class FrictionMotion {
 public:
     using Coefficients = typename MotionIntegrator<Number>::Coefficients;
 
     [[nodiscard]] static bool describes(const MotionTerms& terms)
     {
-        return terms.mass && (terms.friction || terms.eachWay) && !terms.cubic;
+        return terms.mass && (terms.friction || terms.eachWay) && Smooth::describes(smoothTerms(terms));
     }
 
     FrictionMotion(const MotionTerms& terms, const Coefficients& coefficients)
@@ -40,8 +41,8 @@ public:
     [[nodiscard]] bool advance(double duration, double from, double to)
     {
         const int steps = MotionIntegrator<Number>::stepsOver(m_rate * duration);
-        const double slope = (to - from) / duration;
-        const double step = duration / steps;
+        const double slope = to == from ? 0 : (to - from) / duration;
+        const double step = steps == 1 ? duration : duration / steps;
         for (int i = 0; i < steps; ++i)
             if (!advanceStep(step, from + slope * (i * step), from + slope * ((i + 1) * step)))
                 return false;
@@ -86,6 +87,7 @@ private:
     {
         return force + (m_terms.forceOffset ? valueOf(P::ForceOffset) : 0) -
                (m_terms.spring ? valueOf(P::Stiffness) * x : 0) -
+               (m_terms.cubic ? valueOf(P::Cubic) * x * x * x : 0) -
                (m_terms.relaxation ? valueOf(P::Relaxing) * strain : 0);
     }
 
@@ -102,7 +104,7 @@ private:
         const int way = wayAt(from);
         if (way == 0)
             return staysAtRest(duration, from, to) || advanceExactly(duration, from, to);
-        LinearMotion<Number>& smooth = way > 0 ? m_forth : m_back;
+        Smooth& smooth = way > 0 ? m_forth : m_back;
         smooth.begin(m_x, m_v, m_strain);
         if (!smooth.advance(duration, from, to))
             return false;
@@ -148,18 +150,19 @@ private:
 
     /// The speed does not come to zero within the step, whose acceleration turns at most once: it is no lower
     /// than where its tangents at both ends meet.
-    [[nodiscard]] bool keepsItsWay(int way, double duration, double from, double to,
-                                   const LinearMotion<Number>& next) const
+    [[nodiscard]] bool keepsItsWay(int way, double duration, double from, double to, const Smooth& next) const
     {
         const double before = way * valuePart(m_v);
         const double after = way * valuePart(next.speed());
         if (!(after > 0))
             return false;
         const double first = acceleration(way, from, m_x, m_v, m_strain);
-        const double last = acceleration(way, to, next.position(), next.speed(), next.strain());
         if (before == 0 && !(first > 0))
             return false;
-        if (first >= 0 || last <= 0)
+        if (first >= 0)
+            return true;
+        const double last = acceleration(way, to, next.position(), next.speed(), next.strain());
+        if (last <= 0)
             return true;
         const double meeting = (after - before - last * duration) / (first - last);
         return before + first * meeting > 0;
@@ -178,8 +181,8 @@ private:
     const Coefficients m_c;
     MotionIntegrator<Number> m_exact;
     const double m_rate;
-    LinearMotion<Number> m_forth, m_back;
-    Number m_x, m_v, m_strain;
+    Smooth m_forth, m_back;
+    Number m_x{}, m_v{}, m_strain{};
 };
 
 } // namespace gripscope

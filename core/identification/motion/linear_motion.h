@@ -36,16 +36,11 @@ public:
         const Answers* const answers = answersFor(duration);
         if (answers == nullptr)
             return false;
-        const double slope = (to - from) / duration;
-        State next = answers->free;
-        for (std::size_t i = 0; i < states; ++i) {
-            for (std::size_t j = 0; j < states; ++j)
-                if (has(j))
-                    next[i] += answers->toState[j][i] * m_state[j];
-            next[i] += from * answers->toForce[i];
-            next[i] += slope * answers->toSlope[i];
-        }
-        m_state = next;
+        const double slope = to == from ? 0 : (to - from) / duration;
+        if (m_terms.relaxation)
+            move<3>(*answers, from, slope);
+        else
+            move<2>(*answers, from, slope);
         return std::isfinite(valuePart(m_state[0])) && std::isfinite(valuePart(m_state[1]));
     }
 
@@ -64,9 +59,20 @@ private:
         std::array<State, states> toState;
     };
 
-    [[nodiscard]] bool has(std::size_t state) const
+    /// The first so many of the states: without a dashpot there is no strain. (Without a mass the answers to
+    /// a speed are zero.)
+    template <std::size_t Count>
+    void move(const Answers& answers, double from, double slope)
     {
-        return state == 0 || (state == 1 ? m_terms.mass : m_terms.relaxation);
+        State next = answers.free;
+        for (std::size_t i = 0; i < Count; ++i) {
+            for (std::size_t j = 0; j < Count; ++j)
+                addProduct(next[i], answers.toState[j][i], m_state[j]);
+            addProduct(next[i], answers.toForce[i], from);
+            if (slope != 0)
+                addProduct(next[i], answers.toSlope[i], slope);
+        }
+        m_state = next;
     }
 
     /// A record has two durations at most: before and after the position's time.

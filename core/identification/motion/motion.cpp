@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/motion/motion.h"
 
+#include "core/base/parallel_runs.h"
 #include "core/base/words.h"
 #include "core/identification/model/evidence.h"
 #include "core/identification/model/identifiability.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace gripscope {
@@ -67,17 +69,45 @@ MotionPoint linearPoint(const MotionProblem& problem, const MotionOptions& optio
     return point;
 }
 
+/// Cost in variances of the residuals, small beside what one standard error changes.
+constexpr double clearlyHigher = 0.02;
+
+/// With friction there are several lowest points: all starts are followed, the others side by side once the
+/// first has told what they have to be better than.
+std::optional<MotionSearchResult> searchFromAll(const MotionProblem& problem,
+                                                const std::vector<MotionPoint>& starts,
+                                                const MotionOptions& options)
+{
+    if (starts.empty())
+        return std::nullopt;
+    MotionSearchOptions own{options.maxIterations, options.arrived};
+    std::vector<MotionSearchResult> found(starts.size());
+    found.front() = searchMotion(problem, starts.front(), own);
+    if (found.front().isSettled())
+        own.lowest = found.front().cost();
+    shareAmongThreads(static_cast<std::int64_t>(starts.size()) - 1, 0, [&](std::int64_t other) {
+        const auto i = static_cast<std::size_t>(other) + 1;
+        found[i] = searchMotion(problem, starts[i], own);
+    });
+    MultiStart<MotionSearchResult> searches(-1); // none is too good for the others to be compared
+    searches.run(found, [](const MotionSearchResult& result) { return std::optional(result); });
+    return searches.best();
+}
+
 std::optional<MotionSearchResult>
 searchFrom(const MotionProblem& problem, const std::vector<MotionPoint>& starts, const MotionOptions& options)
 {
-    // With friction there are several lowest points: all starts are followed.
-    MultiStart<MotionSearchResult> searches(problem.terms.friction ? -1.0
-                                                                   : poorShare * positionEnergy(problem));
+    if (problem.terms.friction)
+        return searchFromAll(problem, starts, options);
+    MultiStart<MotionSearchResult> searches(poorShare * positionEnergy(problem));
     searches.run(starts, [&](const MotionPoint& start) {
         const auto& best = searches.best();
         MotionSearchOptions own{options.maxIterations, options.arrived};
         if (best && best->isSettled())
             own.lowest = best->cost();
+        // Other starts lead into the same valley as often as not: one that settles has to end no higher.
+        if (best && best->outcome == SearchOutcome::Boundary)
+            own.lowest = (1 + clearlyHigher / MotionSearchResult::degreesOfFreedom(problem)) * best->cost();
         return std::optional(searchMotion(problem, start, own));
     });
     return searches.best();

@@ -81,7 +81,7 @@ private:
 
     MotionTerms m_terms;
     Coefficients m_c;
-    Number m_x, m_v, m_strain;
+    Number m_x{}, m_v{}, m_strain{};
     int m_way = 1;
     int m_order = mostTerms;
     Series m_xs, m_vs, m_strains, m_net;           ///< coefficients; of what holds the part while it sticks

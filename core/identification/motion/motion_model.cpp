@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/motion/motion_model.h"
 
+#include "core/identification/motion/cubic_motion.h"
 #include "core/identification/motion/friction_motion.h"
 #include "core/identification/motion/linear_motion.h"
 #include "core/identification/motion/motion_integrator.h"
@@ -35,6 +36,9 @@ private:
     Number m_position, m_stiffness;
 };
 
+template <typename Number>
+using CubicWithFriction = FrictionMotion<Number, CubicMotion<Number>>;
+
 /// A motion from a point, by the cheapest way that its terms allow; a Dual has a direction for each unknown
 /// but the offset.
 template <typename Number>
@@ -55,16 +59,35 @@ public:
             m_way.template emplace<SpringAlone<Number>>(x, c[static_cast<std::size_t>(P::Stiffness)]);
         else if (LinearMotion<Number>::describes(terms))
             m_way.template emplace<LinearMotion<Number>>(terms, c).begin(x, v, strain);
+        else if (CubicMotion<Number>::describes(terms))
+            m_way.template emplace<CubicMotion<Number>>(terms, c).begin(x, v, strain);
         else if (FrictionMotion<Number>::describes(terms))
             m_way.template emplace<FrictionMotion<Number>>(terms, c).begin(x, v, strain);
+        else if (CubicWithFriction<Number>::describes(terms))
+            m_way.template emplace<CubicWithFriction<Number>>(terms, c).begin(x, v, strain);
         else
             m_way.template emplace<MotionIntegrator<Number>>(terms, c).begin(x, v, strain,
                                                                              problem.force.front());
     }
 
-    /// From one force's time to the next; show(n, x) at the position's time in between. False: out of bounds.
+    /// From the first force's time on, `count` times to the next; show(n, x) at the position's time in
+    /// between. False: out of bounds.
     template <typename Show>
-    bool advance(std::ptrdiff_t n, const Show& show)
+    bool run(std::ptrdiff_t count, const Show& show)
+    {
+        return std::visit(
+            [&](auto& way) {
+                for (std::ptrdiff_t n = 0; n < count; ++n)
+                    if (!advance(way, n, show))
+                        return false;
+                return true;
+            },
+            m_way);
+    }
+
+private:
+    template <typename Way, typename Show>
+    bool advance(Way& way, std::ptrdiff_t n, const Show& show) const
     {
         const auto last = static_cast<std::ptrdiff_t>(m_problem.force.size()) - 1;
         const double from = m_problem.force[static_cast<std::size_t>(std::min(n, last))];
@@ -73,16 +96,10 @@ public:
                                 : from;
         const double rest = m_problem.lag.rest;
         const double between = from + rest * (next - from);
-        if (rest > 0 && !run(rest, from, between))
+        if (rest > 0 && !way.advance(rest, from, between))
             return false;
-        show(n, std::visit([](const auto& way) -> const Number& { return way.position(); }, m_way));
-        return run(1 - rest, between, next);
-    }
-
-private:
-    [[nodiscard]] bool run(double duration, double from, double to)
-    {
-        return std::visit([&](auto& way) { return way.advance(duration, from, to); }, m_way);
+        show(n, way.position());
+        return way.advance(1 - rest, between, next);
     }
     static Number seeded(double value, int direction, double rate)
     {
@@ -105,7 +122,8 @@ private:
     }
 
     const MotionProblem& m_problem;
-    std::variant<SpringAlone<Number>, LinearMotion<Number>, FrictionMotion<Number>, MotionIntegrator<Number>>
+    std::variant<SpringAlone<Number>, LinearMotion<Number>, CubicMotion<Number>, FrictionMotion<Number>,
+                 CubicWithFriction<Number>, MotionIntegrator<Number>>
         m_way;
 };
 
@@ -122,10 +140,7 @@ bool forEachRow(const MotionProblem& problem, const MotionPoint& point, const Us
         if (n >= begin && !problem.isLost(n - problem.lag.samples))
             use(n - problem.lag.samples, x);
     };
-    for (std::ptrdiff_t n = 0; n < end; ++n)
-        if (!motion.advance(n, show))
-            return false;
-    return true;
+    return motion.run(end, show);
 }
 
 /// use(index, residual, fill): fill(row) writes the sensitivities.
@@ -340,9 +355,8 @@ std::vector<double> positionsAt(const MotionProblem& problem, const MotionPoint&
         if (n >= later)
             positions[static_cast<std::size_t>(n - later)] = x + point.offset;
     };
-    for (std::ptrdiff_t n = 0; n - later < count; ++n)
-        if (!motion.advance(n, show))
-            return {};
+    if (!motion.run(count + later, show))
+        return {};
     return positions;
 }
 

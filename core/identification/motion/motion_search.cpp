@@ -23,6 +23,9 @@ constexpr double longestOtherStep = 3;
 /// standard error changes.
 constexpr double worthwhileGain = 0.01;
 constexpr int mostKinks = 6;
+/// A step that would be better this much shorter is tried shorter too: another cost is cheap beside another
+/// step.
+constexpr double longestShare = 0.8;
 
 class MotionSearch : LevenbergMarquardt {
 public:
@@ -62,16 +65,47 @@ private:
             m_triangle = qr.triangle;
             m_residual = qr.right;
         }
-        return !isBeaten();
+        return !isBeaten() && !creepsNowhere();
     }
     /// Close to where it will end, which is not below what is known.
     [[nodiscard]] bool isBeaten() const
     {
-        constexpr double close = 0.3; // standard errors
+        if (!m_options.lowest)
+            return false;
+        const double close = m_problem.terms.friction ? 0.3 : 1; // standard errors; kinks mislead
         const double variance = cost() / degreesOfFreedom();
         const double gain = m_residual.squaredNorm();
-        return m_options.lowest && gain <= close * close * variance &&
-               cost() - gain >= *m_options.lowest - worthwhileGain * variance;
+        if (gain <= close * close * variance &&
+            cost() - gain >= *m_options.lowest - worthwhileGain * variance)
+            return true;
+        // What it leads to is no answer, and no better one than is known.
+        return !m_problem.terms.friction && promisesLittle() && isUndetermined() &&
+               cost() >= *m_options.lowest;
+    }
+    /// What the slope promises would move no likelihood.
+    [[nodiscard]] bool promisesLittle() const
+    {
+        constexpr double little = 4; // variances
+        return toGo() * toGo() <= little * cost() / degreesOfFreedom();
+    }
+    /// One of the parameters is not told from zero.
+    [[nodiscard]] bool isUndetermined() const
+    {
+        return std::sqrt(cost() / degreesOfFreedom()) * logarithmDeviations().maxCoeff() >
+               search::undetermined;
+    }
+    /// In a valley without an end: neither what a step gains nor what the next promises is worth it, and a
+    /// parameter is not told from zero.
+    bool creepsNowhere()
+    {
+        constexpr double hardly = 0.03; // variances
+        constexpr int stepsInARow = 3;
+        const double gain = m_costBefore - cost();
+        const bool creeps =
+            gain <= hardly * cost() / degreesOfFreedom() && promisesLittle() && isUndetermined();
+        m_creeping = creeps ? m_creeping + 1 : 0;
+        m_costBefore = cost();
+        return m_creeping >= stepsInARow;
     }
     [[nodiscard]] bool isHeld(Eigen::Index column) const
     {
@@ -183,10 +217,19 @@ private:
     /// along the bend between the two.)
     [[nodiscard]] std::optional<MotionPoint> lowerPoint(const Step& step) const
     {
-        MotionPoint point = m_result.point.moved(m_problem, shortening(step) * step);
-        const std::optional<MotionCost> there = costAt(m_problem, point);
+        const Step whole = shortening(step) * step;
+        MotionPoint point = m_result.point.moved(m_problem, whole);
+        std::optional<MotionCost> there = costAt(m_problem, point);
         if (!there)
             return std::nullopt;
+        if (const double share = shareToLowest(whole, there->cost); share < longestShare) {
+            const MotionPoint before = m_result.point.moved(m_problem, share * whole);
+            const std::optional<MotionCost> lower = costAt(m_problem, before);
+            if (lower && lower->cost < there->cost) {
+                point = before;
+                there = lower;
+            }
+        }
         const auto rows = static_cast<double>(m_problem.measuredRows());
         const double seen = worthwhileGain * cost() / degreesOfFreedom();
         double lowest = there->cost;
@@ -204,6 +247,19 @@ private:
         return lowest < cost() ? std::optional(point) : std::nullopt;
     }
 
+    /// Where a parabola through the cost here, its slope and the cost after the step is lowest. A model that
+    /// leaves much unexplained bends the cost more than its sensitivities tell: whole steps overshoot, to and
+    /// fro. At kinks a slope tells nothing; where the step leads up, its direction is at fault, which damping
+    /// turns.
+    [[nodiscard]] double shareToLowest(const Step& step, double costAfter) const
+    {
+        if (m_problem.terms.friction || !(costAfter < cost()))
+            return 1;
+        const MotionLinearization& linear = m_result.linear;
+        const double slope = -2 * (linear.triangle * step).dot(linear.residual);
+        const double curvature = costAfter - cost() - slope;
+        return curvature > 0 && slope < 0 ? -slope / (2 * curvature) : 1; // above a half
+    }
     [[nodiscard]] double shortening(const Step& step) const
     {
         double shortest = search::longestStep / std::max(logarithmsOf(step).cwiseAbs().maxCoeff(), 1e-300);
@@ -229,6 +285,8 @@ private:
     std::vector<Eigen::Index> m_active; ///< columns that the search moves
     Eigen::MatrixXd m_triangle;         ///< of those
     Eigen::VectorXd m_residual;
+    double m_costBefore = std::numeric_limits<double>::infinity();
+    int m_creeping = 0; ///< steps in a row
     bool m_atKink = false;
     int m_kinks = 0; ///< left so far
 };

@@ -327,7 +327,8 @@ std::vector<MotionPoint> motionStarts(const MotionProblem& problem, const Motion
                 candidates.offer(*point);
     if (problem.terms.cubic)
         for (const MotionPoint& point : candidates.best())
-            if (const auto refined = isQuick(problem, point) ? refineStart(problem, point) : std::nullopt)
+            if (const auto refined =
+                    isQuick(problem, point) ? refineStart(candidates.part, point) : std::nullopt)
                 candidates.offer(*refined);
     if (hasFurther(problem.terms, other.values))
         candidates.offer(other);

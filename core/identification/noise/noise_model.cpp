@@ -139,15 +139,15 @@ std::vector<double> lostToParameters(const NoiseCandidate& model, const Eigen::M
     AutoregressiveNoise noise = toNoise(model, 1);
     const Eigen::Index count = basis.cols();
     const Eigen::MatrixXd cq = model.variance * forward(backward(basis, noise), count, noise.coefficients);
-    const Eigen::MatrixXd inside = basis * cq.transpose();
+    // sum over t of q[t]' Q C Q' q[t + k], less the two products of Q and C Q' with one of them moved.
+    const Eigen::MatrixXd earlier = (cq * basis.transpose()) * basis - cq;
     std::vector<double> lost;
     for (std::size_t lag = 0; lag <= lags; ++lag) {
         const auto shift = static_cast<Eigen::Index>(lag);
         const Eigen::Index rest = count - shift;
-        const Eigen::MatrixXd shifted = basis.leftCols(rest) * basis.rightCols(rest).transpose();
-        const double cross = basis.rightCols(rest).cwiseProduct(cq.leftCols(rest)).sum() +
-                             basis.leftCols(rest).cwiseProduct(cq.rightCols(rest)).sum();
-        lost.push_back((shifted.cwiseProduct(inside).sum() - cross) / static_cast<double>(count));
+        const double sum = basis.rightCols(rest).cwiseProduct(earlier.leftCols(rest)).sum() -
+                           basis.leftCols(rest).cwiseProduct(cq.rightCols(rest)).sum();
+        lost.push_back(sum / static_cast<double>(count));
     }
     return lost;
 }
@@ -198,14 +198,15 @@ AutoregressiveNoise fitAutoregressiveNoise(std::span<const double> residuals, co
 
 Eigen::MatrixXd whitened(const Eigen::MatrixXd& series, const AutoregressiveNoise& noise)
 {
-    Eigen::MatrixXd w(series.rows(), series.cols());
+    Eigen::MatrixXd w = series;
+    const auto order = static_cast<Eigen::Index>(noise.coefficients.size());
+    for (Eigen::Index i = 0; i < std::min(order, series.cols() - 1); ++i) {
+        const Eigen::Index rest = series.cols() - i - 1;
+        w.rightCols(rest) -= noise.coefficients[static_cast<std::size_t>(i)] * series.leftCols(rest);
+    }
+    if (noise.movingAverage.empty())
+        return w;
     for (Eigen::Index t = 0; t < series.cols(); ++t) {
-        w.col(t) = series.col(t);
-        for (std::size_t i = 0; i < noise.coefficients.size(); ++i) {
-            const Eigen::Index past = t - static_cast<Eigen::Index>(i) - 1;
-            if (past >= 0)
-                w.col(t) -= noise.coefficients[i] * series.col(past);
-        }
         for (std::size_t j = 0; j < noise.movingAverage.size(); ++j) {
             const Eigen::Index past = t - static_cast<Eigen::Index>(j) - 1;
             if (past >= 0)
@@ -261,6 +262,25 @@ Eigen::MatrixXd spreadUnderNoise(const Eigen::MatrixXd& columns, const Autoregre
 {
     const Eigen::MatrixXd z = noise.innovationDeviation * backward(columns, noise);
     return z * z.transpose();
+}
+
+Eigen::MatrixXd logSpreadSlopes(const Eigen::MatrixXd& rows, const AutoregressiveNoise& noise)
+{
+    // z[t] = x[t] + sum_i a_i z[t - i], so that dz[t]/da_i = v[t - i] with v filtered from z alike.
+    const Eigen::MatrixXd z = backward(rows, noise);
+    const auto order = static_cast<Eigen::Index>(noise.coefficients.size());
+    Eigen::MatrixXd v = z;
+    for (Eigen::Index t = 0; t < v.cols(); ++t)
+        for (Eigen::Index i = 0; i < std::min(order, t); ++i)
+            v.col(t) += noise.coefficients[static_cast<std::size_t>(i)] * v.col(t - i - 1);
+    const Eigen::VectorXd squares = z.rowwise().squaredNorm();
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(z.rows(), order);
+    for (Eigen::Index i = 0; i < std::min(order, z.cols() - 1); ++i) {
+        const Eigen::Index rest = z.cols() - i - 1;
+        const Eigen::VectorXd products = z.rightCols(rest).cwiseProduct(v.leftCols(rest)).rowwise().sum();
+        slopes.col(i) = 2 * products.cwiseQuotient(squares);
+    }
+    return slopes;
 }
 
 std::optional<SeriesModel> autoregressiveModel(std::span<const double> series)

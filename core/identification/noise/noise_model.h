@@ -51,6 +51,10 @@ struct RestrictedLikelihood {
 [[nodiscard]] Eigen::MatrixXd spreadUnderNoise(const Eigen::MatrixXd& columns,
                                                const AutoregressiveNoise& noise);
 
+/// d ln(x C x') / d coefficients[i] for every row x of `rows`, a row each, of stationary autoregressive noise
+/// whose innovations' variance stays; not finite for a row of zeros.
+[[nodiscard]] Eigen::MatrixXd logSpreadSlopes(const Eigen::MatrixXd& rows, const AutoregressiveNoise& noise);
+
 /// e[t] = sum_i coefficients[i-1] e[t-i] + w[t], w white: the model that a series of residuals has of itself.
 struct SeriesModel {
     std::vector<double> coefficients; ///< empty: white

@@ -106,15 +106,7 @@ Eigen::VectorXd autoregressiveExpansion(const Eigen::MatrixXd& basis, const Eige
     const auto order = static_cast<Eigen::Index>(noise.coefficients.size());
     if (order == 0 || basis.cols() > longestCounted)
         return Eigen::VectorXd::Ones(gains.rows());
-    constexpr double step = 1e-4;
-    Eigen::MatrixXd slope(gains.rows(), order);
-    for (Eigen::Index i = 0; i < order; ++i) {
-        AutoregressiveNoise below = noise;
-        AutoregressiveNoise above = noise;
-        below.coefficients[static_cast<std::size_t>(i)] -= step;
-        above.coefficients[static_cast<std::size_t>(i)] += step;
-        slope.col(i) = (logVariances(basis, gains, above) - logVariances(basis, gains, below)) / (2 * step);
-    }
+    const Eigen::MatrixXd slope = logSpreadSlopes(gains * basis, noise);
     const auto count = static_cast<double>(basis.cols());
     const Eigen::MatrixXd scatter = coefficientScatter(noise.coefficients);
     const Eigen::VectorXd spread = (slope * scatter * slope.transpose()).diagonal().array() + 2;

@@ -2,6 +2,7 @@
 #include "core/identification/result/identification_json.h"
 
 #include "core/base/json_value.h"
+#include "core/math/matrix_json.h"
 #include "core/signal/recording/units.h"
 
 #include <QJsonArray>
@@ -53,18 +54,6 @@ QJsonObject byName(const Eigen::Vector3d& values)
         {u"m"_s, jsonNumber(values(0))}, {u"b"_s, jsonNumber(values(1))}, {u"k"_s, jsonNumber(values(2))}};
 }
 
-QJsonValue toJson(const Eigen::MatrixXd& matrix)
-{
-    QJsonArray rows;
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-        QJsonArray row;
-        for (Eigen::Index j = 0; j < matrix.cols(); ++j)
-            row.append(jsonNumber(matrix(i, j)));
-        rows.append(row);
-    }
-    return rows;
-}
-
 /// The parameters of a motion by name; m, b and k always, null where the motion has none.
 QJsonObject motionJson(const MotionEstimate& motion, bool errors)
 {
@@ -108,7 +97,7 @@ QJsonValue covarianceOf(const Estimate& e)
 {
     if (e.motion)
         return motionCovariance(*e.motion);
-    return e.covariance ? toJson(Eigen::MatrixXd(*e.covariance)) : QJsonValue();
+    return e.covariance ? QJsonValue(matrixJson(*e.covariance)) : QJsonValue();
 }
 
 QJsonValue toJson(const std::optional<AutoregressiveNoise>& noise)

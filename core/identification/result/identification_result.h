@@ -26,7 +26,7 @@ enum class ValidityVerdict { Valid, Suspect, Invalid };
 
 /// One check: `id` is one of the contract's (samples_lost, saturation, excitation, residual_whiteness,
 /// input_independence, hold, convergence, physical_range, fit, calibration), or `stuck`, `device_fault`,
-/// `clock`, `sample_time`, `linearity`, `feedback`, `preparation`, `position_held`.
+/// `clock`, `sample_time`, `linearity`, `feedback`, `preparation`, `position_held`, `relaxation`.
 struct ValidityCheck {
     QString id;
     bool ok = true;

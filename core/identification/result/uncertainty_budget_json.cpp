@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/json_value.h"
 #include "core/identification/result/identification_json.h"
+#include "core/math/matrix_json.h"
 
 #include <array>
 #include <cmath>
@@ -21,14 +22,6 @@ QJsonObject budgetByName(const Eigen::Vector3d& values)
     return budgetByName(jsonNumber(values(0)), jsonNumber(values(1)), jsonNumber(values(2)));
 }
 
-QJsonArray rowsOf(const Eigen::Matrix3d& matrix)
-{
-    QJsonArray rows;
-    for (Eigen::Index i = 0; i < 3; ++i)
-        rows.append(QJsonArray{jsonNumber(matrix(i, 0)), jsonNumber(matrix(i, 1)), jsonNumber(matrix(i, 2))});
-    return rows;
-}
-
 QJsonObject toJson(const CoverageInterval& interval)
 {
     return {{u"lower"_s, jsonNumber(interval.lower)},
@@ -43,7 +36,7 @@ QJsonObject toJson(const BudgetLine& line)
             {u"message"_s, line.words.english()},
             {u"type"_s, toString(line.type)},
             {u"standard_uncertainties"_s, budgetByName(line.standardUncertainties())},
-            {u"covariance"_s, rowsOf(line.covariance)},
+            {u"covariance"_s, matrixJson(line.covariance)},
             {u"degrees_of_freedom"_s,
              line.degreesOfFreedom ? QJsonValue(budgetByName(*line.degreesOfFreedom)) : QJsonValue()},
             {u"share"_s, budgetByName(line.share)}};
@@ -84,7 +77,7 @@ QJsonObject toJson(const UncertaintyBudget& budget)
                     {u"lines"_s, lines}};
     const bool there = budget.parameters.has_value();
     const auto orNull = [&](const QJsonValue& value) { return there ? value : QJsonValue(); };
-    out[u"covariance"_s] = orNull(rowsOf(budget.covariance));
+    out[u"covariance"_s] = orNull(matrixJson(budget.covariance));
     const auto put = [&](const QString& name, const QJsonObject& linear, auto further) {
         QJsonObject all = there ? linear : budgetByName({}, {}, {});
         for (const FurtherParameter& one : budget.further)

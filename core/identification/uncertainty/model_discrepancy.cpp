@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/parallel_runs.h"
 #include "core/base/words.h"
 #include "core/identification/uncertainty/budget_lines.h"
 #include "core/identification/uncertainty/uncertainty_budget.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace gripscope {
@@ -161,10 +163,10 @@ ModelDiscrepancy modelDiscrepancy(std::size_t samples, double sampleTime_s, cons
         none.words = Words::say("the record is too short to compare parts of it; squeeze longer");
         return none;
     }
-    std::vector<Estimate> estimates;
-    estimates.reserve(windows.size());
-    for (const Window& window : windows)
-        estimates.push_back(estimate(window));
+    std::vector<Estimate> estimates(windows.size());
+    shareAmongThreads(static_cast<std::int64_t>(windows.size()), 0, [&](std::int64_t i) {
+        estimates[static_cast<std::size_t>(i)] = estimate(windows[static_cast<std::size_t>(i)]);
+    });
     return discrepancyBetween(estimates);
 }
 

@@ -52,8 +52,8 @@ inline constexpr double discrepancyLevel = 0.003;
 [[nodiscard]] std::vector<Window> discrepancyWindows(std::size_t samples, double sampleTime_s,
                                                      const MassDampingStiffness& parameters);
 
-/// Estimates every window of a record on its own (`estimate` with a free initial state; any estimator) and
-/// compares them. `whole` is the estimate from all samples.
+/// Estimates every window of a record on its own (`estimate` with a free initial state; any estimator; called
+/// from several threads at once) and compares them. `whole` is the estimate from all samples.
 [[nodiscard]] ModelDiscrepancy modelDiscrepancy(std::size_t samples, double sampleTime_s,
                                                 const Estimate& whole,
                                                 const std::function<Estimate(Window)>& estimate);

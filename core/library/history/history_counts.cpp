@@ -23,7 +23,7 @@ void addOutcome(HistoryCounts& counts, InspectionOutcome outcome, const QString&
     if (expected.isEmpty()) {
         counts.knownType += outcome == InspectionOutcome::AsExpected ? count : 0;
         counts.unasked +=
-            outcome == InspectionOutcome::AsExpected || outcome == InspectionOutcome::Unknown ? count : 0;
+            outcome == InspectionOutcome::Inconclusive || outcome == InspectionOutcome::NotValid ? 0 : count;
     }
     switch (outcome) {
     case InspectionOutcome::AsExpected:
@@ -41,12 +41,15 @@ void addOutcome(HistoryCounts& counts, InspectionOutcome outcome, const QString&
     case InspectionOutcome::NotValid:
         counts.notValid += count;
         break;
+    case InspectionOutcome::DoesNotConform:
+        counts.doesNotConform += count;
+        break;
     }
 }
 
-void addSuspect(HistoryCounts& counts, std::optional<VerdictKind> verdict, qint64 count)
+void addSuspect(HistoryCounts& counts, const std::optional<PartJudged>& judged, qint64 count)
 {
-    if (verdict && *verdict != VerdictKind::Invalid)
+    if (judged && judged->kind != VerdictKind::Invalid)
         counts.suspect += count;
 }
 
@@ -59,49 +62,51 @@ bool lets(const HistoryQuery& query, const std::optional<InspectionOutcome>& out
            (query.type.isEmpty() || type == query.type);
 }
 
-/// Calls `take` with verdict, expected type, type and number of inspections.
-Expected<void>
-forAlike(Database& database, const QString& select,
-         const std::function<void(std::optional<VerdictKind>, const QString&, const QString&, qint64)>& take)
+/// Calls `take` with what was judged, expected type, type and number of inspections.
+Expected<void> forAlike(
+    Database& database, const QString& select,
+    const std::function<void(const std::optional<PartJudged>&, const QString&, const QString&, qint64)>& take)
 {
     Statement statement(database, countingHistory(), select);
     return statement.forEach([&](Statement& row) {
-        const auto verdict = verdictKindFromString(row.takeText());
+        const auto judged = partJudgedFromString(row.takeText());
         const QString expected = row.takeText();
         const QString type = row.takeText();
-        take(verdict, expected, type, row.takeInteger());
+        take(judged, expected, type, row.takeInteger());
     });
 }
 
 /// The inspections of a query that the tallies know, those that were voided with them.
 Expected<void> countTallied(Database& database, const HistoryQuery& query, HistoryCounts& counts)
 {
-    const auto outcomeOf = [](std::optional<VerdictKind> verdict, const QString& expected,
+    const auto outcomeOf = [](const std::optional<PartJudged>& judged, const QString& expected,
                               const QString& type) {
-        return verdict ? std::optional(inspectionOutcome(*verdict, type, expected)) : std::nullopt;
+        return judged ? std::optional(inspectionOutcome(*judged, type, expected)) : std::nullopt;
     };
     const auto kinds = u"verdict, expected_type, type_name"_s;
     RETURN_IF_ERROR(forAlike(
         database, u"SELECT %1, SUM(n) FROM %2 AS counted GROUP BY %1"_s.arg(kinds, tally_table::countedSql()),
-        [&](std::optional<VerdictKind> verdict, const QString& expected, const QString& type, qint64 n) {
-            const auto outcome = outcomeOf(verdict, expected, type);
+        [&](const std::optional<PartJudged>& judged, const QString& expected, const QString& type, qint64 n) {
+            const auto outcome = outcomeOf(judged, expected, type);
             if (!lets(query, outcome, expected, type))
                 return;
             counts.inspections += n;
             if (outcome)
                 addOutcome(counts, *outcome, expected, n);
         }));
-    const QString suspects = u"SELECT %1, COUNT(*) FROM inspections i WHERE i.validity = '%2' AND %3 = "
-                             "'suspect' GROUP BY %1"_s;
+    const QString suspects =
+        u"SELECT %1 AS judged, expected_type, type_name, COUNT(*) FROM inspections i WHERE "
+        "i.validity = '%2' AND %3 = 'suspect' GROUP BY 1, 2, 3"_s;
     for (const QString& validity : {u"suspect"_s, u""_s}) // of before: the document tells
-        RETURN_IF_ERROR(forAlike(
-            database,
-            suspects.arg(kinds, validity,
-                         validity.isEmpty() ? inspection_table::validitySql() : u"i.validity"_s),
-            [&](std::optional<VerdictKind> verdict, const QString& expected, const QString& type, qint64 n) {
-                if (lets(query, outcomeOf(verdict, expected, type), expected, type))
-                    addSuspect(counts, verdict, n);
-            }));
+        RETURN_IF_ERROR(
+            forAlike(database,
+                     suspects.arg(inspection_table::judgedSql(u"i."_s), validity,
+                                  validity.isEmpty() ? inspection_table::validitySql() : u"i.validity"_s),
+                     [&](const std::optional<PartJudged>& judged, const QString& expected,
+                         const QString& type, qint64 n) {
+                         if (lets(query, outcomeOf(judged, expected, type), expected, type))
+                             addSuspect(counts, judged, n);
+                     }));
     return {};
 }
 
@@ -124,16 +129,16 @@ Expected<HistoryCounts> countAll(Database& database, const HistorySelection& sel
 
 QString alikeColumns(const QString& voided)
 {
-    return u"CASE WHEN g.type_id IS NULL THEN 0 ELSE 1 END AS kind, i.verdict AS verdict, "
+    return u"CASE WHEN g.type_id IS NULL THEN 0 ELSE 1 END AS kind, %3 AS verdict, "
            "i.expected_type AS expected, i.type_name AS type, %1 = 'suspect' AS suspect, %2 AS voided"_s.arg(
-               historyValiditySql(), voided);
+               historyValiditySql(), voided, inspection_table::judgedSql(u"i."_s));
 }
 
 HistoryCounts takeAlike(Statement& row, qint64 count)
 {
     HistoryCounts counts;
     (row.takeInteger() != 0 ? counts.enrolled : counts.inspections) = count;
-    const auto verdict = verdictKindFromString(row.takeText());
+    const auto judged = partJudgedFromString(row.takeText());
     const QString expected = row.takeText();
     const QString type = row.takeText();
     const bool suspect = row.takeInteger() != 0;
@@ -141,10 +146,10 @@ HistoryCounts takeAlike(Statement& row, qint64 count)
         counts.voided = count;
         return counts;
     }
-    if (verdict)
-        addOutcome(counts, inspectionOutcome(*verdict, type, expected), expected, count);
+    if (judged)
+        addOutcome(counts, inspectionOutcome(*judged, type, expected), expected, count);
     if (suspect)
-        addSuspect(counts, verdict, count);
+        addSuspect(counts, judged, count);
     return counts;
 }
 
@@ -177,7 +182,7 @@ Expected<HistoryCounts> counts(Database& database, const HistoryQuery& query)
     for (qint64 HistoryCounts::*outcome :
          {&HistoryCounts::asExpected, &HistoryCounts::otherType, &HistoryCounts::unknown,
           &HistoryCounts::inconclusive, &HistoryCounts::notValid, &HistoryCounts::knownType,
-          &HistoryCounts::unasked, &HistoryCounts::suspect})
+          &HistoryCounts::unasked, &HistoryCounts::suspect, &HistoryCounts::doesNotConform})
         counts.*outcome -= voided.*outcome;
     counts.voided = voided.inspections;
     if (query.kind != SqueezeKind::Inspection && !query.outcome && query.expected.isEmpty()) {

@@ -3,6 +3,7 @@
 
 #include "core/base/csv.h"
 #include "core/base/json_value.h"
+#include "core/library/history/conformity_field.h"
 #include "core/library/history/history_view.h"
 #include "core/library/tables/estimate_tables.h"
 #include "core/library/tables/inspection_tables.h"
@@ -321,7 +322,8 @@ std::vector<HistoryField> fieldsOfThatTime()
          {},
          nullptr, // history_view::entries() knows
          [](const Entry& entry) { return QStringList{setBackText(entry)}; },
-         [](const Entry& entry) { return jsonText(setBackText(entry)); }}};
+         [](const Entry& entry) { return jsonText(setBackText(entry)); }},
+        conformityField()};
 }
 
 template <double MassDampingStiffness::*member>
@@ -417,7 +419,10 @@ std::vector<HistoryColumnFacts> columnsOfTheRecord()
          },
          versionSql(), Need::Inspections},
         {HistoryColumn::Voided, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Voided"),
-         textOf<&Entry::voided>, word(historyVoidedSql()), Need::Inspections}};
+         textOf<&Entry::voided>, word(historyVoidedSql()), Need::Inspections},
+        {HistoryColumn::Conformity, ColumnFormat::Conformity, QT_TRANSLATE_NOOP("Words", "Tolerance limits"),
+         [](const Entry& entry) { return entry.conformity ? QVariant(int(*entry.conformity)) : QVariant(); },
+         conformityOrderSql(), Need::Inspections}};
 }
 
 template <typename Row>

@@ -40,7 +40,8 @@ enum class ColumnFormat {
     Quantity,
     Percent,
     Seconds,
-    Estimator
+    Estimator,
+    Conformity ///< how an inspection stood to its type's limits
 };
 
 /// A column of the page, which the library can order by.

@@ -32,8 +32,9 @@ QString historyTypeSql()
 
 QString historyOutcomeSql()
 {
-    return u"CASE i.verdict WHEN 'type' THEN CASE WHEN i.expected_type IN ('', i.type_name) THEN 0 ELSE 1 "
-           u"END "
+    return u"CASE i.verdict WHEN 'type' THEN CASE WHEN i.expected_type NOT IN ('', i.type_name) THEN 1 "
+           u"WHEN i.conformity IN ('', 'conforms') THEN 0 WHEN i.conformity = 'does_not_conform' THEN 5 ELSE "
+           u"3 END "
            u"WHEN 'unknown' THEN 2 WHEN 'inconclusive' THEN 3 WHEN 'invalid' THEN 4 END"_s;
 }
 

@@ -65,9 +65,9 @@ struct FoundPoint {
 /// Of a squeeze; in SI where its units are known.
 QString pointColumns()
 {
-    return u"SELECT g.id, g.recorded_utc, COALESCE(i.verdict, ''), COALESCE(i.expected_type, ''), %1, %2, "
+    return u"SELECT g.id, g.recorded_utc, COALESCE(%3, ''), COALESCE(i.expected_type, ''), %1, %2, "
            "e.m, e.b, e.k, e.var_m, e.var_b, e.var_k, g.force_unit, g.position_unit "_s.arg(
-               historyTypeSql(), historyValiditySql());
+               historyTypeSql(), historyValiditySql(), inspection_table::judgedSql(u"i."_s));
 }
 
 /// Nothing for a squeeze without m, b and k.
@@ -77,11 +77,11 @@ std::optional<FoundPoint> takePoint(Statement& row)
     HistoryPoint& point = found.point;
     found.key = row.takeText();
     point.time_ms = row.takeUtc().toMSecsSinceEpoch();
-    const QString verdict = row.takeText();
+    const std::optional<PartJudged> judged = partJudgedFromString(row.takeText());
     const QString expected = row.takeText();
     found.type = row.takeText();
-    if (const auto kind = verdictKindFromString(verdict))
-        point.outcome = inspectionOutcome(*kind, found.type, expected);
+    if (judged)
+        point.outcome = inspectionOutcome(*judged, found.type, expected);
     point.validity = validityVerdictFromString(row.takeText());
     const auto parameters = estimate_table::takeParameters(row);
     if (!parameters)

@@ -40,6 +40,13 @@ std::span<const LedgeredTable> ledgeredTables()
         {31, u"inspection_voids"_s, u"id"_s},
         {32, u"determined_quantities"_s, u"id"_s},
         {40, u"inspection_tallies"_s, u"id"_s},
+        {50, u"studies"_s, u"id"_s},
+        {51, u"study_ends"_s, u"id"_s},
+        {52, u"study_measurements"_s, u"id"_s},
+        {53, u"study_undos"_s, u"id"_s},
+        {54, u"process_limits"_s, u"id"_s},
+        {60, u"gripper_adjustments"_s, u"id"_s},
+        {61, u"adjustment_ends"_s, u"id"_s},
     };
     return tables;
 }

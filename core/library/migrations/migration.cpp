@@ -137,6 +137,11 @@ const std::vector<Migration>& migrations()
              enterNewRows),
         step(23, QT_TRANSLATE_NOOP("Words", "levels of a force that somebody has"), migrationScript23,
              enterNewRows),
+        step(24, QT_TRANSLATE_NOOP("Words", "tolerance limits of parts"), partLimitsScript, enterNewRows),
+        step(25, QT_TRANSLATE_NOOP("Words", "studies of the gripper"), studiesScript, enterNewRows),
+        step(26, QT_TRANSLATE_NOOP("Words", "what control charts are drawn from"), processChartsScript,
+             enterNewRows),
+        step(27, QT_TRANSLATE_NOOP("Words", "adjustments of grippers"), adjustmentsScript, enterNewRows),
     };
     return steps;
 }

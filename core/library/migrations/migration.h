@@ -67,5 +67,9 @@ extern const char* const migrationScript20;
 extern const char* const migrationScript21;
 extern const char* const migrationScript22;
 extern const char* const migrationScript23;
+extern const char* const partLimitsScript;
+extern const char* const studiesScript;
+extern const char* const processChartsScript;
+extern const char* const adjustmentsScript;
 
 } // namespace gripscope

@@ -24,7 +24,7 @@ HistoryCounts& HistoryCounts::operator+=(const HistoryCounts& other)
          {&HistoryCounts::inspections, &HistoryCounts::enrolled, &HistoryCounts::asExpected,
           &HistoryCounts::otherType, &HistoryCounts::unknown, &HistoryCounts::inconclusive,
           &HistoryCounts::notValid, &HistoryCounts::knownType, &HistoryCounts::unasked,
-          &HistoryCounts::suspect, &HistoryCounts::voided})
+          &HistoryCounts::suspect, &HistoryCounts::voided, &HistoryCounts::doesNotConform})
         this->*count += other.*count;
     return *this;
 }
@@ -33,7 +33,7 @@ std::optional<InspectionOutcome> HistoryEntry::outcome() const
 {
     if (!verdict)
         return {};
-    return inspectionOutcome(*verdict, type, expectedType);
+    return inspectionOutcome({*verdict, conformity}, type, expectedType);
 }
 
 QString HistoryEntry::outcomeName() const

@@ -87,7 +87,8 @@ enum class HistoryColumn {
     Estimator,
     Program,
     LibraryVersion,
-    Voided
+    Voided,
+    Conformity
 };
 
 /// Which squeezes, and in which order. What is empty lets everything through.
@@ -148,9 +149,11 @@ struct HistoryEntry {
     QString estimator, program; ///< as stored with the first estimate; program: the version
     QString forceUnit, positionUnit;
     QString operatorName, device, serial, firmware, source, part;
-    QString batch;        ///< the name of the one that was inspected
-    QString partNumber;   ///< of an inspection, as it was scanned
-    QString voided;       ///< why an inspection does not count; empty: it does
+    QString batch;                                ///< the name of the one that was inspected
+    QString partNumber;                           ///< of an inspection, as it was scanned
+    QString voided;                               ///< why an inspection does not count; empty: it does
+    std::optional<ConformityDecision> conformity; ///< of an inspection whose type had limits
+    std::optional<Conformity> conformityValues;   ///< by what that was decided
     bool accepted = true; ///< false once an enrolled squeeze was dropped from its type
 
     /// What an inspection showed.
@@ -198,6 +201,7 @@ struct HistoryCounts {
     qint64 knownType = 0, unasked = 0;
     qint64 suspect = 0; ///< of those with a verdict
     qint64 voided = 0;  ///< of the inspections; in none of the outcomes
+    qint64 doesNotConform = 0;
     [[nodiscard]] qint64 total() const { return inspections + enrolled; }
     HistoryCounts& operator+=(const HistoryCounts& other);
     friend bool operator==(const HistoryCounts&, const HistoryCounts&) = default;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/library/records/squeeze_record.h"
-#include "core/recognition/verdict/verdict.h"
+#include "core/recognition/verdict/inspection_outcome.h"
 
 #include <QMap>
 
@@ -20,7 +20,8 @@ struct NewInspection {
     QString id = {};
     /// The version of the library whose types it was judged by.
     std::optional<qint64> libraryVersion = {};
-    QString partNumber = {}; ///< as it was scanned; empty: none
+    QString partNumber = {};   ///< as it was scanned; empty: none
+    QString adjustmentId = {}; ///< by which its gripper was adjusted to the types'; empty: by none
 };
 
 struct InspectionRecord {
@@ -37,7 +38,11 @@ struct InspectionRecord {
     QString batch = {};   ///< the name of its batch; empty: of none
     bool suspect = false; ///< so was its measurement
     QString partNumber = {};
-    QString voided = {}; ///< why it does not count; empty: it does
+    QString voided = {};                               ///< why it does not count; empty: it does
+    std::optional<ConformityDecision> conformity = {}; ///< absent: its type had no limits
+    QString adjustmentId = {};                         ///< as in NewInspection
+    QString gripperSerial = {}, station = {};
+    [[nodiscard]] PartJudged judged() const { return {verdict, conformity}; }
 };
 
 struct HistoryFilter {
@@ -47,9 +52,9 @@ struct HistoryFilter {
 
 /// Valid squeezes of parts that were said to be of one type.
 struct ExpectedCounts {
-    qint64 squeezes = 0, otherType = 0, unknown = 0, inconclusive = 0;
+    qint64 squeezes = 0, otherType = 0, unknown = 0, inconclusive = 0, doesNotConform = 0;
     [[nodiscard]] qint64 judged() const { return squeezes - inconclusive; }
-    [[nodiscard]] qint64 asExpected() const { return judged() - otherType - unknown; }
+    [[nodiscard]] qint64 asExpected() const { return judged() - otherType - unknown - doesNotConform; }
 };
 
 /// Those that were voided are counted as that, and as nothing else.
@@ -59,8 +64,9 @@ struct InspectionCounts {
     qint64 voided = 0;
     /// Where nothing was expected: a known type, counted in asExpected; known or unknown, so judged.
     qint64 knownType = 0, unasked = 0;
+    qint64 doesNotConform = 0; ///< of a known type, and of the one that was expected
     /// Parts that were judged: neither inconclusive nor not valid.
-    [[nodiscard]] qint64 judged() const { return asExpected + otherType + unknown; }
+    [[nodiscard]] qint64 judged() const { return asExpected + otherType + unknown + doesNotConform; }
 };
 
 } // namespace gripscope

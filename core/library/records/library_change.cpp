@@ -16,7 +16,7 @@ struct KindName {
     const char16_t* name;
 };
 
-constexpr std::array<KindName, 14> kindNames{{{ChangeKind::NewType, u"new_type"},
+constexpr std::array<KindName, 15> kindNames{{{ChangeKind::NewType, u"new_type"},
                                               {ChangeKind::Squeeze, u"squeeze"},
                                               {ChangeKind::Drop, u"drop"},
                                               {ChangeKind::Undrop, u"undrop"},
@@ -28,6 +28,7 @@ constexpr std::array<KindName, 14> kindNames{{{ChangeKind::NewType, u"new_type"}
                                               {ChangeKind::Retire, u"retire"},
                                               {ChangeKind::Reinstate, u"reinstate"},
                                               {ChangeKind::Code, u"code"},
+                                              {ChangeKind::Limits, u"limits"},
                                               {ChangeKind::Restore, u"restore"},
                                               {ChangeKind::Examples, u"examples"}}};
 
@@ -119,6 +120,9 @@ QString inWords(const LibraryChange& change)
     case ChangeKind::Code:
         return other.isEmpty() ? Words::tr("%1 no longer has a code for scanners.").arg(type)
                                : Words::tr("%1 got the code %2 for scanners.").arg(type, other);
+    case ChangeKind::Limits:
+        return other.isEmpty() ? Words::tr("%1 no longer has tolerance limits.").arg(type)
+                               : Words::tr("The tolerance limits of %1 are %2.").arg(type, other);
     case ChangeKind::Restore:
         return Words::tr("The library was put back to version %1.").arg(other);
     case ChangeKind::Examples:

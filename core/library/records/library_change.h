@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/quality/conformity/part_limits.h"
+
 #include <QDateTime>
 #include <QString>
 
@@ -24,6 +26,7 @@ enum class ChangeKind {
     Retire,
     Reinstate,
     Code,    ///< what a scanner reads on its parts
+    Limits,  ///< what m, b and k of its parts may be
     Restore, ///< of an earlier version
     Examples
 };
@@ -44,7 +47,8 @@ struct LibraryChange {
     QString station;
     ChangeKind kind = ChangeKind::NewType;
     QString type; ///< its name before the change; empty where all types are meant
-    /// The new name, the type it went into, the new type, its code, the version restored; approvalVoid.
+    /// The new name, the type it went into, the new type, its code, its limits, the version restored;
+    /// approvalVoid.
     QString other;
     int squeezes = 0; ///< as many were added, dropped or moved
     QString operatorName, reason;
@@ -63,9 +67,10 @@ enum class TypeStatus { Enrolled, Approved, Retired, Gone };
 struct TypeState {
     QString typeId, name;
     TypeStatus status = TypeStatus::Enrolled;
-    int recipeVersion = 1; ///< of this type's recipes
-    int squeezes = 0;      ///< accepted ones
-    QString code = {};     ///< what a scanner reads on its parts; empty: none
+    int recipeVersion = 1;  ///< of this type's recipes
+    int squeezes = 0;       ///< accepted ones
+    QString code = {};      ///< what a scanner reads on its parts; empty: none
+    PartLimits limits = {}; ///< what its parts may be; empty: none
 };
 
 /// The types of a library at one version, by name, without those that are gone.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/library/records/library_change.h"
+#include "core/quality/conformity/part_limits.h"
 #include "core/signal/excitation/excitation.h"
 
 #include <QDateTime>
@@ -39,8 +40,9 @@ struct TypeRecord {
     int squeezes = 0; ///< accepted ones
     bool approved = false;
     TypeStatus status = TypeStatus::Enrolled;
-    int recipeVersion = 1; ///< its recipes are numbered from 1
-    QString code = {};     ///< what a scanner reads on its parts (a GTIN...); empty: none
+    int recipeVersion = 1;  ///< its recipes are numbered from 1
+    QString code = {};      ///< what a scanner reads on its parts (a GTIN...); empty: none
+    PartLimits limits = {}; ///< what its parts may be; empty: none
     int place = 0; ///< among all types there ever were, by when they came: its sign and colour, for life
 };
 

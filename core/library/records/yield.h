@@ -8,8 +8,8 @@
 namespace gripscope {
 
 /// The yield, wherever one is told: of the parts that were judged, the share that was as expected. A part is
-/// judged when it is as expected, another type or unknown. A squeeze that calls for another one, not valid or
-/// inconclusive, judged nothing. A suspect one counts as what it was judged.
+/// judged when it is as expected, another type, beyond its limits or unknown. A squeeze that calls for
+/// another one, not valid or inconclusive, judged nothing. A suspect one counts as what it was judged.
 struct Yield {
     qint64 asExpected = 0, judged = 0;
     /// Of those judged, where nothing was expected: a known type counts there, and is not called as expected.
@@ -27,7 +27,8 @@ struct Yield {
 template <typename Counts>
 [[nodiscard]] Yield yieldOf(const Counts& counts)
 {
-    return {counts.asExpected, counts.asExpected + counts.otherType + counts.unknown, counts.unasked};
+    return {counts.asExpected, counts.asExpected + counts.otherType + counts.unknown + counts.doesNotConform,
+            counts.unasked};
 }
 
 } // namespace gripscope

@@ -7,6 +7,7 @@
 #include "core/library/packing/inflate.h"
 #include "core/library/records/determined_text.h"
 #include "core/library/tables/packed_recording.h"
+#include "core/quality/conformity/conformity_json.h"
 #include "core/recognition/verdict/rates_json.h"
 
 #include <QJsonArray>
@@ -207,7 +208,9 @@ QJsonObject toDocument(const Verdict& verdict)
             {u"stranger_accept"_s, jsonNumber(verdict.strangerAccept)},
             {u"validity"_s, toString(verdict.validity.verdict)},
             {u"checks_failed"_s, QJsonArray::fromStringList(verdict.validity.checksFailed)},
-            {u"validity_reasons"_s, sentencesOf(verdict.validity.reasons)}};
+            {u"validity_reasons"_s, sentencesOf(verdict.validity.reasons)},
+            {u"conformity"_s,
+             verdict.conformity ? QJsonValue(conformityJson(*verdict.conformity)) : QJsonValue()}};
 }
 
 std::optional<Verdict> toVerdict(const QJsonObject& document)
@@ -239,6 +242,7 @@ std::optional<Verdict> toVerdict(const QJsonObject& document)
     for (const QJsonValue check : document.value(u"checks_failed"_s).toArray())
         verdict.validity.checksFailed.append(check.toString());
     verdict.validity.reasons = sentencesIn(document.value(u"validity_reasons"_s));
+    verdict.conformity = conformityFromJson(document.value(u"conformity"_s).toObject());
     return verdict;
 }
 
@@ -316,6 +320,7 @@ Expected<QByteArray> packInspection(const NewInspection& inspection)
                                {u"seconds"_s, jsonNumber(inspection.seconds)},
                                {u"batch"_s, inspection.batchId},
                                {u"part_number"_s, inspection.partNumber},
+                               {u"adjustment"_s, inspection.adjustmentId},
                                {u"library_version"_s, inspection.libraryVersion
                                                           ? QJsonValue(*inspection.libraryVersion)
                                                           : QJsonValue()},
@@ -353,6 +358,7 @@ Expected<NewInspection> unpackInspection(const QByteArray& bytes, qint64& memory
     inspection.seconds = document.value(u"seconds"_s).toDouble();
     inspection.batchId = document.value(u"batch"_s).toString();
     inspection.partNumber = document.value(u"part_number"_s).toString();
+    inspection.adjustmentId = document.value(u"adjustment"_s).toString();
     if (const QJsonValue version = document.value(u"library_version"_s); version.isDouble())
         inspection.libraryVersion = version.toInteger();
     inspection.rates = toRates(document.value(u"rates"_s).toObject());

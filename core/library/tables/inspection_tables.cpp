@@ -5,6 +5,7 @@
 #include "core/library/sql/rows.h"
 #include "core/library/tables/estimate_tables.h"
 #include "core/library/tables/tally_table.h"
+#include "core/quality/conformity/conformity_json.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -29,7 +30,7 @@ const auto selectInspections =
     "i.operator_name, i.posterior, i.distance, i.gate, e.m, e.b, e.k, g.force_unit, "
     "g.position_unit, i.seconds, COALESCE(o.name, ''), "_s +
     validitySql() +
-    u", i.part_number, COALESCE(x.reason, '') "
+    u", i.part_number, COALESCE(x.reason, ''), i.conformity, i.adjustment_id, g.device_serial, i.station "
     "FROM inspections i JOIN grasps g ON g.id = i.grasp_id "
     "LEFT JOIN batches o ON o.id = i.batch_id "
     "LEFT JOIN inspection_voids x ON x.inspection_id = i.id "
@@ -88,6 +89,10 @@ InspectionRecord takeInspection(Statement& row)
     inspection.suspect = row.takeText() == toString(ValidityVerdict::Suspect);
     inspection.partNumber = row.takeText();
     inspection.voided = row.takeText();
+    inspection.conformity = conformityDecisionFromString(row.takeText());
+    inspection.adjustmentId = row.takeText();
+    inspection.gripperSerial = row.takeText();
+    inspection.station = row.takeText();
     return inspection;
 }
 
@@ -100,6 +105,11 @@ QString validitySql()
     return u"CASE WHEN i.validity <> '' THEN i.validity WHEN i.verdict = 'invalid' THEN 'invalid' "
            "WHEN %1 LIKE '%\"verdict\":\"suspect\"%' THEN 'suspect' "
            "WHEN %1 LIKE '%\"verdict\":\"valid\"%' THEN 'valid' ELSE '' END"_s.replace("%1"_L1, document);
+}
+
+QString judgedSql(const QString& table)
+{
+    return u"(%1verdict || CASE WHEN %1conformity = '' THEN '' ELSE ' ' || %1conformity END)"_s.arg(table);
 }
 
 Finding joinReasons(const QString& json)
@@ -120,9 +130,10 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
         u"INSERT INTO inspections (id, station, inspected_utc, number, grasp_id, expected_type, verdict, "
         "type_name, nearest, posterior, distance, gate, samples_used, false_reject, wrong_type, seconds, "
         "operator_name, posteriors, reasons, batch_id, validity, checks_failed, stranger_accept, confidence, "
-        "robust, library_version, program, part_number) VALUES (?, ?, ?, "
+        "robust, library_version, program, part_number, conformity, conformity_values, adjustment_id) VALUES "
+        "(?, ?, ?, "
         "(SELECT COALESCE(MAX(number), 0) + 1 FROM inspections), "
-        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(graspId).bind(inspection.expectedType);
     row.bind(toString(verdict.kind)).bind(verdict.type).bind(verdict.nearest);
     row.bind(leadingPosterior(verdict)).bind(verdict.distance).bind(verdict.gate);
@@ -133,7 +144,11 @@ Expected<void> insert(Database& database, const RowStamp& stamp, const QString& 
     row.bind(verdict.validity.checksFailed.join(u' '));
     row.bind(inspection.rates.strangerAccept).bind(inspection.rates.confidence);
     row.bind(inspection.rates.robust ? 1 : 0).bindOptional(inspection.libraryVersion);
-    return row.bind(estimate_table::programOf(inspection.grasp)).bind(inspection.partNumber).run();
+    row.bind(estimate_table::programOf(inspection.grasp)).bind(inspection.partNumber);
+    const std::optional<Conformity>& conformity = verdict.conformity;
+    row.bind(conformity ? toString(conformity->decision) : QString());
+    row.bind(conformity ? compact(conformityJson(*conformity)) : QString());
+    return row.bind(inspection.adjustmentId).run();
 }
 
 Expected<std::optional<InspectionRecord>> find(Database& database, const QString& id)
@@ -161,34 +176,29 @@ Expected<std::vector<InspectionRecord>> page(Database& database, const HistoryFi
 namespace {
 
 /// `n` inspections that came out so; below 0 they are taken away again.
-void add(InspectionCounts& counts, VerdictKind verdict, const QString& expected, const QString& type,
+void add(InspectionCounts& counts, const PartJudged& judged, const QString& expected, const QString& type,
          qint64 n)
 {
+    using Outcome = InspectionOutcome;
+    const Outcome outcome = inspectionOutcome(judged, type, expected);
+    const auto ifIs = [outcome, n](Outcome one) { return outcome == one ? n : 0; };
     counts.total += n;
-    if (!expected.isEmpty() && verdict != VerdictKind::Invalid) {
+    counts.asExpected += ifIs(Outcome::AsExpected);
+    counts.otherType += ifIs(Outcome::OtherType);
+    counts.doesNotConform += ifIs(Outcome::DoesNotConform);
+    counts.unknown += ifIs(Outcome::Unknown);
+    counts.inconclusive += ifIs(Outcome::Inconclusive);
+    counts.invalid += ifIs(Outcome::NotValid);
+    if (expected.isEmpty()) {
+        counts.knownType += ifIs(Outcome::AsExpected);
+        counts.unasked += outcome == Outcome::Inconclusive || outcome == Outcome::NotValid ? 0 : n;
+    } else if (outcome != Outcome::NotValid) {
         ExpectedCounts& known = counts.expected[expected];
         known.squeezes += n;
-        known.otherType += verdict == VerdictKind::Type && type != expected ? n : 0;
-        known.unknown += verdict == VerdictKind::Unknown ? n : 0;
-        known.inconclusive += verdict == VerdictKind::Inconclusive ? n : 0;
-    }
-    if (expected.isEmpty()) {
-        counts.knownType += verdict == VerdictKind::Type ? n : 0;
-        counts.unasked += verdict == VerdictKind::Type || verdict == VerdictKind::Unknown ? n : 0;
-    }
-    switch (verdict) {
-    case VerdictKind::Type:
-        (expected.isEmpty() || expected == type ? counts.asExpected : counts.otherType) += n;
-        break;
-    case VerdictKind::Unknown:
-        counts.unknown += n;
-        break;
-    case VerdictKind::Inconclusive:
-        counts.inconclusive += n;
-        break;
-    case VerdictKind::Invalid:
-        counts.invalid += n;
-        break;
+        known.otherType += ifIs(Outcome::OtherType);
+        known.unknown += ifIs(Outcome::Unknown);
+        known.inconclusive += ifIs(Outcome::Inconclusive);
+        known.doesNotConform += ifIs(Outcome::DoesNotConform);
     }
 }
 
@@ -209,8 +219,8 @@ Expected<InspectionCounts> counts(Database& database, const QString& batchId, qi
         const QString counted =
             conditions.isEmpty()
                 ? tally_table::countedSql()
-                : u"(SELECT verdict || '' AS verdict, expected_type, type_name, 1 AS n FROM inspections %1)"_s
-                      .arg(where);
+                : u"(SELECT %2 AS verdict, expected_type, type_name, 1 AS n FROM inspections %1)"_s.arg(
+                      where, judgedSql());
         Statement query(database, readingInspections(),
                         u"SELECT verdict, expected_type, type_name, SUM(n) FROM %1 AS counted "
                         "GROUP BY verdict, expected_type, type_name"_s.arg(counted));
@@ -219,11 +229,11 @@ Expected<InspectionCounts> counts(Database& database, const QString& batchId, qi
         if (after > 0)
             query.bind(after);
         return query.forEach([&](Statement& row) {
-            const auto verdict = verdictKindFromString(row.takeText()).value_or(VerdictKind::Invalid);
+            const PartJudged judged = partJudgedFromString(row.takeText()).value_or(VerdictKind::Invalid);
             const QString expected = row.takeText();
             const QString type = row.takeText();
             const qint64 n = row.takeInteger();
-            add(counts, verdict, expected, type, sign * n);
+            add(counts, judged, expected, type, sign * n);
             counts.voided += sign < 0 ? n : 0;
         });
     };

@@ -10,6 +10,8 @@ namespace gripscope::inspection_table {
 /// What the measurement of inspection `i` is worth, as toString(ValidityVerdict); empty: not recorded. Rows
 /// from before it had a column have it in their document.
 [[nodiscard]] QString validitySql();
+/// "type does_not_conform", as partJudgedFromString() reads it, of the row `table` ("i.", or "").
+[[nodiscard]] QString judgedSql(const QString& table = {});
 /// The sentences of a stored list, as one text.
 /// As they were stored, sentences of earlier versions as text; what is no reason is left out.
 [[nodiscard]] Finding joinReasons(const QString& json);

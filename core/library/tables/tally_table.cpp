@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 #include "core/library/sql/statement.h"
+#include "core/library/tables/inspection_tables.h"
 
 #include <array>
 #include <map>
@@ -14,12 +15,18 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// Verdict, expected type, type.
+/// Verdict with how the part stood to its limits (partJudgedFromString()), expected type, type.
 using Kind = std::array<QString, 3>;
 using Tally = std::map<Kind, qint64>;
 
 const auto newestTally = u"(SELECT COALESCE(MAX(up_to), 0) FROM inspection_tallies)"_s;
 const auto kindColumns = u"verdict, expected_type, type_name"_s;
+
+/// The same of inspections.
+QString inspectedColumns()
+{
+    return inspection_table::judgedSql() + u" AS verdict, expected_type, type_name"_s;
+}
 
 QString countingInspections()
 {
@@ -55,8 +62,8 @@ Expected<qint64> numberOf(Database& database, const QString& sql)
 
 QString countedSql()
 {
-    return u"(SELECT %1, n FROM inspection_tallies WHERE up_to = %2 UNION ALL SELECT %1, 1 FROM inspections "
-           "WHERE number > %2)"_s.arg(kindColumns, newestTally);
+    return u"(SELECT %1, n FROM inspection_tallies WHERE up_to = %2 UNION ALL SELECT %3, 1 FROM inspections "
+           "WHERE number > %2)"_s.arg(kindColumns, newestTally, inspectedColumns());
 }
 
 Expected<void> keepUp(Database& database)
@@ -87,8 +94,8 @@ Expected<std::optional<qint64>> wrongUpTo(Database& database)
                                            kindColumns, newestTally)));
     ASSIGN_OR_RETURN(
         const Tally counted,
-        tallied(database, u"SELECT %1, COUNT(*) FROM inspections WHERE number <= %2 GROUP BY %1"_s.arg(
-                              kindColumns, newestTally)));
+        tallied(database, u"SELECT %1, COUNT(*) FROM inspections WHERE number <= %2 GROUP BY 1, 2, 3"_s.arg(
+                              inspectedColumns(), newestTally)));
     return said == counted ? std::nullopt : std::optional(upTo);
 }
 

@@ -25,7 +25,7 @@ const auto selectTypes =
     "(SELECT MAX(q.version) FROM placements q WHERE q.grasp_id = g.id) "
     "WHERE (g.type_id = t.id OR g.id IN (SELECT r.grasp_id FROM placements r WHERE r.type_id = t.id)) "
     "AND COALESCE(p.type_id, g.type_id) = t.id AND COALESCE(p.accepted, 1) = 1), "
-    "s.status, s.recipe_version, s.code, c.place "
+    "s.status, s.recipe_version, s.code, s.part_limits, c.place "
     "FROM types t JOIN type_states s ON s.type_id = t.id AND s.version = "
     "(SELECT MAX(w.version) FROM type_states w WHERE w.type_id = t.id) "
     "JOIN type_versions v ON v.type_id = t.id AND v.version = s.recipe_version JOIN ("_s +
@@ -45,6 +45,7 @@ TypeRecord takeType(Statement& row)
     type.approved = type.status == TypeStatus::Approved;
     type.recipeVersion = int(row.takeInteger());
     type.code = row.takeText();
+    type.limits = partLimitsFromText(row.takeText()).value_or(PartLimits());
     type.place = int(row.takeInteger());
     return type;
 }

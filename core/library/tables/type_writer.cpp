@@ -33,7 +33,7 @@ Expected<void> checkRecipe(const Recipe& recipe)
 
 TypeState stateOf(const TypeRecord& type)
 {
-    return {type.id, type.name, type.status, type.recipeVersion, type.squeezes, type.code};
+    return {type.id, type.name, type.status, type.recipeVersion, type.squeezes, type.code, type.limits};
 }
 
 TypeState unapproved(const TypeRecord& type)
@@ -114,6 +114,7 @@ Expected<TypeRecord> createType(Database& database, const NewType& type, TypeSta
     state.typeId = stamp.id;
     state.name = type.name;
     state.status = status;
+    state.limits = type.limits;
     RETURN_IF_ERROR(type_state_table::insert(database, version, state));
     return requireType(database, stamp.id);
 }

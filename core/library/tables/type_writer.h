@@ -12,6 +12,7 @@ struct NewType {
     QString name;
     Recipe recipe;
     QString forceUnit, positionUnit;
+    PartLimits limits = {};
 };
 
 /// The type as it is.

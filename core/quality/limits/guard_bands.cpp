@@ -72,8 +72,19 @@ double integrate(const MeasuredProcess& process, double from, double to, const W
     return sum;
 }
 
-GlobalRisks risksOf(const MeasuredProcess& process, double guard)
+/// About its mean: far from zero the rounding of each value would keep the quadrature from ever settling.
+MeasuredProcess centredProcess(MeasuredProcess process)
 {
+    for (std::optional<double>* limit : {&process.limits.lower, &process.limits.upper})
+        if (*limit)
+            **limit -= process.mean;
+    process.mean = 0;
+    return process;
+}
+
+GlobalRisks risksOf(const MeasuredProcess& given, double guard)
+{
+    const MeasuredProcess process = centredProcess(given);
     const double lower = lowerOf(process.limits);
     const double upper = upperOf(process.limits);
     const auto accepted = [&](double part) {
@@ -94,18 +105,6 @@ GlobalRisks risksOf(const MeasuredProcess& process, double guard)
 }
 
 } // namespace
-
-std::optional<Error> ToleranceLimits::validate() const
-{
-    if (!lower && !upper)
-        return wrongLimits(Words::say("no limit is given: a lower one, an upper one or both"));
-    for (const std::optional<double>& limit : {lower, upper})
-        if (limit && !std::isfinite(*limit))
-            return wrongLimits(Words::say("a limit is no finite number"));
-    if (lower && upper && !(*lower < *upper))
-        return wrongLimits(Words::say("the lower limit is not below the upper one"));
-    return std::nullopt;
-}
 
 std::optional<Error> MeasuredProcess::validate() const
 {

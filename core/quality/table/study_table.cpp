@@ -3,6 +3,7 @@
 
 #include "core/base/csv.h"
 #include "core/base/words.h"
+#include "core/quality/table/decimal_difference.h"
 
 #include <QHash>
 
@@ -50,13 +51,17 @@ Expected<qsizetype> StudyTable::place(const QString& column) const
     return found.front();
 }
 
-Expected<StudyLabels> StudyTable::labels(const QString& column) const
+Expected<StudyLabels> StudyTable::labels(const QString& column, EmptyCells empty) const
 {
     ASSIGN_OR_RETURN(const qsizetype at, place(column));
     StudyLabels labels;
     QHash<QString, int> known;
     for (std::size_t i = 1; i < m_lines.size(); ++i) {
         const QString& cell = m_lines[i].fields[at];
+        if (cell.isEmpty() && empty == EmptyCells::Missing) {
+            labels.index.push_back(-1);
+            continue;
+        }
         if (cell.isEmpty())
             return TablePlace{m_name, m_lines[i].number, at + 1}.error(u"\"\""_s,
                                                                        Words::say("a name or a number"));
@@ -88,6 +93,21 @@ Expected<std::vector<double>> StudyTable::numbers(const QString& column) const
         values.push_back(*value);
     }
     return values;
+}
+
+Expected<OffsetColumn> StudyTable::offsets(const QString& column) const
+{
+    ASSIGN_OR_RETURN(const qsizetype at, place(column));
+    ASSIGN_OR_RETURN(std::vector<double> values, numbers(column));
+    OffsetColumn found{values.front(), std::move(values)};
+    const QByteArray first = m_lines[1].fields[at].toLatin1().trimmed();
+    for (std::size_t i = 0; i < found.offsets.size(); ++i) {
+        const QByteArray text = m_lines[i + 1].fields[at].toLatin1().trimmed();
+        const std::optional<double> exact = decimalDifference({text.data(), std::size_t(text.size())},
+                                                              {first.data(), std::size_t(first.size())});
+        found.offsets[i] = exact ? *exact : found.offsets[i] - found.origin;
+    }
+    return found;
 }
 
 } // namespace gripscope

@@ -15,7 +15,13 @@ namespace gripscope {
 /// A column of names as places in a list of them.
 struct StudyLabels {
     QStringList names;      ///< each once, in the order of their first row
-    std::vector<int> index; ///< into names, one a row
+    std::vector<int> index; ///< into names, one a row; -1: an empty cell, where those are allowed
+};
+
+/// A column of numbers about its first.
+struct OffsetColumn {
+    double origin = 0;
+    std::vector<double> offsets; ///< one a row, the first 0
 };
 
 /// The measurements of a quality study: one a row, columns by name, from a CSV or from a library.
@@ -32,11 +38,16 @@ public:
     [[nodiscard]] std::size_t rows() const { return m_lines.size() - 1; }
     [[nodiscard]] QStringList columns() const { return m_lines.front().fields; }
 
+    enum class EmptyCells { Refused, Missing };
     /// BadInput for a column that is not there or there twice, for a table without rows, and for a cell that
-    /// is empty.
-    [[nodiscard]] Expected<StudyLabels> labels(const QString& column) const;
+    /// is empty where those are refused.
+    [[nodiscard]] Expected<StudyLabels> labels(const QString& column,
+                                               EmptyCells empty = EmptyCells::Refused) const;
     /// BadInput for a cell that is no finite number too.
     [[nodiscard]] Expected<std::vector<double>> numbers(const QString& column) const;
+    /// The same, subtracted as they are written (decimalDifference()): leading digits that all share cost
+    /// nothing.
+    [[nodiscard]] Expected<OffsetColumn> offsets(const QString& column) const;
 
 private:
     [[nodiscard]] Expected<qsizetype> place(const QString& column) const;

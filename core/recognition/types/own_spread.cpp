@@ -21,25 +21,25 @@ namespace {
 constexpr std::array<double, 10> likenesses{3, 5, 7, 10, 15, 22, 32, 47, 72, 117};
 constexpr double leastSpreadGain = 2;
 
-/// Logarithm of the multivariate gamma function in p dimensions, up to a constant.
-double logMultivariateGamma(double a, Eigen::Index p)
+/// log(Gamma_p((likeness + f) / 2) / Gamma_p(likeness / 2)) of the multivariate gamma function in p
+/// dimensions.
+double logGammaRatio(double likeness, double f, Eigen::Index p)
 {
     double sum = 0;
     for (Eigen::Index i = 0; i < p; ++i)
-        sum += logGamma(a - double(i) / 2);
+        sum += logGamma((likeness + f - double(i)) / 2) - logGamma((likeness - double(i)) / 2);
     return sum;
 }
 
-/// Logarithm of the marginal density of A, less that of one shared covariance.
-double logLikelihoodGain(const OwnScatter& type, double likeness)
+/// Logarithm of the marginal density of A, less that of one shared covariance; `gammas` of logGammaRatio().
+double logLikelihoodGain(const OwnScatter& type, double likeness, double gammas)
 {
     const double f = type.degreesOfFreedom;
     const Eigen::Index p = type.sum.rows();
     const auto dimensions = double(p);
     const double scale = likeness - dimensions - 1;
     const LogMatrix sum = scale * LogMatrix::Identity(p, p) + type.sum;
-    const double own = logMultivariateGamma((likeness + f) / 2, p) - logMultivariateGamma(likeness / 2, p) +
-                       likeness / 2 * dimensions * std::log(scale) -
+    const double own = gammas + likeness / 2 * dimensions * std::log(scale) -
                        (likeness + f) / 2 * std::log(sum.determinant());
     const double shared = -dimensions * f / 2 * std::numbers::ln2 - type.sum.trace() / 2;
     return own - shared;
@@ -61,9 +61,16 @@ std::optional<double> likelyDegrees(const std::vector<OwnScatter>& scatters)
     for (const double beyond : likenesses) {
         const double candidate = beyond + double(scatters.front().sum.rows());
         double gain = 0;
-        for (const OwnScatter& scatter : scatters)
-            if (scatter.degreesOfFreedom > 0)
-                gain += logLikelihoodGain(scatter, candidate);
+        double degrees = 0, gammas = 0; // most types have as many squeezes as the one before
+        for (const OwnScatter& scatter : scatters) {
+            if (!(scatter.degreesOfFreedom > 0))
+                continue;
+            if (scatter.degreesOfFreedom != degrees) {
+                degrees = scatter.degreesOfFreedom;
+                gammas = logGammaRatio(candidate, degrees, scatter.sum.rows());
+            }
+            gain += logLikelihoodGain(scatter, candidate, gammas);
+        }
         if (gain > best) {
             best = gain;
             likeness = candidate;

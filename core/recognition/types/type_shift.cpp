@@ -108,6 +108,7 @@ std::optional<CommonShift> commonShift(const std::vector<TypeShift>& shifts, Shi
         return {};
     CommonShift common;
     common.space = shifts.front().space;
+    common.degreesOfFreedom = v;
     common.value = total.solve(weighted);
     common.covariance = total.solve(LogMatrix::Identity(p, p));
     common.pValue = chanceBeyond(common.value.dot(weighted), v, p);

@@ -50,6 +50,7 @@ struct CommonShift {
     double agreement = 1; ///< that the types differ from it by chance; 1 with one type
     double misfit = 0;    ///< what is left, chi-square with p (types - 1) degrees of freedom
     QuantitySpace space = {};
+    double degreesOfFreedom = 0; ///< behind the covariance; 0: as good as known
 };
 
 /// Of one space all. Nothing without shifts, or where types differ so much that there is no common scale.

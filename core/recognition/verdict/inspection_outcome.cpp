@@ -5,11 +5,44 @@ namespace gripscope {
 
 using namespace Qt::StringLiterals;
 
-InspectionOutcome inspectionOutcome(VerdictKind verdict, const QString& type, const QString& expectedType)
+namespace {
+
+InspectionOutcome outcomeByLimits(const std::optional<ConformityDecision>& conformity)
 {
-    switch (verdict) {
+    switch (conformity.value_or(ConformityDecision::Conforms)) {
+    case ConformityDecision::Conforms:
+        break;
+    case ConformityDecision::DoesNotConform:
+        return InspectionOutcome::DoesNotConform;
+    case ConformityDecision::TooNearTheLimit:
+    case ConformityDecision::NotDecidable:
+        return InspectionOutcome::Inconclusive;
+    }
+    return InspectionOutcome::AsExpected;
+}
+
+} // namespace
+
+PartJudged::PartJudged(const Verdict& verdict)
+    : kind(verdict.kind),
+      conformity(verdict.conformity ? std::optional(verdict.conformity->decision) : std::nullopt)
+{
+}
+
+std::optional<PartJudged> partJudgedFromString(const QString& text)
+{
+    const std::optional<VerdictKind> kind = verdictKindFromString(text.section(u' ', 0, 0));
+    if (!kind)
+        return {};
+    return PartJudged{*kind, conformityDecisionFromString(text.section(u' ', 1))};
+}
+
+InspectionOutcome inspectionOutcome(const PartJudged& judged, const QString& type,
+                                    const QString& expectedType)
+{
+    switch (judged.kind) {
     case VerdictKind::Type:
-        return expectedType.isEmpty() || type == expectedType ? InspectionOutcome::AsExpected
+        return expectedType.isEmpty() || type == expectedType ? outcomeByLimits(judged.conformity)
                                                               : InspectionOutcome::OtherType;
     case VerdictKind::Unknown:
         return InspectionOutcome::Unknown;
@@ -34,6 +67,8 @@ QString toString(InspectionOutcome outcome)
         return u"inconclusive"_qs;
     case InspectionOutcome::NotValid:
         return u"not_valid"_qs;
+    case InspectionOutcome::DoesNotConform:
+        return u"does_not_conform"_qs;
     }
     return {};
 }

@@ -78,6 +78,8 @@ std::optional<VerdictKind> verdictKindFromString(const QString& text)
 Findings Verdict::allReasons() const
 {
     Findings all = reasons;
+    if (conformity)
+        all.push_back(inWords(*conformity));
     if (validity.verdict == ValidityVerdict::Suspect)
         for (const Finding& reason : validity.reasons)
             all.push_back(Words::say("Suspect measurement: %1").arg(reason));

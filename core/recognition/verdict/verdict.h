@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/identification/identification.h"
+#include "core/quality/conformity/conformity.h"
 #include "core/recognition/types/instrument_range.h"
 #include "core/recognition/types/type_model.h"
 #include "core/recognition/types/type_shift.h"
@@ -68,7 +69,9 @@ struct Verdict {
     std::optional<double> strangerPosterior = {}; ///< that it is of no enrolled type, see strangerShare
     std::optional<double> strangerAccept = {};    ///< share of strangers that would be named some type
     ValiditySummary validity = {};                ///< what the measurement behind it is worth
-    /// `reasons`, and behind them what makes the measurement suspect.
+    /// How a part of `type` stands to the limits of that type; absent: it has none, or there is no type.
+    std::optional<Conformity> conformity = {};
+    /// `reasons`, how the part stands to its limits, and what makes the measurement suspect.
     [[nodiscard]] Findings allReasons() const;
 };
 

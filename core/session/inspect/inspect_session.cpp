@@ -55,7 +55,14 @@ void InspectSession::setIdentificationOptions(const IdentificationOptions& optio
 
 void InspectSession::setTransfer(const std::optional<CommonShift>& error)
 {
-    d->judge.transfer = error;
+    d->isTransferStated = true;
+    d->statedTransfer = error;
+}
+
+void InspectSession::setTransferOfLibrary()
+{
+    d->isTransferStated = false;
+    d->statedTransfer.reset();
 }
 
 void InspectSession::setRecipe(const Recipe& recipe)
@@ -111,6 +118,10 @@ void InspectSession::voidLast(const QString& reason)
     d->archive.voidInspection(d->result->number, reason, d->operatorName,
                               [this, number = d->result->number](const Expected<void>& done) {
                                   d->noticeFailure(done);
+                                  if (done) {
+                                      d->drift.load(d->archive.comparable().main());
+                                      d->process.look(d->processType);
+                                  }
                                   if (done && d->result && d->result->number == number)
                                       d->result->voided = true;
                               });
@@ -166,7 +177,9 @@ void InspectSession::cancel()
 
 bool InspectSession::poll()
 {
-    const bool changed = d->archive.poll();
+    const bool stored = d->archive.poll();
+    const bool signalled = d->process.poll();
+    const bool changed = d->drift.poll() || stored || signalled;
     if (d->state == State::Squeezing) {
         d->followSqueeze();
         return true; // progress, at least
@@ -265,6 +278,22 @@ std::vector<TypeRecord> InspectSession::approvedTypes() const
     std::vector<TypeRecord> approved = types();
     std::erase_if(approved, [](const TypeRecord& type) { return !type.approved; });
     return approved;
+}
+
+std::optional<AdjustmentStanding> InspectSession::adjustment() const
+{
+    const AdjustmentStanding* const standing = d->archive.adjustmentOf(d->connection.identity().serial);
+    return standing != nullptr && !d->isTransferStated ? std::optional(*standing) : std::nullopt;
+}
+
+const std::optional<DriftReport>& InspectSession::drift() const
+{
+    return d->drift.report();
+}
+
+const std::optional<Finding>& InspectSession::processSignal() const
+{
+    return d->process.signal();
 }
 
 bool InspectSession::storing() const

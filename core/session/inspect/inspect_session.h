@@ -3,6 +3,8 @@
 
 #include "core/library/library_service.h"
 #include "core/library/records/batch.h"
+#include "core/library/records/gripper_adjustment.h"
+#include "core/quality/drift.h"
 #include "core/recognition/early/early_stop.h"
 #include "core/recognition/verdict/inspection_outcome.h"
 #include "core/session/inspect/judging_policy.h"
@@ -45,8 +47,11 @@ public:
     /// From the next squeeze on. What is refused is kept like any other, not valid, with the reason.
     void setPolicy(const JudgingPolicy& policy);
     void setIdentificationOptions(const IdentificationOptions& options);
-    /// The squeezes come from another gripper than the types; nothing ends early then.
+    /// The squeezes come from another gripper than the types, with this error or none, whatever gripper they
+    /// name. Until this is said, those of a gripper that the library has an adjustment for are adjusted by
+    /// it. Nothing ends early where squeezes are adjusted.
     void setTransfer(const std::optional<CommonShift>& error);
+    void setTransferOfLibrary(); ///< again as before that was said
     /// Used when nothing is expected. Until then it is that of the approved type with the lowest crush limit,
     /// with the least travel of all of them, since it may be any. A type that is expected has its own.
     void setRecipe(const Recipe& recipe);
@@ -100,8 +105,9 @@ public:
         bool refused = false;      ///< by the policy; it could have been judged
         VerdictOptions rates = {}; ///< that the verdict is held to; others may be in force by now
         QString partNumber = {};
-        int invalidInARow = 0; ///< with this one; 0 where it is valid
-        bool voided = false;   ///< it counts no longer
+        int invalidInARow = 0;     ///< with this one; 0 where it is valid
+        bool voided = false;       ///< it counts no longer
+        QString adjustmentId = {}; ///< of the library, that it was judged with; empty: none
     };
     [[nodiscard]] State state() const;
     [[nodiscard]] double progress() const;
@@ -125,6 +131,14 @@ public:
     [[nodiscard]] const TypeModels& models() const;
     [[nodiscard]] const std::vector<TypeRecord>& types() const; ///< all in use, approved or not
     [[nodiscard]] std::vector<TypeRecord> approvedTypes() const;
+    /// Of the connected gripper, that its squeezes are adjusted by; nothing where they are not.
+    [[nodiscard]] std::optional<AdjustmentStanding> adjustment() const;
+    /// The newest inspected squeezes, of this session and before, against the enrolment of their types; as of
+    /// the last look, which follows each squeeze.
+    [[nodiscard]] const std::optional<DriftReport>& drift() const;
+    /// What the control charts of the last squeeze's type say of it, where somebody fixed their limits: a
+    /// sentence with the quantity, what is wrong and since which inspection. Nothing where all is steady.
+    [[nodiscard]] const std::optional<Finding>& processSignal() const;
     [[nodiscard]] bool
     storing() const; ///< inspections are on their way into the library, and nothing is wrong
     [[nodiscard]] std::size_t unstored() const; ///< so many are on their way, or wait

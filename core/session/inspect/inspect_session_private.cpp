@@ -4,7 +4,10 @@
 #include "core/base/words.h"
 #include "core/library/sql/time_ordered_id.h"
 #include "core/recognition/early/early_stop.h"
+#include "core/recognition/types/squeeze_values.h"
+#include "core/recognition/verdict/conformity_of_squeeze.h"
 #include "core/recognition/verdict/judgement.h"
+#include "core/recognition/verdict/transfer.h"
 #include "core/session/enroll/enrollment_storage.h"
 #include "core/session/inspect/squeeze_judged.h"
 #include "core/signal/recording/units.h"
@@ -20,6 +23,8 @@ void InspectSession::Private::reload()
         state = State::Loading;
     archive.load([this](const Expected<void>& done) {
         noticeFailure(done);
+        if (done && storeResults) // who stores nothing watches nothing
+            drift.load(archive.comparable().main());
         if (!done || state != State::Loading)
             return;
         error.reset();
@@ -116,10 +121,22 @@ void InspectSession::Private::fail(const Error& reason)
         partNumber = measuredPartNumber; // the part has still to be squeezed
 }
 
+std::optional<CommonShift> InspectSession::Private::transferOf(const QString& gripperSerial) const
+{
+    if (isTransferStated)
+        return statedTransfer;
+    const AdjustmentStanding* const adjustment = archive.adjustmentOf(gripperSerial);
+    return adjustment != nullptr ? std::optional(adjustment->record.adjustment.error) : std::nullopt;
+}
+
 std::optional<EarlyStopSetup> InspectSession::Private::earlyStopSetup() const
 {
     const GripperIdentity identity = connection.identity();
-    if (!endsEarly || judge.transfer || !identity.commandable)
+    if (!endsEarly || transferOf(identity.serial) || !identity.commandable)
+        return {};
+    // How a part stands to its limits is told the better the longer it is squeezed.
+    if (std::ranges::any_of(archive.types(),
+                            [](const TypeRecord& type) { return type.approved && !type.limits.isEmpty(); }))
         return {};
     const Expected<ComparableTypes::Choice> choice =
         archive.comparable().modelsFor(identity.forceUnit, identity.positionUnit);
@@ -152,7 +169,8 @@ void InspectSession::Private::followSqueeze()
     if (job.state() == SqueezeJob::State::Done) {
         if (job.endedEarly())
             measuredEarlyEnd = watch.decision();
-        job.note(toNote(SqueezeJudged{judge.rates, measuredEarlyEnd, measuredPolicy}));
+        job.note(toNote(SqueezeJudged{judge.rates, measuredEarlyEnd, measuredPolicy,
+                                      transferOf(connection.identity().serial)}));
         identify(job.recording(), connection.address());
     } else if (job.state() == SqueezeJob::State::Failed) {
         fail(*job.error());
@@ -175,10 +193,31 @@ bool InspectSession::Private::pollForecast()
 void InspectSession::Private::identify(Recording recording, const QString& from)
 {
     source = from;
-    if (const Expected<void> started = judge.start(std::move(recording), archive.comparable()); !started)
+    const QString serial = recording.provenance.value(QStringLiteral("serial"));
+    const AdjustmentStanding* const adjustment = isTransferStated ? nullptr : archive.adjustmentOf(serial);
+    judgedTransfer = transferOf(serial);
+    judgedAdjustment = adjustment != nullptr ? adjustment->record.id : QString();
+    const Expected<void> started = judge.start(std::move(recording), archive.comparable(), judgedTransfer);
+    if (!started)
         return fail(started.error());
     judgedVersion = archive.version();
+    judgedTypes = archive.types();
     state = State::Judging;
+}
+
+std::optional<Conformity> InspectSession::Private::conformityTo(const QString& type,
+                                                                const InspectionJudge::Judged& judged) const
+{
+    const auto named = std::ranges::find(judgedTypes, type, &TypeRecord::name);
+    if (named == judgedTypes.end())
+        return {};
+    const Recording& recording = judged.recording;
+    const Expected<double> factor =
+        parameterFactor(recording.forceUnit, recording.positionUnit, named->forceUnit, named->positionUnit);
+    if (!factor)
+        return {};
+    return conformityOf(named->limits, judged.identification, *factor,
+                        siFactor(named->forceUnit, named->positionUnit), judgedTransfer);
 }
 
 void InspectSession::Private::show(InspectionJudge::Judged judged)
@@ -195,10 +234,13 @@ void InspectSession::Private::show(InspectionJudge::Judged judged)
         found.verdict = refusedVerdict(found.verdict, std::move(reasons));
         found.refused = true;
     }
-    found.outcome = inspectionOutcome(found.verdict.kind, found.verdict.type, measuredExpectedType);
+    if (found.verdict.kind == VerdictKind::Type)
+        found.verdict.conformity = conformityTo(found.verdict.type, judged);
+    found.outcome = inspectionOutcome(PartJudged(found.verdict), found.verdict.type, measuredExpectedType);
     found.expectedType = measuredExpectedType;
     found.partNumber = measuredPartNumber;
     found.rates = judged.rates;
+    found.adjustmentId = judgedAdjustment;
     invalidInARow = found.outcome == InspectionOutcome::NotValid ? invalidInARow + 1 : 0;
     found.invalidInARow = invalidInARow;
     found.seconds = lengthSeconds(judged.recording);
@@ -223,22 +265,45 @@ void InspectSession::Private::keep(const VerdictOptions& rates)
     inspection.batchId = measuredBatch;
     inspection.libraryVersion = judgedVersion;
     inspection.partNumber = result->partNumber;
+    inspection.adjustmentId = result->adjustmentId;
     inspection.grasp.program = QStringLiteral(GRIPSCOPE_VERSION); // another may store it
     inspection.id = newTimeOrderedId();
     const QDateTime now = QDateTime::currentDateTime();
     inspection.grasp.recorded = now.toUTC();
     inspection.grasp.utcOffset_s = now.offsetFromUtc();
-    archive.keep(inspection, [this, which = squeezes](const Expected<qint64>& number) {
-        if (!number)
-            error = number.error();
-        if (!result || result->squeeze != which)
-            return;
-        result->keeping = number ? Keeping::Stored : Keeping::Refused;
-        result->number = number.value_or(0);
-    });
+    watchDrift(inspection);
+    archive.keep(inspection,
+                 [this, which = squeezes, type = inspection.verdict.type](const Expected<qint64>& number) {
+                     if (!number)
+                         error = number.error();
+                     else
+                         process.look(processType = type);
+                     if (!result || result->squeeze != which)
+                         return;
+                     result->keeping = number ? Keeping::Stored : Keeping::Refused;
+                     result->number = number.value_or(0);
+                 });
 }
 
-Expected<void> InspectionJudge::start(Recording recording, const ComparableTypes& types)
+/// Those that the charts go by: of the type that was expected, else the one that was named.
+void InspectSession::Private::watchDrift(const NewInspection& inspection)
+{
+    const QString type =
+        inspection.expectedType.isEmpty() ? inspection.verdict.type : inspection.expectedType;
+    const bool recognised = inspection.verdict.kind == VerdictKind::Type && inspection.verdict.type == type;
+    if (!recognised || inspection.grasp.estimates.empty())
+        return;
+    const Estimate& object = inspection.grasp.estimates.front(); // the one that stands for the squeeze
+    if (!object.parameters)
+        return;
+    const TypeSqueeze squeeze =
+        scaledSqueeze(type, *object.parameters, object.covariance,
+                      siFactor(inspection.grasp.forceUnit, inspection.grasp.positionUnit).value_or(1));
+    drift.add(judgedTransfer ? adjusted(squeeze, *judgedTransfer) : squeeze);
+}
+
+Expected<void> InspectionJudge::start(Recording recording, const ComparableTypes& types,
+                                      const std::optional<CommonShift>& transfer)
 {
     ASSIGN_OR_RETURN(const ComparableTypes::Choice choice,
                      types.modelsFor(recording.forceUnit, recording.positionUnit));

@@ -5,7 +5,9 @@
 #include "core/library/records/batch.h"
 #include "core/library/spill/inspection_spill.h"
 #include "core/recognition/types/type_shift.h"
+#include "core/session/inspect/drift_watch.h"
 #include "core/session/inspect/inspect_session.h"
+#include "core/session/process/process_watch.h"
 #include "core/session/squeeze/comparable_units.h"
 #include "core/session/squeeze/early_watch.h"
 #include "core/session/squeeze/hold_history.h"
@@ -24,8 +26,7 @@ class InspectionJudge {
 public:
     IdentificationOptions identification;
     VerdictOptions rates;
-    std::optional<CommonShift> transfer; ///< the squeezes come from another gripper than the types
-    std::function<void()> wake;          ///< when there is something to take(); may be empty
+    std::function<void()> wake; ///< when there is something to take(); may be empty
 
     struct Judged {
         Recording recording;
@@ -34,8 +35,10 @@ public:
         VerdictOptions rates; ///< those in force when it began; they may be set anew meanwhile
     };
 
-    /// UnitsDiffer: the recording cannot be compared with the types.
-    [[nodiscard]] Expected<void> start(Recording recording, const ComparableTypes& types);
+    /// `transfer`: the squeeze comes from another gripper than the types. UnitsDiffer: the recording cannot
+    /// be compared with the types.
+    [[nodiscard]] Expected<void> start(Recording recording, const ComparableTypes& types,
+                                       const std::optional<CommonShift>& transfer);
     /// What was found, once.
     [[nodiscard]] std::optional<Judged> take();
     void forget() { m_task.forget(); }
@@ -89,6 +92,8 @@ public:
     [[nodiscard]] bool changingBatch() const { return m_changing > 0; } ///< its begin or end is on its way
 
     [[nodiscard]] const std::vector<TypeRecord>& types() const { return m_types; }
+    /// Of a gripper with this serial number.
+    [[nodiscard]] const AdjustmentStanding* adjustmentOf(const QString& gripperSerial) const;
     [[nodiscard]] const ComparableTypes& comparable() const { return m_comparable; }
     /// Of the library, that these types are of.
     [[nodiscard]] qint64 version() const { return m_version; }
@@ -108,6 +113,7 @@ private:
         ComparableTypes comparable;
         Standing standing;
         qint64 version = 0;
+        std::vector<AdjustmentStanding> adjustments;
     };
     struct Kept {
         qint64 number = 0;
@@ -167,6 +173,7 @@ private:
     int m_changing = 0;
     qint64 m_shiftStart = 0;
     std::vector<TypeRecord> m_types;
+    std::vector<AdjustmentStanding> m_adjustments;
     ComparableTypes m_comparable;
     qint64 m_version = 0;
     Standing m_standing;
@@ -175,18 +182,23 @@ private:
 
 struct InspectSession::Private {
     Private(ConnectSession& session, LibraryService& service)
-        : connection(session), archive(service), job(session)
+        : connection(session), archive(service), drift(service), process(service), job(session)
     {
     }
 
     ConnectSession& connection;
     InspectionArchive archive;
+    DriftWatch drift;
+    ProcessWatch process;
+    QString processType; ///< of the inspection that was stored last
     SqueezeJob job;
     InspectionJudge judge;
     EarlyWatch watch;
     SqueezeForecast forecast;
     int listener = 0;
     std::optional<Recipe> recipe; ///< that was asked for
+    bool isTransferStated = false;
+    std::optional<CommonShift> statedTransfer;
     QString operatorName, expectedType, partNumber;
     bool storeResults = true, endsEarly = true, forecasting = false;
 
@@ -195,7 +207,10 @@ struct InspectSession::Private {
     QString source, measuredExpectedType, measuredBatch, measuredPartNumber;
     std::optional<EarlyEnd> measuredEarlyEnd;
     JudgingPolicy policy, measuredPolicy;
-    qint64 judgedVersion = 0; // of the library, when the squeeze was judged
+    qint64 judgedVersion = 0;            // of the library, when the squeeze was judged
+    std::vector<TypeRecord> judgedTypes; // with the limits of that version
+    std::optional<CommonShift> judgedTransfer;
+    QString judgedAdjustment; // its key in the library
     std::uint64_t squeezes = 0;
     int invalidInARow = 0;
     std::optional<Result> result;
@@ -205,6 +220,8 @@ struct InspectSession::Private {
     void openSpill();
     [[nodiscard]] Expected<void> ready();
     [[nodiscard]] Recipe wantedRecipe() const;
+    /// What squeezes of a gripper are adjusted by.
+    [[nodiscard]] std::optional<CommonShift> transferOf(const QString& gripperSerial) const;
     [[nodiscard]] std::optional<EarlyStopSetup> earlyStopSetup() const;
     void begin(State next);
     void followSqueeze();
@@ -212,7 +229,10 @@ struct InspectSession::Private {
     void fail(const Error& reason);
     void identify(Recording recording, const QString& from);
     void show(InspectionJudge::Judged judged);
+    [[nodiscard]] std::optional<Conformity> conformityTo(const QString& type,
+                                                         const InspectionJudge::Judged& judged) const;
     void keep(const VerdictOptions& rates);
+    void watchDrift(const NewInspection& inspection);
     void noticeFailure(const Expected<void>& done);
 };
 

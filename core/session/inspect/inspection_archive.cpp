@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/inspect/inspect_session_private.h"
 
+#include <algorithm>
+
 namespace gripscope {
 
 InspectionArchive::~InspectionArchive()
@@ -33,12 +35,13 @@ Expected<InspectionArchive::Loaded> InspectionArchive::read(Library& library, qi
     ASSIGN_OR_RETURN(const qint64 version, library.version());
     ASSIGN_OR_RETURN(std::vector<TypeRecord> types, library.types());
     ASSIGN_OR_RETURN(const std::vector<TypeSqueeze> squeezes, library.approvedSqueezes());
+    ASSIGN_OR_RETURN(std::vector<AdjustmentStanding> adjustments, library.adjustmentsInForce());
     ASSIGN_OR_RETURN(const qint64 versionNow, library.version());
     if (versionNow != version)
         return read(library, after); // somebody changed the types meanwhile
     ASSIGN_OR_RETURN(Standing now, standing(library, library.batchUnderWay(), after));
     ComparableTypes comparable(types, squeezes);
-    return Loaded{std::move(types), std::move(comparable), std::move(now), version};
+    return Loaded{std::move(types), std::move(comparable), std::move(now), version, std::move(adjustments)};
 }
 
 Expected<InspectionArchive::Kept> InspectionArchive::store(Library& library, const NewInspection& inspection,
@@ -66,6 +69,15 @@ void InspectionArchive::take(Standing standing, std::uint64_t request)
     m_standing = std::move(standing);
 }
 
+const AdjustmentStanding* InspectionArchive::adjustmentOf(const QString& gripperSerial) const
+{
+    const auto found =
+        std::ranges::find(m_adjustments, gripperSerial, [](const AdjustmentStanding& standing) {
+            return standing.record.adjustment.gripperSerial;
+        });
+    return found == m_adjustments.end() ? nullptr : &*found;
+}
+
 void InspectionArchive::load(std::function<void(const Expected<void>&)> done)
 {
     m_loading = PendingCall(
@@ -76,6 +88,7 @@ void InspectionArchive::load(std::function<void(const Expected<void>&)> done)
             m_types = std::move(answer->types);
             m_comparable = std::move(answer->comparable);
             m_version = answer->version;
+            m_adjustments = std::move(answer->adjustments);
             take(std::move(answer->standing), request);
             done({});
         });

@@ -2,6 +2,7 @@
 #include "core/session/inspect/squeeze_judged.h"
 
 #include "core/base/csv.h"
+#include "core/library/records/determined_text.h"
 #include "core/session/squeeze/squeeze_notes.h"
 
 #include <QMap>
@@ -53,6 +54,22 @@ std::optional<EarlyEnd> earlyEndIn(const QMap<QString, QString>& facts)
                     static_cast<std::size_t>(samples)};
 }
 
+/// Notes of before there were adjustments say nothing of one.
+std::optional<CommonShift> transferIn(const QMap<QString, QString>& facts)
+{
+    const std::optional<DeterminedQuantities> error =
+        determinedQuantities({facts.value(u"adjusted_quantities"_s), facts.value(u"adjusted_by"_s),
+                              facts.value(u"adjusted_covariance"_s)});
+    if (!error || !error->covariance)
+        return {};
+    CommonShift transfer;
+    transfer.space = error->space;
+    transfer.value = error->log;
+    transfer.covariance = *error->covariance;
+    transfer.degreesOfFreedom = numberIn(facts, u"adjusted_degrees"_s).value_or(0);
+    return transfer;
+}
+
 } // namespace
 
 QString toNote(const SqueezeJudged& judged)
@@ -75,6 +92,16 @@ QString toNote(const SqueezeJudged& judged)
         add(u"most_lost_share"_s, exactText(judged.policy.mostLostShare));
     if (judged.policy.nobodySignedIn)
         add(u"nobody_signed_in"_s, u"yes"_s);
+    const std::optional<DeterminedText> error =
+        judged.transfer
+            ? determinedText({judged.transfer->space, judged.transfer->value, judged.transfer->covariance})
+            : std::nullopt;
+    if (error) {
+        add(u"adjusted_quantities"_s, error->quantities);
+        add(u"adjusted_by"_s, error->logarithms);
+        add(u"adjusted_covariance"_s, error->covariance);
+        add(u"adjusted_degrees"_s, exactText(judged.transfer->degreesOfFreedom));
+    }
     if (judged.earlyEnd) {
         add(u"early_verdict"_s, toString(judged.earlyEnd->kind));
         add(u"early_type"_s, judged.earlyEnd->type);
@@ -106,6 +133,7 @@ std::optional<SqueezeJudged> squeezeJudged(const QString& note)
         return {};
     judged.earlyEnd = earlyEndIn(facts);
     judged.policy = policyIn(facts);
+    judged.transfer = transferIn(facts);
     return judged;
 }
 

@@ -7,6 +7,8 @@
 #include <QJsonDocument>
 #include <QStringList>
 
+#include <algorithm>
+
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
@@ -26,6 +28,19 @@ QByteArray compact(const QJsonObject& object)
 }
 
 } // namespace
+
+QString toString(HistoryFormat format)
+{
+    switch (format) {
+    case HistoryFormat::Csv:
+        return u"csv"_s;
+    case HistoryFormat::Json:
+        return u"json"_s;
+    case HistoryFormat::Aqdef:
+        return u"aqdef"_s;
+    }
+    return {};
+}
 
 QByteArray historyCsvHeader()
 {
@@ -88,6 +103,8 @@ QByteArray HistoryDocument::head() const
 {
     if (m_format == HistoryFormat::Csv)
         return historyCsvHeader();
+    if (m_format == HistoryFormat::Aqdef)
+        return m_catalogue.head(m_type ? &*m_type : nullptr);
     QByteArray text = compact({{u"format"_s, u"gripscope-history"_s},
                                {u"version"_s, 1},
                                {u"software"_s, QStringLiteral(GRIPSCOPE_VERSION)},
@@ -102,6 +119,8 @@ QByteArray HistoryDocument::rows(const std::vector<HistoryEntry>& entries)
 {
     if (m_format == HistoryFormat::Csv)
         return toCsv(entries);
+    if (m_format == HistoryFormat::Aqdef)
+        return m_catalogue.lines(entries);
     QByteArray text;
     for (const HistoryEntry& entry : entries) {
         text += m_first ? QByteArray() : QByteArray(",\n");
@@ -127,6 +146,24 @@ Expected<void> HistoryDocument::prepare(Library& library)
     return {};
 }
 
+/// A step through all of them for what the head says; m_gathered is below zero once that is through.
+Expected<void> HistoryDocument::gather(Library& library)
+{
+    ASSIGN_OR_RETURN(const std::vector<HistoryEntry> entries,
+                     library.historyPage(*m_list, m_gathered, rowsAtOnce));
+    m_catalogue.add(entries);
+    m_gathered += qint64(entries.size());
+    if (m_gathered < m_list->rows && !entries.empty())
+        return {};
+    m_gathered = -1;
+    ASSIGN_OR_RETURN(const std::vector<TypeRecord> types, library.types());
+    const auto named = std::ranges::find_if(
+        types, [this](const TypeRecord& type) { return m_catalogue.type() == type.name; });
+    if (named != types.end())
+        m_type = *named;
+    return {};
+}
+
 Expected<QByteArray> HistoryDocument::next(Library& library)
 {
     if (m_ended)
@@ -135,6 +172,10 @@ Expected<QByteArray> HistoryDocument::next(Library& library)
         RETURN_IF_ERROR(prepare(library));
         if (!m_list->through)
             return QByteArray();
+    }
+    if (m_format == HistoryFormat::Aqdef && m_gathered >= 0) {
+        RETURN_IF_ERROR(gather(library));
+        return QByteArray();
     }
     QByteArray text = m_begun ? QByteArray() : head();
     m_begun = true;

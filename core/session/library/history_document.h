@@ -3,6 +3,7 @@
 
 #include "core/library/library.h"
 #include "core/library/records/history_list.h"
+#include "core/session/library/aqdef.h"
 
 #include <QByteArray>
 
@@ -10,7 +11,8 @@
 
 namespace gripscope {
 
-enum class HistoryFormat { Csv, Json };
+enum class HistoryFormat { Csv, Json, Aqdef };
+[[nodiscard]] QString toString(HistoryFormat format); ///< "csv", "json", "aqdef"
 
 /// Squeezes as lines of CSV: UTF-8, LF, C locale, times in UTC, numbers in their shortest form that reads
 /// back the same, m, b and k in the squeeze's own units, which stand beside them.
@@ -24,6 +26,7 @@ enum class HistoryFormat { Csv, Json };
 
 /// All that a query finds as one text, piece by piece, so that neither memory nor the library is taken by it
 /// for long. JSON: {"format": "gripscope-history", "version": 1, ..., "squeezes": [...]}, a squeeze a line.
+/// AQDEF: goes through them twice, since its head names all that the values point to.
 /// In the order asked for; where that is not by time and a list of it would be cut, all of them newest first.
 class HistoryDocument {
 public:
@@ -42,8 +45,12 @@ private:
     HistoryQuery m_query;
     HistoryFormat m_format;
     [[nodiscard]] Expected<void> prepare(Library& library);
+    [[nodiscard]] Expected<void> gather(Library& library);
     std::optional<HistoryList> m_list;
     qint64 m_written = 0;
+    AqdefCatalogue m_catalogue;
+    std::optional<TypeRecord> m_type; ///< that all are of
+    qint64 m_gathered = 0;
     bool m_begun = false;
     bool m_first = true, m_ended = false;
 };

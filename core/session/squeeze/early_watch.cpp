@@ -35,7 +35,6 @@ struct EarlyWatch::Followed {
 void EarlyWatch::begin(EarlyStopSetup setup, std::size_t samples)
 {
     end();
-    m_decision.reset();
     m_taken = 0;
     m_worthLooking = samples - samples / 10;
     m_followed = std::make_shared<Followed>(Followed{std::move(setup)});
@@ -47,6 +46,7 @@ void EarlyWatch::end()
     m_followed.reset();
     m_waiting.clear();
     m_lastSequence.reset();
+    m_decision.reset(); // else it would end the next squeeze, too, where that is not followed
 }
 
 void EarlyWatch::take(const std::vector<Sample>& batch)

@@ -66,12 +66,12 @@ private slots:
     void theUncertaintyIsCountedWhereTheRuleSaysSo()
     {
         using enum DecisionRule;
-        QCOMPARE(judgeConformity(0.10, 0.05, 0.20, Guarded), Conformity::Conforms);
-        QCOMPARE(judgeConformity(0.18, 0.05, 0.20, Guarded), Conformity::Undecided);
-        QCOMPARE(judgeConformity(0.22, 0.05, 0.20, Guarded), Conformity::Undecided);
-        QCOMPARE(judgeConformity(0.30, 0.05, 0.20, Guarded), Conformity::DoesNotConform);
-        QCOMPARE(judgeConformity(0.18, 0.05, 0.20, Simple), Conformity::Conforms);
-        QCOMPARE(judgeConformity(0.22, 0.05, 0.20, Simple), Conformity::DoesNotConform);
+        QCOMPARE(judgeConformity(0.10, 0.05, 0.20, Guarded), CalibrationConformity::Conforms);
+        QCOMPARE(judgeConformity(0.18, 0.05, 0.20, Guarded), CalibrationConformity::Undecided);
+        QCOMPARE(judgeConformity(0.22, 0.05, 0.20, Guarded), CalibrationConformity::Undecided);
+        QCOMPARE(judgeConformity(0.30, 0.05, 0.20, Guarded), CalibrationConformity::DoesNotConform);
+        QCOMPARE(judgeConformity(0.18, 0.05, 0.20, Simple), CalibrationConformity::Conforms);
+        QCOMPARE(judgeConformity(0.22, 0.05, 0.20, Simple), CalibrationConformity::DoesNotConform);
     }
     void asFoundIsByWhatCorrectedItBefore()
     {

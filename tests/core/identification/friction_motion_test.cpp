@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/motion/friction_motion.h"
-#include "core/math/gaussian.h"
+#include "tests/core/identification/jumping_force.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -28,24 +28,6 @@ MotionIntegrator<Slopes>::Coefficients coefficients(double friction)
     return all;
 }
 
-/// A force that jumps now and then, so that the part slides, turns and sticks.
-class JumpingForce {
-public:
-    [[nodiscard]] double next()
-    {
-        if (--m_left <= 0) {
-            m_left = 5 + static_cast<int>(10 * std::abs(m_draw()));
-            m_force = 3 * m_draw();
-        }
-        return m_force;
-    }
-
-private:
-    GaussianNoise m_draw{7};
-    double m_force = 0;
-    int m_left = 0;
-};
-
 struct Difference {
     double position = 0, slopes = 0;
     int atRest = 0; ///< samples
@@ -58,7 +40,7 @@ Difference difference(const MotionTerms& terms, double friction, bool ramps)
     FrictionMotion<Slopes> quick(terms, coefficients(friction));
     exact.begin(0.2, 0.1, 0.1, 0);
     quick.begin(0.2, 0.1, 0.1);
-    JumpingForce forces;
+    JumpingForce forces(3);
     double from = 0;
     Difference found;
     for (int n = 0; n < 2000; ++n) {
@@ -133,7 +115,7 @@ private slots:
         motion.begin(0.0, 0.0, 0.0);
         QVERIFY(!motion.advance(1, 1, 1));
     }
-    void aBendIsNotItsOwn()
+    void othersAreNotItsOwn()
     {
         QVERIFY(!FrictionMotion<double>::describes({.friction = true, .cubic = true}));
         QVERIFY(!FrictionMotion<double>::describes({.relaxation = true}));

@@ -260,8 +260,9 @@ private slots:
         const Recording recording = synthetic.make();
         const Identification one = identify(recording, everyEstimator());
         const Identification two = identify(recording, everyEstimator());
+        QCOMPARE(one.estimates.size(), two.estimates.size());
         for (std::size_t i = 0; i < one.estimates.size(); ++i) {
-            QVERIFY(*one.estimates[i].parameters == *two.estimates[i].parameters);
+            QVERIFY(one.estimates[i].parameters == two.estimates[i].parameters); // some determine none
             QVERIFY(one.estimates[i].residual == two.estimates[i].residual);
         }
     }

@@ -120,6 +120,28 @@ private slots:
         const Eigen::MatrixXd expected = columns * c * columns.transpose();
         QVERIFY((spreadUnderNoise(columns, noise) - expected).norm() < 1e-6 * expected.norm());
     }
+    void slopesOfTheSpreadAreItsDifferences()
+    {
+        AutoregressiveNoise noise;
+        noise.coefficients = {1.2, -0.5, 0.1};
+        noise.innovationDeviation = 2;
+        const Eigen::MatrixXd rows = driftBasis(300);
+        const Eigen::MatrixXd slopes = logSpreadSlopes(rows, noise);
+        QCOMPARE(slopes.rows(), rows.rows());
+        QCOMPARE(slopes.cols(), Eigen::Index(3));
+        constexpr double step = 1e-5; // its square is what differences are off by
+        for (std::size_t i = 0; i < 3; ++i) {
+            AutoregressiveNoise above = noise;
+            AutoregressiveNoise below = noise;
+            above.coefficients[i] += step;
+            below.coefficients[i] -= step;
+            const Eigen::ArrayXd up = spreadUnderNoise(rows, above).diagonal();
+            const Eigen::ArrayXd down = spreadUnderNoise(rows, below).diagonal();
+            const Eigen::VectorXd expected = (up.log() - down.log()) / (2 * step);
+            const auto column = static_cast<Eigen::Index>(i);
+            QVERIFY((slopes.col(column) - expected).norm() < 1e-6 * expected.norm());
+        }
+    }
     void whatParametersTakeOutIsPutBack()
     {
         // Residuals after a constant and a slow cosine were fitted: the error of these two, over 300 records.

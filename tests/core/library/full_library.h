@@ -4,7 +4,9 @@
 #include "core/calibration/calibration_record.h"
 #include "core/library/records/batch.h"
 #include "core/library/records/enrollment_draft.h"
+#include "core/library/records/gripper_adjustment.h"
 #include "core/library/records/history.h"
+#include "core/library/records/study_record.h"
 #include "core/library/sql/time_ordered_id.h"
 #include "tests/core/library/people_fixture.h"
 
@@ -68,6 +70,35 @@ inline void addDraft(Library& library)
     valueOf(library.addDraftSqueeze(squeeze));
 }
 
+inline void addStudy(Library& library)
+{
+    NewStudy study;
+    study.kind = u"gauge"_s;
+    study.name = u"Cans"_s;
+    study.plan = {{u"seed"_s, u"1"_s}};
+    NewStudyMeasurement measured;
+    measured.studyId = valueOf(library.beginStudy(study)).id;
+    measured.outcome = u"measured"_s;
+    measured.values[2] = StudyValue{1e4 / 3, 0.1};
+    measured.squeeze = DraftSqueeze{newTimeOrderedId(), study.name, awkwardRecording(), {}, {}};
+    const QString id = valueOf(library.addStudyMeasurement(measured)).id;
+    valueOf(library.undoStudyMeasurement(id, u"the wrong part"_s, u"Ada"_s));
+    valueOf(library.endStudy(measured.studyId, StudyState::Abandoned, {}, u"Ada"_s));
+}
+
+inline void addAdjustment(Library& library)
+{
+    NewAdjustment adjustment;
+    adjustment.gripperSerial = u"0002"_s;
+    adjustment.types = QStringList{u"A"_s};
+    adjustment.squeezes = 3;
+    adjustment.error.value = Eigen::Vector3d(0.05, 1.0 / 30, -1e-17);
+    adjustment.error.covariance = 1e-4 / 3 * Eigen::Matrix3d::Identity();
+    adjustment.reason = u"second line"_s;
+    const QString id = valueOf(library.acceptAdjustment(adjustment)).id;
+    valueOf(library.withdrawAdjustment(id, u"calibrated"_s, u"Ada"_s));
+}
+
 /// At least one row in every table, by what the program itself does.
 inline void fillEveryTable(Library& library)
 {
@@ -95,6 +126,9 @@ inline void fillEveryTable(Library& library)
     valueOf(library.addCalibration(aCalibration()));
     addReference(library);
     addDraft(library);
+    addStudy(library);
+    addAdjustment(library);
+    valueOf(library.fixProcessLimits(u"A"_s, u"{}"_s, u"Ada"_s));
     const People people(library);
     library.actAs(people.supervisor(library));
     valueOf(library.people().setArming(ArmingPolicy::Supervisors));

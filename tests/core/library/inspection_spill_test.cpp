@@ -33,6 +33,10 @@ NewInspection aFullInspection()
     Verdict& verdict = inspection.verdict;
     verdict.reasons = {u"Zoë."_s, u"Second."_s};
     verdict.rival = u"B"_s;
+    PartLimits limits;
+    limits.quantities[2] = ToleranceLimits{11500, {}};
+    verdict.conformity = valueOf(
+        judgeConformity(limits, {std::nullopt, std::nullopt, MeasuredValue{1.0 / 7e-4, 7, 5.5}}, 1.0));
     verdict.timesLonger = 2.5;
     verdict.heldForStranger = true;
     verdict.strangerPosterior = 1.0 / 7;

@@ -10,6 +10,7 @@
 #include "tests/core/library/people_fixture.h"
 #include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
+#include "tests/support/why_not.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -129,7 +130,7 @@ private slots:
                 shares.push_back(share);
                 return true;
             });
-            QVERIFY2(backup, backup ? "" : qPrintable(backup.error().describe()));
+            QVERIFY2(backup, qPrintable(whyNot(backup)));
             QCOMPARE(differencesOf(backup->verified), QString());
             QVERIFY(shares.front() < 1 && shares.back() == 1 && std::is_sorted(shares.begin(), shares.end()));
             QVERIFY(!QFile::exists(file + u".part"_s) && !QFile::exists(file + u"-wal"_s));
@@ -155,7 +156,7 @@ private slots:
                 valueOf(folder.open()->addInspection(anInspection()));
             return true;
         });
-        QVERIFY2(backup, backup ? "" : qPrintable(backup.error().describe()));
+        QVERIFY2(backup, qPrintable(whyNot(backup)));
         QVERIFY(came);
         QCOMPARE(differencesOf(backup->verified), QString());
         QCOMPARE(backup->contents.inspections, 61);
@@ -344,9 +345,9 @@ private slots:
         const BackedUp b;
         b.damage(what);
         const auto plan = prepareRestore(b.folder.file(), b.copy, unwatched());
-        QVERIFY2(plan, plan ? "" : qPrintable(plan.error().describe()));
+        QVERIFY2(plan, qPrintable(whyNot(plan)));
         const auto keptAs = restoreLibrary(*plan, {u"Mai"_s, {}, {}}, restoreReason);
-        QVERIFY2(keptAs, keptAs ? "" : qPrintable(keptAs.error().describe()));
+        QVERIFY2(keptAs, qPrintable(whyNot(keptAs)));
         QCOMPARE(b.inspections(b.folder.file()), 1);
         QCOMPARE(differencesOf(valueOf(verifyLibrary(b.folder.file()))), QString());
     }

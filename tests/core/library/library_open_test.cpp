@@ -92,6 +92,7 @@ private slots:
         QCOMPARE(inspections[0].reason.describe(), u"It was so."_s);
         QCOMPARE(inspections[0].batch, QString());
         QCOMPARE(type->code, QString());
+        QVERIFY(type->limits.isEmpty() && !inspections[0].conformity);
         // What was not recorded then is not made up.
         const HistoryQuery inspected{.kind = SqueezeKind::Inspection};
         const HistoryEntry before =

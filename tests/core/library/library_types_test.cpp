@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/audit/audit_trail.h"
 #include "core/library/migrations/migration.h"
+#include "core/library/records/enrollment_draft.h"
 #include "core/library/sql/database.h"
 #include "core/recognition/types/type_model.h"
 #include "tests/core/library/child_process.h"

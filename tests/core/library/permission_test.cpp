@@ -74,6 +74,12 @@ private slots:
         QTest::newRow("who may approve")
             << Change([](Library& l) { return l.people().setApproval(ApprovalPolicy::SecondPerson); })
             << u"policy.approval"_s;
+        QTest::newRow("limits of charts")
+            << Change([](Library& l) { return l.fixProcessLimits(u"A"_s, u"{}"_s, u"Sam"_s); })
+            << u"charts.fixed"_s;
+        QTest::newRow("no limits of charts")
+            << Change([](Library& l) { return l.fixProcessLimits(u"A"_s, {}, u"Sam"_s); })
+            << u"charts.released"_s;
         QTest::newRow("person") << Change([](Library& l) {
             return l.people().add(u"Ada"_s, Role::Operator, Secret(pin)).map(ignoreValue);
         }) << u"person.added"_s;

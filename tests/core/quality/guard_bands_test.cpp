@@ -107,6 +107,14 @@ private slots:
             QVERIFY2(std::abs(count - parts * risk) < 3 * std::sqrt(parts * risk * (1 - risk)),
                      qPrintable(QStringLiteral("%1 of %2").arg(count).arg(parts * risk)));
     }
+    /// Where the parts lie far from zero as well, and no slower: JCGM 106's resistor of 1500 ohms.
+    void whereTheScaleBeginsDoesNotMatter()
+    {
+        const MeasuredProcess here{{-0.2, 0.2}, 0, 0.12, 0.04}, there{{1499.8, 1500.2}, 1500, 0.12, 0.04};
+        QVERIFY(std::abs(globalRisks(here, 0)->consumers - 0.0189422) < 5e-8);
+        QVERIFY(std::abs(globalRisks(there, 0)->consumers - 0.0189422) < 5e-8);
+        QVERIFY(std::abs(**guardForRisk(here, 0.01) - **guardForRisk(there, 0.01)) < 1e-9);
+    }
     void aGuardBandHoldsItsRisk()
     {
         const MeasuredProcess process{{-2., 2.}, 0.1, 1, 0.2};

@@ -30,6 +30,15 @@ private slots:
         QVERIFY(!none);
         QVERIFY(none.error().describe().contains(u"the batch:3:2"_s));
     }
+    void emptyCellsMayBeMissing()
+    {
+        const auto table = StudyTable::parse("a,b\nx,1\n,2\ny,3\n", u"t.csv"_s);
+        QVERIFY(table && !table->labels(u"a"_s));
+        const auto labels = table->labels(u"a"_s, StudyTable::EmptyCells::Missing);
+        QVERIFY(labels);
+        QCOMPARE(labels->names, QStringList({u"x"_s, u"y"_s}));
+        QCOMPARE(labels->index, std::vector<int>({0, -1, 1}));
+    }
     void errorsNameThePlace_data()
     {
         QTest::addColumn<QByteArray>("text");

@@ -13,24 +13,6 @@ using namespace gripscope;
 using namespace gripscope::test;
 using namespace Qt::StringLiterals;
 
-namespace {
-
-/// Share of squeezes of the first type that fall outside its gate, each after an enrolment of its own.
-double rejectedShare(int types, int squeezes, double correlation, int enrolments)
-{
-    constexpr double rate = 0.01;
-    GaussianTypes source(std::uint64_t(100 * types + squeezes), correlation);
-    int rejected = 0;
-    for (int i = 0; i < enrolments; ++i) {
-        const TypeModels models = fitTypeModels(source.enrolment(types, squeezes));
-        const double gate = falseRejectGate(squeezes, models.degreesOfFreedom, rate).value();
-        rejected += squaredDistance(models, models.types[0], source.squeeze(0)).value() > gate;
-    }
-    return double(rejected) / enrolments;
-}
-
-} // namespace
-
 class TypeModelTest : public QObject {
     Q_OBJECT
 private slots:
@@ -150,36 +132,6 @@ private slots:
         QVERIFY(!falseRejectGate(4, 30, 0));
         QVERIFY(!falseRejectGate(4, 30, 1));
         QVERIFY(!falseRejectGate(4, 3, 1e-300)); // beyond the largest number: no gate, no exception
-    }
-    void gateRejectsAtItsStatedRate_data()
-    {
-        QTest::addColumn<int>("types");
-        QTest::addColumn<int>("squeezes");
-        QTest::addColumn<double>("correlation");
-        QTest::newRow("4 types, 10 squeezes") << 4 << 10 << 0.0;
-        QTest::newRow("4 types, 10 squeezes, m b k together") << 4 << 10 << 0.9;
-        QTest::newRow("4 types, 5 squeezes") << 4 << 5 << 0.0;
-        QTest::newRow("4 types, 5 squeezes, m b k together") << 4 << 5 << 0.9;
-        QTest::newRow("4 types, 3 squeezes") << 4 << 3 << 0.0;
-        QTest::newRow("1 type, 20 squeezes") << 1 << 20 << 0.5;
-    }
-    void gateRejectsAtItsStatedRate()
-    {
-        QFETCH(int, types);
-        QFETCH(int, squeezes);
-        QFETCH(double, correlation);
-        constexpr int enrolments = 20000;
-        // Three standard deviations of a binomial share of 1 %: 0.0021. The seeds are fixed.
-        const double tolerance = 3 * std::sqrt(0.01 * 0.99 / enrolments);
-        const double share = rejectedShare(types, squeezes, correlation, enrolments);
-        QVERIFY2(std::abs(share - 0.01) < tolerance, qPrintable(QString::number(share)));
-    }
-    void withFewSqueezesThatGoTogetherTheGateRejectsNoMoreThanStated()
-    {
-        const double most = 0.01 + 3 * std::sqrt(0.01 * 0.99 / 20000);
-        for (int squeezes : {4, 5, 6})
-            QVERIFY(rejectedShare(1, squeezes, 0.9, 20000) < most);
-        QVERIFY(rejectedShare(4, 3, 0.9, 20000) < most);
     }
     void typeEllipsoidHoldsItsShareOfSqueezes()
     {

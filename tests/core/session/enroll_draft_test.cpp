@@ -7,7 +7,6 @@
 
 #include <QTemporaryDir>
 #include <QTest>
-#include <QThreadPool>
 
 using namespace gripscope;
 using namespace gripscope::test;
@@ -54,20 +53,13 @@ struct Run : EnrollmentRun {
     }
 };
 
-/// A child has only the thread that made it, and the pool must not take others for living.
-pid_t startAlone(const std::function<void()>& work)
-{
-    QThreadPool::globalInstance()->waitForDone();
-    return startChild(work);
-}
-
 /// A process that enrols up to `goal` and is then killed without warning, at the moment it said so.
 bool killedAfter(const QString& file, const std::function<bool(Run&)>& goal)
 {
     int ends[2] = {-1, -1};
     if (pipe(ends) != 0)
         return false;
-    const pid_t process = startAlone([&] {
+    const pid_t process = startChild([&] {
         Run run(file);
         if (!goal(run))
             _exit(1);
@@ -141,7 +133,7 @@ private slots:
         // While squeezes are accepted one after another: whatever is there is there once.
         for (int milliseconds = 20; milliseconds <= 220; milliseconds += 40) {
             const QString name = m_folder->filePath(u"killed%1.db"_s.arg(milliseconds));
-            const pid_t process = startAlone([&] {
+            const pid_t process = startChild([&] {
                 Run run(name);
                 if (!run.begin(u"Can"_s))
                     _exit(1);

@@ -52,9 +52,9 @@ private slots:
         QVERIFY(inspectionOutcome(VerdictKind::Invalid, {}, a) == InspectionOutcome::NotValid);
         const QSet<QString> words{
             toString(InspectionOutcome::AsExpected), toString(InspectionOutcome::OtherType),
-            toString(InspectionOutcome::Unknown), toString(InspectionOutcome::Inconclusive),
-            toString(InspectionOutcome::NotValid)};
-        QCOMPARE(words.size(), 5);
+            toString(InspectionOutcome::Unknown),    toString(InspectionOutcome::Inconclusive),
+            toString(InspectionOutcome::NotValid),   toString(InspectionOutcome::DoesNotConform)};
+        QCOMPARE(words.size(), 6);
     }
     void aSqueezeOfTheGripperGetsItsVerdictAndANumber()
     {

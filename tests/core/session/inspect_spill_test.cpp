@@ -11,7 +11,6 @@
 #include <QRandomGenerator>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QThreadPool>
 
 #include <set>
 
@@ -28,7 +27,6 @@ class Inspector {
 public:
     explicit Inspector(const std::function<bool(InspectionRun&, const Tell& tell)>& work, const QString& file)
     {
-        QThreadPool::globalInstance()->waitForDone(); // a child has only the thread that made it
         if (pipe(m_ends) != 0)
             qFatal("no pipe");
         m_process = startChild([&] {

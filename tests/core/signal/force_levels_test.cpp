@@ -2,6 +2,7 @@
 #include "core/signal/excitation/force_levels.h"
 #include "core/signal/recording/recording_csv.h"
 #include "tests/support/test_registry.h"
+#include "tests/support/why_not.h"
 
 #include <QTest>
 
@@ -104,7 +105,7 @@ private slots:
         const QByteArray text = "force;remark\n10,5;a\n12,5;b\n9,0;c\n";
         QVERIFY(!parseForceLevels(text, u"f.csv"_s));
         const auto force = parseForceLevels(text, u"f.csv"_s, 0.02);
-        QVERIFY2(force, force ? "" : qPrintable(force.error().describe()));
+        QVERIFY2(force, qPrintable(test::whyNot(force)));
         QCOMPARE(force->bit_s, 0.02);
         QCOMPARE(force->bias, 10.75);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/signal/recording/foreign_table.h"
 #include "tests/support/test_registry.h"
+#include "tests/support/why_not.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -79,7 +80,7 @@ private slots:
     {
         QFETCH(QByteArray, text);
         const Expected<ForeignTable> table = examineTable(text, u"x.csv"_s);
-        QVERIFY2(table.has_value(), table ? "" : qPrintable(table.error().describe()));
+        QVERIFY2(table.has_value(), qPrintable(test::whyNot(table)));
         const CsvReadOptions options = proposedReading(*table);
         QTEST(options.columns->time ? int(*options.columns->time) : -1, "time");
         QTEST(int(options.columns->force), "force");
@@ -102,7 +103,7 @@ private slots:
     {
         QFETCH(QByteArray, text);
         const Expected<ForeignTable> table = examineTable(text, u"x.csv"_s);
-        QVERIFY2(table.has_value(), table ? "" : qPrintable(table.error().describe()));
+        QVERIFY2(table.has_value(), qPrintable(test::whyNot(table)));
         QTEST(table->format.delimiter, "delimiter");
         QTEST(table->format.decimalMark, "mark");
         QCOMPARE(table->columns, QStringList({u"u"_s, u"y"_s}));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/signal/recording/recording_csv.h"
 #include "tests/support/test_registry.h"
+#include "tests/support/why_not.h"
 
 #include <QTest>
 
@@ -43,7 +44,7 @@ private slots:
     {
         const Recording recording = recordingWith(fullChain());
         const Expected<Recording> back = parseRecordingCsv(toCsv(recording), u"x.csv"_s);
-        QVERIFY2(back.has_value(), back ? "" : qPrintable(back.error().describe()));
+        QVERIFY2(back.has_value(), qPrintable(test::whyNot(back)));
         QVERIFY(*back == recording);
     }
     void eachKeyStandsAlone_data()
@@ -57,7 +58,7 @@ private slots:
         QFETCH(QByteArray, line);
         const Expected<Recording> read =
             parseRecordingCsv("# sample_time_s: 1\n" + line + "\nforce,position\n1,3\n2,4\n", u"x.csv"_s);
-        QVERIFY2(read.has_value(), read ? "" : qPrintable(read.error().describe()));
+        QVERIFY2(read.has_value(), qPrintable(test::whyNot(read)));
         QVERIFY(!(read->chain == MeasuringChain()));
         QVERIFY(read->provenance.isEmpty());
         QVERIFY(*parseRecordingCsv(toCsv(*read), u"x.csv"_s) == *read);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/signal/recording/recording_csv.h"
 #include "tests/support/test_registry.h"
+#include "tests/support/why_not.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -63,7 +64,7 @@ private slots:
     {
         const Recording recording = fullRecording();
         const Expected<Recording> back = parseRecordingCsv(toCsv(recording), u"x.csv"_s);
-        QVERIFY2(back.has_value(), back ? "" : qPrintable(back.error().describe()));
+        QVERIFY2(back.has_value(), qPrintable(test::whyNot(back)));
         QVERIFY(*back == recording);
         QVERIFY(std::signbit(back->position[2]));
     }
@@ -103,10 +104,10 @@ private slots:
     {
         QFETCH(QByteArray, head);
         const auto read = parseRecordingCsv(head + "time_s,force,position\n0,1,2\n0.1,1,2\n", u"x.csv"_s);
-        QVERIFY2(read.has_value(), read ? "" : qPrintable(read.error().describe()));
+        QVERIFY2(read.has_value(), qPrintable(test::whyNot(read)));
         const QByteArray written = toCsv(*read);
         const auto again = parseRecordingCsv(written, u"x.csv"_s);
-        QVERIFY2(again.has_value(), again ? "" : qPrintable(again.error().describe()));
+        QVERIFY2(again.has_value(), qPrintable(test::whyNot(again)));
         QVERIFY(*again == *read);
         QCOMPARE(toCsv(*again), written);
     }
@@ -158,7 +159,7 @@ private slots:
     {
         QFETCH(QByteArray, text);
         const Expected<Recording> recording = parseRecordingCsv(text, u"x.csv"_s, uAndY());
-        QVERIFY2(recording.has_value(), recording ? "" : qPrintable(recording.error().describe()));
+        QVERIFY2(recording.has_value(), qPrintable(test::whyNot(recording)));
         QVERIFY((recording->force == std::vector<double>{1, 3}));
         QVERIFY((recording->position == std::vector<double>{2, 4}));
     }

@@ -76,7 +76,7 @@ private slots:
         QFETCH(QString, language);
         const QDir folder(kept(theme, language));
         const QStringList names = folder.entryList({u"*.png"_s}, QDir::Files);
-        QCOMPARE(names.size(), 7);
+        QCOMPARE(names.size(), 8);
         QStringList others;
         for (const QString& name : names)
             if (const QSize size = QImage(folder.filePath(name)).size(); size != QSize(1024, 640))

@@ -4,6 +4,7 @@
 #include "ui/context/workbench.h"
 #include "ui/format/calibration_words.h"
 #include "ui/format/date_text.h"
+#include "ui/format/study_due_words.h"
 #include "ui/models/calibration_models.h"
 #include "ui/pages/calibrate/calibrate_parts.h"
 #include "ui/pages/calibrate/calibrate_taking.h"
@@ -67,7 +68,8 @@ struct CalibrateSensors::Private {
     CalibrationListModel* list = nullptr;
     QTableView* table = nullptr;
     CalibrationPlot* plot = nullptr;
-    QLabel *force = nullptr, *position = nullptr, *chosen = nullptr;
+    QLabel *force = nullptr, *position = nullptr, *studies = nullptr, *chosen = nullptr;
+    std::vector<StudyRecord> studied; ///< as the library had them when it was last asked
     QPushButton* certificate = nullptr;
     QStackedWidget* history = nullptr;
     bool active = false, stale = true;
@@ -129,13 +131,15 @@ QLayout* CalibrateSensors::makeStatus(QWidget* card)
     status->setColumnStretch(1, 1);
     int line = 0;
     for (const auto& [label, name] :
-         {std::pair(&d->force, tr("Force")), std::pair(&d->position, tr("Position"))}) {
+         {std::pair(&d->force, tr("Force")), std::pair(&d->position, tr("Position")),
+          std::pair(&d->studies, tr("Studies"))}) {
         *label = makeLabel({}, "second", card);
         (*label)->setWordWrap(true);
         status->addWidget(makeLabel(name, "strong", card), line, 0, Qt::AlignTop);
         status->addWidget(*label, line++, 1, Qt::AlignTop);
     }
     d->force->setObjectName("forceCalibrationStatus");
+    d->studies->setObjectName("studiesStatus");
     return status;
 }
 
@@ -284,6 +288,13 @@ void CalibrateSensors::reload()
             if (loaded())
                 d->table->selectRow(0);
         });
+    using Studies = std::vector<StudyRecord>;
+    d->bench.background().ask<Studies>(
+        this, [](Library& library) { return library.studies(mostShown); },
+        [this](Expected<Studies> studies) {
+            d->studied = std::move(studies).value_or(Studies());
+            showStatus();
+        });
 }
 
 void CalibrateSensors::showStatus()
@@ -294,6 +305,10 @@ void CalibrateSensors::showStatus()
     d->position->setText(CalibrationWords::status(known.record(SensorChannel::Position), today));
     if (!known.unusable().isEmpty())
         d->force->setText(known.unusable());
+    const ConnectSession& connection = d->bench.connection();
+    const bool connected = connection.state() == ConnectSession::State::Connected;
+    d->studies->setText(StudyDueWords::lines(
+        studyStandings(d->studied, connected ? connection.identity().serial : QString()), today));
 }
 
 void CalibrateSensors::refresh()

@@ -4,6 +4,7 @@
 #include "ui/context/workbench.h"
 #include "ui/pages/enroll/enroll_picture_field.h"
 #include "ui/pages/enroll/enrolled_types_dialog.h"
+#include "ui/pages/shared/type_limits_dialog.h"
 #include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/plain_text.h"
@@ -121,6 +122,13 @@ void EnrolledTypesDialog::editCode()
         });
     });
     form->open();
+}
+
+void EnrolledTypesDialog::editLimits()
+{
+    auto* dialog = new TypeLimitsDialog(*m_workbench, selectedType()->name, this);
+    connect(dialog, &QDialog::accepted, this, &EnrolledTypesDialog::load);
+    dialog->open();
 }
 
 void EnrolledTypesDialog::merge()

@@ -101,6 +101,7 @@ QWidget* EnrolledTypesDialog::makeTypes()
     m_picture = addAction(actions, tr("Picture…"), "pictureButton", &EnrolledTypesDialog::choosePicture);
     m_rename = addAction(actions, tr("Rename…"), "renameButton", &EnrolledTypesDialog::rename);
     m_code = addAction(actions, tr("Code…"), "codeButton", &EnrolledTypesDialog::editCode);
+    m_limits = addAction(actions, tr("Limits…"), "limitsButton", &EnrolledTypesDialog::editLimits);
     m_merge = addAction(actions, tr("Merge…"), "mergeButton", &EnrolledTypesDialog::merge);
     m_split = addAction(actions, tr("Split…"), "splitButton", &EnrolledTypesDialog::split);
     m_approve = addAction(actions, tr("Approve"), "approveTypeButton", &EnrolledTypesDialog::approve);
@@ -211,6 +212,7 @@ void EnrolledTypesDialog::refresh()
     m_picture->setEnabled(type);
     m_rename->setEnabled(type);
     m_code->setEnabled(type);
+    m_limits->setEnabled(inUse);
     m_merge->setEnabled(inUse && m_contents.types.size() > 1);
     m_split->setEnabled(inUse && type->squeezes > 1);
     m_approve->setEnabled(inUse && type->status != TypeStatus::Approved);

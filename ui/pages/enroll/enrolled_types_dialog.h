@@ -56,6 +56,7 @@ private:
     void choosePicture();
     void rename();
     void editCode();
+    void editLimits();
     void merge();
     void split();
     void approve();
@@ -68,8 +69,8 @@ private:
     Workbench* m_workbench;
     Contents m_contents;
     QTableWidget *m_types, *m_versions;
-    QPushButton *m_picture, *m_rename, *m_code, *m_merge, *m_split, *m_approve, *m_retire, *m_putBack,
-        *m_restore, *m_undo;
+    QPushButton *m_picture, *m_rename, *m_code, *m_limits, *m_merge, *m_split, *m_approve, *m_retire,
+        *m_putBack, *m_restore, *m_undo;
     QLabel* m_state;
 };
 

@@ -90,9 +90,7 @@ QWidget* HistoryFilterBar::buildFirst()
     m_kind->addItem(tr("Inspections"), toString(SqueezeKind::Inspection));
     m_kind->addItem(tr("Enrolments"), toString(SqueezeKind::Enrollment));
     m_outcome = makeBox(tr("All outcomes"), tr("Outcome"), "historyOutcome");
-    for (const InspectionOutcome outcome :
-         {InspectionOutcome::AsExpected, InspectionOutcome::OtherType, InspectionOutcome::Unknown,
-          InspectionOutcome::Inconclusive, InspectionOutcome::NotValid})
+    for (const InspectionOutcome outcome : allInspectionOutcomes)
         m_outcome->addItem(outcomeFilterWord(outcome), int(outcome));
     m_validity = makeBox(tr("Any validity"), tr("Validity of the measurement"), "historyValidity");
     for (const ValidityVerdict validity :

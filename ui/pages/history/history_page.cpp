@@ -180,6 +180,9 @@ void HistoryPage::buildExportMenu()
     menu->addAction(tr("All that is listed, as JSON…"), this, [this] {
         chooseFile(tr("Export as JSON"), tr("JSON (*.json)"), u"json"_s, &HistoryPage::exportJson);
     });
+    menu->addAction(tr("All that is listed, for Q-DAS…"), this, [this] {
+        chooseFile(tr("Export for Q-DAS"), tr("AQDEF (*.dfq)"), u"dfq"_s, &HistoryPage::exportAqdef);
+    });
     menu->addAction(tr("Report as PDF…"), this, [this] {
         chooseFile(tr("Save the report"), tr("PDF (*.pdf)"), u"pdf"_s, &HistoryPage::reportTo);
     });

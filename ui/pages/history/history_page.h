@@ -27,6 +27,8 @@ public:
     [[nodiscard]] bool tourReady() const override;
 
     [[nodiscard]] HistoryModel* model() const;
+    /// Chooses it in the list of all squeezes, by its key.
+    void showSqueeze(const QString& graspId);
     /// Writes all squeezes that the filters let through, shown or not.
     void exportTo(const QString& file, HistoryFormat format);
     /// Writes the recordings of the selected squeezes into a folder.
@@ -58,6 +60,7 @@ private:
                     void (HistoryPage::*write)(const QString&));
     void exportCsv(const QString& file) { exportTo(file, HistoryFormat::Csv); }
     void exportJson(const QString& file) { exportTo(file, HistoryFormat::Json); }
+    void exportAqdef(const QString& file) { exportTo(file, HistoryFormat::Aqdef); }
     void chooseFolder();
 
     struct Private;

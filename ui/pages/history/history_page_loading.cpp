@@ -87,9 +87,18 @@ void HistoryPage::reload()
             if (std::exchange(d->choosesFirst, false))
                 d->table->selectRow(0);
             showContent();
+            if (!d->wanted.isEmpty())
+                choose(std::exchange(d->wanted, {}));
             loadPoints();
             countOn();
         });
+}
+
+void HistoryPage::showSqueeze(const QString& graspId)
+{
+    d->wanted = graspId;
+    d->list->setChecked(true);
+    d->filters->clear(); // which reads the list anew
 }
 
 /// Others have their turn at the library between two stretches.

@@ -34,6 +34,7 @@ struct HistoryPage::Private {
     QString detailed; ///< whose details are shown or on their way
     bool stale = true, loading = false;
     bool choosesFirst = false; ///< of the next list
+    QString wanted;            ///< the key of what the next list chooses
     ExampleInspections* examples = nullptr;
 };
 

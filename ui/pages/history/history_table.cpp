@@ -114,9 +114,7 @@ int widestOutcome(const QFontMetrics& font)
 {
     constexpr int signAndAir = 48;
     int wide = 0;
-    for (const InspectionOutcome outcome :
-         {InspectionOutcome::AsExpected, InspectionOutcome::OtherType, InspectionOutcome::Unknown,
-          InspectionOutcome::Inconclusive, InspectionOutcome::NotValid})
+    for (const InspectionOutcome outcome : allInspectionOutcomes)
         for (const bool expected : {true, false})
             wide = std::max(wide, font.horizontalAdvance(outcomeWord(outcome, false, expected)));
     return wide + signAndAir;

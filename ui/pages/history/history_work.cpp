@@ -202,7 +202,7 @@ namespace {
 /// A file that is being written; without commit() nothing of it stays.
 struct WholeFile {
     WholeFile(const HistoryQuery& query, HistoryFormat as, const QString& name)
-        : document(query, as), format(as == HistoryFormat::Csv ? u"csv"_s : u"json"_s), file(name)
+        : document(query, as), format(toString(as)), file(name)
     {
     }
     HistoryDocument document;

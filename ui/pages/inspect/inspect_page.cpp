@@ -193,6 +193,43 @@ void InspectPage::buildVerdict(QBoxLayout* column)
     row->addWidget(d->reason, 1);
     row->addWidget(d->voidLast, 0, Qt::AlignTop);
     column->addLayout(row);
+    d->drift = makeLabel({}, "error", this);
+    d->drift->setObjectName("driftLabel");
+    d->drift->setWordWrap(true);
+    d->drift->hide();
+    column->addWidget(d->drift);
+    d->adjustment = new ElidedLabel({}, this);
+    setRole(d->adjustment, "caption");
+    d->adjustment->setObjectName("adjustmentLabel");
+    d->adjustment->hide();
+    column->addWidget(d->adjustment);
+}
+
+void InspectPage::refreshDrift()
+{
+    const std::optional<DriftReport>& report = workbench().inspection().drift();
+    const std::optional<Finding> drift = report ? driftSignal(*report) : std::nullopt;
+    const std::optional<Finding>& chart = workbench().inspection().processSignal();
+    // Of both one sentence: what has moved tells most; then the charts, whose limits somebody fixed.
+    const bool moved = drift && report && !report->moved.isEmpty();
+    const std::optional<Finding>& signal = moved || !chart ? drift : chart;
+    const std::optional<AdjustmentStanding> adjustment = workbench().inspection().adjustment();
+    QStringList told = adjustment ? described(adjustmentSignals(*adjustment)) : QStringList();
+    if (signal)
+        told.prepend(signal->describe());
+    QStringList all;
+    if (chart)
+        all << chart->describe();
+    if (drift)
+        all << drift->describe() << described(report->words);
+    d->drift->setVisible(!told.isEmpty());
+    d->drift->setText(told.join(u' '));
+    d->drift->setToolTip(all.join(u'\n'));
+    d->adjustment->setVisible(adjustment.has_value());
+    if (adjustment)
+        d->adjustment->setFullText(
+            tr("Adjusted to the gripper of the types: %1.")
+                .arg(adjustmentInWords(adjustment->record.adjustment.error).describe()));
 }
 
 void InspectPage::buildActions(QBoxLayout* column)
@@ -401,6 +438,7 @@ void InspectPage::refreshVerdict()
     d->reason->showResult(shown ? &*shown : nullptr);
     d->reason->showRates(shown ? shown->rates : workbench().rates().rates);
     d->measurement->showResult(shown);
+    refreshDrift();
     if (result && !StopStanding::of(workbench()).notObeyed())
         tellResult(*result);
 }

@@ -59,6 +59,7 @@ private:
     void refreshExpected();
     void refreshActions();
     void refreshVerdict();
+    void refreshDrift();
     void play(Sound sound); ///< unless it was switched off
     [[nodiscard]] bool isPast(const InspectSession::Result& result);
     void tellResult(const InspectSession::Result& result);

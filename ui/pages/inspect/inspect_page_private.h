@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QStringList>
 
+class QLabel;
 class QLineEdit;
 
 namespace gripscope {
@@ -28,7 +29,9 @@ struct InspectPage::Private {
     InspectReason* reason = nullptr;
     InspectMeasurement* measurement = nullptr;
     QString expectedNow;
-    QStringList shownTypes; ///< names and how many squeezes
+    QStringList shownTypes;            ///< names and how many squeezes
+    QLabel* drift = nullptr;           ///< what moved since the enrolment
+    ElidedLabel* adjustment = nullptr; ///< that the gripper's squeezes are adjusted by
     QPushButton *squeeze = nullptr, *arm = nullptr, *voidLast = nullptr;
     QLineEdit* part = nullptr;
     FittedLabel* over = nullptr;  ///< that the batch is complete

@@ -186,6 +186,8 @@ void InspectSummary::refreshCounts()
             parts << u"%1 %2"_s.arg(formatCount(count), outcomeWord(outcome));
     };
     add(counts.otherType, InspectionOutcome::OtherType);
+    if (counts.doesNotConform > 0)
+        parts << tr("%1 not conforming").arg(formatCount(counts.doesNotConform));
     add(counts.unknown, InspectionOutcome::Unknown);
     add(counts.inconclusive, InspectionOutcome::Inconclusive);
     add(counts.invalid, InspectionOutcome::NotValid);

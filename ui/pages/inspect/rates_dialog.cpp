@@ -2,6 +2,7 @@
 #include "ui/context/workbench.h"
 #include "ui/pages/inspect/inspect_parts.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/form_rows.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -51,7 +52,7 @@ QDoubleSpinBox* RatesDialog::addRate(QFormLayout* form, const QString& name, con
     field->setAccessibleName(name);
     field->setAccessibleDescription(meaning);
     field->setFixedWidth(128);
-    form->addRow(makeLabel(name, "strong", this), field);
+    addFormRow(form, makeLabel(name, "strong", this), field);
     form->addRow(explanation(meaning, this));
     return field;
 }
@@ -60,9 +61,7 @@ void RatesDialog::build()
 {
     auto* column = new QVBoxLayout(this);
     setSpacing(column, 24, 8);
-    auto* form = new QFormLayout;
-    form->setHorizontalSpacing(16);
-    form->setVerticalSpacing(8);
+    QFormLayout* form = makeForm();
     m_falseReject = addRate(form, tr("False-reject rate"),
                             tr("Of the squeezes of enrolled types, the share that may be called unknown."));
     m_falseReject->setObjectName("falseRejectField");

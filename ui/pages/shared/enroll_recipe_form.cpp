@@ -11,6 +11,7 @@
 #include "ui/pages/shared/force_levels_row.h"
 #include "ui/pages/shared/force_picture.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/narrow_choice.h"
 #include "ui/widgets/quantity_box.h"
 
 #include <QComboBox>
@@ -126,15 +127,12 @@ void EnrollRecipeForm::setRecipe(const Recipe& recipe, bool readOnly)
 
 void EnrollRecipeForm::makeKind()
 {
-    m_kind = new QComboBox(this);
+    constexpr int shortest = 8; // the fields beside it set the width
+    m_kind = new NarrowChoice(shortest, this);
     m_kind->setObjectName("recipeKind");
     m_kind->setAccessibleName(tr("How the force goes"));
     for (const ExcitationKind kind : RecipeWords::kinds())
         m_kind->addItem(RecipeWords::name(kind), static_cast<int>(kind));
-    // The fields beside it set the width; the list that opens is as wide as it needs.
-    constexpr int shortest = 8;
-    m_kind->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_kind->setMinimumContentsLength(shortest);
     m_picture = new ForcePicture(this);
     connect(m_kind, &QComboBox::currentIndexChanged, this, &EnrollRecipeForm::validate);
 }

@@ -10,6 +10,7 @@
 #include "ui/pages/fit/fit_page_export.h"
 #include "ui/pages/fit/fit_page_squeezes.h"
 #include "ui/pages/shared/example_types_button.h"
+#include "ui/pages/shared/type_limits_dialog.h"
 #include "ui/pages/types/types_page_clusters.h"
 #include "ui/pages/types/types_page_parts.h"
 #include "ui/scene/scene_view.h"
@@ -95,6 +96,8 @@ TypesPage::TypesPage(Workbench& bench, QWidget* parent) : Page(bench, parent), d
     connect(d->side, &TypesSide::visibilityChanged, this, [this] { refresh(); });
     connect(d->side, &TypesSide::openAsked, this, [this] { openPicked(); });
     connect(d->side, &TypesSide::manageAsked, &bench.navigator(), &Navigator::manageTypes);
+    connect(d->side, &TypesSide::limitsAsked, this,
+            [this, &bench] { (new TypeLimitsDialog(bench, {}, this))->open(); });
     connect(clusters(), &ClustersPanel::asked, this, [this] { cluster(); });
     connect(clusters(), &ClustersPanel::cancelled, this, [this] { stop(d->clusteringWatch); });
     connect(clusters(), &ClustersPanel::scalingChanged, this, [this] { dropAdvice(); });

@@ -42,6 +42,7 @@ signals:
     void visibilityChanged();
     void openAsked();   ///< the picked squeeze on the Fit page
     void manageAsked(); ///< what can be done to the enrolled types
+    void limitsAsked(); ///< what their parts may be
 
 private:
     [[nodiscard]] QWidget* buildTypes();

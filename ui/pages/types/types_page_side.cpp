@@ -9,6 +9,7 @@
 
 #include <QCheckBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QPainter>
 #include <QVBoxLayout>
 
@@ -81,7 +82,16 @@ QWidget* TypesSide::buildTypes()
     manage->setObjectName("manageTypesButton");
     manage->setToolTip(tr("Rename, merge, split or retire types; undo changes"));
     connect(manage, &QPushButton::clicked, this, &TypesSide::manageAsked);
-    column->addWidget(manage, 0, Qt::AlignLeft);
+    QPushButton* limits = makeButton(tr("Limits…"));
+    limits->setObjectName("typeLimitsButton");
+    limits->setToolTip(tr("What mass, damping and stiffness of the parts of a type may be"));
+    connect(limits, &QPushButton::clicked, this, &TypesSide::limitsAsked);
+    auto* actions = new QHBoxLayout;
+    actions->setSpacing(8);
+    actions->addWidget(manage);
+    actions->addWidget(limits);
+    actions->addStretch(1);
+    column->addLayout(actions);
     column->addWidget(m_spread);
     column->addWidget(m_elsewhere);
     column->addWidget(m_highlight);

@@ -5,6 +5,7 @@
 #include "ui/scene/scene_view.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/narrow_choice.h"
 #include "ui/widgets/tool_button.h"
 #include "ui/windows/file_dialog.h"
 
@@ -147,7 +148,7 @@ void StepBar::refresh()
 }
 
 SceneToolBar::SceneToolBar(SceneView* view, FitExporter* exporter, QWidget* parent)
-    : QWidget(parent), m_view(view), m_source(new QComboBox)
+    : QWidget(parent), m_view(view), m_source(new NarrowChoice(1))
 {
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(12, 0, 12, 0);
@@ -160,7 +161,6 @@ SceneToolBar::SceneToolBar(SceneView* view, FitExporter* exporter, QWidget* pare
     m_source->setIconSize({});
     m_source->setMinimumContentsLength(
         int(std::ceil(letters.horizontalAdvance(m_source->itemText(0)) / letters.horizontalAdvance(u'X'))));
-    m_source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_source->view()->setMinimumWidth(300);
     connect(m_source, &QComboBox::currentIndexChanged, this,
             [this](int index) { emit paperAsked(index == 1); });

@@ -173,6 +173,8 @@ QString settingGroupName(SettingGroup group)
         return SettingWords::tr("Inspecting");
     case SettingGroup::Rates:
         return SettingWords::tr("Rates");
+    case SettingGroup::Studies:
+        return SettingWords::tr("Studies of the gripper");
     case SettingGroup::Sessions:
         return SettingWords::tr("Kept sessions");
     case SettingGroup::Start:
@@ -181,6 +183,8 @@ QString settingGroupName(SettingGroup group)
         return SettingWords::tr("People");
     case SettingGroup::Reports:
         return SettingWords::tr("Reports and certificates");
+    case SettingGroup::Line:
+        return SettingWords::tr("Line");
     }
     return {};
 }

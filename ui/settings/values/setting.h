@@ -10,7 +10,7 @@
 namespace gripscope {
 
 enum class SettingKind { Switch, Choice, Number, Text, Folder, Picture };
-enum class SettingGroup { Appearance, Inspecting, Rates, Sessions, Start, People, Reports };
+enum class SettingGroup { Appearance, Inspecting, Rates, Studies, Sessions, Start, People, Reports, Line };
 enum class SettingApplies { AtOnce, NextConnection, NextStart };
 
 /// One of what a Choice may be: its stored word and what a person reads.
@@ -83,6 +83,11 @@ inline constexpr SettingKey<double> confidence{"rates/confidence"};         ///<
 inline constexpr SettingKey<bool> robust{"rates/robust"};
 inline constexpr SettingKey<bool> earlyEnd{"rates/earlyEnd"};
 inline constexpr SettingKey<bool> refuseOverdue{"inspecting/refuseOverdue"};
+// Months until a study is due again; 0: never
+inline constexpr SettingKey<double> typeOneMonths{"quality/typeOneMonths"};
+inline constexpr SettingKey<double> gaugeMonths{"quality/gaugeMonths"};
+inline constexpr SettingKey<double> linearityMonths{"quality/linearityMonths"};
+inline constexpr SettingKey<double> attributesMonths{"quality/attributesMonths"};
 inline constexpr SettingKey<double> mostLostShare{"inspecting/mostLostShare"}; ///< 0: no limit
 inline constexpr SettingKey<bool> onlySignedIn{"inspecting/onlySignedIn"};
 inline constexpr SettingKey<bool> keepSessions{"captures/keep"};
@@ -96,7 +101,14 @@ inline constexpr SettingKey<QString> company{"reports/company"};
 inline constexpr SettingKey<QString> companyAddress{"reports/address"}; ///< lines parted by semicolons
 inline constexpr SettingKey<QString> companyLogo{"reports/logo"};       ///< a file
 inline constexpr SettingKey<double> gravity{"reports/gravity"};         ///< local, m/s²
-inline constexpr SettingKey<double> idleMinutes{"people/idleMinutes"};  ///< 0: never
+inline constexpr SettingKey<bool> lineOn{"line/on"};
+inline constexpr SettingKey<QString> lineHost{
+    "line/host"}; ///< an address to listen on; empty: this computer's
+inline constexpr SettingKey<double> linePort{"line/port"};
+inline constexpr SettingKey<QString> linePeers{"line/peers"};          ///< parted by semicolons
+inline constexpr SettingKey<QString> lineTypes{"line/types"};          ///< by number, parted by semicolons
+inline constexpr SettingKey<double> lineHeartbeat{"line/heartbeat"};   ///< seconds
+inline constexpr SettingKey<double> idleMinutes{"people/idleMinutes"}; ///< 0: never
 } // namespace setting
 
 } // namespace gripscope

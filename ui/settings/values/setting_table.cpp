@@ -184,6 +184,34 @@ std::vector<Setting> inspecting()
     return all;
 }
 
+/// After how many months a study is due again.
+Setting repeated(const char* key, const char* name)
+{
+    Setting one{
+        key,
+        SettingKind::Number,
+        12.0,
+        SettingGroup::Studies,
+        name,
+        QT_TRANSLATE_NOOP("gripscope::Setting", "Months for which a study holds that is begun from now on.")};
+    one.most = 120;
+    one.zeroMeans = QT_TRANSLATE_NOOP("gripscope::Setting", "never");
+    one.needsSupervisor = one.needsReason = true;
+    return one;
+}
+
+std::vector<Setting> studies()
+{
+    return {repeated(setting::typeOneMonths.key,
+                     QT_TRANSLATE_NOOP("gripscope::Setting", "Type-1 study is due again")),
+            repeated(setting::gaugeMonths.key,
+                     QT_TRANSLATE_NOOP("gripscope::Setting", "Gauge study is due again")),
+            repeated(setting::linearityMonths.key,
+                     QT_TRANSLATE_NOOP("gripscope::Setting", "Linearity study is due again")),
+            repeated(setting::attributesMonths.key,
+                     QT_TRANSLATE_NOOP("gripscope::Setting", "Attribute study is due again"))};
+}
+
 std::vector<Setting> rates()
 {
     const VerdictOptions usual;
@@ -307,6 +335,55 @@ std::vector<Setting> reports()
     return {company, address, logo, gravity};
 }
 
+std::vector<Setting> line()
+{
+    Setting on = toggle(setting::lineOn.key, false, SettingGroup::Line,
+                        QT_TRANSLATE_NOOP("gripscope::Setting", "A PLC may trigger squeezes"),
+                        QT_TRANSLATE_NOOP("gripscope::Setting",
+                                          "By Modbus TCP, of a gripper that a person has armed. The register "
+                                          "map is in the manual."));
+    Setting host = text(setting::lineHost.key, SettingKind::Text, SettingGroup::Line,
+                        QT_TRANSLATE_NOOP("gripscope::Setting", "Listens on"),
+                        QT_TRANSLATE_NOOP("gripscope::Setting",
+                                          "A network address of this computer. Empty: 127.0.0.1, which no "
+                                          "other computer reaches."));
+    Setting port{setting::linePort.key,
+                 SettingKind::Number,
+                 1502.0,
+                 SettingGroup::Line,
+                 QT_TRANSLATE_NOOP("gripscope::Setting", "Port"),
+                 QT_TRANSLATE_NOOP("gripscope::Setting", "502 needs a right that programs usually lack.")};
+    port.least = 1;
+    port.most = 65535;
+    Setting peers =
+        text(setting::linePeers.key, SettingKind::Text, SettingGroup::Line,
+             QT_TRANSLATE_NOOP("gripscope::Setting", "Who may connect"),
+             QT_TRANSLATE_NOOP("gripscope::Setting", "Addresses and networks such as 10.1.2.0/24, parted by "
+                                                     "semicolons; this computer always may."));
+    Setting types = text(setting::lineTypes.key, SettingKind::Text, SettingGroup::Line,
+                         QT_TRANSLATE_NOOP("gripscope::Setting", "Types by number"),
+                         QT_TRANSLATE_NOOP("gripscope::Setting",
+                                           "Their names, parted by semicolons: the first is the PLC's "
+                                           "type 1."));
+    Setting heartbeat{setting::lineHeartbeat.key,
+                      SettingKind::Number,
+                      2.0,
+                      SettingGroup::Line,
+                      QT_TRANSLATE_NOOP("gripscope::Setting", "The PLC is lost"),
+                      QT_TRANSLATE_NOOP("gripscope::Setting",
+                                        "When its heartbeat stands still for so long: the gripper is then "
+                                        "stopped and disarmed.")};
+    heartbeat.least = 0.2;
+    heartbeat.most = 60;
+    heartbeat.decimals = 1;
+    heartbeat.unit = "s";
+    for (Setting* one : {&on, &host, &port, &peers, &types, &heartbeat})
+        one->needsSupervisor = one->needsReason = true;
+    for (Setting* one : {&on, &host, &port, &peers})
+        one->portable = false; // of this computer and its network
+    return {on, host, port, peers, types, heartbeat};
+}
+
 } // namespace
 
 const std::vector<Setting>& allSettings()
@@ -314,7 +391,7 @@ const std::vector<Setting>& allSettings()
     static const std::vector<Setting> all = [] {
         std::vector<Setting> made;
         for (const std::vector<Setting>& group :
-             {appearance(), inspecting(), rates(), sessions(), start(), reports()})
+             {appearance(), inspecting(), rates(), studies(), sessions(), start(), reports(), line()})
             made.insert(made.end(), group.begin(), group.end());
         return made;
     }();

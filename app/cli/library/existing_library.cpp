@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/library/existing_library.h"
+
+#include <QFileInfo>
+
+namespace gripscope::cli {
+
+using namespace Qt::StringLiterals;
+
+Expected<QString> existingLibraryFile(const QString& file)
+{
+    if (!QFileInfo::exists(file)) // opening would make an empty one
+        return failure(ErrorCode::StorageOpen, {file, u"there is no such file; enrol types first"_qs});
+    return file;
+}
+
+Expected<std::unique_ptr<Library>> openExistingLibrary(const QString& file)
+{
+    return existingLibraryFile(file).and_then([](const QString& path) { return Library::open(path); });
+}
+
+} // namespace gripscope::cli
