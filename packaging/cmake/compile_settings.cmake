@@ -50,18 +50,3 @@ if(GRIPSCOPE_WARNINGS_AS_ERRORS)
 endif()
 add_compile_definitions(QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII QT_NO_FOREACH EIGEN_MPL2_ONLY
                         GRIPSCOPE_VERSION="${PROJECT_VERSION}")
-
-# GCC's own warnings about bounds and uninitialised values err under its sanitizers: those presets leave warnings alone,
-# and take -O1, which builds the templates of the numerics in half the time.
-if(GRIPSCOPE_SANITIZE)
-  set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1 -DNDEBUG")
-  add_compile_options(-fsanitize=${GRIPSCOPE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
-  # An empty optional that is read, which the sanitizers see only where it hits foreign memory.
-  add_compile_definitions(_GLIBCXX_ASSERTIONS)
-  # Null pointers and sizes are the address sanitizer's, too; alignment is looked at where the fuzzers feed the parsers.
-  # At every access of the numerics these three took half of the time.
-  if(GRIPSCOPE_SANITIZE MATCHES "address" AND NOT GRIPSCOPE_FUZZ)
-    add_compile_options(-fno-sanitize=null,alignment,object-size)
-  endif()
-  add_link_options(-fsanitize=${GRIPSCOPE_SANITIZE})
-endif()

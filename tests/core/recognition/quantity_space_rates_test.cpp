@@ -23,7 +23,7 @@ void everySpaceAndNumber()
             QTest::addRow("p = %d, %d squeezes", p, squeezes) << p << squeezes;
 }
 
-/// 400 enrolments of four types; three rates of 1 %.
+/// 400 enrolments of four types of m, b and k, 200 of others; three rates of 1 %.
 ClusteredShare shareIn(ScenarioKind kind, int p, int squeezes, const QString& name)
 {
     RecognitionScenario scenario;
@@ -33,10 +33,16 @@ ClusteredShare shareIn(ScenarioKind kind, int p, int squeezes, const QString& na
     scenario.options.siUnits = false;
     scenario.options.falseReject = scenario.options.wrongType = scenario.options.strangerAccept = statedRate;
     std::vector<EnrolmentTally> tallies;
-    for (int run = 0; run < 400; ++run)
+    for (int run = 0; run < (p == 3 ? 400 : 200); ++run)
         tallies.push_back(
             runScenario(scenario, runSeed(1, scenario.name(), static_cast<std::uint64_t>(run))));
     return pooled(tallies).shares[name];
+}
+
+/// The test says something only where the rate itself is known well enough.
+double largestError(int p)
+{
+    return p == 3 ? 0.0025 : 0.0036;
 }
 
 QString text(const ClusteredShare& share)
@@ -54,11 +60,11 @@ private slots:
     {
         QFETCH(int, p);
         QFETCH(int, squeezes);
-        // 400 of 40,000; binomial it would be +- 20, clustered by enrolment it is up to six times that. Four
-        // standard errors, which a right statedRate exceeds once in 16,000 times.
+        // Of m, b and k 400 of 40,000; binomial it would be +- 20, clustered by enrolment it is up to six times
+        // that. Four standard errors, which a right statedRate exceeds once in 16,000 times.
         const ClusteredShare unknown = shareIn(ScenarioKind::KnownParts, p, squeezes, u"unknown"_s);
         QVERIFY2(std::abs(unknown.share - statedRate) < 4 * unknown.standardError, qPrintable(text(unknown)));
-        QVERIFY2(unknown.standardError < 0.0025, qPrintable(text(unknown)));
+        QVERIFY2(unknown.standardError < largestError(p), qPrintable(text(unknown)));
     }
     void neighboursAreMistakenAtMostAtTheStatedRate_data() { everySpaceAndNumber(); }
     void neighboursAreMistakenAtMostAtTheStatedRate()
@@ -68,7 +74,7 @@ private slots:
         // As the study holds it, 1.2 times, and three standard errors.
         const ClusteredShare wrong = shareIn(ScenarioKind::Neighbours, p, squeezes, u"wrong_type"_s);
         QVERIFY2(wrong.share < 1.2 * statedRate + 3 * wrong.standardError, qPrintable(text(wrong)));
-        QVERIFY2(wrong.standardError < 0.0025, qPrintable(text(wrong)));
+        QVERIFY2(wrong.standardError < largestError(p), qPrintable(text(wrong)));
     }
     void strangersAreAcceptedAtMostAtTheStatedRate_data() { everySpaceAndNumber(); }
     void strangersAreAcceptedAtMostAtTheStatedRate()
