@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel_runs.h"
 
+#include "core/base/vector_registers.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
@@ -35,6 +37,7 @@ void shareAmongThreads(std::int64_t count, int threads, const std::function<void
 {
     std::atomic<std::int64_t> next = 0;
     const auto takeAll = [&] {
+        releaseVectorRegisters();
         for (std::int64_t number = next++; number < count; number = next++)
             work(number);
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/history/process_view.h"
 
+#include "core/base/vector_registers.h"
 #include "core/base/words.h"
 #include "core/library/sql/row_cursor.h"
 #include "core/library/sql/statement.h"
@@ -286,6 +287,7 @@ public:
         for (NamedRows& name : names)
             name.startAfter(key);
         int rows = 0;
+        releaseVectorRegisters();
         for (NamedRows* next = firstByKey(names); next != nullptr && rows < stretch;
              next = firstByKey(names)) {
             ++rows;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/pending.h"
+#include "core/base/vector_registers.h"
 
 #include <QThreadPool>
 
@@ -17,7 +18,10 @@ template <typename Work>
     -> Pending<std::invoke_result_t<Work>>
 {
     const Promise<std::invoke_result_t<Work>> answer;
-    pool.start([answer, work = std::move(work)] { answer.give(work()); });
+    pool.start([answer, work = std::move(work)] {
+        releaseVectorRegisters();
+        answer.give(work());
+    });
     return answer.pending();
 }
 
