@@ -13,7 +13,7 @@ elif [[ $1 == --recent ]]; then
   # Reading the templates takes seconds a file: all of them would take CI too long, and a change of many files counts by its
   # newest.
   mapfile -t files < <(git log -n 20 --format= --name-only --diff-filter=AM -- 'core/*.cpp' 'devices/*.cpp' |
-    awk '!seen[$0]++' | while read -r file; do [[ -e $file ]] && echo "$file"; done | head -n 20)
+    awk '!seen[$0]++' | while read -r file; do [[ -e $file ]] && echo "$file"; done | head -n 12)
 else
   files=("$@")
 fi

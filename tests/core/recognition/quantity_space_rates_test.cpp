@@ -60,8 +60,8 @@ private slots:
     {
         QFETCH(int, p);
         QFETCH(int, squeezes);
-        // Of m, b and k 400 of 40,000; binomial it would be +- 20, clustered by enrolment it is up to six times
-        // that. Four standard errors, which a right statedRate exceeds once in 16,000 times.
+        // Of m, b and k 400 of 40,000; binomial it would be +- 20, clustered by enrolment it is up to six
+        // times that. Four standard errors, which a right statedRate exceeds once in 16,000 times.
         const ClusteredShare unknown = shareIn(ScenarioKind::KnownParts, p, squeezes, u"unknown"_s);
         QVERIFY2(std::abs(unknown.share - statedRate) < 4 * unknown.standardError, qPrintable(text(unknown)));
         QVERIFY2(unknown.standardError < largestError(p), qPrintable(text(unknown)));
