@@ -198,7 +198,7 @@ std::vector<LineReport> MqttOutbox::waiting(quint64 behind, std::size_t most) co
 quint64 MqttOutbox::newest() const
 {
     const std::lock_guard lock(d->mutex);
-    return d->newest;
+    return d->newest + d->handed.size();
 }
 
 void MqttOutbox::acknowledge(quint64 sequence)

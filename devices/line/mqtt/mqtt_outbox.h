@@ -32,7 +32,7 @@ public:
     // The sender's side.
     /// At most so many that wait, in their order, behind this sequence.
     [[nodiscard]] std::vector<LineReport> waiting(quint64 behind, std::size_t most) const;
-    [[nodiscard]] quint64 newest() const; ///< the last sequence that was given
+    [[nodiscard]] quint64 newest() const; ///< the last sequence of what was handed over
     void acknowledge(quint64 sequence);   ///< this one and all before it
     /// Another number for each session with a broker, 0 to 255, kept before it is told. Waits for the disk;
     /// nothing where the file cannot be had.
