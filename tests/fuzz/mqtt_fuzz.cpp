@@ -4,8 +4,8 @@
 #include "devices/line/mqtt/sparkplug_payload.h"
 #include "tests/fuzz/fuzzing.h"
 
-// What a broker hands on from whoever may publish there, commands and the state of a host, and what a program before left
-// in its file: any bytes are read to their end, and nothing is read out of order.
+// What a broker hands on from whoever may publish there, commands and the state of a host, and what a program
+// before left in its file: any bytes are read to their end, and nothing is read out of order.
 
 using namespace gripscope;
 using namespace gripscope::fuzz;
