@@ -38,6 +38,16 @@ void describeOptions(QCommandLineParser& parser)
         {u"modbus"_s, u"Listens for a PLC there, such as 127.0.0.1:1502."_s, u"HOST:PORT"_s},
         {u"peers"_s, u"Addresses and networks that may connect, with commas; this computer always may."_s,
          u"LIST"_s},
+        {u"mqtt"_s, u"Sends every result to this broker, such as broker.example:1883."_s, u"HOST:PORT"_s},
+        {u"mqtt-topic"_s, u"As JSON, on this topic."_s, u"TOPIC"_s},
+        {u"sparkplug"_s, u"As Sparkplug B, as this edge node of this group."_s, u"GROUP/NODE"_s},
+        {u"primary-host"_s, u"Results wait until this host of Sparkplug is online."_s, u"ID"_s},
+        {u"mqtt-tls"_s, u"Over TLS."_s},
+        {u"mqtt-ca"_s, u"Authorities that the broker's certificate may be of (without it: the computer's)."_s,
+         u"FILE"_s},
+        {u"mqtt-user"_s, u"Who the station is for the broker."_s, u"NAME"_s},
+        {u"mqtt-password-file"_s,
+         u"The first line of this file is the password; only its owner may read it."_s, u"FILE"_s},
         {u"heartbeat"_s, u"A PLC whose heartbeat stands still for so long is lost. Default: 2."_s,
          u"SECONDS"_s},
         {u"types"_s, u"Names of types by their number from 1 on, with semicolons."_s, u"LIST"_s},
@@ -80,6 +90,26 @@ QStringList parted(const QString& text, QChar by)
     for (const QString& part : text.split(by, Qt::SkipEmptyParts))
         parts << part.trimmed();
     return parts;
+}
+
+Expected<void> takeMqtt(const QCommandLineParser& parser, StationOptions& options)
+{
+    if (!parser.isSet(u"mqtt"_s))
+        return {};
+    MqttOptions mqtt;
+    mqtt.tls = parser.isSet(u"mqtt-tls"_s) || parser.isSet(u"mqtt-ca"_s);
+    RETURN_IF_ERROR(parseBroker(parser.value(u"mqtt"_s), mqtt));
+    mqtt.caFile = parser.value(u"mqtt-ca"_s);
+    mqtt.user = parser.value(u"mqtt-user"_s);
+    mqtt.passwordFile = parser.value(u"mqtt-password-file"_s);
+    mqtt.jsonTopic = parser.value(u"mqtt-topic"_s);
+    const QString sparkplug = parser.value(u"sparkplug"_s);
+    mqtt.group = sparkplug.section(u'/', 0, 0);
+    mqtt.node = sparkplug.section(u'/', 1);
+    mqtt.primaryHost = parser.value(u"primary-host"_s);
+    RETURN_IF_ERROR(checkOptions(mqtt));
+    options.mqtt = mqtt;
+    return {};
 }
 
 Expected<void> takeLine(const QCommandLineParser& parser, StationOptions& options)
@@ -133,6 +163,7 @@ Expected<StationOptions> parseStationOptions(const QStringList& arguments)
     options.expectedType = parser.value(u"expect"_s);
     RETURN_IF_ERROR(takeRates(parser, options.rates));
     RETURN_IF_ERROR(takeLine(parser, options));
+    RETURN_IF_ERROR(takeMqtt(parser, options));
     if (options.answer.isEmpty() && options.command.isEmpty() &&
         (options.address.isEmpty() || !options.modbus))
         return failure(ErrorCode::Usage,

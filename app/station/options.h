@@ -3,6 +3,7 @@
 
 #include "core/recognition/verdict/verdict.h"
 #include "devices/line/modbus_server.h"
+#include "devices/line/mqtt/mqtt_options.h"
 
 namespace gripscope {
 
@@ -15,6 +16,7 @@ struct StationOptions {
     QString library, address, expectedType;
     QStringList types; ///< by number
     std::optional<ModbusServerOptions> modbus;
+    std::optional<MqttOptions> mqtt; ///< where results are sent as well
     double heartbeat_s = 2;
     VerdictOptions rates;
 };

@@ -22,6 +22,8 @@ namespace {
 /// As often as the window looks while a squeeze goes on: somebody waits for the verdict.
 constexpr std::chrono::milliseconds pollEvery{4};
 constexpr std::chrono::seconds armingPatience{5};
+/// For the broker's last answers.
+constexpr std::chrono::seconds brokerPatience{2};
 
 void tellLog(const QString& text)
 {
@@ -64,7 +66,7 @@ QJsonObject refusal(const Error& error)
 Station::Station(const StationOptions& options)
     : m_options(options), m_library(options.library), m_connection(m_factory),
       m_inspection(m_connection, m_library), m_desk(std::make_shared<SharedJobDesk>(thisRun())),
-      m_line(m_connection, m_inspection, m_desk),
+      m_line(m_connection, m_inspection, m_desk), m_reporter(m_connection, m_inspection),
       m_console(options.console,
                 [this](const QJsonObject& request, const Console::Answer& back) { answer(request, back); })
 {
@@ -96,6 +98,10 @@ Expected<void> Station::start()
     RETURN_IF_ERROR(m_console.listen());
     RETURN_IF_ERROR(m_connection.connectTo(m_options.address));
     m_server = std::make_unique<ModbusServer>(*m_options.modbus, m_desk);
+    if (m_options.mqtt) {
+        m_outbox = std::make_shared<MqttOutbox>(mqttFile(m_options.library));
+        m_publisher = std::make_unique<MqttPublisher>(*m_options.mqtt, m_outbox);
+    }
     m_timer.start();
     return {};
 }
@@ -108,6 +114,8 @@ Expected<void> Station::end()
     m_inspection.cancel();
     m_connection.disarm();
     m_connection.disconnect();
+    if (m_publisher)
+        static_cast<void>(m_publisher->end(brokerPatience));
     if (m_connection.stopState() == StopState::NotObeyed)
         return failure(ErrorCode::StopNotObeyed, {});
     return {};
@@ -118,6 +126,7 @@ void Station::tick()
     m_connection.poll();
     noticeGripper();
     static_cast<void>(m_inspection.poll());
+    publishResults(); // before the line can begin the next squeeze
     m_line.poll();
     m_asking.poll();
     m_arming.poll();
@@ -132,6 +141,16 @@ void Station::tick()
     }
     m_notice.status(status);
     m_notice.alive();
+}
+
+void Station::publishResults()
+{
+    const std::optional<LineReport> report = m_reporter.next();
+    if (!m_publisher)
+        return;
+    m_publisher->setGripper(m_reporter.gripper());
+    if (report)
+        m_outbox->offer(*report);
 }
 
 void Station::noticeGripper()
@@ -173,6 +192,13 @@ void Station::tellNews()
         tellLog(news.describe());
     noticeError(m_connectionError, m_connection.lastError());
     noticeError(m_inspectionError, m_inspection.lastError());
+    if (!m_publisher)
+        return;
+    const LineWords mqtt = mqttWords(m_publisher->link());
+    if (mqtt.problems != m_mqttWords.problems)
+        for (const QString& problem : described(mqtt.problems))
+            tellLog(problem);
+    m_mqttWords = mqtt;
 }
 
 LineWords Station::words() const
@@ -199,7 +225,9 @@ QJsonObject Station::status() const
             {u"listening"_s, m_server->link().listening},
             {u"results"_s, view.result ? qint64(view.result->sequence) : 0},
             {u"overruns"_s, qint64(view.overruns)},
-            {u"unstored"_s, qint64(m_inspection.unstored())}};
+            {u"unstored"_s, qint64(m_inspection.unstored())},
+            {u"mqtt"_s, m_mqttWords.headline.describe()},
+            {u"mqttProblems"_s, QJsonArray::fromStringList(described(m_mqttWords.problems))}};
 }
 
 void Station::answer(const QJsonObject& request, const Console::Answer& answer)

@@ -4,9 +4,11 @@
 #include "app/station/console.h"
 #include "app/station/options.h"
 #include "app/station/service_notice.h"
+#include "core/session/line/line_report.h"
 #include "core/session/line/line_session.h"
 #include "core/session/squeeze/stored_chain.h"
 #include "devices/factory/gripper_factory.h"
+#include "devices/line/mqtt/mqtt_publisher.h"
 
 #include <QTimer>
 
@@ -39,6 +41,7 @@ private:
     void followArming();
     [[nodiscard]] QJsonObject status() const;
     [[nodiscard]] LineWords words() const;
+    void publishResults();
 
     StationOptions m_options;
     DeviceFactory m_factory;
@@ -48,6 +51,9 @@ private:
     std::shared_ptr<SharedJobDesk> m_desk;
     LineSession m_line;
     std::unique_ptr<ModbusServer> m_server;
+    LineReporter m_reporter;
+    std::shared_ptr<MqttOutbox> m_outbox;       ///< nothing: MQTT is off
+    std::unique_ptr<MqttPublisher> m_publisher; ///< the same
     Console m_console;
     ServiceNotice m_notice;
     QTimer m_timer;
@@ -57,6 +63,7 @@ private:
     Console::Answer m_armed; ///< to be told once the gripper is
     std::chrono::steady_clock::time_point m_armBy;
     std::optional<Error> m_connectionError, m_inspectionError;
+    LineWords m_mqttWords; ///< as they were told last
 };
 
 } // namespace gripscope

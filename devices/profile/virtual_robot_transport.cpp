@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint64_t noRobotSqueeze = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t robotNoisePurpose = 2;
 
-std::uint64_t samplesIn(double seconds, double sampleTime_s)
+std::uint64_t robotSamplesIn(double seconds, double sampleTime_s)
 {
     return static_cast<std::uint64_t>(std::max(1.0, std::round(seconds / sampleTime_s)));
 }
@@ -31,8 +31,8 @@ VirtualRobot::VirtualRobot(const VirtualRobotOptions& options)
     : m_options(options),
       m_step(discretize(options.object.draw(options.seed, 0), options.sampleTime_s, options.hold)),
       m_noise(options.seed, noRobotSqueeze, robotNoisePurpose),
-      m_restSamples(samplesIn(rest_s, options.sampleTime_s)),
-      m_squeezeSamples(samplesIn(squeeze_s, options.sampleTime_s))
+      m_restSamples(robotSamplesIn(rest_s, options.sampleTime_s)),
+      m_squeezeSamples(robotSamplesIn(squeeze_s, options.sampleTime_s))
 {
     planSqueeze(0);
 }

@@ -8631,6 +8631,138 @@ m  %3</translation>
         <source>Chance alone would make some %1 of them.</source>
         <translation>Der Zufall allein ergäbe etwa %1 davon.</translation>
     </message>
+    <message>
+        <source>MQTT needs the name or address of a broker, and its port.</source>
+        <translation>MQTT braucht Name oder Adresse eines Brokers und seinen Port.</translation>
+    </message>
+    <message>
+        <source>MQTT needs a topic for JSON, or the group and edge node of Sparkplug B.</source>
+        <translation>MQTT braucht ein Topic für JSON oder Gruppe und Edge Node von Sparkplug B.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no topic to send to: it must have neither + nor #, and not begin with $ or spBv1.0.</source>
+        <translation>An „%1“ kann nichts gesendet werden: Ein Topic enthält weder + noch # und beginnt nicht mit $ oder spBv1.0.</translation>
+    </message>
+    <message>
+        <source>Sparkplug B needs both, a group and an edge node.</source>
+        <translation>Sparkplug B braucht beides, eine Gruppe und einen Edge Node.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of Sparkplug B: it must have neither /, + nor #.</source>
+        <translation>„%1“ ist kein Name für Sparkplug B: Er darf weder /, + noch # enthalten.</translation>
+    </message>
+    <message>
+        <source>MQTT needs the name of the user that the password is of.</source>
+        <translation>MQTT braucht den Namen des Benutzers, zu dem das Passwort gehört.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no HOST:PORT such as broker.example:1883.</source>
+        <translation>„%1“ ist kein HOST:PORT wie broker.example:1883.</translation>
+    </message>
+    <message>
+        <source>Everybody on this computer can read the password in %1. Let only its owner read it (chmod 600).</source>
+        <translation>Jeder an diesem Rechner kann das Passwort in %1 lesen. Nur der Eigentümer darf es lesen (chmod 600).</translation>
+    </message>
+    <message>
+        <source>another program on this computer sends the results of this library</source>
+        <translation>ein anderes Programm auf diesem Rechner sendet die Ergebnisse dieser Bibliothek</translation>
+    </message>
+    <message>
+        <source>The broker %1 does not speak MQTT 3.1.1.</source>
+        <translation>Der Broker %1 spricht kein MQTT 3.1.1.</translation>
+    </message>
+    <message>
+        <source>The broker %1 refuses this station&apos;s name.</source>
+        <translation>Der Broker %1 weist den Namen dieser Station ab.</translation>
+    </message>
+    <message>
+        <source>The broker %1 is there, and takes nobody at the moment.</source>
+        <translation>Der Broker %1 ist da, nimmt aber zurzeit niemanden an.</translation>
+    </message>
+    <message>
+        <source>The broker %1 wants a user and a password.</source>
+        <translation>Der Broker %1 verlangt Benutzer und Passwort.</translation>
+    </message>
+    <message>
+        <source>The broker %1 refuses the password, or the user %2.</source>
+        <translation>Der Broker %1 weist das Passwort oder den Benutzer %2 ab.</translation>
+    </message>
+    <message>
+        <source>The certificate of the broker %1 is not trusted: it was not issued by an authority of the CA file, or is out of date.</source>
+        <translation>Dem Zertifikat des Brokers %1 wird nicht vertraut: Es stammt von keiner Stelle der CA-Datei oder ist abgelaufen.</translation>
+    </message>
+    <message>
+        <source>The certificate of the broker %1 is for another name.</source>
+        <translation>Das Zertifikat des Brokers %1 gilt für einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The broker %1 does not speak TLS as it should (%2).</source>
+        <translation>Der Broker %1 spricht TLS nicht, wie er sollte (%2).</translation>
+    </message>
+    <message>
+        <source>Nothing listens on %1: no broker runs there, or on another port.</source>
+        <translation>Auf %1 hört niemand: Dort läuft kein Broker, oder er nutzt einen anderen Port.</translation>
+    </message>
+    <message>
+        <source>No route to %1. Look at cable, switch and address.</source>
+        <translation>Kein Weg zu %1. Kabel, Switch und Adresse prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 does not answer.</source>
+        <translation>%1 antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>The connection to the broker %1 was lost (%2).</source>
+        <translation>Die Verbindung zum Broker %1 ist abgerissen (%2).</translation>
+    </message>
+    <message>
+        <source>There is no host called %1.</source>
+        <translation>Es gibt keinen Rechner namens %1.</translation>
+    </message>
+    <message>
+        <source>The CA file %1 cannot be read.</source>
+        <translation>Die CA-Datei %1 ist nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>MQTT: off</source>
+        <translation>MQTT: aus</translation>
+    </message>
+    <message>
+        <source>The primary host %1 is not online; results wait for it.</source>
+        <translation>Der Primary Host %1 ist nicht online; die Ergebnisse warten auf ihn.</translation>
+    </message>
+    <message>
+        <source>%1 results were not sent: too many wait already. The library has them.</source>
+        <translation>%1 Ergebnisse wurden nicht gesendet: Es warten schon zu viele. In der Bibliothek stehen sie.</translation>
+    </message>
+    <message>
+        <source>Some results that waited for the broker could not be read again. The library has them.</source>
+        <translation>Einige Ergebnisse, die auf den Broker warteten, waren nicht mehr lesbar. In der Bibliothek stehen sie.</translation>
+    </message>
+    <message>
+        <source>MQTT: connected since %1, %2 waiting</source>
+        <translation>MQTT: verbunden seit %1, %2 warten</translation>
+    </message>
+    <message>
+        <source>MQTT: not connected since %1, %2 waiting</source>
+        <translation>MQTT: nicht verbunden seit %1, %2 warten</translation>
+    </message>
+    <message>
+        <source>it is not the program&apos;s own file</source>
+        <translation>es ist nicht die Datei des Programms</translation>
+    </message>
+    <message>
+        <source>one result is too long</source>
+        <translation>ein Ergebnis ist zu lang</translation>
+    </message>
+    <message>
+        <source>A result that waits for the broker</source>
+        <translation>Ein Ergebnis, das auf den Broker wartet</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>es ist nicht lesbar</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>

@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 #include "core/recognition/verdict/conformity_of_squeeze.h"
+#include "core/session/line/line_report.h"
 #include "core/signal/recording/units.h"
 
 #include <algorithm>
@@ -52,12 +53,6 @@ std::array<std::optional<LineQuantity>, 3> quantitiesOf(const InspectSession::Re
             quantities[i]->standardUncertainty.reset();
     }
     return quantities;
-}
-
-/// No part was pressed by what these make.
-bool isSimulated(const QString& address)
-{
-    return address.startsWith("virtual:"_L1) || address.startsWith("replay:"_L1);
 }
 
 } // namespace

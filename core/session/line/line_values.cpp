@@ -43,6 +43,46 @@ QString toString(ResultEvaluation evaluation)
     return {};
 }
 
+QString toString(ResultState state)
+{
+    switch (state) {
+    case ResultState::Undefined:
+        return u"Undefined"_s;
+    case ResultState::Completed:
+        return u"Completed"_s;
+    case ResultState::Processing:
+        return u"Processing"_s;
+    case ResultState::Aborted:
+        return u"Aborted"_s;
+    case ResultState::Failed:
+        return u"Failed"_s;
+    }
+    return {};
+}
+
+QString toString(ResultReason reason)
+{
+    switch (reason) {
+    case ResultReason::None:
+        return u"None"_s;
+    case ResultReason::AsExpected:
+        return u"AsExpected"_s;
+    case ResultReason::OtherType:
+        return u"OtherType"_s;
+    case ResultReason::Unknown:
+        return u"Unknown"_s;
+    case ResultReason::Inconclusive:
+        return u"Inconclusive"_s;
+    case ResultReason::NotValid:
+        return u"NotValid"_s;
+    case ResultReason::DoesNotConform:
+        return u"DoesNotConform"_s;
+    case ResultReason::NotMeasured:
+        return u"NotMeasured"_s;
+    }
+    return {};
+}
+
 ResultEvaluation evaluationOf(ResultReason reason)
 {
     switch (reason) {

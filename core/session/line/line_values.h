@@ -54,6 +54,8 @@ enum class ResultReason : std::uint16_t {
     NotMeasured = 7, ///< the squeeze did not come to its end
 };
 [[nodiscard]] ResultEvaluation evaluationOf(ResultReason reason);
+[[nodiscard]] QString toString(ResultState state);   ///< "Undefined", "Completed", ...
+[[nodiscard]] QString toString(ResultReason reason); ///< "None", "AsExpected", ...
 
 /// What became of a job that was asked for.
 enum class JobAnswer : std::uint16_t {
