@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Commands that look at whole libraries: tables that are enrolled, drift, transfer.
 #include "core/library/library.h"
+#include "core/library/records/gripper_adjustment.h"
 #include "core/library/spill/inspection_spill.h"
 #include "core/library/sql/time_ordered_id.h"
 #include "core/math/gaussian.h"
@@ -8,6 +9,7 @@
 #include "tests/support/test_registry.h"
 
 #include <QDir>
+#include <QFile>
 
 #include <cmath>
 
@@ -53,6 +55,22 @@ void inspect(const QString& file, double factor)
         inspection.expectedType = i % 2 == 0 ? u"A"_s : u"B"_s;
         QVERIFY((*library)->addInspection(inspection));
     }
+}
+
+/// Stores for a gripper that it finds `gain` times m, b and k of the one that the types were enrolled on;
+/// known to 0.5 %. Its key.
+QString acceptAdjustment(const QString& file, const QString& serial, const std::array<double, 3>& gain)
+{
+    NewAdjustment adjustment;
+    adjustment.gripperSerial = serial;
+    adjustment.error.value = Eigen::Vector3d(std::log(gain[0]), std::log(gain[1]), std::log(gain[2]));
+    adjustment.error.covariance = Eigen::Matrix3d::Identity() * 0.005 * 0.005;
+    adjustment.error.degreesOfFreedom = 20;
+    adjustment.reason = u"second line"_s;
+    const auto library = Library::open(file);
+    const auto accepted = library ? (*library)->acceptAdjustment(adjustment)
+                                  : Expected<AdjustmentRecord>(tl::unexpected(library.error()));
+    return accepted ? accepted->id : QString();
 }
 
 const QStringList siUnits{u"--force-unit"_s, u"N"_s, u"--position-unit"_s, u"m"_s};
@@ -203,6 +221,23 @@ private slots:
         const ProgramRun adjusted = work.cli(ask + QStringList{u"--transfer"_s, u"there.db"_s});
         QVERIFY2(verdict(adjusted) == u"type large"_s, (adjusted.out + adjusted.err).constData());
         QCOMPARE(work.cli(ask + QStringList{u"--transfer"_s, u"none.db"_s}).exit, 5);
+
+        // Once the library has the adjustment, the recording's own gripper finds it.
+        const QString accepted = acceptAdjustment(work.path(u"here.db"_s), u"F-2"_s, there);
+        QVERIFY(!accepted.isEmpty());
+        const QJsonObject unnamed = work.cli(ask).json()[u"results"][0].toObject();
+        QVERIFY2(!unnamed.contains(u"adjustment"), "the recording does not say by which gripper");
+        QFile part(work.path(u"part.csv"_s));
+        QVERIFY(part.open(QIODevice::ReadOnly));
+        work.write(u"part.csv"_s, "# serial: F-2\n" + part.readAll());
+        const ProgramRun stored = work.cli(ask);
+        QVERIFY2(verdict(stored) == u"type large"_s, (stored.out + stored.err).constData());
+        QCOMPARE(stored.json()[u"results"][0][u"adjustment"].toString(), accepted);
+        QVERIFY(work.cli({u"classify"_s, u"--library"_s, u"here.db"_s, u"part.csv"_s})
+                    .err.contains("as the library has it"));
+        const QJsonObject stated =
+            work.cli(ask + QStringList{u"--transfer"_s, u"there.db"_s}).json()[u"results"][0].toObject();
+        QVERIFY2(!stated.contains(u"adjustment"), "what is stated goes before what is stored");
     }
     void aLibraryIsVerified()
     {

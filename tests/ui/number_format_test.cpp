@@ -20,6 +20,7 @@ private slots:
     void percentSaysHundredOnlyOfTheWhole();
     void probabilitiesNearTheEndsAreBounded();
     void countsAreGrouped();
+    void aNumberInASentenceIsNotBroken();
 };
 
 void NumberFormatTest::onlyDigitsTheUncertaintyAllows_data()
@@ -102,6 +103,12 @@ void NumberFormatTest::countsAreGrouped()
     QCOMPARE(formatCount(412), u"412"_s);
     QCOMPARE(formatCount(1234567), u"1\u202F234\u202F567"_s);
     QCOMPARE(formatCount(-1234), u"-1\u202F234"_s);
+}
+
+void NumberFormatTest::aNumberInASentenceIsNotBroken()
+{
+    QCOMPARE(keptTogether(u"mass +23.3 ± 1.9 %, 6 of 7, a ± b"_s),
+             u"mass +23.3\u00A0±\u00A01.9\u00A0%, 6 of 7, a ± b"_s);
 }
 
 GRIPSCOPE_TEST(NumberFormatTest)

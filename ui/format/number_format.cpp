@@ -4,6 +4,8 @@
 #include "core/base/words.h"
 #include "ui/format/shown_unit.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -186,6 +188,12 @@ QString formatCount(qint64 count)
     for (qsizetype i = text.size() - 3; i > first; i -= 3)
         text.insert(i, QChar(0x202F));
     return text;
+}
+
+QString keptTogether(QString sentence)
+{
+    static const QRegularExpression withinNumber(u"(?<=[0-9]) (?=[±%])|(?<=±) (?=[0-9])"_s);
+    return sentence.replace(withinNumber, QString(QChar::Nbsp));
 }
 
 } // namespace gripscope

@@ -48,4 +48,8 @@ struct RoundedNumber {
 /// A count with thin spaces between thousands.
 [[nodiscard]] QString formatCount(qint64 count);
 
+/// A sentence of the core's for a label that breaks lines: no number is parted from its error or its percent
+/// sign.
+[[nodiscard]] QString keptTogether(QString sentence);
+
 } // namespace gripscope

@@ -4,6 +4,7 @@
 #include "core/base/words.h"
 #include "ui/charts/type_map.h"
 #include "ui/context/workbench.h"
+#include "ui/format/number_format.h"
 #include "ui/format/outcome_words.h"
 #include "ui/format/shown_unit.h"
 #include "ui/pages/fit/fit_page_export.h"
@@ -223,7 +224,7 @@ void InspectPage::refreshDrift()
     if (drift)
         all << drift->describe() << described(report->words);
     d->drift->setVisible(!told.isEmpty());
-    d->drift->setText(told.join(u' '));
+    d->drift->setText(keptTogether(told.join(u' ')));
     d->drift->setToolTip(all.join(u'\n'));
     d->adjustment->setVisible(adjustment.has_value());
     if (adjustment)

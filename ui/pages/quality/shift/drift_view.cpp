@@ -244,8 +244,8 @@ void DriftView::showVerdict()
                          ? tr("Enrol types and approve them; what is inspected then is held against them.")
                      : inspected.squeezes.empty()
                          ? tr("No inspected squeeze of an approved type is among those that are chosen.")
-                         : described(report.words).join(u' '));
-    m_since->setText(described(m_look->since).join(u' '));
+                         : keptTogether(described(report.words).join(u' ')));
+    m_since->setText(keptTogether(described(m_look->since).join(u' ')));
     m_since->setVisible(!m_look->since.empty());
     const QString batch = m_look->change && m_look->change->before > 0
                               ? inspected.origins[std::size_t(m_look->change->before)].batch

@@ -6,6 +6,7 @@
 #include "ui/charts/interval_plot.h"
 #include "ui/context/connection_words.h"
 #include "ui/context/workbench.h"
+#include "ui/format/number_format.h"
 #include "ui/pages/quality/shift/drift_charts.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/progress.h"
@@ -201,8 +202,8 @@ void TransferLead::refreshLook()
     if (error)
         m_doubt->setText(error->describe());
     else if (look && look->doubt)
-        m_doubt->setText(look->doubt->describe());
-    const QString advice = look ? described(look->advice).join(u' ') : QString();
+        m_doubt->setText(keptTogether(look->doubt->describe()));
+    const QString advice = look ? keptTogether(described(look->advice).join(u' ')) : QString();
     m_advice->setText(m_watch->busy() ? tr("%1 Being worked out…").arg(advice).trimmed() : advice);
     m_plot->setVisible(look && !look->report.types.empty());
     if (look)

@@ -198,12 +198,12 @@ void TransferOutcome::showLook(const TransferLook& look)
                        : isOdd         ? tr("One adjustment does not explain all types")
                        : report.adjust ? tr("An adjustment helps: types serve here with it")
                                        : tr("The two grippers find the same as far as can be told"));
-    m_words->setText(described(report.words).join(u' '));
-    m_check->setText(
+    m_words->setText(keptTogether(described(report.words).join(u' ')));
+    m_check->setText(keptTogether(
         look.residuals.empty() || !report.error
             ? described(look.advice).join(u' ')
             : tr("Residual check: that the types differ so much by chance has a probability of %1. %2")
-                  .arg(formatProbability(report.error->agreement), described(look.advice).join(u' ')));
+                  .arg(formatProbability(report.error->agreement), described(look.advice).join(u' '))));
     if (m_own)
         m_standing->setText(
             m_own->inForce
