@@ -66,7 +66,7 @@ QJsonObject refusal(const Error& error)
 Station::Station(const StationOptions& options)
     : m_options(options), m_library(options.library), m_connection(m_factory),
       m_inspection(m_connection, m_library), m_desk(std::make_shared<SharedJobDesk>(thisRun())),
-      m_line(m_connection, m_inspection, m_desk), m_reporter(m_connection, m_inspection),
+      m_line(m_connection, m_inspection, m_desk), m_sender(m_connection, m_inspection),
       m_console(options.console,
                 [this](const QJsonObject& request, const Console::Answer& back) { answer(request, back); })
 {
@@ -98,10 +98,8 @@ Expected<void> Station::start()
     RETURN_IF_ERROR(m_console.listen());
     RETURN_IF_ERROR(m_connection.connectTo(m_options.address));
     m_server = std::make_unique<ModbusServer>(*m_options.modbus, m_desk);
-    if (m_options.mqtt) {
-        m_outbox = std::make_shared<MqttOutbox>(mqttFile(m_options.library));
-        m_publisher = std::make_unique<MqttPublisher>(*m_options.mqtt, m_outbox);
-    }
+    if (m_options.mqtt)
+        m_sender.begin(*m_options.mqtt, m_options.library);
     m_timer.start();
     return {};
 }
@@ -114,8 +112,7 @@ Expected<void> Station::end()
     m_inspection.cancel();
     m_connection.disarm();
     m_connection.disconnect();
-    if (m_publisher)
-        static_cast<void>(m_publisher->end(brokerPatience));
+    static_cast<void>(m_sender.end(brokerPatience));
     if (m_connection.stopState() == StopState::NotObeyed)
         return failure(ErrorCode::StopNotObeyed, {});
     return {};
@@ -126,7 +123,7 @@ void Station::tick()
     m_connection.poll();
     noticeGripper();
     static_cast<void>(m_inspection.poll());
-    publishResults(); // before the line can begin the next squeeze
+    m_sender.poll(); // before the line can begin the next squeeze
     m_line.poll();
     m_asking.poll();
     m_arming.poll();
@@ -141,16 +138,6 @@ void Station::tick()
     }
     m_notice.status(status);
     m_notice.alive();
-}
-
-void Station::publishResults()
-{
-    const std::optional<LineReport> report = m_reporter.next();
-    if (!m_publisher)
-        return;
-    m_publisher->setGripper(m_reporter.gripper());
-    if (report)
-        m_outbox->offer(*report);
 }
 
 void Station::noticeGripper()
@@ -192,9 +179,9 @@ void Station::tellNews()
         tellLog(news.describe());
     noticeError(m_connectionError, m_connection.lastError());
     noticeError(m_inspectionError, m_inspection.lastError());
-    if (!m_publisher)
+    if (!m_sender.on())
         return;
-    const LineWords mqtt = mqttWords(m_publisher->link());
+    const LineWords mqtt = mqttWords(m_sender.link());
     if (mqtt.problems != m_mqttWords.problems)
         for (const QString& problem : described(mqtt.problems))
             tellLog(problem);

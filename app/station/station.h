@@ -4,11 +4,10 @@
 #include "app/station/console.h"
 #include "app/station/options.h"
 #include "app/station/service_notice.h"
-#include "core/session/line/line_report.h"
 #include "core/session/line/line_session.h"
 #include "core/session/squeeze/stored_chain.h"
 #include "devices/factory/gripper_factory.h"
-#include "devices/line/mqtt/mqtt_publisher.h"
+#include "devices/line/mqtt/result_sender.h"
 
 #include <QTimer>
 
@@ -41,7 +40,6 @@ private:
     void followArming();
     [[nodiscard]] QJsonObject status() const;
     [[nodiscard]] LineWords words() const;
-    void publishResults();
 
     StationOptions m_options;
     DeviceFactory m_factory;
@@ -51,9 +49,7 @@ private:
     std::shared_ptr<SharedJobDesk> m_desk;
     LineSession m_line;
     std::unique_ptr<ModbusServer> m_server;
-    LineReporter m_reporter;
-    std::shared_ptr<MqttOutbox> m_outbox;       ///< nothing: MQTT is off
-    std::unique_ptr<MqttPublisher> m_publisher; ///< the same
+    ResultSender m_sender;
     Console m_console;
     ServiceNotice m_notice;
     QTimer m_timer;

@@ -8763,6 +8763,10 @@ m  %3</translation>
         <source>it cannot be read</source>
         <translation>es ist nicht lesbar</translation>
     </message>
+    <message>
+        <source>MQTT: not connected, %1 waiting</source>
+        <translation>MQTT: nicht verbunden, %1 warten</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>
@@ -17771,6 +17775,82 @@ Vorh. %</translation>
     <message>
         <source>When its heartbeat stands still for so long: the gripper is then stopped and disarmed.</source>
         <translation>Wenn ihr Lebenszeichen so lange stillsteht: Der Greifer wird dann gestoppt und entschärft.</translation>
+    </message>
+    <message>
+        <source>Send every result to a broker</source>
+        <translation>Jedes Ergebnis an einen Broker senden</translation>
+    </message>
+    <message>
+        <source>Over MQTT. What the broker cannot take yet waits beside the library.</source>
+        <translation>Über MQTT. Was der Broker noch nicht nehmen kann, wartet neben der Bibliothek.</translation>
+    </message>
+    <message>
+        <source>Broker</source>
+        <translation>Broker</translation>
+    </message>
+    <message>
+        <source>Its name or address, with a port where that is not 1883, or 8883 over TLS: broker.example:1883.</source>
+        <translation>Sein Name oder seine Adresse, mit Port, wo er nicht 1883 oder über TLS 8883 ist: broker.example:1883.</translation>
+    </message>
+    <message>
+        <source>Over TLS</source>
+        <translation>Über TLS</translation>
+    </message>
+    <message>
+        <source>Without it, the password and all results cross the network in the clear.</source>
+        <translation>Ohne TLS gehen Passwort und Ergebnisse offen durch das Netz.</translation>
+    </message>
+    <message>
+        <source>Authority of its certificate</source>
+        <translation>Aussteller seines Zertifikats</translation>
+    </message>
+    <message>
+        <source>A PEM file. Empty: one of the authorities that this computer trusts.</source>
+        <translation>Eine PEM-Datei. Leer: ein Aussteller, dem dieser Rechner vertraut.</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>Who the station is for the broker. Empty: nobody.</source>
+        <translation>Wer die Station für den Broker ist. Leer: niemand.</translation>
+    </message>
+    <message>
+        <source>File with the password</source>
+        <translation>Datei mit dem Passwort</translation>
+    </message>
+    <message>
+        <source>Its first line is the password; nobody but its owner may read it.</source>
+        <translation>Ihre erste Zeile ist das Passwort; nur ihr Besitzer darf sie lesen.</translation>
+    </message>
+    <message>
+        <source>Topic of JSON</source>
+        <translation>Topic für JSON</translation>
+    </message>
+    <message>
+        <source>A message a result, such as plant/results. Empty: no JSON.</source>
+        <translation>Eine Nachricht je Ergebnis, etwa plant/results. Leer: kein JSON.</translation>
+    </message>
+    <message>
+        <source>Sparkplug group and node</source>
+        <translation>Gruppe und Knoten von Sparkplug</translation>
+    </message>
+    <message>
+        <source>As GROUP/NODE, unlike that of any other station. Empty: no Sparkplug B.</source>
+        <translation>Als GRUPPE/KNOTEN, anders als bei jeder anderen Station. Leer: kein Sparkplug B.</translation>
+    </message>
+    <message>
+        <source>Primary host</source>
+        <translation>Primärer Host</translation>
+    </message>
+    <message>
+        <source>Results wait while this host of Sparkplug is not online. Empty: for none.</source>
+        <translation>Ergebnisse warten, solange dieser Host von Sparkplug nicht online ist. Leer: auf keinen.</translation>
+    </message>
+    <message>
+        <source>Results to a broker (MQTT)</source>
+        <translation>Ergebnisse an einen Broker (MQTT)</translation>
     </message>
 </context>
 <context>

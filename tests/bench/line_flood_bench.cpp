@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Squeezes and Stop with the PLC's server off, on, and flooded, side by side: how long from a squeeze's start
-// to its verdict, how late samples are taken over, and how long until the gripper has obeyed Stop.
+// Squeezes and Stop with the PLC's server off, on, flooded, and flooded beside a broker that is out of reach,
+// side by side: how long from a squeeze's start to its verdict, how late samples are taken over, and how long
+// until the gripper has obeyed Stop.
 //   build/bench/bin/line_flood_bench [ROUNDS]
 #include "core/session/line/line_session.h"
 #include "devices/factory/gripper_factory.h"
 #include "devices/line/modbus_server.h"
+#include "devices/line/mqtt/result_sender.h"
 
 #include <QCoreApplication>
 #include <QTemporaryDir>
@@ -81,6 +83,7 @@ struct Station {
         while (!done() && Clock::now() < end) {
             connection.poll();
             inspection.poll();
+            sender.poll();
             line.poll();
             std::this_thread::sleep_for(500us);
         }
@@ -96,6 +99,7 @@ struct Station {
     InspectSession inspection;
     std::shared_ptr<SharedJobDesk> desk = std::make_shared<SharedJobDesk>(1);
     LineSession line;
+    ResultSender sender{connection, inspection};
 };
 
 double since_ms(Clock::time_point start)
@@ -180,6 +184,15 @@ int main(int argc, char** argv)
             return 1;
         std::printf("  %.0f requests a second\n",
                     double(server.link().requests - before) * 1000 / since_ms(start));
+        MqttOptions broker;
+        broker.host = QStringLiteral("192.0.2.1"); // an address of RFC 5737: nobody has it
+        broker.jsonTopic = QStringLiteral("plant/results");
+        station.sender.begin(broker, folder.filePath(QStringLiteral("bench.db")));
+        std::printf("server flooded, results to a broker that no packet reaches\n");
+        if (!measure(station, rounds))
+            return 1;
+        std::printf("  %zu results wait\n", station.sender.link().waiting);
+        static_cast<void>(station.sender.end(10ms));
     }
     return 0;
 }

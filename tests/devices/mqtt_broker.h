@@ -5,12 +5,12 @@
 
 #include <QFile>
 #include <QProcess>
-#include <QTcpServer>
-#include <QTcpSocket>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <arpa/inet.h>
 #include <pwd.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 namespace gripscope::test {
@@ -21,10 +21,7 @@ class Broker {
 public:
     explicit Broker(const QByteArray& more = "allow_anonymous true\n")
     {
-        QTcpServer free;
-        free.listen(QHostAddress::LocalHost, 0);
-        m_port = free.serverPort();
-        free.close();
+        m_port = freePort();
         QFile file(m_folder.filePath(QStringLiteral("mosquitto.conf")));
         if (!file.open(QIODevice::WriteOnly))
             qFatal("no configuration for mosquitto");
@@ -58,9 +55,31 @@ public:
 private:
     [[nodiscard]] bool listens() const
     {
-        QTcpSocket socket;
-        socket.connectToHost(QHostAddress(QHostAddress::LocalHost), m_port);
-        return socket.waitForConnected(20);
+        const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+        sockaddr_in address = loopback(m_port);
+        const bool connected =
+            ::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
+        ::close(socket);
+        return connected;
+    }
+    [[nodiscard]] static sockaddr_in loopback(std::uint16_t port)
+    {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_port = htons(port);
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        return address;
+    }
+    [[nodiscard]] static std::uint16_t freePort()
+    {
+        const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+        sockaddr_in address = loopback(0);
+        socklen_t size = sizeof(address);
+        if (::bind(socket, reinterpret_cast<const sockaddr*>(&address), size) != 0 ||
+            ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) != 0)
+            qFatal("no free port");
+        ::close(socket);
+        return ntohs(address.sin_port);
     }
     QTemporaryDir m_folder;
     std::uint16_t m_port = 0;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/line/register_map.h"
 #include "tests/end_to_end/program_run.h"
+#include "tests/end_to_end/small_plc.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_registry.h"
 
 #include <QElapsedTimer>
-#include <QTcpServer>
-#include <QTcpSocket>
 
 #include <csignal>
 #include <cstring>
@@ -51,60 +50,6 @@ private:
     bool m_bound = false;
     QByteArray m_told;
 };
-
-/// A PLC that reads and writes as the manual says.
-class SmallPlc {
-public:
-    bool connectTo(std::uint16_t port)
-    {
-        m_socket.connectToHost(u"127.0.0.1"_s, port);
-        return m_socket.waitForConnected(longEnough_ms);
-    }
-    /// The registers 100 to 147; empty: no answer.
-    std::vector<std::uint16_t> read()
-    {
-        const QByteArray answer = ask(QByteArray::fromHex("0400640030"), 2 + 96);
-        std::vector<std::uint16_t> words;
-        for (qsizetype i = 2; i + 1 < answer.size(); i += 2)
-            words.push_back(
-                static_cast<std::uint16_t>((std::uint8_t(answer[i]) << 8) | std::uint8_t(answer[i + 1])));
-        return words;
-    }
-    /// All that a PLC writes, with another heartbeat.
-    bool write(std::uint16_t trigger, std::uint32_t token, std::uint32_t acknowledge = 0)
-    {
-        ++m_beat;
-        QByteArray request = QByteArray::fromHex("100000000810");
-        const auto word = [&request](std::uint32_t value) {
-            request += char((value >> 8) & 0xFF);
-            request += char(value & 0xFF);
-        };
-        for (const std::uint32_t value : {std::uint32_t(m_beat), acknowledge >> 16, acknowledge, 0U,
-                                          std::uint32_t(trigger), 0U, token >> 16, token})
-            word(value);
-        return ask(request, 5).size() == 5;
-    }
-
-private:
-    QByteArray ask(const QByteArray& pdu, qsizetype expected)
-    {
-        m_socket.write(
-            QByteArray::fromHex("000100000000").replace(5, 1, QByteArray(1, char(pdu.size() + 1))) + '\x01' +
-            pdu);
-        while (m_socket.bytesAvailable() < 7 + expected)
-            if (!m_socket.waitForReadyRead(longEnough_ms))
-                return {};
-        return m_socket.readAll().mid(7);
-    }
-    QTcpSocket m_socket;
-    std::uint16_t m_beat = 0;
-};
-
-std::uint16_t freePort()
-{
-    QTcpServer server;
-    return server.listen(QHostAddress::LocalHost) ? server.serverPort() : 0;
-}
 
 } // namespace
 

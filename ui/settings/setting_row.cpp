@@ -57,7 +57,8 @@ SettingRow::SettingRow(Settings& settings, const Setting& setting, QWidget* pare
     row->setContentsMargins(0, 8, 0, 8);
     row->setSpacing(16);
     row->addLayout(words, 1);
-    if (setting.kind == SettingKind::Folder || setting.kind == SettingKind::Picture)
+    if (setting.kind == SettingKind::Folder || setting.kind == SettingKind::Picture ||
+        setting.kind == SettingKind::File)
         row->addWidget(makeFileButton());
     row->addWidget(control);
     row->addWidget(m_reset);
@@ -92,6 +93,7 @@ QWidget* SettingRow::makeControl()
     case SettingKind::Text:
     case SettingKind::Folder:
     case SettingKind::Picture:
+    case SettingKind::File:
         break;
     }
     return makeText();
@@ -155,11 +157,12 @@ QWidget* SettingRow::makeFileButton()
     button->setAccessibleName(tr("Choose: %1").arg(m_setting->shownName()));
     connect(button, &QPushButton::clicked, this, [this] {
         const bool picture = m_setting->kind == SettingKind::Picture;
+        const bool folder = m_setting->kind == SettingKind::Folder;
         const QString chosen = m_settings->value(m_key).toString();
         auto* dialog = new FileDialog(this, m_setting->shownName(), picture ? QString() : chosen,
                                       picture ? tr("Pictures (*.png *.svg)") : QString());
-        dialog->setFileMode(picture ? QFileDialog::ExistingFile : QFileDialog::Directory);
-        dialog->setOption(QFileDialog::ShowDirsOnly, !picture);
+        dialog->setFileMode(folder ? QFileDialog::Directory : QFileDialog::ExistingFile);
+        dialog->setOption(QFileDialog::ShowDirsOnly, folder);
         connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { store(file); });
         dialog->open();
     });

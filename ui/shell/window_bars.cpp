@@ -10,6 +10,7 @@
 #include "ui/format/reference_words.h"
 #include "ui/format/study_due_words.h"
 #include "ui/line/line_station.h"
+#include "ui/line/mqtt_station.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/elided_label.h"
@@ -164,6 +165,10 @@ void StatusLine::refresh()
     }
     if (const LineStation& line = LineStation::of(*m_workbench); line.on()) {
         const LineWords words = line.words();
+        parts << words.headline.describe() << described(words.problems);
+    }
+    if (const MqttStation& broker = MqttStation::of(*m_workbench); broker.on()) {
+        const LineWords words = broker.words();
         parts << words.headline.describe() << described(words.problems);
     }
     const QFileInfo library(m_workbench->library().file());

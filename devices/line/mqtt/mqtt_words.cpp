@@ -102,7 +102,9 @@ LineWords mqttWords(const MqttLink& link)
             Words::say("Some results that waited for the broker could not be read again. The "
                        "library has them."));
     words.well = link.connected && words.problems.empty();
-    if (link.connected)
+    if (!link.since.isValid())
+        words.headline = Words::say("MQTT: not connected, %1 waiting").arg(link.waiting);
+    else if (link.connected)
         words.headline = Words::say("MQTT: connected since %1, %2 waiting").arg(since).arg(link.waiting);
     else
         words.headline = Words::say("MQTT: not connected since %1, %2 waiting").arg(since).arg(link.waiting);

@@ -107,6 +107,7 @@ QString Setting::shownValue(const QVariant& value) const
     case SettingKind::Text:
     case SettingKind::Folder:
     case SettingKind::Picture:
+    case SettingKind::File:
         return value.toString().isEmpty() ? SettingWords::tr("empty") : value.toString();
     }
     return value.toString();
@@ -127,6 +128,7 @@ std::optional<QVariant> Setting::accepted(const QVariant& value) const
     case SettingKind::Text:
     case SettingKind::Folder:
     case SettingKind::Picture:
+    case SettingKind::File:
         return asText(value);
     }
     return {};
@@ -151,6 +153,7 @@ QString Setting::expected() const
     case SettingKind::Text:
     case SettingKind::Folder:
     case SettingKind::Picture:
+    case SettingKind::File:
         return SettingWords::tr("a text of up to %1 letters").arg(longestText);
     }
     return {};
@@ -185,6 +188,8 @@ QString settingGroupName(SettingGroup group)
         return SettingWords::tr("Reports and certificates");
     case SettingGroup::Line:
         return SettingWords::tr("Line");
+    case SettingGroup::Broker:
+        return SettingWords::tr("Results to a broker (MQTT)");
     }
     return {};
 }

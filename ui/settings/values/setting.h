@@ -9,8 +9,19 @@
 
 namespace gripscope {
 
-enum class SettingKind { Switch, Choice, Number, Text, Folder, Picture };
-enum class SettingGroup { Appearance, Inspecting, Rates, Studies, Sessions, Start, People, Reports, Line };
+enum class SettingKind { Switch, Choice, Number, Text, Folder, Picture, File };
+enum class SettingGroup {
+    Appearance,
+    Inspecting,
+    Rates,
+    Studies,
+    Sessions,
+    Start,
+    People,
+    Reports,
+    Line,
+    Broker
+};
 enum class SettingApplies { AtOnce, NextConnection, NextStart };
 
 /// One of what a Choice may be: its stored word and what a person reads.
@@ -105,9 +116,18 @@ inline constexpr SettingKey<bool> lineOn{"line/on"};
 inline constexpr SettingKey<QString> lineHost{
     "line/host"}; ///< an address to listen on; empty: this computer's
 inline constexpr SettingKey<double> linePort{"line/port"};
-inline constexpr SettingKey<QString> linePeers{"line/peers"};          ///< parted by semicolons
-inline constexpr SettingKey<QString> lineTypes{"line/types"};          ///< by number, parted by semicolons
-inline constexpr SettingKey<double> lineHeartbeat{"line/heartbeat"};   ///< seconds
+inline constexpr SettingKey<QString> linePeers{"line/peers"};        ///< parted by semicolons
+inline constexpr SettingKey<QString> lineTypes{"line/types"};        ///< by number, parted by semicolons
+inline constexpr SettingKey<double> lineHeartbeat{"line/heartbeat"}; ///< seconds
+inline constexpr SettingKey<bool> mqttOn{"mqtt/on"};
+inline constexpr SettingKey<QString> mqttBroker{"mqtt/broker"}; ///< HOST or HOST:PORT
+inline constexpr SettingKey<bool> mqttTls{"mqtt/tls"};
+inline constexpr SettingKey<QString> mqttCa{"mqtt/ca"}; ///< a file; empty: the computer's authorities
+inline constexpr SettingKey<QString> mqttUser{"mqtt/user"};
+inline constexpr SettingKey<QString> mqttPasswordFile{"mqtt/passwordFile"}; ///< never the password itself
+inline constexpr SettingKey<QString> mqttTopic{"mqtt/topic"};               ///< of JSON; empty: none
+inline constexpr SettingKey<QString> mqttSparkplug{"mqtt/sparkplug"};       ///< GROUP/NODE; empty: none
+inline constexpr SettingKey<QString> mqttPrimaryHost{"mqtt/primaryHost"};
 inline constexpr SettingKey<double> idleMinutes{"people/idleMinutes"}; ///< 0: never
 } // namespace setting
 

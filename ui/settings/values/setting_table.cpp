@@ -3,7 +3,7 @@
 #include "core/calibration/conditions.h"
 #include "core/recognition/verdict/verdict.h"
 #include "devices/replay/capture_writer.h"
-#include "ui/settings/values/setting.h"
+#include "ui/settings/values/setting_makers.h"
 
 #include <QCoreApplication>
 
@@ -14,24 +14,6 @@ namespace {
 constexpr const char* percentUnit = "%";
 /// Of rates, as the Rates window allows them.
 constexpr double leastShare = 1e-5, mostShare = 0.2;
-
-Setting toggle(const char* key, bool fallback, SettingGroup group, const char* name, const char* explanation)
-{
-    return {key, SettingKind::Switch, fallback, group, name, explanation};
-}
-
-Setting choice(const char* key, const char* fallback, SettingGroup group, const char* name,
-               const char* explanation, std::vector<SettingChoice> choices)
-{
-    Setting made{key, SettingKind::Choice, QString::fromLatin1(fallback), group, name, explanation};
-    made.choices = std::move(choices);
-    return made;
-}
-
-Setting text(const char* key, SettingKind kind, SettingGroup group, const char* name, const char* explanation)
-{
-    return {key, kind, QString(), group, name, explanation};
-}
 
 Setting rate(const char* key, double fallback, const char* name, const char* explanation)
 {
@@ -53,8 +35,8 @@ Setting unitChoice(const char* key, const std::array<UnitChoice<Unit>, N>& units
     std::vector<SettingChoice> choices;
     for (const UnitChoice<Unit>& one : units)
         choices.push_back({one.name, one.name});
-    Setting made =
-        choice(key, units.front().name, SettingGroup::Appearance, name, explanation, std::move(choices));
+    Setting made = choiceSetting(key, units.front().name, SettingGroup::Appearance, name, explanation,
+                                 std::move(choices));
     made.choicesAreNames = true;
     return made;
 }
@@ -62,23 +44,24 @@ Setting unitChoice(const char* key, const std::array<UnitChoice<Unit>, N>& units
 std::vector<Setting> appearance()
 {
     Setting language =
-        choice(setting::language.key, "en", SettingGroup::Appearance,
-               QT_TRANSLATE_NOOP("gripscope::Setting", "Language"),
-               QT_TRANSLATE_NOOP("gripscope::Setting", "Of all words and numbers on the screen."),
-               {{"en", "English"}, {"de", "Deutsch"}});
-    Setting scale = choice(setting::scale.key, "100", SettingGroup::Appearance,
-                           QT_TRANSLATE_NOOP("gripscope::Setting", "Text and control size"),
-                           QT_TRANSLATE_NOOP("gripscope::Setting", "Enlarges everything in the window."),
-                           {{"100", "100 %"}, {"125", "125 %"}, {"150", "150 %"}, {"200", "200 %"}});
+        choiceSetting(setting::language.key, "en", SettingGroup::Appearance,
+                      QT_TRANSLATE_NOOP("gripscope::Setting", "Language"),
+                      QT_TRANSLATE_NOOP("gripscope::Setting", "Of all words and numbers on the screen."),
+                      {{"en", "English"}, {"de", "Deutsch"}});
+    Setting scale =
+        choiceSetting(setting::scale.key, "100", SettingGroup::Appearance,
+                      QT_TRANSLATE_NOOP("gripscope::Setting", "Text and control size"),
+                      QT_TRANSLATE_NOOP("gripscope::Setting", "Enlarges everything in the window."),
+                      {{"100", "100 %"}, {"125", "125 %"}, {"150", "150 %"}, {"200", "200 %"}});
     language.choicesAreNames = scale.choicesAreNames = true;
     scale.applies = SettingApplies::NextStart;
     scale.portable = false; // it goes with the screen
-    return {choice(setting::theme.key, "light", SettingGroup::Appearance,
-                   QT_TRANSLATE_NOOP("gripscope::Setting", "Theme"),
-                   QT_TRANSLATE_NOOP("gripscope::Setting", "Colours of the window."),
-                   {{"light", QT_TRANSLATE_NOOP("gripscope::Setting", "Light")},
-                    {"dark", QT_TRANSLATE_NOOP("gripscope::Setting", "Dark")},
-                    {"contrast", QT_TRANSLATE_NOOP("gripscope::Setting", "High contrast")}}),
+    return {choiceSetting(setting::theme.key, "light", SettingGroup::Appearance,
+                          QT_TRANSLATE_NOOP("gripscope::Setting", "Theme"),
+                          QT_TRANSLATE_NOOP("gripscope::Setting", "Colours of the window."),
+                          {{"light", QT_TRANSLATE_NOOP("gripscope::Setting", "Light")},
+                           {"dark", QT_TRANSLATE_NOOP("gripscope::Setting", "Dark")},
+                           {"contrast", QT_TRANSLATE_NOOP("gripscope::Setting", "High contrast")}}),
             language, scale,
             unitChoice(setting::forceUnit.key, forceUnitChoices,
                        QT_TRANSLATE_NOOP("gripscope::Setting", "Unit of force"),
@@ -94,7 +77,7 @@ std::vector<Setting> appearance()
 
 std::vector<Setting> automaticSqueeze()
 {
-    Setting automatic = toggle(
+    Setting automatic = switchSetting(
         setting::automaticSqueeze.key, false, SettingGroup::Inspecting,
         QT_TRANSLATE_NOOP("gripscope::Setting", "Squeeze by itself when a part arrives"),
         QT_TRANSLATE_NOOP("gripscope::Setting",
@@ -116,13 +99,15 @@ std::vector<Setting> automaticSqueeze()
 
 std::vector<Setting> inspecting()
 {
-    Setting sound = toggle(setting::soundOnVerdict.key, true, SettingGroup::Inspecting,
-                           QT_TRANSLATE_NOOP("gripscope::Setting", "Sound on a verdict"),
-                           QT_TRANSLATE_NOOP("gripscope::Setting", "A beep when an inspection is decided."));
-    Setting early = toggle(setting::earlyEnd.key, true, SettingGroup::Inspecting,
-                           QT_TRANSLATE_NOOP("gripscope::Setting", "End a squeeze as soon as it is decided"),
-                           QT_TRANSLATE_NOOP("gripscope::Setting",
-                                             "Parts that are clear take less time; the rates still hold."));
+    Setting sound =
+        switchSetting(setting::soundOnVerdict.key, true, SettingGroup::Inspecting,
+                      QT_TRANSLATE_NOOP("gripscope::Setting", "Sound on a verdict"),
+                      QT_TRANSLATE_NOOP("gripscope::Setting", "A beep when an inspection is decided."));
+    Setting early =
+        switchSetting(setting::earlyEnd.key, true, SettingGroup::Inspecting,
+                      QT_TRANSLATE_NOOP("gripscope::Setting", "End a squeeze as soon as it is decided"),
+                      QT_TRANSLATE_NOOP("gripscope::Setting",
+                                        "Parts that are clear take less time; the rates still hold."));
     early.needsSupervisor = early.needsReason = true;
     Setting disarm{setting::disarmMinutes.key,
                    SettingKind::Number,
@@ -135,10 +120,10 @@ std::vector<Setting> inspecting()
     disarm.most = 60;
     disarm.unit = "min";
     disarm.needsSupervisor = true;
-    Setting overdue =
-        toggle(setting::refuseOverdue.key, false, SettingGroup::Inspecting,
-               QT_TRANSLATE_NOOP("gripscope::Setting", "Refuse to judge when a calibration is overdue"),
-               QT_TRANSLATE_NOOP("gripscope::Setting", "Otherwise such a measurement is suspect."));
+    Setting overdue = switchSetting(
+        setting::refuseOverdue.key, false, SettingGroup::Inspecting,
+        QT_TRANSLATE_NOOP("gripscope::Setting", "Refuse to judge when a calibration is overdue"),
+        QT_TRANSLATE_NOOP("gripscope::Setting", "Otherwise such a measurement is suspect."));
     Setting lost{setting::mostLostShare.key,
                  SettingKind::Number,
                  0.0,
@@ -152,9 +137,9 @@ std::vector<Setting> inspecting()
     lost.unit = percentUnit;
     lost.zeroMeans = QT_TRANSLATE_NOOP("gripscope::Setting", "never");
     Setting person =
-        toggle(setting::onlySignedIn.key, false, SettingGroup::Inspecting,
-               QT_TRANSLATE_NOOP("gripscope::Setting", "Refuse to judge when nobody is signed in"),
-               QT_TRANSLATE_NOOP("gripscope::Setting", "Where the library has people."));
+        switchSetting(setting::onlySignedIn.key, false, SettingGroup::Inspecting,
+                      QT_TRANSLATE_NOOP("gripscope::Setting", "Refuse to judge when nobody is signed in"),
+                      QT_TRANSLATE_NOOP("gripscope::Setting", "Where the library has people."));
     for (Setting* policy : {&overdue, &lost, &person})
         policy->needsSupervisor = policy->needsReason = true;
     Setting invalid{
@@ -168,14 +153,14 @@ std::vector<Setting> inspecting()
     invalid.most = 20;
     invalid.needsSupervisor = true;
     const Setting parts =
-        toggle(setting::partNumbers.key, false, SettingGroup::Inspecting,
-               QT_TRANSLATE_NOOP("gripscope::Setting", "Part numbers"),
-               QT_TRANSLATE_NOOP("gripscope::Setting",
-                                 "A scanned code that is no type's is the number of the next part."));
-    Setting expected = text(setting::expectedType.key, SettingKind::Text, SettingGroup::Inspecting,
-                            QT_TRANSLATE_NOOP("gripscope::Setting", "Expected type"), "");
-    Setting shift = text(setting::shiftStart.key, SettingKind::Text, SettingGroup::Inspecting,
-                         QT_TRANSLATE_NOOP("gripscope::Setting", "Begin of the shift"), "");
+        switchSetting(setting::partNumbers.key, false, SettingGroup::Inspecting,
+                      QT_TRANSLATE_NOOP("gripscope::Setting", "Part numbers"),
+                      QT_TRANSLATE_NOOP("gripscope::Setting",
+                                        "A scanned code that is no type's is the number of the next part."));
+    Setting expected = textSetting(setting::expectedType.key, SettingKind::Text, SettingGroup::Inspecting,
+                                   QT_TRANSLATE_NOOP("gripscope::Setting", "Expected type"), "");
+    Setting shift = textSetting(setting::shiftStart.key, SettingKind::Text, SettingGroup::Inspecting,
+                                QT_TRANSLATE_NOOP("gripscope::Setting", "Begin of the shift"), "");
     for (Setting* one : {&expected, &shift})
         one->shown = one->portable = false;
     std::vector<Setting> all{sound, early, disarm, invalid, parts, overdue, lost, person, expected, shift};
@@ -215,18 +200,18 @@ std::vector<Setting> studies()
 std::vector<Setting> rates()
 {
     const VerdictOptions usual;
-    Setting confidence =
-        choice(setting::confidence.key, "0", SettingGroup::Rates,
-               QT_TRANSLATE_NOOP("gripscope::Setting", "The false-reject rate holds"),
-               QT_TRANSLATE_NOOP("gripscope::Setting", "With confidence for this library, gates are wider."),
-               {{"0", QT_TRANSLATE_NOOP("gripscope::Setting", "on average over libraries")},
-                {"0.95", QT_TRANSLATE_NOOP("gripscope::Setting", "with 95 % confidence")}});
+    Setting confidence = choiceSetting(
+        setting::confidence.key, "0", SettingGroup::Rates,
+        QT_TRANSLATE_NOOP("gripscope::Setting", "The false-reject rate holds"),
+        QT_TRANSLATE_NOOP("gripscope::Setting", "With confidence for this library, gates are wider."),
+        {{"0", QT_TRANSLATE_NOOP("gripscope::Setting", "on average over libraries")},
+         {"0.95", QT_TRANSLATE_NOOP("gripscope::Setting", "with 95 % confidence")}});
     confidence.needsSupervisor = confidence.needsReason = true;
     Setting robust =
-        toggle(setting::robust.key, usual.robust, SettingGroup::Rates,
-               QT_TRANSLATE_NOOP("gripscope::Setting", "Types spread unlike"),
-               QT_TRANSLATE_NOOP("gripscope::Setting",
-                                 "Or have wild squeezes among them: allows for both by wider gates."));
+        switchSetting(setting::robust.key, usual.robust, SettingGroup::Rates,
+                      QT_TRANSLATE_NOOP("gripscope::Setting", "Types spread unlike"),
+                      QT_TRANSLATE_NOOP("gripscope::Setting",
+                                        "Or have wild squeezes among them: allows for both by wider gates."));
     robust.needsSupervisor = robust.needsReason = true;
     return {rate(setting::falseReject.key, usual.falseReject,
                  QT_TRANSLATE_NOOP("gripscope::Setting", "False-reject rate"),
@@ -245,13 +230,14 @@ std::vector<Setting> rates()
 
 std::vector<Setting> sessions()
 {
-    Setting keep =
-        toggle(setting::keepSessions.key, true, SettingGroup::Sessions,
-               QT_TRANSLATE_NOOP("gripscope::Setting", "Keep the raw reports of every session"),
-               QT_TRANSLATE_NOOP("gripscope::Setting", "So that it can be replayed. Of real grippers only."));
-    Setting folder = text(setting::captureFolder.key, SettingKind::Folder, SettingGroup::Sessions,
-                          QT_TRANSLATE_NOOP("gripscope::Setting", "Folder of kept sessions"),
-                          QT_TRANSLATE_NOOP("gripscope::Setting", "Empty: the usual folder for data."));
+    Setting keep = switchSetting(
+        setting::keepSessions.key, true, SettingGroup::Sessions,
+        QT_TRANSLATE_NOOP("gripscope::Setting", "Keep the raw reports of every session"),
+        QT_TRANSLATE_NOOP("gripscope::Setting", "So that it can be replayed. Of real grippers only."));
+    Setting folder =
+        textSetting(setting::captureFolder.key, SettingKind::Folder, SettingGroup::Sessions,
+                    QT_TRANSLATE_NOOP("gripscope::Setting", "Folder of kept sessions"),
+                    QT_TRANSLATE_NOOP("gripscope::Setting", "Empty: the usual folder for data."));
     folder.portable = false;
     Setting bound{setting::captureMegabytes.key,
                   SettingKind::Number,
@@ -271,24 +257,24 @@ std::vector<Setting> sessions()
 
 std::vector<Setting> start()
 {
-    Setting connect =
-        choice(setting::connectAtStart.key, "last", SettingGroup::Start,
-               QT_TRANSLATE_NOOP("gripscope::Setting", "Connect at the start"),
-               QT_TRANSLATE_NOOP("gripscope::Setting", "The gripper that Gripscope looks for by itself."),
-               {{"last", QT_TRANSLATE_NOOP("gripscope::Setting", "The one used last")},
-                {"virtual", QT_TRANSLATE_NOOP("gripscope::Setting", "The virtual gripper")},
-                {"nothing", QT_TRANSLATE_NOOP("gripscope::Setting", "None")}});
+    Setting connect = choiceSetting(
+        setting::connectAtStart.key, "last", SettingGroup::Start,
+        QT_TRANSLATE_NOOP("gripscope::Setting", "Connect at the start"),
+        QT_TRANSLATE_NOOP("gripscope::Setting", "The gripper that Gripscope looks for by itself."),
+        {{"last", QT_TRANSLATE_NOOP("gripscope::Setting", "The one used last")},
+         {"virtual", QT_TRANSLATE_NOOP("gripscope::Setting", "The virtual gripper")},
+         {"nothing", QT_TRANSLATE_NOOP("gripscope::Setting", "None")}});
     Setting examples =
-        toggle(setting::examplesAtStart.key, false, SettingGroup::Start,
-               QT_TRANSLATE_NOOP("gripscope::Setting", "Example types"),
-               QT_TRANSLATE_NOOP("gripscope::Setting", "Adds the four example types to the library."));
+        switchSetting(setting::examplesAtStart.key, false, SettingGroup::Start,
+                      QT_TRANSLATE_NOOP("gripscope::Setting", "Example types"),
+                      QT_TRANSLATE_NOOP("gripscope::Setting", "Adds the four example types to the library."));
     connect.applies = examples.applies = SettingApplies::NextStart;
-    Setting last = text(setting::lastGripper.key, SettingKind::Text, SettingGroup::Start,
-                        QT_TRANSLATE_NOOP("gripscope::Setting", "Gripper used last"), "");
-    Setting person = text(setting::operatorName.key, SettingKind::Text, SettingGroup::People,
-                          QT_TRANSLATE_NOOP("gripscope::Setting", "Operator"), "");
-    Setting explained = toggle(setting::stopExplained.key, false, SettingGroup::Start,
-                               QT_TRANSLATE_NOOP("gripscope::Setting", "What STOP is was read"), "");
+    Setting last = textSetting(setting::lastGripper.key, SettingKind::Text, SettingGroup::Start,
+                               QT_TRANSLATE_NOOP("gripscope::Setting", "Gripper used last"), "");
+    Setting person = textSetting(setting::operatorName.key, SettingKind::Text, SettingGroup::People,
+                                 QT_TRANSLATE_NOOP("gripscope::Setting", "Operator"), "");
+    Setting explained = switchSetting(setting::stopExplained.key, false, SettingGroup::Start,
+                                      QT_TRANSLATE_NOOP("gripscope::Setting", "What STOP is was read"), "");
     for (Setting* one : {&last, &person, &explained})
         one->shown = one->portable = false;
     Setting idle{setting::idleMinutes.key,
@@ -307,17 +293,17 @@ std::vector<Setting> start()
 std::vector<Setting> reports()
 {
     Setting company =
-        text(setting::company.key, SettingKind::Text, SettingGroup::Reports,
-             QT_TRANSLATE_NOOP("gripscope::Setting", "Company"),
-             QT_TRANSLATE_NOOP("gripscope::Setting", "At the head of reports and certificates."));
-    Setting address =
-        text(setting::companyAddress.key, SettingKind::Text, SettingGroup::Reports,
-             QT_TRANSLATE_NOOP("gripscope::Setting", "Address"),
-             QT_TRANSLATE_NOOP("gripscope::Setting", "Below the name; a semicolon begins a new line."));
+        textSetting(setting::company.key, SettingKind::Text, SettingGroup::Reports,
+                    QT_TRANSLATE_NOOP("gripscope::Setting", "Company"),
+                    QT_TRANSLATE_NOOP("gripscope::Setting", "At the head of reports and certificates."));
+    Setting address = textSetting(
+        setting::companyAddress.key, SettingKind::Text, SettingGroup::Reports,
+        QT_TRANSLATE_NOOP("gripscope::Setting", "Address"),
+        QT_TRANSLATE_NOOP("gripscope::Setting", "Below the name; a semicolon begins a new line."));
     Setting logo =
-        text(setting::companyLogo.key, SettingKind::Picture, SettingGroup::Reports,
-             QT_TRANSLATE_NOOP("gripscope::Setting", "Logo"),
-             QT_TRANSLATE_NOOP("gripscope::Setting", "A PNG or SVG file of up to 2 MB. Empty: none."));
+        textSetting(setting::companyLogo.key, SettingKind::Picture, SettingGroup::Reports,
+                    QT_TRANSLATE_NOOP("gripscope::Setting", "Logo"),
+                    QT_TRANSLATE_NOOP("gripscope::Setting", "A PNG or SVG file of up to 2 MB. Empty: none."));
     logo.portable = false; // a file of this computer
     Setting gravity{setting::gravity.key,
                     SettingKind::Number,
@@ -335,63 +321,14 @@ std::vector<Setting> reports()
     return {company, address, logo, gravity};
 }
 
-std::vector<Setting> line()
-{
-    Setting on = toggle(setting::lineOn.key, false, SettingGroup::Line,
-                        QT_TRANSLATE_NOOP("gripscope::Setting", "A PLC may trigger squeezes"),
-                        QT_TRANSLATE_NOOP("gripscope::Setting",
-                                          "By Modbus TCP, of a gripper that a person has armed. The register "
-                                          "map is in the manual."));
-    Setting host = text(setting::lineHost.key, SettingKind::Text, SettingGroup::Line,
-                        QT_TRANSLATE_NOOP("gripscope::Setting", "Listens on"),
-                        QT_TRANSLATE_NOOP("gripscope::Setting",
-                                          "A network address of this computer. Empty: 127.0.0.1, which no "
-                                          "other computer reaches."));
-    Setting port{setting::linePort.key,
-                 SettingKind::Number,
-                 1502.0,
-                 SettingGroup::Line,
-                 QT_TRANSLATE_NOOP("gripscope::Setting", "Port"),
-                 QT_TRANSLATE_NOOP("gripscope::Setting", "502 needs a right that programs usually lack.")};
-    port.least = 1;
-    port.most = 65535;
-    Setting peers =
-        text(setting::linePeers.key, SettingKind::Text, SettingGroup::Line,
-             QT_TRANSLATE_NOOP("gripscope::Setting", "Who may connect"),
-             QT_TRANSLATE_NOOP("gripscope::Setting", "Addresses and networks such as 10.1.2.0/24, parted by "
-                                                     "semicolons; this computer always may."));
-    Setting types = text(setting::lineTypes.key, SettingKind::Text, SettingGroup::Line,
-                         QT_TRANSLATE_NOOP("gripscope::Setting", "Types by number"),
-                         QT_TRANSLATE_NOOP("gripscope::Setting",
-                                           "Their names, parted by semicolons: the first is the PLC's "
-                                           "type 1."));
-    Setting heartbeat{setting::lineHeartbeat.key,
-                      SettingKind::Number,
-                      2.0,
-                      SettingGroup::Line,
-                      QT_TRANSLATE_NOOP("gripscope::Setting", "The PLC is lost"),
-                      QT_TRANSLATE_NOOP("gripscope::Setting",
-                                        "When its heartbeat stands still for so long: the gripper is then "
-                                        "stopped and disarmed.")};
-    heartbeat.least = 0.2;
-    heartbeat.most = 60;
-    heartbeat.decimals = 1;
-    heartbeat.unit = "s";
-    for (Setting* one : {&on, &host, &port, &peers, &types, &heartbeat})
-        one->needsSupervisor = one->needsReason = true;
-    for (Setting* one : {&on, &host, &port, &peers})
-        one->portable = false; // of this computer and its network
-    return {on, host, port, peers, types, heartbeat};
-}
-
 } // namespace
 
 const std::vector<Setting>& allSettings()
 {
     static const std::vector<Setting> all = [] {
         std::vector<Setting> made;
-        for (const std::vector<Setting>& group :
-             {appearance(), inspecting(), rates(), studies(), sessions(), start(), reports(), line()})
+        for (const std::vector<Setting>& group : {appearance(), inspecting(), rates(), studies(), sessions(),
+                                                  start(), reports(), lineSettings(), brokerSettings()})
             made.insert(made.end(), group.begin(), group.end());
         return made;
     }();
