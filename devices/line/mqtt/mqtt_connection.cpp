@@ -44,7 +44,7 @@ struct MqttConnection::Private {
     MqttSession* session = nullptr;
     bool answered = false;      ///< by a CONNACK
     std::optional<int> refusal; ///< its code
-    QByteArray complaint;       ///< what TLS said last
+    QByteArray complaint;       ///< all that TLS said
     std::chrono::steady_clock::time_point begun;
 
     static Private& of(void* self) { return *static_cast<Private*>(self); }
@@ -68,8 +68,9 @@ struct MqttConnection::Private {
     }
     static void onLog(mosquitto*, void* self, int, const char* text)
     {
-        if (const QByteArrayView line(text); line.contains("OpenSSL") || line.contains("certificate"))
-            of(self).complaint = line.toByteArray();
+        const QByteArrayView line(text);
+        if (line.contains("OpenSSL") || line.contains("certificate") || line.contains("host name"))
+            of(self).complaint += line.toByteArray() + ' ';
     }
     [[nodiscard]] tl::unexpected<Error> failed(int code, int systemError) const
     {

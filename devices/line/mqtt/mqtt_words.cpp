@@ -31,15 +31,16 @@ Finding refusalWords(const MqttOptions& options, int code)
 
 Finding tlsWords(const MqttOptions& options, const QByteArray& complaint)
 {
+    // OpenSSL itself then only says that verification failed.
+    if (complaint.contains("host name") || complaint.contains("hostname"))
+        return Words::say("The certificate of the broker %1 is for another name.").arg(options.broker());
     if (complaint.contains("certificate verify failed") || complaint.contains("self signed"))
         return Words::
             say("The certificate of the broker %1 is not trusted: it was not issued by an authority of the "
                 "CA file, or is out of date.")
                 .arg(options.broker());
-    if (complaint.contains("verify") || complaint.contains("host name") || complaint.contains("hostname"))
-        return Words::say("The certificate of the broker %1 is for another name.").arg(options.broker());
     return Words::say("The broker %1 does not speak TLS as it should (%2).")
-        .arg(options.broker(), QString::fromUtf8(complaint));
+        .arg(options.broker(), QString::fromUtf8(complaint).trimmed());
 }
 
 Finding networkWords(const MqttOptions& options, int systemError)

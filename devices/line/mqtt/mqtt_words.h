@@ -11,7 +11,7 @@ struct ConnectionFault {
     int code = 0;                    ///< MOSQ_ERR_...
     int systemError = 0;             ///< errno
     std::optional<int> refusal = {}; ///< the code of a CONNACK
-    QByteArray complaint = {};       ///< what TLS said last
+    QByteArray complaint = {};       ///< all that TLS said
 };
 /// In words for a person: what, and what to do.
 [[nodiscard]] Error connectionProblem(const MqttOptions& options, const ConnectionFault& fault);
