@@ -60,6 +60,9 @@ struct BatchRecord;
 struct NewAdjustment;
 struct AdjustmentRecord;
 struct AdjustmentStanding;
+struct MergeReport;
+struct PlantConflict;
+struct StationStanding;
 class AuditTrail;
 class PeopleRegister;
 
@@ -163,6 +166,18 @@ public:
     /// Types and squeezes are again as they were at that version; returns the new version. Squeezes that came
     /// later stay on record. Usage: no such version, or nothing differs from it.
     [[nodiscard]] Expected<qint64> restoreVersion(qint64 version, const ChangeNote& note);
+
+    // Other stations (merge/library_merge.h)
+    /// Brings all that the library in `file` has and this one has not into it; that file is verified first
+    /// and only read. Twice is the same as once. StorageOpen: it is not whole, or a copy that was gone on
+    /// with.
+    [[nodiscard]] Expected<MergeReport> mergeLibrary(const QString& file, const ChangeNote& note);
+    /// The stations whose inspections it has, by name.
+    [[nodiscard]] Expected<std::vector<StationStanding>> stations() const;
+    /// What stations decided apart, until somebody who may decide it has seen it.
+    [[nodiscard]] Expected<std::vector<PlantConflict>> conflicts() const;
+    [[nodiscard]] Expected<void> noteConflictsSeen(const std::vector<PlantConflict>& conflicts,
+                                                   const ChangeNote& note);
 
     // Squeezes
     /// NotFound: no such type. UnitsDiffer: not comparable with the type's. Usage: no estimate for an

@@ -45,6 +45,8 @@ inline constexpr char16_t libraryBackedUp[] = u"library.backed_up"; ///< the sub
 /// The subject is the backup. In the library that it takes the place of, before it does; then in the other.
 inline constexpr char16_t libraryRestoreBegun[] = u"library.restore_begun";
 inline constexpr char16_t libraryRestored[] = u"library.restored";
+inline constexpr char16_t libraryMerged[] = u"library.merged"; ///< the subject is the other one's file
+inline constexpr char16_t conflictsSeen[] = u"conflicts.seen"; ///< by a supervisor, who was told of them
 inline constexpr char16_t capturesPruned[] = u"captures.pruned";
 inline constexpr char16_t profileInstalled[] = u"profile.installed";
 inline constexpr char16_t clockBack[] = u"clock.back";     ///< of the station, since its last entry

@@ -8767,6 +8767,210 @@ m  %3</translation>
         <source>MQTT: not connected, %1 waiting</source>
         <translation>MQTT: nicht verbunden, %1 warten</translation>
     </message>
+    <message>
+        <source>read the ledgers of other stations</source>
+        <translation>Journale anderer Stationen lesen</translation>
+    </message>
+    <message>
+        <source>take the ledger of another station</source>
+        <translation>das Journal einer anderen Station übernehmen</translation>
+    </message>
+    <message>
+        <source>read the rows of other stations</source>
+        <translation>Zeilen anderer Stationen lesen</translation>
+    </message>
+    <message>
+        <source>take a row of another station</source>
+        <translation>eine Zeile einer anderen Station übernehmen</translation>
+    </message>
+    <message>
+        <source>merge another library</source>
+        <translation>eine andere Bibliothek zusammenführen</translation>
+    </message>
+    <message>
+        <source>note that it was seen</source>
+        <translation>festhalten, dass es gesehen wurde</translation>
+    </message>
+    <message>
+        <source>read the changes of all stations</source>
+        <translation>Änderungen aller Stationen lesen</translation>
+    </message>
+    <message>
+        <source>a link of its ledger cannot be read</source>
+        <translation>ein Glied ihres Journals ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>it is not as it was written: %1. Nothing was taken from it. Look at all of it with &quot;library verify&quot;, and merge a backup that is whole</source>
+        <translation>sie ist nicht, wie sie geschrieben wurde: %1. Nichts wurde von ihr übernommen. Mit „library verify“ ganz ansehen und eine heile Sicherung zusammenführen</translation>
+    </message>
+    <message>
+        <source>Nothing in %1 is new here.</source>
+        <translation>Nichts in %1 ist hier neu.</translation>
+    </message>
+    <message>
+        <source>%1 rows of %2 were taken, %3 were there already.</source>
+        <translation>%1 Zeilen von %2 wurden übernommen, %3 waren schon da.</translation>
+    </message>
+    <message>
+        <source>it is this library itself</source>
+        <translation>es ist diese Bibliothek selbst</translation>
+    </message>
+    <message>
+        <source>it is a copy of this library, and both were gone on with. Go on with one of them alone: keep the other aside, or put it back with &quot;library restore&quot;</source>
+        <translation>es ist eine Kopie dieser Bibliothek, und mit beiden wurde weitergearbeitet. Nur mit einer weiterarbeiten: die andere beiseitelegen oder mit „library restore“ zurückspielen</translation>
+    </message>
+    <message>
+        <source>it has met a newer state of this library: an older copy was put back here. Put back the newest copy there is, then merge</source>
+        <translation>sie kennt einen neueren Stand dieser Bibliothek: Hier wurde eine ältere Kopie zurückgespielt. Die neueste Kopie zurückspielen, dann zusammenführen</translation>
+    </message>
+    <message>
+        <source>the two know the ledger of a library differently, by chain %1: one of them has met a copy of it that was gone on with. Find out which station works with a copy, and put back its newest library there</source>
+        <translation>beide kennen das Journal einer Bibliothek verschieden, in der Kette %1: Eine von ihnen hat eine Kopie getroffen, mit der weitergearbeitet wurde. Herausfinden, welche Station mit einer Kopie arbeitet, und dort deren neueste Bibliothek zurückspielen</translation>
+    </message>
+    <message>
+        <source>read how another station numbers</source>
+        <translation>lesen, wie eine andere Station nummeriert</translation>
+    </message>
+    <message>
+        <source>record the merge</source>
+        <translation>das Zusammenführen festhalten</translation>
+    </message>
+    <message>
+        <source>read its merges</source>
+        <translation>lesen, was mit ihr zusammengeführt wurde</translation>
+    </message>
+    <message>
+        <source>take the rows of another station</source>
+        <translation>Zeilen einer anderen Station übernehmen</translation>
+    </message>
+    <message>
+        <source>row %2 of %1 is not what its ledger says</source>
+        <translation>Zeile %2 von %1 ist nicht, was ihr Journal sagt</translation>
+    </message>
+    <message>
+        <source>read the recipes</source>
+        <translation>Rezepte lesen</translation>
+    </message>
+    <message>
+        <source>what stations have of each other</source>
+        <translation>was Stationen voneinander haben</translation>
+    </message>
+    <message>
+        <source>on %1</source>
+        <translation>an %1</translation>
+    </message>
+    <message>
+        <source>by %1 on %2</source>
+        <translation>von %1 an %2</translation>
+    </message>
+    <message>
+        <source>waiting for approval</source>
+        <translation>wartet auf Freigabe</translation>
+    </message>
+    <message>
+        <source>approved</source>
+        <translation>freigegeben</translation>
+    </message>
+    <message>
+        <source>retired</source>
+        <translation>außer Gebrauch</translation>
+    </message>
+    <message>
+        <source>given up</source>
+        <translation>aufgegeben</translation>
+    </message>
+    <message>
+        <source>the recipe</source>
+        <translation>das Rezept</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Stations renamed %1 while apart</source>
+        <translation>Stationen haben %1 getrennt voneinander umbenannt</translation>
+    </message>
+    <message>
+        <source>Stations decided apart whether %1 is recognised</source>
+        <translation>Stationen haben getrennt entschieden, ob %1 erkannt wird</translation>
+    </message>
+    <message>
+        <source>Stations changed the recipe of %1 while apart</source>
+        <translation>Stationen haben das Rezept von %1 getrennt voneinander geändert</translation>
+    </message>
+    <message>
+        <source>Stations gave %1 a code for scanners while apart</source>
+        <translation>Stationen haben %1 getrennt voneinander einen Code für Scanner gegeben</translation>
+    </message>
+    <message>
+        <source>Stations set tolerance limits of %1 while apart</source>
+        <translation>Stationen haben Toleranzgrenzen von %1 getrennt voneinander gesetzt</translation>
+    </message>
+    <message>
+        <source>Two types were called &apos;%1&apos;: the one %2 keeps the name, and the one %3 is now called &apos;%4&apos;. Rename or merge them where they are the same part.</source>
+        <translation>Zwei Typen hießen „%1“: der %2 behält den Namen, der %3 heißt jetzt „%4“. Umbenennen oder zusammenführen, wo es dasselbe Teil ist.</translation>
+    </message>
+    <message>
+        <source>Two types were given the code %1: the one %2 keeps it, and %3 has none now. Give it another.</source>
+        <translation>Zwei Typen bekamen den Code %1: der %2 behält ihn, und %3 hat jetzt keinen. Einen anderen geben.</translation>
+    </message>
+    <message>
+        <source>%1 was approved %2 while it was changed %3: it waits for approval again.</source>
+        <translation>%1 wurde freigegeben %2, während es geändert wurde %3: Es wartet wieder auf Freigabe.</translation>
+    </message>
+    <message>
+        <source>%1 was given up %2 while squeezes of it were kept elsewhere: it is retired. Put it back into use or merge it.</source>
+        <translation>%1 wurde aufgegeben %2, während anderswo Druckversuche davon dazukamen: Der Typ ist außer Gebrauch. Wieder in Gebrauch nehmen oder zusammenführen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 (later) is in force; %3 is on record. Change it where that is wrong.</source>
+        <translation>%1: %2 (später) gilt; %3 bleibt nachlesbar. Ändern, wo das falsch ist.</translation>
+    </message>
+    <message>
+        <source>The library %1 was merged into this one.</source>
+        <translation>Die Bibliothek %1 wurde mit dieser zusammengeführt.</translation>
+    </message>
+    <message>
+        <source>holds %1 rows, of which the ledgers of other stations know %2</source>
+        <translation>hat %1 Zeilen, von denen die Journale anderer Stationen %2 kennen</translation>
+    </message>
+    <message>
+        <source>of another station is missing</source>
+        <translation>einer anderen Station fehlt</translation>
+    </message>
+    <message>
+        <source>is not as the other station wrote it</source>
+        <translation>ist nicht, wie die andere Station es schrieb</translation>
+    </message>
+    <message>
+        <source>does not say where the row was made, or under which number</source>
+        <translation>sagt nicht, wo die Zeile entstand oder unter welcher Nummer</translation>
+    </message>
+    <message>
+        <source>is missing or another than when it was merged</source>
+        <translation>fehlt oder ist ein anderes als beim Zusammenführen</translation>
+    </message>
+    <message>
+        <source>ends of its ledger</source>
+        <translation>Enden der Journale</translation>
+    </message>
+    <message>
+        <source>decided apart</source>
+        <translation>getrennt entschieden</translation>
+    </message>
+    <message>
+        <source>Library of another station merged</source>
+        <translation>Bibliothek einer anderen Station zusammengeführt</translation>
+    </message>
+    <message>
+        <source>Conflicts between stations seen</source>
+        <translation>Konflikte zwischen Stationen gesehen</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>

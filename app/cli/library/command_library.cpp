@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/library/library_copies.h"
 #include "app/cli/library/library_examples.h"
+#include "app/cli/library/library_stations.h"
 #include "app/cli/library/library_take_back.h"
 #include "app/cli/library/type_library.h"
 #include "app/cli/line/actions.h"
@@ -41,6 +42,14 @@ QJsonObject toJson(const LibraryVerification& found)
                                     {u"reason"_s, one.reason}});
     if (!restores.isEmpty()) // a library that never was put back reads as ever
         document.insert(u"restores"_s, restores);
+    QJsonArray merged;
+    for (const MergedChain& one : found.merged)
+        merged.append(
+            QJsonObject{{u"library"_s, one.library}, {u"chain"_s, one.name}, {u"links"_s, one.links}});
+    if (!merged.isEmpty()) {
+        document.insert(u"merged"_s, merged);
+        document.insert(u"merged_rows"_s, found.mergedRows);
+    }
     return document;
 }
 
@@ -55,6 +64,10 @@ void printText(const LibraryVerification& found)
                   .arg(chain.links)
                   .arg(chain.hasSignatures ? u", signed"_s : u", not all signed"_s,
                        chain.witnessed ? u", witnessed here"_s : QString()));
+    for (const MergedChain& chain : found.merged)
+        print(u"%1: %2 links%3, of another library"_s.arg(chain.name)
+                  .arg(chain.links)
+                  .arg(chain.hasSignatures ? u", signed"_s : u", not all signed"_s));
     print(inWords(found));
 }
 
@@ -93,13 +106,16 @@ int verifyAll(const QStringList& arguments)
 
 int runLibrary(const QStringList& arguments)
 {
-    return runAction(u"library"_s, u"Looks after a library as a whole."_s,
-                     {{u"verify"_s, u"says whether every row is as it was written"_s, verifyAll},
-                      {u"backup"_s, u"copies a library that may be in use, and verifies the copy"_s, backUp},
-                      {u"restore"_s, u"puts a backup in the place of a library, which is kept"_s, restore},
-                      {u"take-back"_s, u"stores inspections that were kept aside"_s, takeBack},
-                      {u"examples"_s, u"adds types to look at"_s, addExamples}},
-                     arguments);
+    return runAction(
+        u"library"_s, u"Looks after a library as a whole."_s,
+        {{u"verify"_s, u"says whether every row is as it was written"_s, verifyAll},
+         {u"backup"_s, u"copies a library that may be in use, and verifies the copy"_s, backUp},
+         {u"restore"_s, u"puts a backup in the place of a library, which is kept"_s, restore},
+         {u"merge"_s, u"brings in what the library of another station has"_s, mergeStations},
+         {u"status"_s, u"says which stations are in it, and what they decided apart"_s, stationStatus},
+         {u"take-back"_s, u"stores inspections that were kept aside"_s, takeBack},
+         {u"examples"_s, u"adds types to look at"_s, addExamples}},
+        arguments);
 }
 
 } // namespace gripscope::cli

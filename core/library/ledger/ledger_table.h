@@ -21,6 +21,9 @@ namespace gripscope::ledger_table {
 [[nodiscard]] Expected<std::optional<ChainEnd>> birth(Database& database);
 /// Where each chain ends, by name.
 [[nodiscard]] Expected<std::map<QString, ChainEnd>> ends(Database& database);
+/// The links of one chain behind a number, in order.
+[[nodiscard]] Expected<void> since(Database& database, const QString& chain, qint64 number,
+                                   const std::function<void(const LedgerLink&)>& take);
 /// The hash of a link as stored; empty when there is none.
 [[nodiscard]] Expected<QByteArray> hashOf(Database& database, const QString& chain, qint64 number);
 /// The same for settleRestore(); empty also where the ledger cannot be read.

@@ -47,6 +47,8 @@ std::span<const LedgeredTable> ledgeredTables()
         {54, u"process_limits"_s, u"id"_s},
         {60, u"gripper_adjustments"_s, u"id"_s},
         {61, u"adjustment_ends"_s, u"id"_s},
+        {70, u"library_meetings"_s, u"id"_s},
+        {71, u"conflicts_seen"_s, u"id"_s},
     };
     return tables;
 }

@@ -142,6 +142,8 @@ const std::vector<Migration>& migrations()
         step(26, QT_TRANSLATE_NOOP("Words", "what control charts are drawn from"), processChartsScript,
              enterNewRows),
         step(27, QT_TRANSLATE_NOOP("Words", "adjustments of grippers"), adjustmentsScript, enterNewRows),
+        step(28, QT_TRANSLATE_NOOP("Words", "what stations have of each other"), stationsScript,
+             enterNewRows),
     };
     return steps;
 }

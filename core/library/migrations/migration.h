@@ -71,5 +71,6 @@ extern const char* const partLimitsScript;
 extern const char* const studiesScript;
 extern const char* const processChartsScript;
 extern const char* const adjustmentsScript;
+extern const char* const stationsScript;
 
 } // namespace gripscope

@@ -16,7 +16,7 @@ struct KindName {
     const char16_t* name;
 };
 
-constexpr std::array<KindName, 15> kindNames{{{ChangeKind::NewType, u"new_type"},
+constexpr std::array<KindName, 16> kindNames{{{ChangeKind::NewType, u"new_type"},
                                               {ChangeKind::Squeeze, u"squeeze"},
                                               {ChangeKind::Drop, u"drop"},
                                               {ChangeKind::Undrop, u"undrop"},
@@ -30,7 +30,8 @@ constexpr std::array<KindName, 15> kindNames{{{ChangeKind::NewType, u"new_type"}
                                               {ChangeKind::Code, u"code"},
                                               {ChangeKind::Limits, u"limits"},
                                               {ChangeKind::Restore, u"restore"},
-                                              {ChangeKind::Examples, u"examples"}}};
+                                              {ChangeKind::Examples, u"examples"},
+                                              {ChangeKind::Meeting, u"meeting"}}};
 
 constexpr std::array allStatuses{TypeStatus::Enrolled, TypeStatus::Approved, TypeStatus::Retired,
                                  TypeStatus::Gone};
@@ -127,6 +128,8 @@ QString inWords(const LibraryChange& change)
         return Words::tr("The library was put back to version %1.").arg(other);
     case ChangeKind::Examples:
         return Words::tr("The paper's example types were added.");
+    case ChangeKind::Meeting:
+        return Words::tr("The library %1 was merged into this one.").arg(other);
     }
     return {};
 }

@@ -28,7 +28,8 @@ enum class ChangeKind {
     Code,    ///< what a scanner reads on its parts
     Limits,  ///< what m, b and k of its parts may be
     Restore, ///< of an earlier version
-    Examples
+    Examples,
+    Meeting ///< another library was merged into this one; what differed by that is of this version
 };
 [[nodiscard]] QString toString(ChangeKind kind);
 [[nodiscard]] std::optional<ChangeKind> changeKindFromString(const QString& text);
@@ -47,8 +48,8 @@ struct LibraryChange {
     QString station;
     ChangeKind kind = ChangeKind::NewType;
     QString type; ///< its name before the change; empty where all types are meant
-    /// The new name, the type it went into, the new type, its code, its limits, the version restored;
-    /// approvalVoid.
+    /// The new name, the type it went into, the new type, its code, its limits, the version restored, the
+    /// file that was merged; approvalVoid.
     QString other;
     int squeezes = 0; ///< as many were added, dropped or moved
     QString operatorName, reason;

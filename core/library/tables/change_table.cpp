@@ -40,6 +40,13 @@ Expected<void> audit(Database& database, const LibraryChange& change, qint64 ver
 
 Expected<qint64> insert(Database& database, const LibraryChange& change)
 {
+    ASSIGN_OR_RETURN(const qint64 version, insertUntold(database, change));
+    RETURN_IF_ERROR(audit(database, change, version));
+    return version;
+}
+
+Expected<qint64> insertUntold(Database& database, const LibraryChange& change)
+{
     const auto newest = newestVersion(database);
     if (!newest)
         return newest;
@@ -50,7 +57,6 @@ Expected<qint64> insert(Database& database, const LibraryChange& change)
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(*newest + 1).bind(toString(change.kind));
     row.bind(change.type).bind(change.other).bind(change.squeezes);
     RETURN_IF_ERROR(row.bind(change.operatorName).bind(change.reason).run());
-    RETURN_IF_ERROR(audit(database, change, *newest + 1));
     return *newest + 1;
 }
 

@@ -4,9 +4,9 @@
 #include "core/base/words.h"
 #include "core/library/ledger/ledger_table.h"
 #include "core/library/ledger/library_witness.h"
-#include "core/library/ledger/station_key.h"
 #include "core/library/sql/database.h"
 #include "core/library/verification/library_verification.h"
+#include "core/library/verification/link_check.h"
 #include "core/library/verification/row_check.h"
 
 namespace gripscope {
@@ -26,8 +26,8 @@ public:
     {
         if (m_found.chains.empty() || m_found.chains.back().name != link.chain)
             beginChain(link.chain);
-        checkOrder(link);
-        checkContent(link);
+        for (const QString& problem : problemsOf(link, m_end))
+            differs(link, problem);
         checkWitness(link);
         m_end = {link.number, link.hash, link.signature};
         LedgerChain& chain = m_found.chains.back();
@@ -58,28 +58,6 @@ private:
     void differs(const LedgerLink& link, const QString& what)
     {
         m_found.differs(u"ledger"_s, u"%1/%2"_s.arg(link.chain).arg(link.number), what);
-    }
-
-    void checkOrder(const LedgerLink& link)
-    {
-        if (link.number != m_end.links + 1)
-            differs(link,
-                    Words::tr("the links before it are missing, from number %1 on").arg(m_end.links + 1));
-        else if (link.previousHash != m_end.hash)
-            differs(link, Words::tr("does not follow from the link before it"));
-    }
-
-    void checkContent(const LedgerLink& link)
-    {
-        if (link.format != LedgerLink::newestFormat)
-            return differs(link, Words::tr("is in a format that this program does not know"));
-        if (linkHash(link, m_end.signature) != link.hash)
-            differs(link, Words::tr("was changed: its hash is of something else"));
-        const QString station = link.chain.left(link.chain.lastIndexOf(u'/'));
-        if (link.chain != ledgerChain(station, link.signer))
-            differs(link, Words::tr("is not signed by the key that its chain belongs to"));
-        else if (!link.signer.isEmpty() && !isSignedBy(link.signer, link.hash, link.signature))
-            differs(link, Words::tr("its signature is not of it"));
     }
 
     void checkWitness(const LedgerLink& link)

@@ -10,6 +10,7 @@
 #include "core/library/tables/audit_table.h"
 #include "core/library/tables/tally_table.h"
 #include "core/library/verification/ledger_check.h"
+#include "core/library/verification/merged_check.h"
 #include "core/library/verification/recomputation.h"
 
 namespace gripscope {
@@ -135,6 +136,7 @@ Expected<LibraryVerification> verifyOnce(const QString& file, LibraryWitness wit
         settleRestore(witness, ledger_table::hashesOf(*database));
         checkMigrations(*database, found);
         checkLedger(*database, witness, found);
+        checkMerged(*database, found);
         checkAudit(*database, witness, found);
         checkTallies(*database, found);
     }

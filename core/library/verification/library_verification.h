@@ -39,6 +39,13 @@ struct LedgerChain {
     bool witnessed = false;
 };
 
+/// A chain in the ledger of a library that was merged into this one.
+struct MergedChain {
+    QString library, name;
+    qint64 links = 0;
+    bool hasSignatures = true;
+};
+
 /// "people 0190… was changed"
 [[nodiscard]] QString inWords(const LibraryDifference& difference);
 
@@ -46,12 +53,14 @@ struct LibraryVerification {
     /// Of those after them only the number is kept.
     static constexpr std::size_t mostDifferences = 10'000;
 
-    qint64 rows = 0;      ///< compared with what the ledger says of them
-    qint64 foundRows = 0; ///< of these, what was there before the ledger: as they were found then
+    qint64 rows = 0;       ///< compared with what the ledger says of them
+    qint64 foundRows = 0;  ///< of these, what was there before the ledger: as they were found then
+    qint64 mergedRows = 0; ///< compared with what the ledgers of other stations say of them
     std::vector<LibraryDifference> differences;
     qint64 furtherDifferences = 0;
     WitnessState witness = WitnessState::Absent;
     std::vector<LedgerChain> chains;
+    std::vector<MergedChain> merged;      ///< of other stations
     std::vector<RestoredBackup> restores; ///< in their order
 
     [[nodiscard]] bool whole() const { return differences.empty(); }

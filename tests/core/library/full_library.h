@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/calibration/calibration_record.h"
+#include "core/library/merge/library_merge.h"
 #include "core/library/records/batch.h"
 #include "core/library/records/enrollment_draft.h"
 #include "core/library/records/gripper_adjustment.h"
@@ -99,6 +100,20 @@ inline void addAdjustment(Library& library)
     valueOf(library.withdrawAdjustment(id, u"calibrated"_s, u"Ada"_s));
 }
 
+/// Another station enrolled a type of the same name: merged, and seen.
+inline void mergeAnother(Library& library)
+{
+    const LibraryFolder other;
+    {
+        const auto there = other.open();
+        const QString a = valueOf(there->addType(u"A"_s, {}, u"N"_s, u"m"_s, u"Ben"_s)).id;
+        valueOf(there->addGrasp(aGrasp(a, 7000)));
+        valueOf(there->addInspection(anInspection()));
+    }
+    const MergeReport report = valueOf(library.mergeLibrary(other.file(), {u"Ada"_s, u"one plant"_s}));
+    valueOf(library.noteConflictsSeen(report.conflicts, {u"Ada"_s, {}}));
+}
+
 /// At least one row in every table, by what the program itself does.
 inline void fillEveryTable(Library& library)
 {
@@ -129,6 +144,7 @@ inline void fillEveryTable(Library& library)
     addStudy(library);
     addAdjustment(library);
     valueOf(library.fixProcessLimits(u"A"_s, u"{}"_s, u"Ada"_s));
+    mergeAnother(library);
     const People people(library);
     library.actAs(people.supervisor(library));
     valueOf(library.people().setArming(ArmingPolicy::Supervisors));

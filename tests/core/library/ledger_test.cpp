@@ -36,7 +36,7 @@ private slots:
         static_cast<void>(folder.open());
         std::set<QString> tables;
         for (const QString& table : valueOf(valueOf(Database::open(folder.file()))->tables()))
-            if (!table.startsWith("sqlite_"_L1) && table != "ledger"_L1)
+            if (!table.startsWith("sqlite_"_L1) && table != "ledger"_L1 && !table.startsWith("merged_"_L1))
                 tables.insert(table);
         std::set<QString> entered;
         std::set<quint8> codes;

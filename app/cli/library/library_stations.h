@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+
+namespace gripscope::cli {
+
+/// `library merge OTHER.db`: brings in what another station has.
+int mergeStations(const QStringList& arguments);
+/// `library status`: which stations are in a library, and what they decided apart.
+int stationStatus(const QStringList& arguments);
+
+} // namespace gripscope::cli

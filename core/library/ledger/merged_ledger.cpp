@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/ledger/merged_ledger.h"
+
+#include "core/base/words.h"
+#include "core/library/ledger/ledger_table.h"
+#include "core/library/sql/statement.h"
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString readingOthers()
+{
+    return Words::tr("read the ledgers of other stations");
+}
+
+} // namespace
+
+Expected<QString> libraryId(Database& database)
+{
+    constexpr qsizetype digits = 32;
+    ASSIGN_OR_RETURN(const auto first, ledger_table::birth(database));
+    return first ? QString::fromLatin1(first->hash.toHex().left(digits)) : QString();
+}
+
+namespace merged_ledger {
+
+Expected<void> insert(Database& database, const QString& library, const LedgerLink& link)
+{
+    Statement row(database, Words::tr("take the ledger of another station"),
+                  u"INSERT INTO merged_ledger (library, chain, number, kind, format, created_utc, leaves, "
+                  "previous_hash, hash, signer, signature) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+    row.bind(library).bind(link.chain).bind(link.number).bind(toString(link.kind)).bind(link.format);
+    row.bind(link.utc);
+    for (const QByteArray* bytes :
+         {&link.leaves, &link.previousHash, &link.hash, &link.signer, &link.signature})
+        row.bindBytes(*bytes);
+    return row.run();
+}
+
+Expected<std::map<LibraryChain, ChainEnd>> ends(Database& database)
+{
+    std::map<LibraryChain, ChainEnd> ends;
+    Statement query(database, readingOthers(),
+                    u"SELECT l.library, l.chain, l.number, l.hash FROM merged_ledger l JOIN (SELECT library, "
+                    "chain, MAX(number) AS number FROM merged_ledger GROUP BY library, chain) e ON e.library "
+                    "= l.library AND e.chain = l.chain AND e.number = l.number"_s);
+    const auto done = query.forEach([&](Statement& row) {
+        const QString library = row.takeText();
+        ChainEnd end;
+        end.chain = row.takeText();
+        end.links = row.takeInteger();
+        end.hash = row.takeBytes();
+        ends[{library, end.chain}] = end;
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return ends;
+}
+
+Expected<QByteArray> hashOf(Database& database, const LibraryChain& chain, qint64 number)
+{
+    QByteArray hash;
+    Statement query(database, readingOthers(),
+                    u"SELECT hash FROM merged_ledger WHERE library = ? AND chain = ? AND number = ?"_s);
+    query.bind(chain.first).bind(chain.second).bind(number);
+    if (auto done = query.forEach([&](Statement& row) { hash = row.takeBytes(); }); !done)
+        return tl::unexpected(done.error());
+    return hash;
+}
+
+Expected<void> since(Database& database, const LibraryChain& chain, qint64 number,
+                     const std::function<void(const LedgerLink&)>& take)
+{
+    Statement query(
+        database, readingOthers(),
+        u"SELECT number, kind, format, created_utc, leaves, previous_hash, hash, signer, signature "
+        "FROM merged_ledger WHERE library = ? AND chain = ? AND number > ? ORDER BY number"_s);
+    query.bind(chain.first).bind(chain.second).bind(number);
+    return query.forEach([&](Statement& row) {
+        LedgerLink link;
+        link.chain = chain.second;
+        link.number = row.takeInteger();
+        link.kind = ledgerKindFrom(row.takeText());
+        link.format = static_cast<int>(row.takeInteger());
+        link.utc = row.takeText();
+        for (QByteArray* bytes :
+             {&link.leaves, &link.previousHash, &link.hash, &link.signer, &link.signature})
+            *bytes = row.takeBytes();
+        take(link);
+    });
+}
+
+Expected<qint64> ofOtherKinds(Database& database)
+{
+    qint64 number = 0;
+    Statement query(database, readingOthers(),
+                    u"SELECT COUNT(*) FROM merged_ledger WHERE typeof(library) || typeof(chain) || "
+                    "typeof(number) || typeof(kind) || typeof(format) || typeof(created_utc) <> "
+                    "'texttextintegertextintegertext' OR typeof(leaves) || typeof(previous_hash) || "
+                    "typeof(hash) || typeof(signer) || typeof(signature) <> 'blobblobblobblobblob'"_s);
+    if (auto done = query.forEach([&](Statement& row) { number = row.takeInteger(); }); !done)
+        return tl::unexpected(done.error());
+    return number;
+}
+
+} // namespace merged_ledger
+} // namespace gripscope

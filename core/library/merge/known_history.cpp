@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/merge/known_history.h"
+
+#include "core/base/words.h"
+#include "core/library/ledger/ledgered_tables.h"
+#include "core/library/ledger/merged_ledger.h"
+#include "core/library/ledger/merged_rows.h"
+#include "core/library/sql/statement.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString readingHistory()
+{
+    return Words::tr("read the changes of all stations");
+}
+
+/// A version here: where it was made, as what.
+struct KnownChange {
+    QString library;
+    qint64 version = 0;
+    ChangeKind kind = ChangeKind::NewType;
+    QString person;
+};
+
+using KnownChanges = std::map<qint64, KnownChange>; ///< by the version here
+
+Expected<KnownChanges> changesOf(Database& database, const QString& own)
+{
+    KnownChanges changes;
+    Statement query(
+        database, readingHistory(),
+        u"SELECT c.version, c.kind, c.operator_name, COALESCE(m.library, ''), COALESCE(m.number, 0) "
+        "FROM library_changes c LEFT JOIN merged_rows m ON m.table_code = ? AND m.row_key = c.id "
+        "AND m.is_origin = 1"_s);
+    query.bind(int(ledgeredTable(u"library_changes"_s)->code));
+    const auto done = query.forEach([&](Statement& row) {
+        const qint64 here = row.takeInteger();
+        KnownChange change;
+        change.kind = changeKindFromString(row.takeText()).value_or(ChangeKind::Restore);
+        change.person = row.takeText();
+        change.library = row.takeText();
+        change.version = row.takeInteger();
+        if (change.library.isEmpty()) {
+            change.library = own;
+            change.version = here;
+        }
+        changes[here] = change;
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return changes;
+}
+
+/// Takes the stamp of a row: key, station, time, version.
+ChangeStamp takeStamp(Statement& row, const KnownChanges& changes, ChangeKind& kind)
+{
+    ChangeStamp stamp;
+    stamp.row = row.takeText();
+    stamp.station = row.takeText();
+    stamp.utc = row.takeText();
+    const auto change = changes.find(row.takeInteger());
+    if (change == changes.end()) // from before there were versions
+        return stamp;
+    stamp.library = change->second.library;
+    stamp.version = change->second.version;
+    stamp.person = change->second.person;
+    kind = change->second.kind;
+    return stamp;
+}
+
+Expected<void> readTypes(Database& database, const KnownChanges& changes, PlantHistory& history)
+{
+    Statement query(
+        database, readingHistory(),
+        u"SELECT s.id, s.station, s.created_utc, s.version, s.type_id, s.name, s.status, "
+        "COALESCE(v.id, ''), s.code, s.part_limits FROM type_states s LEFT JOIN type_versions v ON "
+        "v.type_id = s.type_id AND v.version = s.recipe_version"_s);
+    return query.forEach([&](Statement& row) {
+        TypeChange change;
+        change.stamp = takeStamp(row, changes, change.kind);
+        change.typeId = row.takeText();
+        change.name = row.takeText();
+        change.status = typeStatusFromString(row.takeText()).value_or(TypeStatus::Gone);
+        change.recipe = row.takeText();
+        change.code = row.takeText();
+        change.limits = row.takeText();
+        if (change.kind != ChangeKind::Meeting)
+            history.types.push_back(std::move(change));
+    });
+}
+
+Expected<void> readSqueezes(Database& database, const KnownChanges& changes, const QString& sql,
+                            PlantHistory& history)
+{
+    Statement query(database, readingHistory(), sql);
+    return query.forEach([&](Statement& row) {
+        SqueezeChange change;
+        change.stamp = takeStamp(row, changes, change.kind);
+        change.squeeze = row.takeText();
+        change.typeId = row.takeText();
+        change.accepted = row.takeInteger() != 0;
+        if (change.kind != ChangeKind::Meeting)
+            history.squeezes.push_back(std::move(change));
+    });
+}
+
+std::map<QString, qint64> versionsFrom(const QString& json)
+{
+    std::map<QString, qint64> versions;
+    const QJsonObject object = QJsonDocument::fromJson(json.toUtf8()).object();
+    for (auto one = object.begin(); one != object.end(); ++one)
+        versions[one.key()] = one.value().toInteger();
+    return versions;
+}
+
+Expected<void> readMeetings(Database& database, PlantHistory& history)
+{
+    Statement query(database, readingHistory(), u"SELECT library, version, seen FROM library_meetings"_s);
+    RETURN_IF_ERROR(query.forEach([&](Statement& row) {
+        PlantMeeting meeting;
+        meeting.library = row.takeText();
+        meeting.version = row.takeInteger();
+        meeting.seen = versionsFrom(row.takeText());
+        history.meetings.push_back(std::move(meeting));
+    }));
+    ASSIGN_OR_RETURN(const auto columns, columnsOf(database, u"library_meetings"_s));
+    Statement others(database, readingHistory(), u"SELECT content FROM merged_rows WHERE table_code = ?"_s);
+    others.bind(int(ledgeredTable(u"library_meetings"_s)->code));
+    return others.forEach([&](Statement& row) {
+        TableRows::Row cells(columns->size());
+        if (!merged_rows::apply(row.takeText(), *columns, cells))
+            return;
+        const auto text = [&](QStringView column) {
+            const Cell cell = cellIn(*columns, cells, column);
+            const auto* value = std::get_if<QString>(&cell);
+            return value ? *value : QString();
+        };
+        const Cell version = cellIn(*columns, cells, u"version");
+        const auto* number = std::get_if<qint64>(&version);
+        history.meetings.push_back({text(u"library"), number ? *number : 0, versionsFrom(text(u"seen"))});
+    });
+}
+
+} // namespace
+
+Expected<PlantHistory> knownHistory(Database& database)
+{
+    ASSIGN_OR_RETURN(const QString own, libraryId(database));
+    ASSIGN_OR_RETURN(const KnownChanges changes, changesOf(database, own));
+    PlantHistory history;
+    RETURN_IF_ERROR(readTypes(database, changes, history));
+    RETURN_IF_ERROR(readSqueezes(database, changes,
+                                 u"SELECT id, station, recorded_utc, library_version, id, type_id, 1 FROM "
+                                 "grasps WHERE type_id IS NOT NULL"_s,
+                                 history));
+    RETURN_IF_ERROR(
+        readSqueezes(database, changes,
+                     u"SELECT id, station, created_utc, version, grasp_id, type_id, accepted FROM "
+                     "placements"_s,
+                     history));
+    RETURN_IF_ERROR(readMeetings(database, history));
+    return history;
+}
+
+Expected<std::map<QString, qint64>> seenVersions(Database& database)
+{
+    std::map<QString, qint64> seen;
+    Statement query(
+        database, readingHistory(),
+        u"SELECT library, MAX(number) FROM merged_rows WHERE table_code = ? AND is_origin = 1 GROUP "
+        "BY library"_s);
+    query.bind(int(ledgeredTable(u"library_changes"_s)->code));
+    const auto done = query.forEach([&](Statement& row) {
+        const QString library = row.takeText();
+        seen[library] = row.takeInteger();
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return seen;
+}
+
+} // namespace gripscope

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/merge/library_merge.h"
+
+#include "core/base/words.h"
+#include "core/library/ledger/merged_ledger.h"
+#include "core/library/merge/known_history.h"
+#include "core/library/merge/library_news.h"
+#include "core/library/merge/meeting_table.h"
+#include "core/library/merge/row_taker.h"
+#include "core/library/merge/settlement.h"
+#include "core/library/plant/plant_state.h"
+#include "core/library/sql/statement.h"
+#include "core/library/tables/audit_table.h"
+#include "core/library/tables/tally_table.h"
+#include "core/library/tables/type_writer.h"
+#include "core/library/verification/library_verification.h"
+
+#include <QFileInfo>
+#include <QJsonArray>
+
+#include <algorithm>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+using LeavesByTable = std::map<quint8, std::vector<NewLeaf>>;
+
+QString merging()
+{
+    return Words::tr("merge another library");
+}
+
+/// All rows of links that are new; the links themselves are carried along as they are.
+Expected<LeavesByTable> takeLinks(Database& source, Database& target, const std::vector<ChainNews>& news)
+{
+    LeavesByTable leaves;
+    std::optional<Error> problem;
+    for (const ChainNews& chain : news) {
+        RETURN_IF_ERROR(forEachLink(source, chain, [&](const LedgerLink& link) {
+            const auto unpacked = unpackedLeaves(link.leaves);
+            const auto kept = merged_ledger::insert(target, chain.library, link);
+            if (!problem && !kept)
+                problem = kept.error();
+            if (!problem && !unpacked)
+                problem = failure(ErrorCode::StorageCorrupt,
+                                  {source.file(), Words::tr("a link of its ledger cannot be read")})
+                              .value();
+            const auto rows = unpacked.value_or(std::vector<LedgerLeaf>());
+            const bool madeThere = !isOfMerge(rows);
+            for (const LedgerLeaf& leaf : rows)
+                leaves[leaf.table].push_back({chain.library, leaf, madeThere});
+        }));
+        if (problem)
+            return tl::unexpected(*problem);
+    }
+    return leaves;
+}
+
+/// The types of a library can be compared with each other.
+Expected<void> requireComparableTypes(Database& source, Database& target)
+{
+    using Units = std::pair<QString, QString>;
+    const auto unitsOf = [](Database& database) -> Expected<std::vector<Units>> {
+        std::vector<Units> units;
+        Statement query(database, merging(),
+                        u"SELECT DISTINCT force_unit, position_unit FROM type_versions"_s);
+        const auto done = query.forEach([&](Statement& row) {
+            const QString force = row.takeText();
+            units.emplace_back(force, row.takeText());
+        });
+        if (!done)
+            return tl::unexpected(done.error());
+        return units;
+    };
+    ASSIGN_OR_RETURN(const auto there, unitsOf(source));
+    ASSIGN_OR_RETURN(const auto here, unitsOf(target));
+    for (const Units& other : there)
+        for (const Units& own : here)
+            RETURN_IF_ERROR(requireComparableUnits(other.first, other.second, own.first, own.second));
+    return {};
+}
+
+/// How many rows of the tables that are taken a library has.
+Expected<qint64> rowsOf(Database& database)
+{
+    qint64 rows = 0;
+    for (const TakenTable& table : takenTables()) {
+        if (table.kind != TakenTable::Kind::Taken)
+            continue;
+        Statement query(database, merging(), u"SELECT COUNT(*) FROM "_s + table.name);
+        RETURN_IF_ERROR(query.forEach([&](Statement& row) { rows += row.takeInteger(); }));
+    }
+    return rows;
+}
+
+QJsonArray toJson(const std::vector<PlantConflict>& conflicts)
+{
+    constexpr qsizetype mostNamed = 20;
+    QJsonArray array;
+    for (const PlantConflict& conflict : conflicts)
+        if (array.size() < mostNamed)
+            array.append(inWords(conflict));
+    return array;
+}
+
+/// The trail tells of it, and the meeting is on record with the ends of all ledgers that are known then.
+Expected<void> tell(Database& source, Database& target, const MergeReport& report, const ChangeNote& note)
+{
+    ASSIGN_OR_RETURN(const Meeting meeting, meetingWith(source, target, report.rows(), note.operatorName));
+    RETURN_IF_ERROR(meeting_table::insert(target, meeting));
+    QJsonObject details{{u"rows"_s, report.rows()}, {u"chains"_s, meeting.heads}};
+    if (report.version > 0)
+        details.insert(u"version"_s, report.version);
+    if (!report.conflicts.empty())
+        details.insert(u"conflicts"_s, toJson(report.conflicts));
+    return audit_table::append(target, {QString::fromUtf16(audit_action::libraryMerged), report.file,
+                                        note.reason, details, note.operatorName});
+}
+
+Expected<std::vector<PlantConflict>> unseenOf(Database& database, const PlantState& state)
+{
+    ASSIGN_OR_RETURN(const auto seen, meeting_table::seenConflicts(database));
+    std::vector<PlantConflict> conflicts = state.conflicts;
+    std::erase_if(conflicts, [&](const PlantConflict& one) { return seen.contains(one.id()); });
+    return conflicts;
+}
+
+Expected<void> requireWhole(const QString& file)
+{
+    ASSIGN_OR_RETURN(const LibraryVerification found, verifyLibrary(file));
+    if (found.whole())
+        return {};
+    return failure(
+        ErrorCode::StorageOpen,
+        {file, Words::tr("it is not as it was written: %1. Nothing was taken from it. Look at all of "
+                         "it with \"library verify\", and merge a backup that is whole")
+                   .arg(inWords(found.differences.front()))});
+}
+
+} // namespace
+
+qint64 MergeReport::rows() const
+{
+    qint64 sum = 0;
+    for (const auto& [table, rows] : taken)
+        sum += rows;
+    return sum;
+}
+
+QString inWords(const MergeReport& report)
+{
+    if (report.rows() == 0)
+        return Words::tr("Nothing in %1 is new here.").arg(report.file);
+    return Words::tr("%1 rows of %2 were taken, %3 were there already.")
+        .arg(Words::number(double(report.rows()), 'f', 0), report.file,
+             Words::number(double(report.alreadyThere), 'f', 0));
+}
+
+Expected<MergeReport> mergeLibrary(Database& source, Database& target, const ChangeNote& note)
+{
+    ASSIGN_OR_RETURN(const auto oneState, ReadTransaction::begin(source, merging()));
+    MergeReport report;
+    report.file = source.file();
+    ASSIGN_OR_RETURN(const QString sourceId, libraryId(source));
+    ASSIGN_OR_RETURN(const QString targetId, libraryId(target));
+    ASSIGN_OR_RETURN(const auto news, newsOf(source, target));
+    RETURN_IF_ERROR(requireComparableTypes(source, target));
+    ASSIGN_OR_RETURN(LeavesByTable leaves, takeLinks(source, target, news));
+    for (const ChainNews& chain : news)
+        report.links += chain.links - chain.after;
+    RowTaker taker(source, sourceId, target, targetId);
+    RETURN_IF_ERROR(taker.giveVersions(leaves[ledgeredTable(u"library_changes"_s)->code]));
+    for (const TakenTable& table : takenTables())
+        RETURN_IF_ERROR(taker.take(table, leaves[table.ledgered().code]));
+    report.taken = taker.taken().byTable;
+    report.forTheRecord = taker.taken().forTheRecord;
+    ASSIGN_OR_RETURN(const qint64 rows, rowsOf(source));
+    report.alreadyThere = std::max(qint64(0), rows - report.rows());
+    ASSIGN_OR_RETURN(const PlantHistory history, knownHistory(target));
+    const PlantState state = plantState(history);
+    if (taker.taken().hasChanges) {
+        ASSIGN_OR_RETURN(report.version, settle(target, state, report.file, note));
+    }
+    ASSIGN_OR_RETURN(report.conflicts, unseenOf(target, state));
+    if (report.rows() == 0) // what was carried along is news to nobody
+        return report;
+    if (report.taken.contains(u"inspections"_s))
+        RETURN_IF_ERROR(tally_table::keepUp(target));
+    RETURN_IF_ERROR(tell(source, target, report, note));
+    return report;
+}
+
+Expected<std::unique_ptr<Database>> openToMerge(const QString& file, const Database& target)
+{
+    const QString canonical = QFileInfo(file).canonicalFilePath();
+    if (!canonical.isEmpty() && canonical == QFileInfo(target.file()).canonicalFilePath())
+        return failure(ErrorCode::StorageOpen, {file, Words::tr("it is this library itself")});
+    RETURN_IF_ERROR(requireWhole(file));
+    return Database::openToRead(file);
+}
+
+Expected<std::vector<StationStanding>> stationsOf(Database& database)
+{
+    std::vector<StationStanding> stations;
+    Statement query(
+        database, Words::tr("count what is in it"),
+        u"SELECT station, COUNT(*), MAX(inspected_utc) FROM inspections GROUP BY station ORDER BY "
+        "station"_s);
+    const auto done = query.forEach([&](Statement& row) {
+        StationStanding one;
+        one.station = row.takeText();
+        one.inspections = row.takeInteger();
+        one.newestUtc = row.takeText();
+        one.isHere = one.station == stationId();
+        stations.push_back(std::move(one));
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return stations;
+}
+
+Expected<std::vector<PlantConflict>> unseenConflicts(Database& database)
+{
+    ASSIGN_OR_RETURN(const bool anyMeeting, meeting_table::isAnyThere(database));
+    if (!anyMeeting)
+        return std::vector<PlantConflict>();
+    ASSIGN_OR_RETURN(const PlantHistory history, knownHistory(database));
+    return unseenOf(database, plantState(history));
+}
+
+Expected<void> noteSeen(Database& database, const std::vector<PlantConflict>& conflicts,
+                        const ChangeNote& note)
+{
+    ASSIGN_OR_RETURN(const auto seen, meeting_table::seenConflicts(database));
+    for (const PlantConflict& conflict : conflicts) {
+        if (seen.contains(conflict.id()))
+            continue;
+        RETURN_IF_ERROR(meeting_table::insertSeen(database, conflict.id(), note.operatorName));
+        RETURN_IF_ERROR(audit_table::append(database, {QString::fromUtf16(audit_action::conflictsSeen),
+                                                       conflict.type,
+                                                       inWords(conflict),
+                                                       {},
+                                                       note.operatorName}));
+    }
+    return {};
+}
+
+} // namespace gripscope

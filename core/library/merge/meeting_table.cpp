@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/merge/meeting_table.h"
+
+#include "core/base/words.h"
+#include "core/library/ledger/merged_ledger.h"
+#include "core/library/merge/known_history.h"
+#include "core/library/sql/statement.h"
+#include "core/library/tables/change_table.h"
+
+#include <QJsonDocument>
+
+namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString text(const QJsonObject& object)
+{
+    return QString::fromUtf8(QJsonDocument(object).toJson(QJsonDocument::Compact));
+}
+
+} // namespace
+
+Expected<Meeting> meetingWith(Database& source, Database& target, qint64 taken, const QString& operatorName)
+{
+    Meeting meeting;
+    ASSIGN_OR_RETURN(meeting.library, libraryId(target));
+    ASSIGN_OR_RETURN(meeting.other, libraryId(source));
+    ASSIGN_OR_RETURN(meeting.version, change_table::newestVersion(target));
+    ASSIGN_OR_RETURN(const auto seen, seenVersions(target));
+    for (const auto& [library, version] : seen)
+        meeting.seen.insert(library, version);
+    ASSIGN_OR_RETURN(const auto ends, merged_ledger::ends(target));
+    for (const auto& [chain, end] : ends)
+        meeting.heads.insert(chain.first + u' ' + chain.second,
+                             u"%1 %2"_s.arg(end.links).arg(QString::fromLatin1(end.hash.toHex())));
+    meeting.taken = taken;
+    meeting.operatorName = operatorName;
+    return meeting;
+}
+
+namespace meeting_table {
+
+Expected<void> insert(Database& database, const Meeting& meeting)
+{
+    const RowStamp stamp = RowStamp::now();
+    Statement row(database, Words::tr("record the merge"),
+                  u"INSERT INTO library_meetings (id, station, created_utc, library, version, other, seen, "
+                  "heads, taken, operator_name) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
+    row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(meeting.library).bind(meeting.version);
+    row.bind(meeting.other).bind(text(meeting.seen)).bind(text(meeting.heads)).bind(meeting.taken);
+    return row.bind(meeting.operatorName).run();
+}
+
+Expected<bool> isAnyThere(Database& database)
+{
+    bool there = false;
+    Statement query(database, Words::tr("read its merges"), u"SELECT 1 FROM library_meetings LIMIT 1"_s);
+    if (auto done = query.forEach([&](Statement&) { there = true; }); !done)
+        return tl::unexpected(done.error());
+    return there;
+}
+
+Expected<void> insertSeen(Database& database, const QString& conflict, const QString& operatorName)
+{
+    const RowStamp stamp = RowStamp::now();
+    Statement row(
+        database, Words::tr("note that it was seen"),
+        u"INSERT INTO conflicts_seen (id, station, created_utc, conflict, operator_name) VALUES (?, "
+        "?, ?, ?, ?)"_s);
+    row.bind(stamp.id).bind(stamp.station).bind(stamp.utc);
+    return row.bind(conflict).bind(operatorName).run();
+}
+
+Expected<QSet<QString>> seenConflicts(Database& database)
+{
+    QSet<QString> seen;
+    Statement query(database, Words::tr("read its merges"), u"SELECT conflict FROM conflicts_seen"_s);
+    if (auto done = query.forEach([&](Statement& row) { seen.insert(row.takeText()); }); !done)
+        return tl::unexpected(done.error());
+    return seen;
+}
+
+} // namespace meeting_table
+} // namespace gripscope

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <QJsonObject>
+#include <QSet>
+
+namespace gripscope {
+
+class Database;
+
+/// Another library was merged into this one.
+struct Meeting {
+    QString library, other; ///< libraryId() of this and of the other
+    qint64 version = 0;     ///< of this one; what is changed after it was changed knowing the others
+    QJsonObject seen;       ///< by library the newest version of which changes are known
+    QJsonObject heads;      ///< by library and chain how far its ledger goes: "links hash"
+    qint64 taken = 0;
+    QString operatorName;
+};
+/// As it is now, within the transaction that merges.
+[[nodiscard]] Expected<Meeting> meetingWith(Database& source, Database& target, qint64 taken,
+                                            const QString& operatorName);
+
+namespace meeting_table {
+
+[[nodiscard]] Expected<void> insert(Database& database, const Meeting& meeting);
+[[nodiscard]] Expected<bool> isAnyThere(Database& database);
+[[nodiscard]] Expected<void> insertSeen(Database& database, const QString& conflict,
+                                        const QString& operatorName);
+[[nodiscard]] Expected<QSet<QString>> seenConflicts(Database& database); ///< PlantConflict::id()
+
+} // namespace meeting_table
+} // namespace gripscope

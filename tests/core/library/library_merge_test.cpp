@@ -1,0 +1,469 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/audit/audit_trail.h"
+#include "core/library/merge/known_history.h"
+#include "core/library/merge/library_merge.h"
+#include "core/library/migrations/migration.h"
+#include "core/library/plant/plant_state.h"
+#include "core/library/sql/statement.h"
+#include "core/library/verification/library_verification.h"
+#include "tests/core/library/full_library.h"
+#include "tests/core/library/raw_database.h"
+#include "tests/support/test_registry.h"
+
+#include <QJsonDocument>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+using namespace gripscope;
+using namespace gripscope::test;
+
+namespace {
+
+const ChangeNote why{u"Ada"_s, u"one plant"_s};
+
+/// A library of its own, open.
+struct Station {
+    LibraryFolder folder;
+    std::unique_ptr<Library> library = folder.open();
+    [[nodiscard]] QString file() const { return folder.file(); }
+    MergeReport merge(const Station& other) const
+    {
+        return valueOf(library->mergeLibrary(other.file(), why));
+    }
+    [[nodiscard]] TypeRecord type(const QString& name) const
+    {
+        const auto found = valueOf(library->findType(name));
+        if (!found)
+            qFatal("there is no type %s", qPrintable(name));
+        return *found;
+    }
+    [[nodiscard]] QString enrol(const QString& name, int squeezes = 1) const
+    {
+        const QString id = valueOf(library->addType(name, {}, u"N"_s, u"m"_s, u"Ada"_s)).id;
+        for (int i = 0; i < squeezes; ++i)
+            valueOf(library->addGrasp(aGrasp(id, 9000 + i)));
+        return id;
+    }
+};
+
+QString asText(const LibraryVerification& found)
+{
+    QStringList lines;
+    for (const LibraryDifference& difference : found.differences)
+        lines += inWords(difference);
+    return lines.join(u'\n');
+}
+
+bool isWhole(const Station& station)
+{
+    const LibraryVerification found = valueOf(verifyLibrary(station.file()));
+    if (!found.whole())
+        qWarning("%s", qPrintable(asText(found)));
+    return found.whole();
+}
+
+PlantHistory historyOf(const Station& station)
+{
+    return valueOf(knownHistory(*valueOf(Database::openToRead(station.file()))));
+}
+
+QByteArray computed(const Station& station)
+{
+    return QJsonDocument(canonicalJson(plantState(historyOf(station)))).toJson();
+}
+
+/// What the program works with, by names: types in use and retired with all that is in force, and their
+/// squeezes.
+QStringList inForce(const Station& station)
+{
+    QStringList lines;
+    for (const auto& types : {valueOf(station.library->types()), valueOf(station.library->retiredTypes())})
+        for (const TypeRecord& type : types) {
+            QStringList squeezes;
+            for (const GraspRecord& grasp : valueOf(station.library->grasps(type.id)))
+                squeezes += grasp.id + (grasp.accepted ? u""_s : u" dropped"_s);
+            squeezes.sort();
+            lines += u"%1 %2 %3 %4 %5 %6 %7: %8"_s
+                         .arg(type.id, type.name, toString(type.status), type.code, toText(type.limits))
+                         .arg(type.recipe.peak_N)
+                         .arg(type.squeezes)
+                         .arg(squeezes.join(u' '));
+        }
+    lines.sort();
+    return lines;
+}
+
+/// The keys of rows of changes, of all stations.
+std::set<QString> changeRows(const Station& station)
+{
+    std::set<QString> rows;
+    const PlantHistory history = historyOf(station);
+    for (const TypeChange& change : history.types)
+        rows.insert(change.stamp.row);
+    for (const SqueezeChange& change : history.squeezes)
+        rows.insert(change.stamp.row);
+    return rows;
+}
+
+void doSomething(const Station& station, std::mt19937& random)
+{
+    Library& library = *station.library;
+    const auto below = [&](std::size_t end) { return std::size_t(random() % end); };
+    const QString word = u"name %1"_s.arg(below(5));
+    std::vector<TypeRecord> types = valueOf(library.types());
+    if (types.empty() || below(6) == 0) {
+        if (!valueOf(library.findType(word)))
+            static_cast<void>(station.enrol(word));
+        return;
+    }
+    const TypeRecord type = types[below(types.size())];
+    Recipe recipe = type.recipe;
+    PartLimits limits;
+    limits.quantities[2] = toleranceLimitsFromText(u"%1:20000"_s.arg(1000 + below(100)));
+    const auto squeezes = valueOf(library.grasps(type.id));
+    // What is refused, such as a name that is taken, changes nothing.
+    switch (below(10)) {
+    case 0:
+        static_cast<void>(library.renameType(type.id, word, why));
+        break;
+    case 1:
+        static_cast<void>(library.approveType(type.id, u"Ada"_s));
+        break;
+    case 2:
+        static_cast<void>(library.retireType(type.id, why));
+        break;
+    case 3:
+        recipe.peak_N = 1.0 + double(below(9));
+        static_cast<void>(library.reviseType(type.id, recipe, why));
+        break;
+    case 4:
+        static_cast<void>(library.setTypeLimits(type.id, limits, why));
+        break;
+    case 5:
+        static_cast<void>(library.setTypeCode(type.id, u"code %1"_s.arg(below(3)), why));
+        break;
+    case 6:
+        if (!squeezes.empty())
+            static_cast<void>(library.dropGrasp(squeezes[below(squeezes.size())].id, u"slipped"_s, u"Ada"_s));
+        break;
+    case 7:
+        static_cast<void>(library.mergeTypes(type.id, types[below(types.size())].id, why));
+        break;
+    case 8:
+        static_cast<void>(
+            library.restoreVersion(qint64(below(std::size_t(valueOf(library.version()) + 1))), why));
+        break;
+    default:
+        static_cast<void>(library.addGrasp(aGrasp(type.id, 8000 + double(below(2000)))));
+        break;
+    }
+}
+
+} // namespace
+
+class LibraryMergeTest : public QObject {
+    Q_OBJECT
+private slots:
+    void allOfTheOtherComesAndTwiceIsOnce()
+    {
+        const Station here, there;
+        static_cast<void>(here.enrol(u"Cola"_s, 2));
+        const QString fizz = there.enrol(u"Fizz"_s, 3);
+        valueOf(there.library->approveType(fizz, u"Ben"_s));
+        for (int i = 0; i < 4; ++i)
+            valueOf(there.library->addInspection(anInspection(VerdictKind::Type, u"Fizz"_s)));
+        valueOf(here.library->addInspection(anInspection()));
+        const MergeReport report = here.merge(there);
+        QCOMPARE(report.taken.at(u"types"_s), 1);
+        QCOMPARE(report.taken.at(u"inspections"_s), 4);
+        QCOMPARE(report.alreadyThere, 0);
+        QVERIFY(report.conflicts.empty());
+        QVERIFY(here.type(u"Fizz"_s).approved);
+        QCOMPARE(here.type(u"Fizz"_s).squeezes, 3);
+        QCOMPARE(here.type(u"Cola"_s).squeezes, 2);
+        QCOMPARE(valueOf(here.library->inspectionCounts()).total, 5);
+        const auto squeezes = valueOf(here.library->grasps(fizz));
+        QCOMPARE(valueOf(here.library->recording(squeezes[0].id)),
+                 valueOf(there.library->recording(squeezes[0].id)));
+        QVERIFY(isWhole(here));
+
+        const QByteArray before = bytesOf(here.file());
+        const qint64 version = valueOf(here.library->version());
+        const MergeReport again = here.merge(there);
+        QCOMPARE(again.rows(), 0);
+        QVERIFY(again.alreadyThere > 0);
+        QCOMPARE(again.links, 0);
+        QCOMPARE(valueOf(here.library->version()), version);
+        QVERIFY(isWhole(here));
+    }
+    void whatCameSinceIsAllThatIsTaken()
+    {
+        const Station here, there;
+        const QString fizz = there.enrol(u"Fizz"_s);
+        here.merge(there);
+        valueOf(there.library->addInspection(anInspection()));
+        valueOf(there.library->addGrasp(aGrasp(fizz)));
+        const MergeReport report = here.merge(there);
+        QCOMPARE(report.links, 2);
+        QCOMPARE(report.taken.at(u"inspections"_s), 1);
+        QCOMPARE(report.taken.at(u"grasps"_s), 2);
+        QCOMPARE(here.type(u"Fizz"_s).squeezes, 2);
+        QVERIFY(isWhole(here));
+    }
+    /// Each way in turn, until nothing is new for either.
+    void meetingEachWayComesToAnEnd()
+    {
+        const Station one, other;
+        static_cast<void>(one.enrol(u"Cola"_s));
+        static_cast<void>(other.enrol(u"Fizz"_s));
+        one.merge(other);
+        other.merge(one);
+        QCOMPARE(one.merge(other).rows(), 0); // that it has merged is carried along
+        QCOMPARE(other.merge(one).rows(), 0);
+        QCOMPARE(one.merge(other).links, 0);
+        QCOMPARE(inForce(one), inForce(other));
+        QVERIFY(isWhole(one) && isWhole(other));
+    }
+    void aRowOfEveryTableComesAndIsStillProven()
+    {
+        const Station here, there;
+        fillEveryTable(*there.library);
+        const MergeReport report = here.merge(there);
+        QVERIFY(report.rows() > 40);
+        QVERIFY(isWhole(here));
+        const LibraryVerification found = valueOf(verifyLibrary(here.file()));
+        QVERIFY(found.merged.size() >= 2); // its own and the one that it has met
+        const LibraryVerification origin = valueOf(verifyLibrary(there.file()));
+        QCOMPARE(found.mergedRows, origin.rows + origin.mergedRows);
+        // People stay where they are: nobody may sign in here who could not before.
+        QVERIFY(valueOf(here.library->people().all()).empty());
+        const Station third;
+        third.merge(here);
+        QVERIFY(isWhole(third));
+        QCOMPARE(inForce(third), inForce(here));
+        QCOMPARE(third.merge(there).rows(), 0);
+    }
+    void bothNamesAreKeptAndTheConflictIsTold()
+    {
+        const Station one, other;
+        const QString cola = one.enrol(u"Cola"_s);
+        other.merge(one);
+        valueOf(one.library->renameType(cola, u"Cola small"_s, why));
+        static_cast<void>(other.enrol(u"Fizz"_s));
+        valueOf(other.library->renameType(cola, u"Cola 330"_s, {u"Ben"_s, u"size"_s}));
+        const MergeReport report = one.merge(other);
+        QCOMPARE(report.conflicts.size(), std::size_t(1));
+        const QString words = inWords(report.conflicts.front());
+        for (const QString& word : {u"'Cola 330'"_s, u"Ben"_s, u"'Cola small'"_s, u"Ada"_s})
+            QVERIFY2(words.contains(word), qPrintable(words));
+        QCOMPARE(one.type(u"Cola 330"_s).id, cola);
+        const auto entries = valueOf(one.library->auditTrail().entries({}));
+        QCOMPARE(entries.front().action, QString::fromUtf16(audit_action::libraryMerged));
+        QVERIFY(detailsInWords(entries.front()).contains(u"Cola small"_s));
+        // Until somebody has seen it.
+        QCOMPARE(valueOf(one.library->conflicts()).size(), std::size_t(1));
+        valueOf(one.library->noteConflictsSeen(valueOf(one.library->conflicts()), why));
+        QVERIFY(valueOf(one.library->conflicts()).empty());
+        other.merge(one);
+        QCOMPARE(valueOf(other.library->conflicts()).size(), std::size_t(1)); // there nobody has
+        QVERIFY(isWhole(one) && isWhole(other));
+    }
+    void typesOfOneNameStayTwoAndInspectionsGoOn()
+    {
+        const Station one, other;
+        static_cast<void>(one.enrol(u"Cola"_s, 2));
+        static_cast<void>(other.enrol(u"Cola"_s, 3));
+        one.merge(other);
+        other.merge(one);
+        QCOMPARE(valueOf(one.library->types()).size(), std::size_t(2));
+        QCOMPARE(inForce(one), inForce(other));
+        QCOMPARE(one.type(u"Cola"_s).squeezes + one.type(u"Cola (%1)"_s.arg(stationId())).squeezes, 5);
+        for (const Station* station : {&one, &other})
+            valueOf(station->library->addInspection(anInspection()));
+        one.merge(other);
+        QCOMPARE(valueOf(one.library->inspectionCounts()).total, 2);
+        QVERIFY(isWhole(one));
+    }
+    /// Four histories over two to four libraries, each with its own file; the rule itself is tried on 200 in
+    /// PlantStateTest.
+    void randomHistoriesEndInTheSameState_data()
+    {
+        QTest::addColumn<unsigned>("seed");
+        for (unsigned seed = 1; seed <= 4; ++seed)
+            QTest::addRow("%u", seed) << seed;
+    }
+    void randomHistoriesEndInTheSameState()
+    {
+        QFETCH(unsigned, seed);
+        std::mt19937 random(seed);
+        std::vector<std::unique_ptr<Station>> stations;
+        for (unsigned i = 0; i < 2 + random() % 3; ++i)
+            stations.push_back(std::make_unique<Station>());
+        const auto anyone = [&]() -> Station& { return *stations[random() % stations.size()]; };
+        for (int step = 0; step < 24; ++step) {
+            Station& station = anyone();
+            Station& other = anyone();
+            if (random() % 10 == 0 && &station != &other)
+                station.merge(other);
+            else
+                doSomething(station, random);
+        }
+        std::set<QString> all;
+        for (const auto& station : stations)
+            all.merge(changeRows(*station));
+        for (int round = 0; round < 2; ++round) {
+            std::vector<std::pair<Station*, Station*>> meetings;
+            for (const auto& one : stations)
+                for (const auto& other : stations)
+                    if (one != other)
+                        meetings.emplace_back(one.get(), other.get());
+            std::shuffle(meetings.begin(), meetings.end(), random);
+            for (const auto& [one, other] : meetings)
+                one->merge(*other);
+        }
+        const Station& first = *stations.front();
+        for (const auto& station : stations) {
+            QCOMPARE(changeRows(*station), all);
+            QCOMPARE(computed(*station), computed(first));
+            QCOMPARE(inForce(*station), inForce(first));
+            QVERIFY(isWhole(*station));
+            for (const auto& other : stations)
+                if (station != other)
+                    QCOMPARE(station->merge(*other).rows(), 0);
+        }
+    }
+    void aCopyThatWasGoneOnWithIsRefused()
+    {
+        const Station here;
+        static_cast<void>(here.enrol(u"Cola"_s));
+        const LibraryFolder copy;
+        RawDatabase(here.file()).run(u"PRAGMA wal_checkpoint(TRUNCATE)"_s);
+        QVERIFY(QFile::copy(here.file(), copy.file()));
+        QCOMPARE(valueOf(here.library->mergeLibrary(copy.file(), why)).rows(),
+                 0); // as long as it is but that
+        valueOf(copy.open()->addInspection(anInspection()));
+        const auto gone = here.library->mergeLibrary(copy.file(), why);
+        QVERIFY(!gone);
+        QCOMPARE(gone.error().code, ErrorCode::StorageOpen);
+        valueOf(here.library->addInspection(anInspection()));
+        QVERIFY(!here.library->mergeLibrary(copy.file(), why));
+        QVERIFY(isWhole(here));
+    }
+    void whoMetACopyIsToldSo()
+    {
+        const Station here, there;
+        static_cast<void>(here.enrol(u"Cola"_s));
+        const LibraryFolder copy;
+        RawDatabase(here.file()).run(u"PRAGMA wal_checkpoint(TRUNCATE)"_s);
+        QVERIFY(QFile::copy(here.file(), copy.file()));
+        valueOf(here.library->addInspection(anInspection()));
+        there.merge(here);
+        // An older copy is put back, and the other knows more of it.
+        const auto older = copy.open();
+        QVERIFY(!older->mergeLibrary(there.file(), why));
+        // Both went on differently.
+        valueOf(older->addInspection(anInspection(VerdictKind::Unknown)));
+        QVERIFY(!there.library->mergeLibrary(copy.file(), why));
+    }
+    void whatIsDamagedOrForeignIsRefusedAndChangesNothing()
+    {
+        const Station here, there;
+        static_cast<void>(there.enrol(u"Fizz"_s));
+        const qint64 links = RawDatabase(here.file()).count(u"ledger"_s);
+        RawDatabase(there.file()).run(u"UPDATE types SET name = 'Bizz'"_s);
+        const auto damaged = here.library->mergeLibrary(there.file(), why);
+        QVERIFY(!damaged);
+        QVERIFY(damaged.error().describe().contains(u"library verify"_s));
+        QTemporaryDir folder;
+        writeBytes(folder.filePath(u"text"_s), "this is no library at all");
+        QVERIFY(!here.library->mergeLibrary(folder.filePath(u"text"_s), why));
+        QVERIFY(!here.library->mergeLibrary(folder.filePath(u"none"_s), why));
+        QVERIFY(!here.library->mergeLibrary(here.file(), why));
+        QCOMPARE(RawDatabase(here.file()).count(u"ledger"_s), links);
+    }
+    void anEarlierSchemaIsToBeOpenedOnce()
+    {
+        const Station here;
+        const LibraryFolder old;
+        {
+            std::vector<Migration> before = migrations();
+            while (before.back().version >= 28)
+                before.pop_back();
+            const auto database = valueOf(Database::open(old.file()));
+            valueOf(migrate(*database, before));
+            QVERIFY(!valueOf(database->tables()).contains(u"merged_rows"_s));
+        }
+        QVERIFY(!here.library->mergeLibrary(old.file(), why));
+        {
+            const auto opened = old.open();
+            valueOf(opened->addType(u"Fizz"_s, {}, u"N"_s, u"m"_s));
+        }
+        QCOMPARE(valueOf(here.library->mergeLibrary(old.file(), why)).taken.at(u"types"_s), 1);
+        QVERIFY(isWhole(here));
+    }
+    void typesThatCannotBeComparedAreRefused()
+    {
+        const Station here, there;
+        static_cast<void>(here.enrol(u"Cola"_s));
+        valueOf(there.library->addType(u"Fizz"_s, {}, u"1"_s, u"1"_s));
+        const auto merged = here.library->mergeLibrary(there.file(), why);
+        QVERIFY(!merged);
+        QCOMPARE(merged.error().code, ErrorCode::UnitsDiffer);
+        QVERIFY(isWhole(here));
+    }
+    void aSupervisorIsAskedForWherePeopleAre()
+    {
+        const Station here, there;
+        static_cast<void>(there.enrol(u"Fizz"_s));
+        const People people(*here.library);
+        QCOMPARE(here.library->mergeLibrary(there.file(), why).error().code, ErrorCode::Usage);
+        here.library->actAs(people.operatorOf(*here.library));
+        QVERIFY(!here.library->mergeLibrary(there.file(), why));
+        here.library->actAs(people.supervisor(*here.library));
+        QVERIFY(here.merge(there).rows() > 0);
+    }
+    void calibrationsInForceHereStayInForce()
+    {
+        const Station here, there;
+        SensorCalibration calibration = aCalibration();
+        valueOf(here.library->addCalibration(calibration));
+        calibration.note = u"there"_s;
+        valueOf(there.library->addCalibration(calibration));
+        calibration.gripperSerial = u"0002"_s;
+        valueOf(there.library->addCalibration(calibration));
+        here.merge(there);
+        QCOMPARE(valueOf(here.library->calibrationsInForce(u"0001"_s)).force->note, QString());
+        // Of a gripper that nobody calibrated here there is only the other's.
+        QCOMPARE(valueOf(here.library->calibrationsInForce(u"0002"_s)).force->note, u"there"_s);
+        QVERIFY(isWhole(here));
+    }
+    void whatIsChangedOfAnotherStationIsFound()
+    {
+        const Station here, there;
+        const QString fizz = there.enrol(u"Fizz"_s);
+        valueOf(there.library->addInspection(anInspection()));
+        valueOf(there.library->renameType(fizz, u"Fizz 330"_s, why));
+        here.merge(there);
+        QVERIFY(isWhole(here));
+        RawDatabase(here.file()).run(u"PRAGMA wal_checkpoint(TRUNCATE)"_s);
+        const QByteArray bytes = bytesOf(here.file());
+        for (const QString& edit :
+             {u"UPDATE merged_rows SET number = number + 1 WHERE is_origin = 1 AND table_code = 13"_s,
+              u"UPDATE merged_rows SET is_origin = 0"_s, u"DELETE FROM merged_rows WHERE table_code = 26"_s,
+              u"UPDATE merged_rows SET content = REPLACE(content, 'Fizz', 'Bizz')"_s,
+              u"DELETE FROM merged_ledger WHERE number = (SELECT MAX(number) FROM merged_ledger)"_s,
+              u"UPDATE merged_ledger SET created_utc = '2000' WHERE number = 2"_s,
+              u"INSERT INTO merged_rows SELECT 'x', table_code, row_key, number, 0, whole, content FROM "
+              "merged_rows"_s}) {
+            const LibraryFolder edited;
+            writeBytes(edited.file(), bytes);
+            RawDatabase(edited.file()).run(edit);
+            QVERIFY2(!valueOf(verifyLibrary(edited.file())).whole(), qPrintable(edit));
+        }
+    }
+};
+
+GRIPSCOPE_TEST(LibraryMergeTest)
+#include "library_merge_test.moc"
