@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desktop/options.h"
 
+#include "core/library/library.h"
 #include "ui/settings/values/settings.h"
 
 #include <QCommandLineParser>
@@ -54,7 +55,8 @@ void addOptions(QCommandLineParser& parser)
         {u"scale"_s, u"Enlarges everything, 1 to 4, for this run; otherwise as set."_s, u"FACTOR"_s},
         {u"language"_s, u"Language of the window, en or de, for this run; otherwise as set."_s, u"CODE"_s},
         {u"device"_s, u"Gripper to connect to; without it, the one used last, or virtual:."_s, u"ADDRESS"_s},
-        {u"library"_s, u"Library file; your own without it."_s, u"FILE"_s},
+        {u"library"_s, u"Library file, or postgresql://USER@HOST:PORT/DATABASE; your own without it."_s,
+         u"FILE"_s},
         {u"examples"_s, u"Adds the four example types to the library."_s},
         {{u"h"_s, u"help"_s}, u"Shows this."_s},
         {{u"v"_s, u"version"_s}, u"Shows the version."_s},
@@ -97,7 +99,7 @@ Expected<DesktopOptions> parseDesktopOptions(const QStringList& arguments)
             return usage(u"--scale is %1; it must be a number from 1 to 4."_s.arg(parser.value(u"scale"_s)));
     }
     options.tourFolder = parser.value(u"tour"_s);
-    options.library = parser.value(u"library"_s);
+    ASSIGN_OR_RETURN(options.library, Library::placeFrom(parser.value(u"library"_s)));
     options.examples = parser.isSet(u"examples"_s);
     if (parser.isSet(u"tour"_s) && options.tourFolder.isEmpty())
         return usage(u"--tour needs a folder."_s);

@@ -25,6 +25,7 @@ int failStation(const Error& error)
     switch (error.code) {
     case ErrorCode::StorageOpen:
     case ErrorCode::StorageFailed:
+    case ErrorCode::StorageUnknown:
     case ErrorCode::StorageNewer:
     case ErrorCode::StorageCorrupt:
     case ErrorCode::FileUnwritable:
@@ -41,7 +42,8 @@ int failStation(const Error& error)
 /// Asked for where people are in the library; who may is decided by the station.
 Expected<QString> secretFor(const StationOptions& options)
 {
-    if (!QFileInfo::exists(options.library))
+    ASSIGN_OR_RETURN(const bool isThere, Library::isThere(options.library));
+    if (!isThere)
         return QString();
     ASSIGN_OR_RETURN(const std::unique_ptr<Library> library, Library::open(options.library));
     ASSIGN_OR_RETURN(const bool inForce, library->people().inForce());

@@ -33,7 +33,9 @@ void describeOptions(QCommandLineParser& parser)
     parser.addOptions({
         {u"help"_s, u"Says this."_s},
         {u"version"_s, u"Says the version."_s},
-        {u"library"_s, u"File with the types and squeezes (without it: the user's own)."_s, u"DB"_s},
+        {u"library"_s,
+         u"File with the types and squeezes, or postgresql://USER@HOST:PORT/DATABASE (without it: the user's own)."_s,
+         u"DB"_s},
         {u"address"_s, u"The gripper, as gripscope-cli devices lists them."_s, u"ADDRESS"_s},
         {u"modbus"_s, u"Listens for a PLC there, such as 127.0.0.1:1502."_s, u"HOST:PORT"_s},
         {u"peers"_s, u"Addresses and networks that may connect, with commas; this computer always may."_s,
@@ -158,7 +160,10 @@ Expected<StationOptions> parseStationOptions(const QStringList& arguments)
     options.command = commands.value(0);
     options.console = parser.isSet(u"console"_s) ? parser.value(u"console"_s) : usualConsole();
     options.person = personOf(parser);
-    options.library = parser.isSet(u"library"_s) ? parser.value(u"library"_s) : Library::defaultFile();
+    options.library = Library::defaultFile();
+    if (parser.isSet(u"library"_s)) {
+        ASSIGN_OR_RETURN(options.library, Library::placeFrom(parser.value(u"library"_s)));
+    }
     options.address = parser.value(u"address"_s);
     options.expectedType = parser.value(u"expect"_s);
     RETURN_IF_ERROR(takeRates(parser, options.rates));

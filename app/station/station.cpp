@@ -93,7 +93,8 @@ Station::~Station()
 
 Expected<void> Station::start()
 {
-    if (!QFileInfo::exists(m_options.library))
+    ASSIGN_OR_RETURN(const bool isThere, Library::isThere(m_options.library));
+    if (!isThere)
         return failure(ErrorCode::StorageOpen, {m_options.library, u"there is no such library"_s});
     RETURN_IF_ERROR(m_console.listen());
     RETURN_IF_ERROR(m_connection.connectTo(m_options.address));

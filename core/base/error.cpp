@@ -69,6 +69,10 @@ Wording wording(ErrorCode code)
     case ErrorCode::StorageFailed:
         return {"storage_failed",
                 QT_TRANSLATE_NOOP("Error", "The library could not %1 (%2). Nothing of it was stored.")};
+    case ErrorCode::StorageUnknown:
+        return {"storage_unknown",
+                QT_TRANSLATE_NOOP("Error", "Whether the library did %1 is not known (%2). Look whether it is "
+                                           "there before you do it again.")};
     case ErrorCode::StorageNewer:
         return {"storage_newer",
                 QT_TRANSLATE_NOOP("Error", "The library %1 has version %2; this program knows up to %3. Use "

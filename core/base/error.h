@@ -32,6 +32,7 @@ enum class ErrorCode {
     NotArmed,         ///< what was asked
     StorageOpen,      ///< file, reason
     StorageFailed,    ///< what was being done, reason
+    StorageUnknown,   ///< what was being done, reason: it may or may not be stored
     StorageNewer,     ///< file, its version, the newest version known here
     StorageCorrupt,   ///< what, reason
     NotFound,         ///< what

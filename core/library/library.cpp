@@ -80,6 +80,19 @@ Expected<void> refuseForeignSchema(Database& database)
                         .arg(first.type, printable(first.name, longestQuote), inWords(first.what))});
 }
 
+/// Its folder, where that is the program's to make, and a backup that is to take its place.
+Expected<void> prepareFile(const QString& file)
+{
+    if (file == Library::defaultFile()) // any other folder is the user's to make: a typing error must not
+        QDir().mkpath(QFileInfo(file).absolutePath());
+    if (!finishSwap(file) && QFileInfo::exists(nextInPlace(file))) // none is made in its stead
+        return failure(
+            ErrorCode::StorageOpen,
+            {file,
+             Words::tr("the backup that was put back, %1, cannot take its place").arg(nextInPlace(file))});
+    return {};
+}
+
 } // namespace
 
 Library::Library(std::unique_ptr<Private> p) : d(std::move(p)) {}
@@ -91,16 +104,34 @@ QString Library::defaultFile()
     return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + u"/gripscope/library.db"_s;
 }
 
-Expected<std::unique_ptr<Library>> Library::open(const QString& file)
+bool Library::isOnServer(const QString& place)
 {
-    if (file == defaultFile()) // any other folder is the user's to make: a typing error must not create one
-        QDir().mkpath(QFileInfo(file).absolutePath());
-    if (!finishSwap(file) && QFileInfo::exists(nextInPlace(file))) // none is made in its stead
-        return failure(
-            ErrorCode::StorageOpen,
-            {file,
-             Words::tr("the backup that was put back, %1, cannot take its place").arg(nextInPlace(file))});
-    ASSIGN_OR_RETURN(auto database, Database::open(file));
+    return LibraryLocation::isOnServer(place);
+}
+
+Expected<QString> Library::placeFrom(const QString& text)
+{
+    return LibraryLocation::parse(text.trimmed()).map([&text](const LibraryLocation& location) {
+        return location.server() ? location.text() : text; // a file's name may end with a blank
+    });
+}
+
+Expected<bool> Library::isThere(const QString& place)
+{
+    ASSIGN_OR_RETURN(const LibraryLocation location, LibraryLocation::parse(place));
+    return location.server() || QFileInfo::exists(place);
+}
+
+QString Library::shortName(const QString& place)
+{
+    return shortLibraryName(place);
+}
+
+Expected<std::unique_ptr<Library>> Library::open(const QString& place)
+{
+    if (!isOnServer(place))
+        RETURN_IF_ERROR(prepareFile(place));
+    ASSIGN_OR_RETURN(auto database, Database::open(place));
     RETURN_IF_ERROR(migrate(*database));
     RETURN_IF_ERROR(refuseForeignSchema(*database));
     return std::unique_ptr<Library>(new Library(std::make_unique<Private>(std::move(database))));

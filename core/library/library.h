@@ -66,10 +66,11 @@ struct StationStanding;
 class AuditTrail;
 class PeopleRegister;
 
-/// The library of types, squeezes and inspections in one SQLite file. Rows are appended, never overwritten;
-/// keys are UUIDs in time order; every write is one transaction, so a squeeze is stored whole or not at all.
-/// All types of a library have comparable units: channels that can be taken to SI, or all the same units
-/// ("1"). Several processes may use one file at once. An object belongs to the thread that opened it.
+/// The library of types, squeezes and inspections, in one SQLite file or in a PostgreSQL database. Rows are
+/// appended, never overwritten; keys are UUIDs in time order; every write is one transaction, so a squeeze is
+/// stored whole or not at all. All types of a library have comparable units: channels that can be taken to
+/// SI, or all the same units
+/// ("1"). Several processes may use one at once. An object belongs to the thread that opened it.
 ///
 /// Whatever changes the types is one version of the library, with who, when and why; any earlier version can
 /// be looked at and restored, which is a new version again, so that nothing is ever lost.
@@ -80,16 +81,27 @@ class PeopleRegister;
 /// Every function may fail with StorageFailed (locked, disk full) or StorageCorrupt; nothing is changed then.
 class Library {
 public:
-    /// Opens or creates `file`, brings an older one up to date. StorageOpen, StorageNewer, StorageCorrupt.
-    [[nodiscard]] static Expected<std::unique_ptr<Library>> open(const QString& file);
+    /// Opens or creates the file, or opens the database on the server that is named
+    /// (sql/library_location.h), and brings an older one up to date. StorageOpen, StorageNewer,
+    /// StorageCorrupt.
+    [[nodiscard]] static Expected<std::unique_ptr<Library>> open(const QString& place);
     /// The user's own library when no file is named.
     [[nodiscard]] static QString defaultFile();
+    /// "postgresql://..." or "postgres://...".
+    [[nodiscard]] static bool isOnServer(const QString& place);
+    /// What was typed, as it is kept and shown. StorageOpen: an address that leads nowhere, or holds a
+    /// password.
+    [[nodiscard]] static Expected<QString> placeFrom(const QString& text);
+    /// There is such a file; of a server only opening tells. StorageOpen: an address that cannot be one.
+    [[nodiscard]] static Expected<bool> isThere(const QString& place);
+    /// For a title: the file's name without its folder, or the database and its server.
+    [[nodiscard]] static QString shortName(const QString& place);
 
     ~Library();
     Library(const Library&) = delete;
     Library& operator=(const Library&) = delete;
 
-    [[nodiscard]] QString file() const;
+    [[nodiscard]] QString file() const; ///< or the address, without a password
     [[nodiscard]] int schemaVersion() const;
     /// The first link of its ledger, by which a library is told from any other; nothing before its first row.
     [[nodiscard]] Expected<std::optional<ChainEnd>> birth() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/library_service.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -14,6 +15,7 @@ struct Job {
     Acting acting; ///< who asked for it
     std::function<void(Expected<Library*>)> work;
     std::function<void(const Acting&)> closed = {}; ///< instead, without the library
+    std::chrono::steady_clock::time_point asked = std::chrono::steady_clock::now();
 };
 
 } // namespace
@@ -39,10 +41,13 @@ struct LibraryService::Private {
         return job;
     }
 
-    /// A library that does not open is tried again with the next job: a disk may have come back.
+    /// A library that does not open is tried again with the next job: a disk may have come back. A server
+    /// that does not answer takes seconds to say so: who has asked meanwhile has that answer.
     void loop()
     {
         std::unique_ptr<Library> library;
+        std::optional<Error> problem;
+        std::chrono::steady_clock::time_point tried;
         while (auto job = next()) {
             if (job->closed) {
                 library.reset();
@@ -50,8 +55,14 @@ struct LibraryService::Private {
                 continue;
             }
             if (!library) {
+                if (problem && job->asked < tried && Library::isOnServer(file)) {
+                    job->work(tl::unexpected(*problem));
+                    continue;
+                }
                 auto opened = Library::open(file);
+                tried = std::chrono::steady_clock::now();
                 if (!opened) {
+                    problem = opened.error();
                     job->work(tl::unexpected(opened.error()));
                     continue;
                 }

@@ -87,8 +87,9 @@ LibraryLook lookAt(const SelfCheckSubject& subject, const std::vector<HidNode>& 
 {
     LibraryLook look;
     look.facts.file = subject.libraryFile;
-    look.facts.exists = QFileInfo::exists(subject.libraryFile);
-    look.facts.driver = QSqlDatabase::isDriverAvailable(u"QSQLITE"_s);
+    const bool onServer = LibraryLocation::isOnServer(subject.libraryFile);
+    look.facts.exists = onServer || QFileInfo::exists(subject.libraryFile);
+    look.facts.driver = QSqlDatabase::isDriverAvailable(onServer ? u"QPSQL"_s : u"QSQLITE"_s);
     look.facts.newestVersion = migrations().back().version;
     if (look.facts.exists && look.facts.driver) {
         if (const auto read = readLibrary(look, grippers); !read)
@@ -110,7 +111,8 @@ LibraryLook lookAt(const SelfCheckSubject& subject, const std::vector<HidNode>& 
 /// The folder that is, where the library's own is yet to be made.
 DiskFacts lookAtDisk(const QString& libraryFile)
 {
-    QFileInfo folder(QFileInfo(libraryFile).absolutePath());
+    // Of a library on a server: where this computer keeps what waits for it.
+    QFileInfo folder(QFileInfo(fileWithLibrary(libraryFile, {})).absolutePath());
     while (!folder.exists() && !folder.isRoot())
         folder.setFile(folder.absolutePath());
     const QStorageInfo storage(folder.absoluteFilePath());

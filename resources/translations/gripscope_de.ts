@@ -345,6 +345,10 @@
         <source>The gripper did not obey Stop. Switch off its power.</source>
         <translation>Der Greifer hat STOPP nicht befolgt. Seine Stromversorgung abschalten.</translation>
     </message>
+    <message>
+        <source>Whether the library did %1 is not known (%2). Look whether it is there before you do it again.</source>
+        <translation>Ob die Bibliothek dies tat, ist nicht bekannt: %1 (%2). Sehen Sie nach, ob es da ist, bevor Sie es noch einmal tun.</translation>
+    </message>
 </context>
 <context>
     <name>GripperTexts</name>
@@ -8971,6 +8975,134 @@ m  %3</translation>
         <source>Conflicts between stations seen</source>
         <translation>Konflikte zwischen Stationen gesehen</translation>
     </message>
+    <message>
+        <source>A library on a PostgreSQL server is copied by the server&apos;s own program, also while it is in use: %1</source>
+        <translation>Eine Bibliothek auf einem PostgreSQL-Server kopiert dessen eigenes Programm, auch während sie benutzt wird: %1</translation>
+    </message>
+    <message>
+        <source>A library on a PostgreSQL server is put back by the server&apos;s own program, from what pg_dump made, while no station has it open: %1</source>
+        <translation>Eine Bibliothek auf einem PostgreSQL-Server spielt dessen eigenes Programm zurück, aus dem, was pg_dump gemacht hat, während keine Station sie offen hat: %1</translation>
+    </message>
+    <message>
+        <source>write postgresql://USER@HOST:PORT/DATABASE</source>
+        <translation>schreiben Sie postgresql://USER@HOST:PORT/DATABASE</translation>
+    </message>
+    <message>
+        <source>a password does not belong in an address, which is shown, kept and logged: take it out and write the line HOST:PORT:DATABASE:USER:PASSWORD into the file .pgpass of your home folder, which only you may read</source>
+        <translation>ein Passwort gehört nicht in eine Adresse, die angezeigt, aufbewahrt und protokolliert wird: nehmen Sie es heraus und schreiben Sie die Zeile HOST:PORT:DATABASE:USER:PASSWORD in die Datei .pgpass Ihres Home-Verzeichnisses, die nur Sie lesen dürfen</translation>
+    </message>
+    <message>
+        <source>the value of %1 holds a sign that cannot be in it</source>
+        <translation>im Wert von %1 steht ein Zeichen, das dort nicht stehen kann</translation>
+    </message>
+    <message>
+        <source>it has no option %1; there are %2</source>
+        <translation>eine Option %1 hat sie nicht; es gibt %2</translation>
+    </message>
+    <message>
+        <source>the address cannot be read; %1</source>
+        <translation>die Adresse ist nicht zu lesen; %1</translation>
+    </message>
+    <message>
+        <source>a port is a number from 1 to 65535</source>
+        <translation>ein Port ist eine Zahl von 1 bis 65535</translation>
+    </message>
+    <message>
+        <source>it names no database; %1</source>
+        <translation>sie nennt keine Datenbank; %1</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 auf %2</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s PostgreSQL driver is not installed; on Debian: apt install libqt6sql6-psql</source>
+        <translation>der PostgreSQL-Treiber von Qt ist nicht installiert; unter Debian: apt install libqt6sql6-psql</translation>
+    </message>
+    <message>
+        <source>its database has the encoding %1, which does not hold every sign; make it with createdb --encoding=UTF8 --template=template0</source>
+        <translation>ihre Datenbank hat die Kodierung %1, in die nicht jedes Zeichen passt; legen Sie sie mit createdb --encoding=UTF8 --template=template0 an</translation>
+    </message>
+    <message>
+        <source>the server is PostgreSQL %1; it has to be 13 or newer</source>
+        <translation>der Server ist PostgreSQL %1; es muss 13 oder neuer sein</translation>
+    </message>
+    <message>
+        <source>the user has no schema to work in; let who looks after the server grant the rights to the schema public</source>
+        <translation>der Benutzer hat kein Schema, in dem er arbeiten darf; lassen Sie sich vom Verwalter des Servers Rechte am Schema public geben</translation>
+    </message>
+    <message>
+        <source>go on</source>
+        <translation>fortfahren</translation>
+    </message>
+    <message>
+        <source>the server ended the connection on the way</source>
+        <translation>der Server hat unterwegs die Verbindung beendet</translation>
+    </message>
+    <message>
+        <source>the server ended the connection; what is asked for next connects again</source>
+        <translation>der Server hat die Verbindung beendet; der nächste Auftrag verbindet neu</translation>
+    </message>
+    <message>
+        <source>the server took too long and was stopped; try again when it has less to do</source>
+        <translation>der Server brauchte zu lange und wurde abgebrochen; versuchen Sie es noch einmal, wenn er weniger zu tun hat</translation>
+    </message>
+    <message>
+        <source>the server&apos;s disk is full; who looks after it has to make room</source>
+        <translation>der Datenträger des Servers ist voll; sein Verwalter muss Platz schaffen</translation>
+    </message>
+    <message>
+        <source>the server has no connection left; end other programs, or let max_connections be raised</source>
+        <translation>der Server hat keine Verbindung mehr frei; beenden Sie andere Programme, oder lassen Sie max_connections erhöhen</translation>
+    </message>
+    <message>
+        <source>the server does not permit it (%1); let who looks after it grant the rights, or make this user the owner of the database</source>
+        <translation>der Server erlaubt es nicht (%1); lassen Sie sich von seinem Verwalter die Rechte geben oder diesen Benutzer zum Eigentümer der Datenbank machen</translation>
+    </message>
+    <message>
+        <source>the server may only be read from, as a copy that follows another; name the one that is written to</source>
+        <translation>von diesem Server darf nur gelesen werden, wie von einer Kopie, die einem anderen folgt; nennen Sie den, auf den geschrieben wird</translation>
+    </message>
+    <message>
+        <source>the server asks for the password of user %1, and none was found: write the line HOST:PORT:DATABASE:USER:PASSWORD into the file .pgpass of your home folder, which only you may read (chmod 600)</source>
+        <translation>der Server fragt nach dem Passwort des Benutzers %1, und es wurde keines gefunden: schreiben Sie die Zeile HOST:PORT:DATABASE:USER:PASSWORD in die Datei .pgpass Ihres Home-Verzeichnisses, die nur Sie lesen dürfen (chmod 600)</translation>
+    </message>
+    <message>
+        <source>the server refuses the password of user %1: look at the file .pgpass of your home folder</source>
+        <translation>der Server weist das Passwort des Benutzers %1 ab: sehen Sie in die Datei .pgpass Ihres Home-Verzeichnisses</translation>
+    </message>
+    <message>
+        <source>the server does not let user %1 in from this computer, or not without encryption: its pg_hba.conf has no line for it</source>
+        <translation>der Server lässt den Benutzer %1 von diesem Rechner nicht ein, oder nicht ohne Verschlüsselung: in seiner pg_hba.conf fehlt die Zeile dafür</translation>
+    </message>
+    <message>
+        <source>the server at %1 knows no user %2: let who looks after it make one (createuser)</source>
+        <translation>der Server auf %1 kennt keinen Benutzer %2: lassen Sie ihn vom Verwalter anlegen (createuser)</translation>
+    </message>
+    <message>
+        <source>there is no database %1 on %2: let who looks after it make one (createdb)</source>
+        <translation>auf %2 gibt es keine Datenbank %1: lassen Sie sie vom Verwalter anlegen (createdb)</translation>
+    </message>
+    <message>
+        <source>no safe connection with %1 came about (%2): look at sslmode and sslrootcert</source>
+        <translation>mit %1 kam keine sichere Verbindung zustande (%2): prüfen Sie sslmode und sslrootcert</translation>
+    </message>
+    <message>
+        <source>no server answers at %1: see that it runs, and that name, port and network are right (%2)</source>
+        <translation>auf %1 antwortet kein Server: sehen Sie nach, ob er läuft und ob Name, Port und Netz stimmen (%2)</translation>
+    </message>
+    <message>
+        <source>the server at %1 says: %2</source>
+        <translation>der Server auf %1 meldet: %2</translation>
+    </message>
+    <message>
+        <source>a text in it holds the sign NUL, which the server cannot store</source>
+        <translation>ein Text darin enthält das Zeichen NUL, das der Server nicht speichern kann</translation>
+    </message>
+    <message>
+        <source>a step of it failed on the server</source>
+        <translation>ein Schritt davon ist auf dem Server gescheitert</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>
@@ -14914,6 +15046,14 @@ Vorh. %</translation>
         <source>The backup %1 was written and verified. %2</source>
         <translation>Die Sicherung %1 wurde geschrieben und nachgeprüft. %2</translation>
     </message>
+    <message>
+        <source>On a server…</source>
+        <translation>Auf einem Server…</translation>
+    </message>
+    <message>
+        <source>Opens a library that is a PostgreSQL database</source>
+        <translation>Öffnet eine Bibliothek, die eine PostgreSQL-Datenbank ist</translation>
+    </message>
 </context>
 <context>
     <name>gripscope::LibraryWords</name>
@@ -17536,6 +17676,29 @@ Vorh. %</translation>
     <message>
         <source>not tested</source>
         <translation>nicht geprüft</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::ServerDialog</name>
+    <message>
+        <source>Open a library on a server</source>
+        <translation>Bibliothek auf einem Server öffnen</translation>
+    </message>
+    <message>
+        <source>Address of the PostgreSQL database</source>
+        <translation>Adresse der PostgreSQL-Datenbank</translation>
+    </message>
+    <message>
+        <source>The password is not part of it: it is read from the file .pgpass of your home folder.</source>
+        <translation>Das Passwort gehört nicht dazu: es wird aus der Datei .pgpass Ihres Home-Verzeichnisses gelesen.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Offen</translation>
     </message>
 </context>
 <context>

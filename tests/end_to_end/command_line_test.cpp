@@ -174,19 +174,20 @@ private slots:
         QVERIFY(run.out.isEmpty());
         QVERIFY2(run.err.contains(hint), run.err.constData());
     }
-    void whatComesLaterSaysSoInsteadOfAnEmptyResult_data()
+    void aServersAddressWithAPasswordIsRefusedAndNotShown()
     {
-        QTest::addColumn<QStringList>("arguments");
         m_work.write(u"r.csv"_s, "u,y\n1,2\n2,3\n");
-        QTest::newRow("postgresql") << QStringList{u"classify"_s, u"--library"_s,
-                                                   u"postgresql://me@host/name"_s, u"r.csv"_s};
+        const ProgramRun run =
+            m_work.cli({u"classify"_s, u"--library"_s, u"postgresql://me:Geheim1@host/name"_s, u"r.csv"_s});
+        QCOMPARE(run.exit, 5);
+        QVERIFY2(run.err.contains(".pgpass") && !run.err.contains("Geheim1"), run.err.constData());
     }
-    void whatComesLaterSaysSoInsteadOfAnEmptyResult()
+    void aServerThatDoesNotAnswerIsNamed()
     {
-        QFETCH(QStringList, arguments);
-        const ProgramRun run = m_work.cli(arguments);
-        QCOMPARE(run.exit, 2);
-        QVERIFY2(run.err.contains("not supported yet"), run.err.constData());
+        const ProgramRun run =
+            m_work.cli({u"types"_s, u"--library"_s, u"postgresql://me@127.0.0.1:1/name"_s});
+        QCOMPARE(run.exit, 5);
+        QVERIFY2(run.err.contains("no server answers at 127.0.0.1:1"), run.err.constData());
     }
     void theVirtualGripperIsAlwaysAmongTheDevices()
     {

@@ -2,11 +2,13 @@
 #include "ui/library/library_dialog.h"
 
 #include "core/library/backup/library_backup.h"
+#include "core/library/backup/server_copies.h"
 #include "core/library/library.h"
 #include "ui/context/workbench.h"
 #include "ui/format/number_format.h"
 #include "ui/library/library_words.h"
 #include "ui/library/recent_libraries.h"
+#include "ui/library/server_dialog.h"
 #include "ui/pages/page.h"
 #include "ui/people/authorize.h"
 #include "ui/settings/values/settings.h"
@@ -116,6 +118,8 @@ QHBoxLayout* LibraryDialog::makeActions()
         return button;
     };
     m_open = add(tr("Open another…"), u"document-open"_s, "libraryOpen", &LibraryDialog::chooseToOpen);
+    m_server = add(tr("On a server…"), {}, "libraryServer", &LibraryDialog::chooseServer);
+    m_server->setToolTip(tr("Opens a library that is a PostgreSQL database"));
     m_backUp = add(tr("Back up…"), u"document-save"_s, "libraryBackUp", &LibraryDialog::chooseBackup);
     m_backUp->setToolTip(tr("A copy of all of it, verified; work goes on meanwhile"));
     m_restore = add(tr("Put back a backup…"), {}, "libraryRestore", &LibraryDialog::chooseToRestore);
@@ -152,8 +156,9 @@ QHBoxLayout* LibraryDialog::makeFoot()
 
 void LibraryDialog::addRecent()
 {
+    const QString open = m_workbench->library().file();
     for (const QString& file : recentLibraries(m_workbench->settings())) {
-        if (file == QFileInfo(m_workbench->library().file()).absoluteFilePath())
+        if (file == (Library::isOnServer(open) ? open : QFileInfo(open).absoluteFilePath()))
             continue;
         auto* item = new QListWidgetItem(QDir::toNativeSeparators(file), m_recent);
         item->setData(Qt::UserRole, file);
@@ -201,8 +206,7 @@ void LibraryDialog::begin(const QString& words)
 {
     m_work = std::make_shared<Work>();
     tell(words, "second");
-    for (QWidget* one : {static_cast<QWidget*>(m_open), static_cast<QWidget*>(m_backUp),
-                         static_cast<QWidget*>(m_restore), static_cast<QWidget*>(m_recent)})
+    for (QWidget* one : actions())
         one->setEnabled(false);
     m_cancel->setEnabled(true);
     m_cancel->show();
@@ -211,14 +215,25 @@ void LibraryDialog::begin(const QString& words)
     showProgress();
 }
 
+QList<QWidget*> LibraryDialog::actions() const
+{
+    return {m_open, m_server, m_backUp, m_restore, m_recent};
+}
+
+/// Where files are asked for; of a library on a server, the user's own.
+QString LibraryDialog::folderOfLibrary() const
+{
+    const QString place = m_workbench->library().file();
+    return Library::isOnServer(place) ? QDir::homePath() : QFileInfo(place).absolutePath();
+}
+
 void LibraryDialog::end()
 {
     m_work.reset();
     m_look.stop();
     m_progress->hide();
     m_cancel->hide();
-    for (QWidget* one : {static_cast<QWidget*>(m_open), static_cast<QWidget*>(m_backUp),
-                         static_cast<QWidget*>(m_restore), static_cast<QWidget*>(m_recent)})
+    for (QWidget* one : actions())
         one->setEnabled(true);
 }
 
@@ -234,40 +249,50 @@ void LibraryDialog::showProgress()
 
 void LibraryDialog::chooseToOpen()
 {
-    auto* dialog = new FileDialog(this, tr("Open another library"),
-                                  QFileInfo(m_workbench->library().file()).absolutePath(),
+    auto* dialog = new FileDialog(this, tr("Open another library"), folderOfLibrary(),
                                   tr("Libraries (*.db *.gripscope);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &LibraryDialog::openLibrary);
     dialog->open();
 }
 
-void LibraryDialog::openLibrary(const QString& file)
+void LibraryDialog::chooseServer()
+{
+    const QString place = m_workbench->library().file();
+    auto* dialog = new ServerDialog(Library::isOnServer(place) ? place : QString(), this);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { openLibrary(dialog->address()); });
+    dialog->open();
+}
+
+void LibraryDialog::openLibrary(const QString& place)
 {
     if (m_work || !mayLeave())
         return;
     tell(tr("Opening…"), "second");
     m_workbench->background().compute<Expected<void>>(
         this,
-        [file]() -> Expected<void> {
-            if (!QFileInfo::exists(file)) // none is made here
-                return failure(ErrorCode::StorageOpen, {file, tr("there is no such file")});
-            if (QFileInfo(file).size() == 0) // it would become one
-                return failure(ErrorCode::StorageOpen, {file, tr("there is nothing in it")});
-            return Library::open(file).map([](const std::unique_ptr<Library>&) {});
+        [place]() -> Expected<void> {
+            ASSIGN_OR_RETURN(const bool isThere, Library::isThere(place));
+            if (!isThere) // none is made here
+                return failure(ErrorCode::StorageOpen, {place, tr("there is no such file")});
+            if (!Library::isOnServer(place) && QFileInfo(place).size() == 0) // it would become one
+                return failure(ErrorCode::StorageOpen, {place, tr("there is nothing in it")});
+            return Library::open(place).map([](const std::unique_ptr<Library>&) {});
         },
-        [this, file](const Expected<void>& opened) {
+        [this, place](const Expected<void>& opened) {
             if (!opened)
                 return tell(opened.error().describe(), "error");
             if (mayLeave())
                 m_workbench->navigator().openLibrary(
-                    file, tr("The library %1 is open.").arg(QDir::toNativeSeparators(file)));
+                    place, tr("The library %1 is open.").arg(QDir::toNativeSeparators(place)));
         });
 }
 
 void LibraryDialog::chooseBackup()
 {
     const QString library = m_workbench->library().file();
+    if (const auto otherwise = copiedByServer(library, u"library.dump"_s))
+        return tell(otherwise->describe(), "error");
     auto* dialog = new FileDialog(this, tr("Back up the library"), QFileInfo(library).absolutePath(),
                                   tr("All files (*)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
@@ -317,9 +342,9 @@ void LibraryDialog::backUpTo(const QString& file)
 
 void LibraryDialog::chooseToRestore()
 {
-    auto* dialog =
-        new FileDialog(this, tr("Put back a backup"), QFileInfo(m_workbench->library().file()).absolutePath(),
-                       tr("All files (*)"));
+    if (const auto otherwise = putBackByServer(m_workbench->library().file(), u"library.dump"_s))
+        return tell(otherwise->describe(), "error");
+    auto* dialog = new FileDialog(this, tr("Put back a backup"), folderOfLibrary(), tr("All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &LibraryDialog::restoreFrom);
     dialog->open();

@@ -43,7 +43,7 @@ public:
     explicit LibraryDialog(Workbench& workbench, QWidget* parent = nullptr);
     ~LibraryDialog() override;
 
-    void openLibrary(const QString& file);
+    void openLibrary(const QString& place);
     void backUpTo(const QString& file);
     void restoreFrom(const QString& file);
 
@@ -54,6 +54,9 @@ private:
     void addRecent();
     void reload();
     void chooseToOpen();
+    void chooseServer();
+    [[nodiscard]] QString folderOfLibrary() const;
+    [[nodiscard]] QList<QWidget*> actions() const;
     void chooseBackup();
     void chooseToRestore();
     [[nodiscard]] bool mayLeave(); ///< nothing is under way that belongs to the library; else says what
@@ -66,7 +69,7 @@ private:
     Workbench* m_workbench;
     QLabel *m_contents, *m_state;
     QListWidget* m_recent;
-    QPushButton *m_open, *m_backUp, *m_restore, *m_cancel;
+    QPushButton *m_open, *m_server, *m_backUp, *m_restore, *m_cancel;
     QProgressBar* m_progress;
     QTimer m_look;
     std::shared_ptr<Work> m_work;      ///< what is under way, shared with its thread

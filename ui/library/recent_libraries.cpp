@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/library/recent_libraries.h"
 
+#include "core/library/library.h"
 #include "ui/settings/values/settings.h"
 
 #include <QFileInfo>
@@ -19,7 +20,7 @@ QStringList recentLibraries(const Settings& settings)
 void noteLibrary(Settings& settings, const QString& file)
 {
     QStringList files = recentLibraries(settings);
-    const QString name = QFileInfo(file).absoluteFilePath();
+    const QString name = Library::isOnServer(file) ? file : QFileInfo(file).absoluteFilePath();
     files.removeAll(name);
     files.prepend(name);
     settings.setRecentLibraries(files.mid(0, mostKept));

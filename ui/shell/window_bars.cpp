@@ -171,9 +171,11 @@ void StatusLine::refresh()
         const LineWords words = broker.words();
         parts << words.headline.describe() << described(words.problems);
     }
-    const QFileInfo library(m_workbench->library().file());
-    parts << (m_version > 0 ? tr("library %1 v%2").arg(library.completeBaseName()).arg(m_version)
-                            : tr("library %1").arg(library.completeBaseName()));
+    const QString place = m_workbench->library().file();
+    const QString library =
+        Library::isOnServer(place) ? Library::shortName(place) : QFileInfo(place).completeBaseName();
+    parts << (m_version > 0 ? tr("library %1 v%2").arg(library).arg(m_version)
+                            : tr("library %1").arg(library));
     const auto types = static_cast<int>(m_workbench->inspection().types().size());
     parts << (types == 1 ? tr("1 type") : tr("%n types", nullptr, types));
     parts << tr("%1 inspected").arg(formatCount(m_workbench->inspection().counts().total));

@@ -60,7 +60,8 @@ private:
 
 Expected<void> ArmingConsent::add(const QString& file, const QString& operatorName)
 {
-    if (!QFileInfo::exists(file))
+    ASSIGN_OR_RETURN(const bool isThere, Library::isThere(file));
+    if (!isThere)
         return {};
     ASSIGN_OR_RETURN(std::unique_ptr<Library> library, Library::open(file));
     ASSIGN_OR_RETURN(const Acting acting, authorization(*library, operatorName, Permission::Arm));
@@ -76,7 +77,8 @@ Expected<ArmingConsent> ArmingConsent::ask(const QString& libraryFile, const QSt
     ArmingConsent consent(operatorName);
     QStringList files{libraryFile};
     const QString own = Library::defaultFile();
-    if (QFileInfo(own).canonicalFilePath() != QFileInfo(libraryFile).canonicalFilePath())
+    if (Library::isOnServer(libraryFile) ||
+        QFileInfo(own).canonicalFilePath() != QFileInfo(libraryFile).canonicalFilePath())
         files.append(own);
     for (const QString& file : files)
         RETURN_IF_ERROR(consent.add(file, operatorName));

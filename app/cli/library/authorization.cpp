@@ -44,7 +44,8 @@ Expected<Acting> authorization(Library& library, const QString& operatorName, Pe
 
 Expected<Acting> authorization(const QString& libraryFile, const QString& operatorName, Permission permission)
 {
-    if (!QFileInfo::exists(libraryFile))
+    ASSIGN_OR_RETURN(const bool isThere, Library::isThere(libraryFile));
+    if (!isThere)
         return Acting{operatorName};
     ASSIGN_OR_RETURN(const auto library, Library::open(libraryFile));
     return authorization(*library, operatorName, permission);

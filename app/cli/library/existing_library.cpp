@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/library/existing_library.h"
 
-#include <QFileInfo>
-
 namespace gripscope::cli {
 
 using namespace Qt::StringLiterals;
 
 Expected<QString> existingLibraryFile(const QString& file)
 {
-    if (!QFileInfo::exists(file)) // opening would make an empty one
+    ASSIGN_OR_RETURN(const bool isThere, Library::isThere(file));
+    if (!isThere) // opening would make an empty one
         return failure(ErrorCode::StorageOpen, {file, u"there is no such file; enrol types first"_qs});
     return file;
 }

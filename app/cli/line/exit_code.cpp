@@ -30,6 +30,7 @@ Exit exitFor(const Error& error)
     case ErrorCode::FileUnwritable:
     case ErrorCode::StorageOpen:
     case ErrorCode::StorageFailed:
+    case ErrorCode::StorageUnknown:
     case ErrorCode::StorageNewer:
     case ErrorCode::StorageCorrupt:
         return Exit::Storage;

@@ -159,23 +159,26 @@ std::size_t excitationPeriods(CommandLine& line)
 void addLibraryOption(CommandLine& line)
 {
     line.option(u"library"_qs, u"DB"_qs,
-                u"File with the types and squeezes (without it: the user's own library)."_qs);
+                u"File with the types and squeezes, or postgresql://USER@HOST:PORT/DATABASE (without it: the "
+                "user's own library)."_qs);
 }
 
 Expected<QString> libraryFile(const CommandLine& line)
 {
     const QString name = line.text(u"library"_qs);
-    if (name.startsWith(u"postgresql:"_qs) || name.startsWith(u"postgres:"_qs))
-        return failure(ErrorCode::NotSupportedYet, {u"A library on a PostgreSQL server"_qs});
     if (line.isSet(u"library"_qs) && name.isEmpty())
-        return failure(ErrorCode::Usage, {u"--library needs the name of a file."_qs});
-    return name.isEmpty() ? Library::defaultFile() : name;
+        return failure(ErrorCode::Usage,
+                       {u"--library needs the name of a file, or the address of a database."_qs});
+    return name.isEmpty() ? Library::defaultFile() : Library::placeFrom(name);
 }
 
 Expected<QString> namedLibraryFile(const CommandLine& line)
 {
     Expected<QString> file = libraryFile(line);
-    if (file && line.isSet(u"library"_qs) && !QFileInfo::exists(*file))
+    if (!file || !line.isSet(u"library"_qs))
+        return file;
+    ASSIGN_OR_RETURN(const bool isThere, Library::isThere(*file));
+    if (!isThere)
         return failure(ErrorCode::StorageOpen, {*file, u"there is no such file"_qs});
     return file;
 }

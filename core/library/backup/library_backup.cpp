@@ -2,6 +2,7 @@
 #include "core/library/backup/library_backup.h"
 
 #include "core/base/words.h"
+#include "core/library/backup/server_copies.h"
 #include "core/library/ledger/library_witness.h"
 #include "core/library/sql/database.h"
 #include "core/library/sql/synced_names.h"
@@ -37,6 +38,8 @@ Expected<LibraryBackup> copyAndVerify(const QString& library, const QString& par
 Expected<LibraryBackup> backUpLibrary(const QString& library, const QString& copy,
                                       const CopyProgress& progress)
 {
+    if (const auto otherwise = copiedByServer(library, copy))
+        return tl::unexpected(*otherwise);
     const QString part = copy + u".part"_s;
     if (QFileInfo::exists(copy))
         return failure(ErrorCode::FileUnwritable,

@@ -14,7 +14,8 @@ struct LibraryBackup {
 
 /// A copy of the library as it stands now, also while programs write into it, verified once it is written.
 /// The copy is kept also where something in it differs: that does so in the library, too. FileUnwritable:
-/// there is a file of this name already. At 1 the progress is done with copying and verifies.
+/// there is a file of this name already. Usage: the library is on a server, and what copies it there. At 1
+/// the progress is done with copying and verifies.
 [[nodiscard]] Expected<LibraryBackup> backUpLibrary(const QString& library, const QString& copy,
                                                     const CopyProgress& progress);
 

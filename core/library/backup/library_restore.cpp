@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 #include "core/library/backup/library_swap.h"
+#include "core/library/backup/server_copies.h"
 #include "core/library/ledger/ledger_table.h"
 #include "core/library/migrations/migration.h"
 #include "core/library/migrations/schema_check.h"
@@ -302,6 +303,8 @@ Expected<QString> restore(const RestorePlan& plan, const Acting& acting, const Q
 Expected<RestorePlan> prepareRestore(const QString& library, const QString& backup,
                                      const CopyProgress& progress)
 {
+    if (const auto otherwise = putBackByServer(library, backup))
+        return tl::unexpected(*otherwise);
     if (const auto identity = FileIdentity::of(library); identity && identity == FileIdentity::of(backup))
         return failure(ErrorCode::Usage, {Words::tr("This file is the library itself, not a copy of it.")});
     RestorePlan plan;

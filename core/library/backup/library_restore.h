@@ -29,7 +29,8 @@ struct RestorePlan {
 /// Copies the backup beside the library and verifies it there as `library verify` does; the library is only
 /// looked at. StorageCorrupt: something in the backup is not as it was written, and what. StorageNewer: a
 /// newer program wrote the library. StorageOpen, StorageFailed: it cannot be looked at now, and may be whole.
-/// Usage: it is the library itself. Whoever does not go on removes the copy by discard().
+/// Usage: it is the library itself; or the library is on a server, and what puts it back there. Whoever does
+/// not go on removes the copy by discard().
 [[nodiscard]] Expected<RestorePlan> prepareRestore(const QString& library, const QString& backup,
                                                    const CopyProgress& progress);
 void discard(const RestorePlan& plan);

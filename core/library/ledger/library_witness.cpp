@@ -4,6 +4,7 @@
 #include "core/base/bounded_file.h"
 #include "core/base/brief_lock.h"
 #include "core/base/words.h"
+#include "core/library/sql/library_location.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -61,9 +62,22 @@ std::map<QString, ChainEnd> chainsFrom(const QJsonObject& document)
     return ends;
 }
 
-QJsonObject toJson(const LibraryWitness& witness, const QString& libraryFile)
+/// The same for all names of one library; of a server without who connects, and how.
+QString placeOf(const QString& library)
 {
-    QJsonObject document{{u"library"_s, QFileInfo(libraryFile).absoluteFilePath()}};
+    if (const auto location = LibraryLocation::parse(library); !location)
+        return withoutPassword(library);
+    else if (location->server())
+        return location->key();
+    const QFileInfo info(library);
+    return info.exists() ? info.canonicalFilePath() : info.absoluteFilePath();
+}
+
+QJsonObject toJson(const LibraryWitness& witness, const QString& library)
+{
+    QJsonObject document{{u"library"_s, LibraryLocation::isOnServer(library)
+                                            ? placeOf(library)
+                                            : QFileInfo(library).absoluteFilePath()}};
     putEnds(document, witness.audit, witness.chains);
     if (witness.announced) {
         QJsonObject announced{{u"told_by"_s, witness.announced->told.chain}};
@@ -84,9 +98,8 @@ bool write(const QString& name, const QJsonObject& document)
 
 QString witnessFile(const QString& libraryFile)
 {
-    const QFileInfo info(libraryFile);
-    const QString place = info.exists() ? info.canonicalFilePath() : info.absoluteFilePath();
-    const QByteArray name = QCryptographicHash::hash(place.toUtf8(), QCryptographicHash::Sha256).toHex();
+    const QByteArray name =
+        QCryptographicHash::hash(placeOf(libraryFile).toUtf8(), QCryptographicHash::Sha256).toHex();
     return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
            u"/gripscope/audit/%1.json"_s.arg(QString::fromLatin1(name.left(32)));
 }

@@ -53,12 +53,13 @@ Expected<void> apply(Database& database, const Migration& step)
         return tl::unexpected(version.error());
     if (*version >= step.version)
         return {};
+    if (database.isOnServer()) // an index over millions of rows may take as long as it does
+        RETURN_IF_ERROR(database.execute(u"SET LOCAL statement_timeout = 0"_s, bringingUpToDate()));
     QStringList statements = step.statements;
     if (*version == 0)
         statements.prepend(migrationTable());
-    for (QString& statement : statements)
-        RETURN_IF_ERROR(
-            database.execute(statement.replace("{blob}"_L1, database.blobType()), bringingUpToDate()));
+    for (const QString& statement : std::as_const(statements))
+        RETURN_IF_ERROR(database.execute(database.dialect().ofMigration(statement), bringingUpToDate()));
     const RowStamp stamp = RowStamp::now();
     Statement entry(database, bringingUpToDate(),
                     u"INSERT INTO schema_migrations VALUES (?, ?, ?, ?, ?, ?)"_s);

@@ -15,7 +15,7 @@ namespace gripscope {
 struct Migration {
     int version = 0; ///< 1, 2, 3... without a hole
     QString name;
-    QStringList statements; ///< "{blob}" stands for the database's type for bytes
+    QStringList statements; ///< for every database, spelled by SqlDialect::ofMigration()
     /// In the same transaction, after the statements and the entry in schema_migrations: from the ledger on,
     /// what puts the new rows into it.
     std::function<Expected<void>(Database&)> afterwards = {};

@@ -8,6 +8,7 @@
 #include <QByteArray>
 
 #include <map>
+#include <mutex>
 #include <utility>
 
 namespace gripscope {
@@ -27,9 +28,7 @@ QString comparing()
 Expected<Parts> partsOf(Database& database)
 {
     Parts parts;
-    Statement query(database, comparing(),
-                    u"SELECT type, name, tbl_name, CAST(COALESCE(sql, '') AS BLOB) FROM sqlite_master "
-                    "WHERE name NOT LIKE 'sqlite!_stat_' ESCAPE '!'"_s);
+    Statement query(database, comparing(), database.dialect().partsSql());
     const auto done = query.forEach([&](Statement& row) {
         const QString type = row.takeText();
         const QString name = row.takeText();
@@ -41,20 +40,50 @@ Expected<Parts> partsOf(Database& database)
     return parts;
 }
 
+Expected<void> makeAll(Database& database)
+{
+    QStringList statements{migrationTable()};
+    for (const Migration& step : migrations())
+        statements += step.statements;
+    for (QString& statement : statements)
+        statement = database.dialect().ofMigration(statement);
+    if (database.isOnServer()) // at once: each would cost a way to the server and back
+        return database.execute(statements.join(u";\n"_s), comparing());
+    for (const QString& statement : statements)
+        RETURN_IF_ERROR(database.execute(statement, comparing()));
+    return {};
+}
+
 Expected<Parts> makeExpected()
 {
     ASSIGN_OR_RETURN(const auto empty, Database::inMemory());
-    RETURN_IF_ERROR(empty->execute(migrationTable(), comparing()));
-    for (const Migration& step : migrations())
-        for (QString statement : step.statements)
-            RETURN_IF_ERROR(empty->execute(statement.replace("{blob}"_L1, empty->blobType()), comparing()));
+    RETURN_IF_ERROR(makeAll(*empty));
     return partsOf(*empty);
 }
 
-const Expected<Parts>& expected()
+/// On the server itself, whose versions spell the same differently: among the temporary tables of a
+/// connection that are gone with its transaction.
+Expected<Parts> makeExpected(const QString& place)
 {
-    static const Expected<Parts> parts = makeExpected();
+    ASSIGN_OR_RETURN(const auto connected, Database::open(place));
+    RETURN_IF_ERROR(connected->execute(u"BEGIN; SET LOCAL search_path = pg_temp"_s, comparing()));
+    RETURN_IF_ERROR(makeAll(*connected));
+    auto parts = partsOf(*connected);
+    RETURN_IF_ERROR(connected->execute(u"ROLLBACK"_s, comparing()));
     return parts;
+}
+
+/// Made once: of a file the same for all, of a server for all its databases.
+Expected<Parts> expectedOf(const Database& database)
+{
+    static std::mutex mutex;
+    static std::map<QString, Parts> known;
+    const QString place = database.server();
+    const std::lock_guard lock(mutex);
+    if (const auto found = known.find(place); found != known.end())
+        return found->second;
+    ASSIGN_OR_RETURN(Parts made, database.isOnServer() ? makeExpected(database.file()) : makeExpected());
+    return known.emplace(place, std::move(made)).first->second;
 }
 
 } // namespace
@@ -74,11 +103,9 @@ QString inWords(SchemaDifference::What what)
 
 Expected<std::vector<SchemaDifference>> schemaDifferences(Database& database)
 {
-    if (!expected())
-        return tl::unexpected(expected().error());
+    ASSIGN_OR_RETURN(const Parts right, expectedOf(database));
     ASSIGN_OR_RETURN(const Parts found, partsOf(database));
     std::vector<SchemaDifference> differences;
-    const Parts& right = *expected();
     for (const auto& [part, made] : right) {
         const auto there = found.find(part);
         if (there == found.end())

@@ -4,6 +4,7 @@
 #include "core/base/bounded_file.h"
 #include "core/base/printable.h"
 #include "core/base/words.h"
+#include "core/library/sql/unique_connection.h"
 
 #include <QElapsedTimer>
 #include <QFile>
@@ -21,45 +22,6 @@ namespace gripscope {
 using namespace Qt::StringLiterals;
 
 namespace {
-
-/// How long a statement waits for another process before it gives up; a squeeze takes milliseconds to store.
-constexpr int busyTimeout_ms = 10'000;
-
-/// SQLite's primary result codes (sqlite.org/rescode.html).
-enum SqliteCode {
-    Busy = 5,
-    Locked = 6,
-    ReadOnly = 8,
-    IoError = 10,
-    Corrupt = 11,
-    Full = 13,
-    CantOpen = 14,
-    NotADatabase = 26
-};
-
-int primaryCode(const QSqlError& error)
-{
-    return error.nativeErrorCode().toInt() & 0xff; // the higher bits only refine it
-}
-
-QString inWords(const QSqlError& error)
-{
-    switch (primaryCode(error)) {
-    case Busy:
-    case Locked:
-        return Words::tr("another program kept it locked for %1 s").arg(busyTimeout_ms / 1000);
-    case ReadOnly:
-        return Words::tr("the file or its folder is write-protected");
-    case IoError:
-        return Words::tr("the disk reports an error");
-    case Full:
-        return Words::tr("the disk is full");
-    case CantOpen:
-        return Words::tr("the file or its folder is missing or may not be opened or written");
-    default:
-        return error.databaseText().isEmpty() ? error.driverText() : error.databaseText();
-    }
-}
 
 /// So many as tell what kind of file it is; none of a library that this program has open.
 Expected<QByteArray> firstBytes(const QString& name)
@@ -107,12 +69,6 @@ Expected<bool> copyParts(const QString& file, const QString& copy)
     return copied;
 }
 
-QString uniqueConnectionName()
-{
-    static std::atomic<quint64> counter{0};
-    return u"gripscope-library-%1"_s.arg(++counter);
-}
-
 /// StorageOpen where the file holds what acts by itself (triggers, views, virtual tables, computed columns):
 /// no migration makes any, and a stored verdict must not become another on its way.
 Expected<void> refuseForeignPrograms(const Database& database)
@@ -139,8 +95,15 @@ Expected<void> refuseForeignPrograms(const Database& database)
 
 } // namespace
 
-Database::Database(QString file, const QString& name)
-    : m_file(std::move(file)), m_connection(QSqlDatabase::addDatabase(u"QSQLITE"_s, name))
+QString uniqueConnectionName()
+{
+    static std::atomic<quint64> counter{0};
+    return u"gripscope-library-%1"_s.arg(++counter);
+}
+
+Database::Database(QString file, const SqlDialect& dialect, const QString& name)
+    : m_file(std::move(file)), m_dialect(dialect),
+      m_connection(QSqlDatabase::addDatabase(dialect.driver(), name))
 {
 }
 
@@ -156,33 +119,33 @@ Database::~Database()
 Expected<std::unique_ptr<Database>> Database::connect(const QString& file, const QString& place,
                                                       const QString& parameters)
 {
-    if (!QSqlDatabase::isDriverAvailable(u"QSQLITE"_s))
-        return failure(ErrorCode::StorageOpen, {file, Words::tr("Qt's SQLite driver is not installed")});
-    QString name = place, options = u"QSQLITE_BUSY_TIMEOUT=%1"_s.arg(busyTimeout_ms);
+    const SqlDialect& sqlite = SqlDialect::sqlite();
+    if (!QSqlDatabase::isDriverAvailable(sqlite.driver()))
+        return failure(ErrorCode::StorageOpen, {file, sqlite.driverMissing()});
+    QString name = place, options = u"QSQLITE_BUSY_TIMEOUT=%1"_s.arg(sqlBusyTimeout_ms);
     if (!parameters.isEmpty()) {
         const QByteArray url = QUrl::fromLocalFile(QFileInfo(place).absoluteFilePath()).toEncoded();
         name = QString::fromLatin1(url) + parameters;
         options += u";QSQLITE_OPEN_URI;QSQLITE_OPEN_READONLY"_s;
     }
-    std::unique_ptr<Database> database(new Database(file, uniqueConnectionName()));
+    std::unique_ptr<Database> database(new Database(file, sqlite, uniqueConnectionName()));
     database->m_connection.setDatabaseName(name);
     database->m_connection.setConnectOptions(options);
     database->m_inUse = std::make_unique<FileInUse>(place);
     if (!database->m_connection.open())
-        return failure(ErrorCode::StorageOpen, {file, inWords(database->m_connection.lastError())});
+        return failure(ErrorCode::StorageOpen,
+                       {file, sqlite.failureOf(database->m_connection.lastError()).words});
     database->m_inUse->noteNew(place);
-    // With the usual 2 MB of pages a library of a hundred thousand squeezes is read from the disk again and
-    // again.
-    // The file may be anybody's: what its schema says is not run, and a cell that lies about its size is an
-    // error.
-    for (const QString& setting : {u"PRAGMA trusted_schema=OFF"_s, u"PRAGMA cell_size_check=ON"_s,
-                                   u"PRAGMA foreign_keys=ON"_s, u"PRAGMA cache_size=-65536"_s})
+    for (const QString& setting : sqlite.settings())
         RETURN_IF_ERROR(database->execute(setting, Words::tr("be opened")));
     return database;
 }
 
 Expected<std::unique_ptr<Database>> Database::open(const QString& file)
 {
+    ASSIGN_OR_RETURN(const LibraryLocation location, LibraryLocation::parse(file));
+    if (location.server())
+        return connectToServer(location, false);
     if (const auto reason = reasonNotToOpen(file))
         return failure(ErrorCode::StorageOpen, {file, *reason});
     ASSIGN_OR_RETURN(auto database, connect(file, file));
@@ -192,6 +155,9 @@ Expected<std::unique_ptr<Database>> Database::open(const QString& file)
 
 Expected<std::unique_ptr<Database>> Database::openToRead(const QString& file)
 {
+    ASSIGN_OR_RETURN(const LibraryLocation location, LibraryLocation::parse(file));
+    if (location.server())
+        return connectToServer(location, true);
     if (const auto reason = reasonNotToOpen(file))
         return failure(ErrorCode::StorageOpen, {file, *reason});
     if (!QFileInfo::exists(file))
@@ -214,7 +180,7 @@ Expected<std::unique_ptr<Database>> Database::openToRead(const QString& file)
     database->m_copy = std::move(copy);
     if (alone)
         database->m_alone = written;
-    RETURN_IF_ERROR(database->execute(u"PRAGMA query_only=ON"_s, Words::tr("be opened")));
+    RETURN_IF_ERROR(database->execute(database->m_dialect.onlyReading(), Words::tr("be opened")));
     return database;
 }
 
@@ -243,6 +209,8 @@ bool Database::wasWrittenMeanwhile() const
 
 Expected<void> Database::prepareForWriting()
 {
+    if (isOnServer())
+        return {}; // the server does it
     const QString doing = Words::tr("be opened for writing");
     QElapsedTimer timer;
     timer.start();
@@ -255,8 +223,8 @@ Expected<void> Database::prepareForWriting()
                            {m_file, Words::tr("its file system cannot keep a write-ahead log")});
         }
         // While another process makes the same change SQLite answers "busy" at once, without the timeout.
-        const int code = primaryCode(query.lastError());
-        if ((code != Busy && code != Locked) || timer.elapsed() > busyTimeout_ms)
+        const bool busy = m_dialect.failureOf(query.lastError()).kind == SqlFailure::Kind::Busy;
+        if (!busy || timer.elapsed() > sqlBusyTimeout_ms)
             return error(query.lastError(), doing);
         QThread::msleep(5);
     }
@@ -278,6 +246,7 @@ Expected<void> Database::requireSameFile(const QString& doing) const
 
 Expected<void> Database::execute(const QString& sql, const QString& doing)
 {
+    RETURN_IF_ERROR(reconnectIfLost());
     QSqlQuery query(m_connection);
     if (!query.exec(sql))
         return error(query.lastError(), doing);
@@ -286,9 +255,10 @@ Expected<void> Database::execute(const QString& sql, const QString& doing)
 
 Expected<QStringList> Database::tables()
 {
+    RETURN_IF_ERROR(reconnectIfLost());
     QSqlQuery query(m_connection);
     QStringList names;
-    if (!query.exec(u"SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name"_s))
+    if (!query.exec(m_dialect.tablesSql()))
         return error(query.lastError(), Words::tr("be read"));
     while (query.next())
         names.append(query.value(0).toString());
@@ -297,46 +267,20 @@ Expected<QStringList> Database::tables()
 
 tl::unexpected<Error> Database::error(const QSqlError& error, const QString& doing) const
 {
-    switch (primaryCode(error)) {
-    case Corrupt:
-    case NotADatabase:
-        return failure(ErrorCode::StorageCorrupt, {m_file, error.databaseText()});
-    case CantOpen:
-        return failure(ErrorCode::StorageOpen, {m_file, inWords(error)});
+    const SqlFailure found = m_dialect.failureOf(error);
+    m_failed = m_inTransaction && isOnServer();
+    switch (found.kind) {
+    case SqlFailure::Kind::Corrupt:
+        return failure(ErrorCode::StorageCorrupt, {m_file, found.words});
+    case SqlFailure::Kind::CannotBe:
+        return failure(ErrorCode::StorageOpen, {m_file, found.words});
+    case SqlFailure::Kind::Lost:
+        m_lost = true;
+        break;
     default:
-        return failure(ErrorCode::StorageFailed, {doing, inWords(error)});
+        break;
     }
-}
-
-Expected<std::unique_ptr<ReadTransaction>> ReadTransaction::begin(Database& database, const QString& doing)
-{
-    RETURN_IF_ERROR(database.execute(u"BEGIN"_s, doing));
-    return std::unique_ptr<ReadTransaction>(new ReadTransaction(database, doing));
-}
-
-ReadTransaction::~ReadTransaction()
-{
-    static_cast<void>(m_database.execute(u"COMMIT"_s, m_doing)); // there is nothing that could be lost
-}
-
-Expected<std::unique_ptr<Transaction>> Transaction::begin(Database& database, const QString& doing)
-{
-    RETURN_IF_ERROR(database.requireSameFile(doing));
-    RETURN_IF_ERROR(database.execute(u"BEGIN IMMEDIATE"_s, doing));
-    return std::unique_ptr<Transaction>(new Transaction(database, doing));
-}
-
-Transaction::~Transaction()
-{
-    if (m_open) // an error here means that SQLite has rolled back by itself already
-        static_cast<void>(m_database.execute(u"ROLLBACK"_s, m_doing));
-}
-
-Expected<void> Transaction::commit()
-{
-    auto done = m_database.execute(u"COMMIT"_s, m_doing);
-    m_open = !done;
-    return done ? m_database.requireSameFile(m_doing) : done;
+    return failure(ErrorCode::StorageFailed, {doing, found.words});
 }
 
 } // namespace gripscope

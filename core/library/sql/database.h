@@ -4,6 +4,8 @@
 #include "core/base/error.h"
 #include "core/library/sql/file_identity.h"
 #include "core/library/sql/files_in_use.h"
+#include "core/library/sql/library_location.h"
+#include "core/library/sql/sql_dialect.h"
 #include "core/library/sql/table_rows.h"
 #include "core/people/acting.h"
 #include "core/people/audit_chain.h"
@@ -27,17 +29,20 @@ struct InsertedRow {
     qint64 rowNumber = 0;
 };
 
-/// One connection to the file of a library, for the thread that opened it. What only SQLite does its own way
-/// is in this class (pragmas, the list of tables, error numbers, the name of the type for bytes); the table
-/// files use SQL that PostgreSQL understands too.
+/// One connection to a library, for the thread that opened it: to its file, or to the server that has it.
+/// What SQLite and PostgreSQL do each their own way is in SqlDialect; what a connection needs, here.
+///
+/// The server may end a connection at any time, which only a statement that fails tells. A transaction that
+/// was open has failed then, and nothing of it is stored; what is asked for next connects again.
 class Database {
 public:
-    /// Opens or creates the file and changes nothing in it. StorageOpen, StorageCorrupt.
-    [[nodiscard]] static Expected<std::unique_ptr<Database>> open(const QString& file);
+    /// Opens or creates the file and changes nothing in it; or connects to the server (LibraryLocation),
+    /// where the database has to be there. StorageOpen, StorageCorrupt.
+    [[nodiscard]] static Expected<std::unique_ptr<Database>> open(const QString& place);
     /// A file to look at: nothing is written, not beside it either. What another process is writing, or left
     /// behind half written, is seen as it stood. Its schema may be anybody's (schemaDifferences()), and its
     /// views are not to be read before that was looked at. StorageOpen, StorageCorrupt.
-    [[nodiscard]] static Expected<std::unique_ptr<Database>> openToRead(const QString& file);
+    [[nodiscard]] static Expected<std::unique_ptr<Database>> openToRead(const QString& place);
     /// Of openToRead(): nobody had it open then, and somebody has since, or had. What was read may be of two
     /// states.
     [[nodiscard]] bool wasWrittenMeanwhile() const;
@@ -59,7 +64,10 @@ public:
 
     [[nodiscard]] Expected<void> execute(const QString& sql, const QString& doing);
     [[nodiscard]] Expected<QStringList> tables();
-    [[nodiscard]] QString blobType() const { return QStringLiteral("BLOB"); }
+    [[nodiscard]] const SqlDialect& dialect() const { return m_dialect; }
+    [[nodiscard]] bool isOnServer() const { return m_server.has_value(); }
+    /// The same for all databases of it; empty for a file.
+    [[nodiscard]] QString server() const;
     /// What rows that are never deleted are sorted by to come in the order in which they were put in; a copy
     /// keeps it.
     [[nodiscard]] static QString orderOfInsertion() { return QStringLiteral("rowid"); }
@@ -72,8 +80,13 @@ public:
 
     /// The error as a value. `doing` completes "the library could not ...".
     [[nodiscard]] tl::unexpected<Error> error(const QSqlError& error, const QString& doing) const;
+    /// Connects again where the connection was lost and no transaction was under way. StorageOpen: it cannot.
+    [[nodiscard]] Expected<void> reconnectIfLost();
+    /// error() has been given one that ended the connection, and reconnectIfLost() has not mended it yet.
+    [[nodiscard]] bool isLost() const { return m_lost; }
 
     [[nodiscard]] const QSqlDatabase& connection() const { return m_connection; }
+    /// The file, or the address without a password.
     [[nodiscard]] QString file() const { return m_file; }
 
     /// Who works through this connection.
@@ -91,6 +104,8 @@ public:
     [[nodiscard]] std::map<QString, std::vector<Column>>& knownColumns() { return m_knownColumns; }
 
 private:
+    friend class Transaction;
+    friend class ReadTransaction;
     /// What of a file tells that it was written to.
     struct Written {
         QDateTime changed;
@@ -98,7 +113,14 @@ private:
         [[nodiscard]] static Written of(const QString& file);
         friend bool operator==(const Written&, const Written&) = default;
     };
-    Database(QString file, const QString& name);
+    Database(QString file, const SqlDialect& dialect, const QString& name);
+    [[nodiscard]] static Expected<std::unique_ptr<Database>> connectToServer(const LibraryLocation& location,
+                                                                             bool toRead);
+    [[nodiscard]] Expected<void> openConnection();
+    /// Begins a transaction; where the connection turns out to be lost, on a new one.
+    [[nodiscard]] Expected<void> begin(const QStringList& statements, const QString& doing);
+    [[nodiscard]] Expected<void> commit(const QString& doing);
+    void rollBack(const QString& doing);
     /// `place`: where what is called `file` is read. `parameters`: of a URI, to read only.
     [[nodiscard]] static Expected<std::unique_ptr<Database>>
     connect(const QString& file, const QString& place, const QString& parameters = {});
@@ -107,6 +129,12 @@ private:
     std::optional<Written> m_alone;         ///< as it was when nobody had it open
     std::optional<FileIdentity> m_identity; ///< from prepareForWriting() on
     QString m_file;
+    const SqlDialect& m_dialect;
+    std::optional<ServerAddress> m_server;
+    bool m_toRead = false;
+    mutable bool m_lost = false;   ///< the connection, and nobody has connected again yet
+    mutable bool m_failed = false; ///< a statement of the transaction that is open on a server
+    bool m_inTransaction = false;
     QSqlDatabase m_connection;
     Acting m_acting;
     std::optional<AuditHead> m_newAuditHead;
@@ -140,12 +168,16 @@ public:
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;
     [[nodiscard]] Expected<void> commit();
+    /// commit() failed, and on a server it may have been done all the same: the connection ended before it
+    /// answered. Nothing is open any more.
+    [[nodiscard]] bool isAnswerLost() const { return m_answerLost; }
 
 private:
     Transaction(Database& database, QString doing) : m_database(database), m_doing(std::move(doing)) {}
     Database& m_database;
     QString m_doing;
     bool m_open = true;
+    bool m_answerLost = false;
 };
 
 } // namespace gripscope

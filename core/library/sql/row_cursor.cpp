@@ -2,6 +2,7 @@
 #include "core/library/sql/row_cursor.h"
 
 #include "core/base/words.h"
+#include "core/library/sql/server_rows.h"
 
 #include <QSqlDriver>
 #include <QVariant>
@@ -28,9 +29,18 @@ void RowCursor::Finalize::operator()(sqlite3_stmt* statement) const
     sqlite3_finalize(statement);
 }
 
+RowCursor::RowCursor(Database& database, QString doing) : m_database(&database), m_doing(std::move(doing)) {}
+RowCursor::~RowCursor() = default;
+RowCursor::RowCursor(RowCursor&&) noexcept = default;
+RowCursor& RowCursor::operator=(RowCursor&&) noexcept = default;
+
 Expected<RowCursor> RowCursor::open(Database& database, const QString& doing, const QString& sql)
 {
     RowCursor cursor(database, doing);
+    if (database.isOnServer()) {
+        cursor.m_server = std::make_unique<ServerRows>(database, doing, sql);
+        return cursor;
+    }
     sqlite3* const connection = connectionOf(database);
     if (connection == nullptr)
         return failure(ErrorCode::StorageFailed,
@@ -46,6 +56,8 @@ Expected<RowCursor> RowCursor::open(Database& database, const QString& doing, co
 
 void RowCursor::restart(std::initializer_list<std::string_view> texts)
 {
+    if (m_server)
+        return m_server->restart(texts);
     sqlite3_reset(m_statement.get());
     int place = 0;
     for (const std::string_view text : texts)
@@ -56,6 +68,11 @@ bool RowCursor::next()
 {
     if (m_error)
         return false;
+    if (m_server) {
+        const bool onRow = m_server->next();
+        m_error = m_server->error();
+        return onRow;
+    }
     const int code = sqlite3_step(m_statement.get());
     if (code == SQLITE_ROW)
         return true;
@@ -76,6 +93,8 @@ void RowCursor::fail(int code)
 
 std::string_view RowCursor::text(int column) const
 {
+    if (m_server)
+        return m_server->text(column);
     const unsigned char* const begin = sqlite3_column_text(m_statement.get(), column);
     if (begin == nullptr)
         return {};
@@ -85,12 +104,14 @@ std::string_view RowCursor::text(int column) const
 
 qint64 RowCursor::integer(int column) const
 {
-    return sqlite3_column_int64(m_statement.get(), column);
+    return m_server ? m_server->integer(column) : sqlite3_column_int64(m_statement.get(), column);
 }
 
 double RowCursor::real(int column) const
 {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    if (m_server)
+        return m_server->real(column).value_or(none);
     const double number = sqlite3_column_double(m_statement.get(), column);
     if (number == 0 && sqlite3_column_type(m_statement.get(), column) == SQLITE_NULL)
         return none;

@@ -11,14 +11,20 @@ struct sqlite3_stmt;
 
 namespace gripscope {
 
+class ServerRows;
+
 /// The rows of a SELECT one after another, straight from SQLite: for millions of them, of which each would
 /// take a QVariant a column (Statement) longer than to be found. Texts are UTF-8, and those of the row that
-/// it stands on; gone with the next step.
+/// it stands on; gone with the next step. On a server, by a cursor of its own (ServerRows), and within a
+/// transaction.
 class RowCursor {
 public:
     /// `doing` completes "the library could not ...". StorageFailed.
     [[nodiscard]] static Expected<RowCursor> open(Database& database, const QString& doing,
                                                   const QString& sql);
+    ~RowCursor();
+    RowCursor(RowCursor&&) noexcept;
+    RowCursor& operator=(RowCursor&&) noexcept;
 
     /// Before the first row again, with these texts in place of the question marks.
     void restart(std::initializer_list<std::string_view> texts);
@@ -34,12 +40,13 @@ private:
     struct Finalize {
         void operator()(sqlite3_stmt* statement) const;
     };
-    RowCursor(Database& database, QString doing) : m_database(&database), m_doing(std::move(doing)) {}
+    RowCursor(Database& database, QString doing);
     void fail(int code);
 
     Database* m_database;
     QString m_doing;
     std::unique_ptr<sqlite3_stmt, Finalize> m_statement;
+    std::unique_ptr<ServerRows> m_server; ///< instead
     std::optional<Error> m_error;
 };
 

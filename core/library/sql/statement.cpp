@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/sql/statement.h"
 
+#include "core/base/words.h"
 #include "core/library/sql/time_ordered_id.h"
 
 #include <QCryptographicHash>
@@ -33,31 +34,59 @@ Statement::Statement(Database& database, QString doing, const QString& sql)
     : m_database(database), m_doing(std::move(doing)), m_insertsInto(insertedInto(sql)),
       m_query(database.connection())
 {
-    m_query.setForwardOnly(true);
-    m_prepared = m_query.prepare(sql);
+    const SqlDialect& dialect = database.dialect();
+    m_query.setForwardOnly(dialect.streams());
+    const QString spelled = dialect.spelled(m_insertsInto.isEmpty() ? sql : sql + dialect.answersRowNumber());
+    m_prepared = prepare(spelled);
+    if (!m_prepared && database.isLost()) // a server that had ended an idle connection: nothing was under way
+        m_prepared = prepare(spelled);
+}
+
+bool Statement::prepare(const QString& sql)
+{
+    if (auto connected = m_database.reconnectIfLost(); !connected) {
+        m_problem = connected.error();
+        return false;
+    }
+    m_problem.reset();
+    if (m_query.prepare(sql))
+        return true;
+    m_problem = m_database.error(m_query.lastError(), m_doing).value();
+    return false;
+}
+
+void Statement::refuseUnlessTaken(const QString& text)
+{
+    if (!m_problem && !m_database.dialect().takesText(text))
+        m_problem =
+            Error{ErrorCode::StorageFailed,
+                  {m_doing, Words::tr("a text in it holds the sign NUL, which the server cannot store")}};
 }
 
 Statement& Statement::bind(const QString& text)
 {
+    refuseUnlessTaken(text);
     m_query.addBindValue(text.isNull() ? u""_s : text); // Qt takes a null string for NULL
     return *this;
 }
 
 Statement& Statement::bindOrNull(const QString& text)
 {
+    refuseUnlessTaken(text);
     m_query.addBindValue(text.isEmpty() ? QVariant(QMetaType::fromType<QString>()) : QVariant(text));
     return *this;
 }
 
 Statement& Statement::bind(double number)
 {
-    m_query.addBindValue(number);
+    m_query.addBindValue(m_database.dialect().bound(number));
     return *this;
 }
 
 Statement& Statement::bind(const std::optional<double>& number)
 {
-    m_query.addBindValue(number ? QVariant(*number) : QVariant(QMetaType::fromType<double>()));
+    m_query.addBindValue(number ? m_database.dialect().bound(*number)
+                                : QVariant(QMetaType::fromType<double>()));
     return *this;
 }
 
@@ -89,10 +118,16 @@ Statement& Statement::bindBytes(const QByteArray& bytes)
 
 Expected<void> Statement::run()
 {
+    if (m_problem)
+        return tl::unexpected(*m_problem);
     if (!m_prepared || !m_query.exec())
         return m_database.error(m_query.lastError(), m_doing);
-    if (!m_insertsInto.isEmpty() && m_query.numRowsAffected() == 1)
+    if (m_insertsInto.isEmpty() || m_query.numRowsAffected() != 1)
+        return {};
+    if (!m_database.isOnServer())
         m_database.noteInserted({m_insertsInto, m_query.lastInsertId().toLongLong()});
+    else if (m_query.next())
+        m_database.noteInserted({m_insertsInto, m_query.value(0).toLongLong()});
     return {};
 }
 

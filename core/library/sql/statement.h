@@ -45,11 +45,14 @@ public:
     QDateTime takeUtc();
 
 private:
+    [[nodiscard]] bool prepare(const QString& sql);
+    void refuseUnlessTaken(const QString& text);
     Database& m_database;
     QString m_doing;
     QString m_insertsInto; ///< a table; empty where it does something else
     QSqlQuery m_query;
     bool m_prepared = false;
+    std::optional<Error> m_problem; ///< why it is not run
     int m_column = 0;
 };
 

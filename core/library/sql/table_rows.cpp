@@ -65,7 +65,7 @@ Expected<std::vector<Cell>> valuesOf(Database& database, const QStringList& spel
 Expected<std::vector<Column>> readColumns(Database& database, const QString& table)
 {
     QSqlQuery query(database.connection());
-    query.prepare(u"SELECT name, COALESCE(dflt_value, 'NULL') FROM pragma_table_info(?) ORDER BY name"_s);
+    query.prepare(database.dialect().columnsSql());
     query.addBindValue(table);
     if (!query.exec())
         return database.error(query.lastError(), Words::tr("be read"));
@@ -111,7 +111,7 @@ struct TableRows::Private {
         for (const Column& column : columns)
             names += quoted(column.name);
         query.emplace(database.connection());
-        query->setForwardOnly(true);
+        query->setForwardOnly(database.dialect().streams());
         if (query->prepare(
                 u"SELECT %1 FROM %2 WHERE %3 = ?"_s.arg(names.join(u", "_s), quoted(table), where)))
             return &*query;
@@ -174,7 +174,7 @@ Expected<std::optional<TableRows::Row>> TableRows::withRowNumber(qint64 rowNumbe
 Expected<void> TableRows::forEachKey(const std::function<bool(const Cell&)>& take)
 {
     QSqlQuery keys(d->database.connection());
-    keys.setForwardOnly(true);
+    keys.setForwardOnly(d->database.dialect().streams());
     if (!keys.exec(u"SELECT %1 FROM %2 ORDER BY %1"_s.arg(quoted(d->key), quoted(d->table))))
         return d->database.error(keys.lastError(), Words::tr("be read"));
     while (keys.next())

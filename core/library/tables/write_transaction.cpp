@@ -30,4 +30,28 @@ void tellWitness(Database& database, const std::optional<ChainEnd>& chain)
     });
 }
 
+namespace {
+
+/// Behind the lock, so that what the server does with the lost transaction is done.
+Expected<bool> hasArrived(Database& database, const QString& doing, const ChainEnd& chain)
+{
+    ASSIGN_OR_RETURN(const auto alone, Transaction::begin(database, doing));
+    ASSIGN_OR_RETURN(const QByteArray hash, ledger_table::hashOf(database, chain.chain, chain.links));
+    return hash == chain.hash;
+}
+
+} // namespace
+
+Expected<void> commit(Database& database, Transaction& transaction, const QString& doing,
+                      const std::optional<ChainEnd>& chain)
+{
+    const auto done = transaction.commit();
+    if (done || !database.isOnServer() || !transaction.isAnswerLost() || !chain)
+        return done;
+    const Expected<bool> arrived = hasArrived(database, doing, *chain);
+    if (!arrived)
+        return failure(ErrorCode::StorageUnknown, {doing, arrived.error().argument(1)});
+    return *arrived ? Expected<void>() : done;
+}
+
 } // namespace gripscope

@@ -24,9 +24,12 @@ QString verifying()
     return Words::tr("be verified");
 }
 
-/// What SQLite itself finds: pages, indexes, constraints, keys that point nowhere.
+/// What SQLite itself finds: pages, indexes, constraints, keys that point nowhere. A server looks after its
+/// own (pg_amcheck), and holds every row to its keys.
 void checkFile(Database& database, LibraryVerification& found)
 {
+    if (database.isOnServer())
+        return;
     Statement integrity(database, verifying(), u"PRAGMA integrity_check(1000)"_s);
     const auto checked = integrity.forEach([&](Statement& row) {
         const QString said = row.takeText();
@@ -52,7 +55,7 @@ Expected<bool> checkSchema(Database& database, LibraryVerification& found)
     ASSIGN_OR_RETURN(const auto differences, schemaDifferences(database));
     bool readable = true;
     for (const SchemaDifference& difference : differences) {
-        found.differs(u"sqlite_master"_s, difference.name,
+        found.differs(database.isOnServer() ? u"pg_catalog"_s : u"sqlite_master"_s, difference.name,
                       u"%1 %2"_s.arg(difference.type, inWords(difference.what)));
         readable = readable && difference.type == "index"_L1;
     }
@@ -127,7 +130,8 @@ Expected<LibraryVerification> verifyOnce(const QString& file, LibraryWitness wit
                                          bool& changedMeanwhile)
 {
     ASSIGN_OR_RETURN(const auto database, Database::openToRead(file));
-    RETURN_IF_ERROR(database->execute(u"BEGIN"_s, verifying())); // one state from here on
+    RETURN_IF_ERROR(
+        database->execute(database->dialect().beginReading(), verifying())); // one state from here on
     RETURN_IF_ERROR(refuseOtherVersions(*database, file));
     LibraryVerification found;
     ASSIGN_OR_RETURN(const bool readable, checkSchema(*database, found));

@@ -19,6 +19,7 @@ bool mayBeStoredLater(const Error& error)
     switch (error.code) {
     case ErrorCode::StorageOpen:
     case ErrorCode::StorageFailed:
+    case ErrorCode::StorageUnknown:
     case ErrorCode::StorageNewer:
     case ErrorCode::StorageCorrupt:
         return true;

@@ -2,6 +2,7 @@
 #include "devices/line/mqtt/mqtt_outbox.h"
 
 #include "core/base/words.h"
+#include "core/library/sql/library_location.h"
 #include "devices/line/mqtt/outbox_file.h"
 #include "devices/line/mqtt/report_json.h"
 
@@ -151,7 +152,7 @@ bool MqttOutbox::Private::store(std::unique_lock<std::mutex>& lock)
 
 QString mqttFile(const QString& library)
 {
-    return library + QStringLiteral(".mqtt");
+    return fileWithLibrary(library, QStringLiteral(".mqtt"));
 }
 
 MqttOutbox::MqttOutbox(const QString& file, const Limits& limits) : d(std::make_unique<Private>())

@@ -282,8 +282,9 @@ private slots:
         const LibraryFolder folder;
         const auto made = [&] {
             return RawDatabase(folder.file())
-                .run(u"SELECT COUNT(*) FROM sqlite_master WHERE name IN ('grasps_by_operator', "
-                     "'grasps_by_device', 'inspections_by_part_number', 'inspections_suspect')"_s)
+                .run(u"SELECT COUNT(*) FROM %1 IN ('grasps_by_operator', "
+                     "'grasps_by_device', 'inspections_by_part_number', 'inspections_suspect')"_s.arg(
+                         onServer() ? u"pg_class WHERE relname"_s : u"sqlite_master WHERE name"_s))
                 .toInt();
         };
         {

@@ -70,6 +70,12 @@ NewInspection aFullInspection()
 /// All rows of a table, without the keys and times that each storing makes anew.
 QString rowsOf(RawDatabase& raw, const QString& table)
 {
+    if (onServer()) // as text, the number of the row among the columns that do not count
+        return raw
+            .column(
+                u"SELECT (to_jsonb(t) - '{id,grasp_id,created_utc,ledgered,rowid}'::text[])::text FROM %1 t "
+                "ORDER BY rowid"_s.arg(table))
+            .join(u'\n');
     const QString columns =
         raw.run(u"SELECT group_concat('quote(' || name || ')', ' || ''|'' || ') FROM pragma_table_info('%1') "
                 "WHERE name NOT IN ('id', 'grasp_id', 'created_utc', 'ledgered')"_s.arg(table))

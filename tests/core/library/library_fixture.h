@@ -3,12 +3,14 @@
 
 #include "core/library/ledger/library_witness.h"
 #include "core/library/library.h"
+#include "tests/core/library/test_server.h"
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
+#include <optional>
 
 namespace gripscope::test {
 
@@ -102,16 +104,40 @@ inline NewInspection anInspection(VerdictKind kind = VerdictKind::Type, const QS
     return inspection;
 }
 
-/// A library file in a folder that goes away with it.
+/// A library file in a folder that goes away with it; or a database of its own on the server that the tests
+/// run on: empty where its address is asked for first, a copy of one that was just made where it is opened.
 struct LibraryFolder {
     LibraryFolder() = default;
-    ~LibraryFolder() { QFile::remove(witnessFile(file())); }
+    ~LibraryFolder()
+    {
+        if (!onServer() || m_database)
+            QFile::remove(witnessFile(file()));
+    }
     LibraryFolder(const LibraryFolder&) = delete;
     LibraryFolder& operator=(const LibraryFolder&) = delete;
 
     QTemporaryDir folder;
-    [[nodiscard]] QString file() const { return folder.filePath(u"library.db"_s); }
-    std::unique_ptr<Library> open() const { return valueOf(Library::open(file())); }
+    [[nodiscard]] QString file() const
+    {
+        return onServer() ? database([] { return u"template0"_s; }) : folder.filePath(u"library.db"_s);
+    }
+    std::unique_ptr<Library> open() const
+    {
+        const auto prepared = [] {
+            return preparedDatabase([](const QString& place) { valueOf(Library::open(place)); });
+        };
+        return valueOf(Library::open(onServer() ? database(prepared) : file()));
+    }
+
+private:
+    template <typename Name>
+    [[nodiscard]] QString database(const Name& copyOf) const
+    {
+        if (!m_database)
+            m_database.emplace(copyOf());
+        return m_database->place();
+    }
+    mutable std::optional<TestDatabase> m_database;
 };
 
 inline void writeBytes(const QString& name, const QByteArray& bytes)

@@ -39,6 +39,7 @@ private slots:
     }
     void theFileIsOpenedWhenItIsFirstNeeded()
     {
+        GRIPSCOPE_OF_FILES_ALONE("a database is there before")
         const LibraryFolder folder;
         {
             const LibraryService idle(folder.file());
@@ -72,6 +73,7 @@ private slots:
     }
     void aLibraryThatDoesNotOpenIsInEveryFutureUntilItDoes()
     {
+        GRIPSCOPE_OF_FILES_ALONE("a folder that comes later")
         const LibraryFolder folder;
         const QString file = folder.folder.filePath(u"sub/library.db"_s);
         LibraryService service(file);

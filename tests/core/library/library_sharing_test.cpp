@@ -19,9 +19,10 @@ private slots:
     void manyOpenANewFileAtOnce()
     {
         const LibraryFolder folder;
+        const QString file = folder.file();
         std::vector<std::thread> threads;
         for (int i = 0; i < 8; ++i)
-            threads.emplace_back([&] { valueOf(valueOf(Library::open(folder.file()))->loadExampleTypes()); });
+            threads.emplace_back([&] { valueOf(valueOf(Library::open(file))->loadExampleTypes()); });
         for (std::thread& thread : threads)
             thread.join();
         QCOMPARE(valueOf(folder.open()->types()).size(), std::size_t(4));

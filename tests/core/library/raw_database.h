@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/library/sql/sql_dialect.h"
+#include "tests/core/library/test_server.h"
+
+#include <QRegularExpression>
 #include <QSqlDatabase>
 #include <QSqlError>
 #include <QSqlQuery>
@@ -10,16 +14,28 @@
 
 namespace gripscope::test {
 
+/// A statement of a test, written for SQLite, as the server that the tests run on takes it.
+inline QString rawSql(const QString& sql)
+{
+    if (!onServer())
+        return sql;
+    static const QRegularExpression bytes(QStringLiteral("\\b[xX]'([0-9A-Fa-f]*)'"));
+    QString spelled = sql;
+    spelled.replace(bytes, QStringLiteral("'\\x\\1'::bytea"));
+    const bool changesTables =
+        sql.startsWith(QStringLiteral("CREATE TABLE ")) || sql.startsWith(QStringLiteral("ALTER TABLE "));
+    if (!changesTables)
+        return spelled;
+    return SqlDialect::postgresql().ofMigration(
+        spelled.replace(QStringLiteral(" BLOB"), QStringLiteral(" {blob}")));
+}
+
 /// A connection of the test's own, past the library, to prepare files and to look into them.
 class RawDatabase {
 public:
-    explicit RawDatabase(const QString& file)
-        : m_name(QStringLiteral("raw-%1").arg(quintptr(this))),
-          m_database(QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), m_name))
+    explicit RawDatabase(const QString& place)
+        : m_name(QStringLiteral("raw-%1").arg(quintptr(this))), m_database(rawConnection(place, m_name))
     {
-        m_database.setDatabaseName(file);
-        if (!m_database.open())
-            qFatal("%s", qPrintable(m_database.lastError().text()));
     }
     ~RawDatabase()
     {
@@ -33,7 +49,7 @@ public:
     QVariant run(const QString& sql)
     {
         QSqlQuery query(m_database);
-        if (!query.exec(sql))
+        if (!query.exec(rawSql(sql)))
             qFatal("%s: %s", qPrintable(sql), qPrintable(query.lastError().text()));
         return query.next() ? query.value(0) : QVariant();
     }
@@ -45,7 +61,7 @@ public:
     {
         QSqlQuery query(m_database);
         QStringList values;
-        for (query.exec(sql); query.next();)
+        for (query.exec(rawSql(sql)); query.next();)
             values += query.value(query.record().count() - 1).toString();
         return values;
     }

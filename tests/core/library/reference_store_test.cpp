@@ -129,6 +129,7 @@ private slots:
 
     void aVerdictThatIsDamagedIsToldAndNotGuessed()
     {
+        GRIPSCOPE_OF_FILES_ALONE("a server holds every row to its constraints")
         const LibraryFolder folder;
         {
             const auto library = folder.open();
