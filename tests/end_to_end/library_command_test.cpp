@@ -307,6 +307,34 @@ private slots:
             work.cli({u"library"_s, u"verify"_s, u"--library"_s, restored.json()[u"kept_as"_s].toString()});
         QCOMPARE(aside.exit, 0);
     }
+    void theLibraryOfAnotherStationIsMerged()
+    {
+        const Workplace work;
+        const QString here = work.path(u"here.db"_s), there = work.path(u"there.db"_s);
+        QCOMPARE(work.cli({u"simulate"_s, u"--object"_s, u"2,3,40"_s, u"-o"_s, u"a.csv"_s}).exit, 0);
+        for (const QString& file : {here, there})
+            QCOMPARE(work.cli({u"enroll"_s, u"--library"_s, file, u"--type"_s, u"Can"_s, u"a.csv"_s}).exit,
+                     0);
+        inspect(there, 1);
+        const QStringList merge{u"library"_s, u"merge"_s, u"--library"_s, here, u"--json"_s};
+        QCOMPARE(work.cli(merge).exit, 2);
+        const ProgramRun merged = work.cli(merge + QStringList{there});
+        QCOMPARE(merged.exit, 0);
+        QCOMPARE(merged.json()[u"taken"_s][u"inspections"_s].toInt(), 40);
+        const QJsonArray conflicts = merged.json()[u"conflicts"_s].toArray();
+        QCOMPARE(conflicts.size(), 1);
+        QCOMPARE(conflicts[0][u"kind"_s].toString(), u"same_name"_s);
+        QCOMPARE(work.cli(merge + QStringList{there}).json()[u"rows"_s].toInt(), 0);
+        const QStringList status{u"library"_s, u"status"_s, u"--library"_s, here, u"--json"_s};
+        QCOMPARE(work.cli(status).json()[u"conflicts"_s].toArray().size(), 1);
+        QCOMPARE(work.cli(status).json()[u"stations"_s][0][u"inspections"_s].toInt(), 40);
+        QCOMPARE(work.cli(status + QStringList{u"--seen"_s}).json()[u"conflicts"_s].toArray().size(), 0);
+        const ProgramRun verified = work.cli({u"library"_s, u"verify"_s, u"--library"_s, here, u"--json"_s});
+        QCOMPARE(verified.exit, 0);
+        QVERIFY(verified.json()[u"merged_rows"_s].toInt() > 200);
+        QCOMPARE(work.cli(merge + QStringList{work.path(u"none.db"_s)}).exit, 5);
+        QCOMPARE(work.cli(merge + QStringList{work.path(u"a.csv"_s)}).exit, 5);
+    }
     void inspectionsThatWereKeptAsideAreTakenBack()
     {
         const Workplace work;

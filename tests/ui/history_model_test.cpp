@@ -426,13 +426,26 @@ private slots:
         QVERIFY(line.contains(u"\"Nguyen, \"\"Mai\"\"\""_s));
         QCOMPARE(QString(line).remove(u"\"Nguyen, \"\"Mai\"\"\""_s).count(u',') + 1, header.size());
         // What came later stands behind what others already read.
-        QCOMPARE(header.mid(header.indexOf(u"batch"_s) + 1),
-                 QStringList({u"part_number"_s, u"voided"_s, u"validity"_s, u"checks_failed"_s,
-                              u"false_reject_rate"_s, u"wrong_type_rate"_s, u"stranger_accept_rate"_s,
-                              u"confidence"_s, u"robust"_s, u"library_version"_s, u"force_calibration"_s,
-                              u"force_calibration_id"_s, u"position_calibration"_s,
-                              u"position_calibration_id"_s, u"station"_s, u"time_local"_s,
-                              u"clock_set_back"_s, u"conformity"_s, u"conformity_risk"_s}));
+        QCOMPARE(header.mid(header.indexOf(u"batch"_s) + 1), QStringList({u"part_number"_s,
+                                                                          u"voided"_s,
+                                                                          u"validity"_s,
+                                                                          u"checks_failed"_s,
+                                                                          u"false_reject_rate"_s,
+                                                                          u"wrong_type_rate"_s,
+                                                                          u"stranger_accept_rate"_s,
+                                                                          u"confidence"_s,
+                                                                          u"robust"_s,
+                                                                          u"library_version"_s,
+                                                                          u"force_calibration"_s,
+                                                                          u"force_calibration_id"_s,
+                                                                          u"position_calibration"_s,
+                                                                          u"position_calibration_id"_s,
+                                                                          u"station"_s,
+                                                                          u"time_local"_s,
+                                                                          u"clock_set_back"_s,
+                                                                          u"conformity"_s,
+                                                                          u"conformity_risk"_s,
+                                                                          u"number_there"_s}));
     }
 };
 

@@ -44,7 +44,7 @@ QString wordsOf(HistoryColumn column, const QVariant& value, const QString& unit
 {
     switch (factsOf(column).format) {
     case ColumnFormat::Count:
-        return QString::number(value.toLongLong());
+        return value.toString();
     case ColumnFormat::Time:
         return timeText(value.toDateTime());
     case ColumnFormat::Kind:

@@ -105,7 +105,7 @@ QString lineOf(const HistoryEntry& entry)
                                                     : std::nullopt)
                  : u"-"_qs;
     };
-    return QStringList{entry.number > 0 ? QString::number(entry.number) : u"-"_qs,
+    return QStringList{entry.number > 0 ? entry.numberText() : u"-"_qs,
                        entry.time.toUTC().toString(Qt::ISODate),
                        entry.verdict ? entry.outcomeName() : toString(entry.kind),
                        entry.type.isEmpty() ? u"-"_qs : entry.type,

@@ -109,6 +109,21 @@ HistoryField numberOfInspection()
             [](const Entry& entry) { return entry.number > 0 ? QJsonValue(entry.number) : QJsonValue(); }};
 }
 
+/// `number` is of this library; what was merged into it has one there, too.
+HistoryField numberAtItsStation()
+{
+    return {"number_there",
+            "number_there",
+            inspection_table::numberThereSql(u"i.id"_s),
+            [](Statement& row, Entry& entry) { entry.numberThere = row.takeInteger(); },
+            [](const Entry& entry) {
+                return QStringList{entry.numberThere > 0 ? QString::number(entry.numberThere) : QString()};
+            },
+            [](const Entry& entry) {
+                return entry.numberThere > 0 ? QJsonValue(entry.numberThere) : QJsonValue();
+            }};
+}
+
 HistoryField kindOfSqueeze()
 {
     return {"kind",
@@ -323,7 +338,8 @@ std::vector<HistoryField> fieldsOfThatTime()
          nullptr, // history_view::entries() knows
          [](const Entry& entry) { return QStringList{setBackText(entry)}; },
          [](const Entry& entry) { return jsonText(setBackText(entry)); }},
-        conformityField()};
+        conformityField(),
+        numberAtItsStation()};
 }
 
 template <double MassDampingStiffness::*member>
@@ -353,7 +369,7 @@ QString word(const QString& column)
 std::vector<HistoryColumnFacts> columnsOfTheVerdict()
 {
     return {{HistoryColumn::Number, ColumnFormat::Count, QT_TRANSLATE_NOOP("Words", "Number"),
-             [](const Entry& entry) { return entry.number > 0 ? QVariant(entry.number) : QVariant(); },
+             [](const Entry& entry) { return entry.number > 0 ? QVariant(entry.numberText()) : QVariant(); },
              u"i.number"_s, Need::Inspections},
             {HistoryColumn::Time,
              ColumnFormat::Time,

@@ -44,6 +44,13 @@ QString HistoryEntry::outcomeName() const
     return found ? toString(*found) : QString();
 }
 
+QString HistoryEntry::numberText() const
+{
+    if (numberThere > 0)
+        return u"%1-%2"_s.arg(station).arg(numberThere);
+    return number > 0 ? QString::number(number) : QString();
+}
+
 QDateTime HistoryEntry::timeThere() const
 {
     return utcOffset_s ? time.toOffsetFromUtc(int(*utcOffset_s)) : QDateTime();

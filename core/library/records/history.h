@@ -129,6 +129,7 @@ struct HistoryEntry {
     std::optional<qint64> utcOffset_s;     ///< of that clock then; nothing where that was not recorded
     std::optional<ClockStep> clockSetBack; ///< found since: the time may be one of a wrong clock
     qint64 number = 0;                     ///< of an inspection; 0: none
+    qint64 numberThere = 0; ///< of one that was made in the library of another station; 0: it was made here
     QString expectedType, type, nearest;
     Finding reason;
     std::optional<VerdictKind> verdict; ///< of an inspection
@@ -161,6 +162,8 @@ struct HistoryEntry {
     /// As exported: that of toString(), and "known_type" where a type was named and none was expected; empty
     /// without one.
     [[nodiscard]] QString outcomeName() const;
+    /// As a person reads it: "17", of another station "hall-2-17"; empty without one.
+    [[nodiscard]] QString numberText() const;
     /// `time` as the station's clock showed it; not valid where its offset was not recorded.
     [[nodiscard]] QDateTime timeThere() const;
     /// There is a verdict, but none to rely on.

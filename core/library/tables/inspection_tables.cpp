@@ -2,6 +2,7 @@
 #include "core/library/tables/inspection_tables.h"
 
 #include "core/base/words.h"
+#include "core/library/ledger/ledgered_tables.h"
 #include "core/library/sql/rows.h"
 #include "core/library/tables/estimate_tables.h"
 #include "core/library/tables/tally_table.h"
@@ -112,6 +113,13 @@ QString judgedSql(const QString& table)
     return u"(%1verdict || CASE WHEN %1conformity = '' THEN '' ELSE ' ' || %1conformity END)"_s.arg(table);
 }
 
+QString numberThereSql(const QString& id)
+{
+    return u"COALESCE((SELECT r.number FROM merged_rows r WHERE r.table_code = %1 AND r.row_key = %2 AND "
+           "r.is_origin = 1), 0)"_s.arg(int(ledgeredTable(u"inspections"_s)->code))
+               .arg(id);
+}
+
 Finding joinReasons(const QString& json)
 {
     Findings sentences;
@@ -210,8 +218,8 @@ Expected<InspectionCounts> counts(Database& database, const QString& batchId, qi
     QStringList conditions;
     if (!batchId.isEmpty())
         conditions << u"batch_id = ?"_s;
-    if (after > 0)
-        conditions << u"number > ?"_s;
+    if (after > 0) // of this station: what was merged since is not of its shift
+        conditions << u"number > ?"_s << numberThereSql(u"inspections.id"_s) + u" = 0"_s;
     const auto count = [&](qint64 sign) {
         const QString where = u"WHERE "_s + conditions.join(u" AND "_s);
         // The verdict in a form that no index is in the order of: it would be gone through from end to end,

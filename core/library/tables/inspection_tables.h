@@ -12,6 +12,9 @@ namespace gripscope::inspection_table {
 [[nodiscard]] QString validitySql();
 /// "type does_not_conform", as partJudgedFromString() reads it, of the row `table` ("i.", or "").
 [[nodiscard]] QString judgedSql(const QString& table = {});
+/// The number that an inspection has in the library of another station, where it was made; 0: it was made
+/// here. `id`: SQL for its key.
+[[nodiscard]] QString numberThereSql(const QString& id);
 /// The sentences of a stored list, as one text.
 /// As they were stored, sentences of earlier versions as text; what is no reason is left out.
 [[nodiscard]] Finding joinReasons(const QString& json);

@@ -9,6 +9,7 @@
 #include "core/library/sql/statement.h"
 #include "core/library/verification/library_verification.h"
 #include "core/library/verification/link_check.h"
+#include "core/people/audit_chain.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -129,6 +130,56 @@ void checkHeads(Database& database, LibraryVerification& found)
         found.differs(u"library_meetings"_s, {}, done.error().describe());
 }
 
+AuditEntry auditEntryIn(const std::vector<Column>& columns, const TableRows::Row& row)
+{
+    const auto text = [&](QStringView column) {
+        const Cell cell = cellIn(columns, row, column);
+        const auto* value = std::get_if<QString>(&cell);
+        return value ? *value : QString();
+    };
+    const Cell number = cellIn(columns, row, u"number");
+    const auto* integer = std::get_if<qint64>(&number);
+    AuditEntry entry;
+    entry.number = integer ? *integer : 0;
+    entry.utc = text(u"created_utc");
+    entry.station = text(u"station");
+    entry.person = text(u"person");
+    entry.role = text(u"role");
+    entry.action = text(u"action");
+    entry.subject = text(u"subject");
+    entry.reason = text(u"reason");
+    entry.details = text(u"details");
+    entry.previousHash = text(u"previous_hash");
+    entry.hash = text(u"hash");
+    return entry;
+}
+
+/// The audit trails of other stations, each a chain of its own.
+Expected<void> checkTrails(Database& database, LibraryVerification& found)
+{
+    ASSIGN_OR_RETURN(const auto columns, columnsOf(database, u"audit_entries"_s));
+    std::map<QString, std::map<qint64, AuditEntry>> trails;
+    Statement query(database, Words::tr("be verified"),
+                    u"SELECT library, content FROM merged_rows WHERE table_code = ?"_s);
+    query.bind(int(ledgeredTable(u"audit_entries"_s)->code));
+    RETURN_IF_ERROR(query.forEach([&](Statement& row) {
+        const QString library = row.takeText();
+        TableRows::Row cells(columns->size());
+        if (!merged_rows::apply(row.takeText(), *columns, cells))
+            return; // told as a row that is not as it was written
+        const AuditEntry entry = auditEntryIn(*columns, cells);
+        trails[library][entry.number] = entry;
+    }));
+    for (const auto& [library, entries] : trails) {
+        AuditChainCheck check(std::nullopt);
+        for (const auto& [number, entry] : entries)
+            check.take(entry);
+        if (const AuditVerification trail = check.finish(); !trail.whole())
+            found.differs(u"merged_rows"_s, u"audit_entries %1"_s.arg(trail.at), faultInWords(trail));
+    }
+    return {};
+}
+
 } // namespace
 
 void checkMerged(Database& database, LibraryVerification& found)
@@ -146,6 +197,8 @@ void checkMerged(Database& database, LibraryVerification& found)
         check.checkChain(chain);
     check.finish();
     checkHeads(database, found);
+    if (const auto read = checkTrails(database, found); !read)
+        found.differs(u"merged_rows"_s, {}, read.error().describe());
 }
 
 } // namespace gripscope

@@ -2,6 +2,7 @@
 #include "core/library/audit/audit_trail.h"
 #include "core/library/merge/known_history.h"
 #include "core/library/merge/library_merge.h"
+#include "core/library/merge/taken_tables.h"
 #include "core/library/migrations/migration.h"
 #include "core/library/plant/plant_state.h"
 #include "core/library/sql/statement.h"
@@ -211,6 +212,34 @@ private slots:
         QCOMPARE(report.taken.at(u"grasps"_s), 2);
         QCOMPARE(here.type(u"Fizz"_s).squeezes, 2);
         QVERIFY(isWhole(here));
+    }
+    void aNumberIsThatOfItsStation()
+    {
+        const Station here, there;
+        const qint64 shift = valueOf(here.library->addInspection(anInspection())).number;
+        for (int i = 0; i < 3; ++i)
+            valueOf(there.library->addInspection(anInspection()));
+        here.merge(there);
+        std::set<QString> numbers;
+        for (const HistoryEntry& entry :
+             valueOf(here.library->historyEntries(valueOf(here.library->historyKeys({})).part(0, 10))))
+            numbers.insert(entry.numberText());
+        const QString station = stationId();
+        const std::set<QString> expected{u"1"_s, station + u"-1"_s, station + u"-2"_s, station + u"-3"_s};
+        QCOMPARE(numbers, expected);
+        // A shift here has only what was inspected here.
+        QCOMPARE(valueOf(here.library->inspectionCounts(shift)).total, 0);
+        QCOMPARE(valueOf(here.library->addInspection(anInspection())).number, 5);
+        QCOMPARE(valueOf(here.library->inspectionCounts(shift)).total, 1);
+    }
+    void everyTableOfTheLedgerIsTaken()
+    {
+        std::set<QString> ledgered, taken;
+        for (const LedgeredTable& table : ledgeredTables())
+            ledgered.insert(table.name);
+        for (const TakenTable& table : takenTables())
+            QVERIFY2(taken.insert(table.name).second, qPrintable(table.name));
+        QCOMPARE(taken, ledgered);
     }
     /// Each way in turn, until nothing is new for either.
     void meetingEachWayComesToAnEnd()
