@@ -18461,28 +18461,6 @@ Vorh. %</translation>
     </message>
 </context>
 <context>
-    <name>gripscope::StationConflicts</name>
-    <message>
-        <source>Stations decided apart, which a supervisor is to look at (Library…): %1</source>
-        <translation>Stationen haben getrennt entschieden, was die Aufsicht ansehen soll (Bibliothek…): %1</translation>
-    </message>
-    <message>
-        <source>I have seen it</source>
-        <translation>Gesehen</translation>
-    </message>
-    <message>
-        <source>Stations decided apart</source>
-        <translation>Getrennt entschieden</translation>
-    </message>
-    <message numerus="yes">
-        <source>And %n more, in the audit trail.</source>
-        <translation>
-            <numerusform>Und %n weiterer im Änderungsprotokoll.</numerusform>
-            <numerusform>Und %n weitere im Änderungsprotokoll.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>gripscope::StatusLine</name>
     <message>
         <source>armed: %1</source>
