@@ -8812,8 +8812,8 @@ m  %3</translation>
         <translation>es ist diese Bibliothek selbst</translation>
     </message>
     <message>
-        <source>it is a copy of this library, and both were gone on with. Go on with one of them alone: keep the other aside, or put it back with &quot;library restore&quot;</source>
-        <translation>es ist eine Kopie dieser Bibliothek, und mit beiden wurde weitergearbeitet. Nur mit einer weiterarbeiten: die andere beiseitelegen oder mit „library restore“ zurückspielen</translation>
+        <source>it is a copy of this library that was gone on with. Go on with one of them alone: keep the other aside, or put it back with &quot;library restore&quot;</source>
+        <translation>es ist eine Kopie dieser Bibliothek, mit der weitergearbeitet wurde. Nur mit einer der beiden weiterarbeiten: die andere beiseitelegen oder mit „library restore“ zurückspielen</translation>
     </message>
     <message>
         <source>it has met a newer state of this library: an older copy was put back here. Put back the newest copy there is, then merge</source>
