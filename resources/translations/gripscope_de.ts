@@ -8820,8 +8820,8 @@ m  %3</translation>
         <translation>es ist diese Bibliothek selbst</translation>
     </message>
     <message>
-        <source>it is a copy of this library, and both were gone on with. Go on with one of them alone: keep the other aside, or put it back with &quot;library restore&quot;</source>
-        <translation>es ist eine Kopie dieser Bibliothek, und mit beiden wurde weitergearbeitet. Nur mit einer weiterarbeiten: die andere beiseitelegen oder mit „library restore“ zurückspielen</translation>
+        <source>it is a copy of this library that was gone on with. Go on with one of them alone: keep the other aside, or put it back with &quot;library restore&quot;</source>
+        <translation>es ist eine Kopie dieser Bibliothek, mit der weitergearbeitet wurde. Nur mit einer der beiden weiterarbeiten: die andere beiseitelegen oder mit „library restore“ zurückspielen</translation>
     </message>
     <message>
         <source>it has met a newer state of this library: an older copy was put back here. Put back the newest copy there is, then merge</source>
@@ -18458,6 +18458,28 @@ Vorh. %</translation>
     <message>
         <source>quantisation error %1</source>
         <translation>Quantisierungsfehler %1</translation>
+    </message>
+</context>
+<context>
+    <name>gripscope::StationConflicts</name>
+    <message>
+        <source>Stations decided apart, which a supervisor is to look at (Library…): %1</source>
+        <translation>Stationen haben getrennt entschieden, was die Aufsicht ansehen soll (Bibliothek…): %1</translation>
+    </message>
+    <message>
+        <source>I have seen it</source>
+        <translation>Gesehen</translation>
+    </message>
+    <message>
+        <source>Stations decided apart</source>
+        <translation>Getrennt entschieden</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more, in the audit trail.</source>
+        <translation>
+            <numerusform>Und %n weiterer im Änderungsprotokoll.</numerusform>
+            <numerusform>Und %n weitere im Änderungsprotokoll.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/backup/library_backup.h"
 #include "core/library/ledger/library_witness.h"
+#include "core/library/merge/library_merge.h"
 #include "tests/support/patient_limits.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/choosing.h"
 #include "tests/ui/people_window.h"
 #include "ui/library/library_dialog.h"
 #include "ui/library/recent_libraries.h"
+#include "ui/library/station_conflicts.h"
 #include "ui/settings/values/settings.h"
 #include "ui/shell/desktop_session.h"
 #include "ui/widgets/message_bar.h"
@@ -115,6 +117,25 @@ QString stateOf(const LibraryDialog* dialog)
 class LibraryDialogTest : public QObject {
     Q_OBJECT
 private slots:
+    void whatStationsDecidedApartIsToldUntilItIsSeen()
+    {
+        const Session s;
+        const QString other = s.folder.filePath(u"other.db"_s);
+        {
+            const auto there = Library::open(other);
+            QVERIFY(there && (*there)->addType(u"Type 1"_s, {}, u"N"_s, u"m"_s));
+        }
+        s.answer<void>([other](Library& library) {
+            return library.mergeLibrary(other, {u"Mai"_s, u"one plant"_s}).map([](const MergeReport&) {});
+        });
+        LibraryDialog* dialog = s.openDialog();
+        auto* conflicts = dialog->findChild<StationConflicts*>();
+        QTRY_VERIFY_WITH_TIMEOUT(conflicts->isVisible(), longEnough_ms);
+        QVERIFY(conflicts->findChild<QLabel*>(u"stationConflictsText"_s)->text().contains(u"Type 1"_s));
+        conflicts->findChild<QPushButton*>(u"stationConflictsSeen"_s)->click();
+        QTRY_VERIFY_WITH_TIMEOUT(!conflicts->isVisible(), longEnough_ms);
+        QVERIFY(s.actions().contains(QString::fromUtf16(audit_action::conflictsSeen)));
+    }
     void aBackupIsWrittenVerifiedAndTold()
     {
         const Session s;

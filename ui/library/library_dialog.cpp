@@ -9,6 +9,7 @@
 #include "ui/library/library_words.h"
 #include "ui/library/recent_libraries.h"
 #include "ui/library/server_dialog.h"
+#include "ui/library/station_conflicts.h"
 #include "ui/pages/page.h"
 #include "ui/people/authorize.h"
 #include "ui/settings/values/settings.h"
@@ -72,6 +73,7 @@ LibraryDialog::LibraryDialog(Workbench& workbench, QWidget* parent)
     m_contents->setWordWrap(true);
     column->addWidget(m_contents);
     column->addLayout(makeActions());
+    column->addWidget(new StationConflicts(workbench, this));
     column->addWidget(makeLabel(tr("Opened before"), "caption", this));
     m_recent->setObjectName("recentLibraries");
     m_recent->setAccessibleName(tr("Libraries that were opened before"));

@@ -5,6 +5,7 @@
 #include "ui/context/workbench.h"
 #include "ui/help/help_windows.h"
 #include "ui/inspector/device_inspector.h"
+#include "ui/library/station_conflicts.h"
 #include "ui/pages/calibrate/calibrate_page.h"
 #include "ui/pages/enroll/enroll_page.h"
 #include "ui/pages/enroll/enrolled_types_dialog.h"
@@ -81,6 +82,7 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent) : QWidget(parent),
     connect(&StopStanding::of(workbench), &StopStanding::changed, this, &MainWindow::tellDisarmed);
     makeShortcuts();
     answerForPeople(workbench, this);
+    tellStationConflicts(workbench, this);
     connect(new WindowGuard(workbench, this), &WindowGuard::helpAsked, this, &MainWindow::showHelpOn);
     setMinimumSize(least);
     resize(1280, 800);

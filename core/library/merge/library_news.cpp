@@ -47,7 +47,7 @@ tl::unexpected<Error> refuseCopies(const KnownChains& here, const KnownChains& t
 {
     if (there.own == here.own)
         return refuse(there,
-                      Words::tr("it is a copy of this library, and both were gone on with. Go on with one of "
+                      Words::tr("it is a copy of this library that was gone on with. Go on with one of "
                                 "them alone: keep the other aside, or put it back with \"library restore\""));
     if (chain.first == here.own)
         return refuse(there, Words::tr("it has met a newer state of this library: an older copy was put back "
