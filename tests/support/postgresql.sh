@@ -46,19 +46,23 @@ begin() {
   address="postgresql://gripscope@/postgres?host=$folder&port=5432"
 }
 
-case "${1:-}" in
-start)
-  [ -e "$2" ] && end "$(folder_of "$2")" # of a run that was killed
-  begin
-  echo "$address" >"$2"
-  # It must not outlive whoever began it, whatever ends that.
-  caller=$PPID
+# The server must not outlive whoever began it, whatever ends that.
+end_with() {
+  local caller=$1
   (
     trap '' HUP INT TERM
     while kill -0 "$caller" 2>/dev/null && [ -e "$folder" ]; do sleep 2; done
     end "$folder"
   ) </dev/null >/dev/null 2>&1 &
   disown
+}
+
+case "${1:-}" in
+start)
+  [ -e "$2" ] && end "$(folder_of "$2")" # of a run that was killed
+  begin
+  echo "$address" >"$2"
+  end_with $PPID
   ;;
 stop)
   [ -e "$2" ] || exit 0
@@ -68,6 +72,7 @@ stop)
 run)
   shift
   begin
+  end_with $$
   trap 'end "$folder"' EXIT
   GRIPSCOPE_TEST_SERVER=$address "$@"
   ;;

@@ -78,7 +78,10 @@ Expected<Parts> expectedOf(const Database& database)
 {
     static std::mutex mutex;
     static std::map<QString, Parts> known;
-    const QString place = database.server();
+    const Expected<LibraryLocation> location = LibraryLocation::parse(database.file());
+    const bool onServer = location && location->server();
+    const QString place =
+        onServer ? u"%1:%2"_s.arg(location->server()->host).arg(location->server()->port) : QString();
     const std::lock_guard lock(mutex);
     if (const auto found = known.find(place); found != known.end())
         return found->second;

@@ -66,8 +66,6 @@ public:
     [[nodiscard]] Expected<QStringList> tables();
     [[nodiscard]] const SqlDialect& dialect() const { return m_dialect; }
     [[nodiscard]] bool isOnServer() const { return m_server.has_value(); }
-    /// The same for all databases of it; empty for a file.
-    [[nodiscard]] QString server() const;
     /// What rows that are never deleted are sorted by to come in the order in which they were put in; a copy
     /// keeps it.
     [[nodiscard]] static QString orderOfInsertion() { return QStringLiteral("rowid"); }

@@ -85,7 +85,9 @@ Expected<LibraryLocation> LibraryLocation::parse(const QString& text)
     }
     const QUrl url(text, QUrl::StrictMode);
     if (!url.isValid())
-        return badAddress(text, Words::tr("the address cannot be read; %1").arg(form()));
+        return badAddress(text, withoutPassword(text) != text
+                                    ? passwordAdvice()
+                                    : Words::tr("the address cannot be read; %1").arg(form()));
     if (!url.password().isEmpty())
         return badAddress(text, passwordAdvice());
     ServerAddress address;

@@ -79,11 +79,6 @@ Expected<std::unique_ptr<Database>> Database::connectToServer(const LibraryLocat
     return database;
 }
 
-QString Database::server() const
-{
-    return m_server ? u"%1:%2"_s.arg(m_server->host).arg(m_server->port) : QString();
-}
-
 Expected<void> Database::openConnection()
 {
     if (!m_connection.open())

@@ -67,8 +67,7 @@ private slots:
     {
         const LibraryFolder folder;
         const auto library = folder.open();
-        RawDatabase(folder.file())
-            .run(u"CREATE TRIGGER fail BEFORE INSERT ON inspections BEGIN SELECT RAISE(ABORT, 'no'); END"_s);
+        takeNoMoreThan(0, u"inspections"_s, folder.file());
         QCOMPARE(library->addInspection(anInspection()).error().code, ErrorCode::StorageFailed);
         RawDatabase raw(folder.file());
         for (const QString& table : {u"grasps"_s, u"recordings"_s, u"estimates"_s, u"documents"_s})

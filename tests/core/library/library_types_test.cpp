@@ -354,10 +354,7 @@ private slots:
         TwoTypes f;
         const qint64 version = valueOf(f.library->version());
         // The third of the three squeezes cannot be placed: the table itself refuses it.
-        RawDatabase(f.folder.file())
-            .run(u"CREATE TRIGGER full BEFORE INSERT ON placements WHEN (SELECT COUNT(*) FROM placements) >= "
-                 u"2 "
-                 "BEGIN SELECT RAISE(ABORT, 'full'); END"_s);
+        takeNoMoreThan(2, u"placements"_s, f.folder.file());
         QCOMPARE(f.library->mergeTypes(f.a.id, f.b.id, typesBecause).error().code, ErrorCode::StorageFailed);
         QCOMPARE(valueOf(f.library->version()), version);
         QCOMPARE(f.names(), QStringList({u"A"_s, u"B"_s}));

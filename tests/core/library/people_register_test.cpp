@@ -127,8 +127,9 @@ private slots:
         RawDatabase raw(folder.file());
         for (int i = 0; i < SignInTries::free; ++i) // as processes leave it that end while they hash
             raw.run(
-                u"INSERT INTO sign_in_tries VALUES ('%1', '', '%2', '%3', 1, 'tried', 100 + %1)"_s.arg(i).arg(
-                    QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs), people.operatorId));
+                u"INSERT INTO sign_in_tries (id, station, created_utc, person_id, secret_version, outcome, serial) VALUES ('%1', '', '%2', '%3', 1, 'tried', 100 + %1)"_s
+                    .arg(i)
+                    .arg(QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs), people.operatorId));
         QVERIFY(!library->people().signIn(people.operatorId, Secret(password)));
     }
     void aClockThatIsSetBackMakesNoTryFree()

@@ -71,4 +71,24 @@ private:
     QSqlDatabase m_database;
 };
 
+/// Makes a table take no row any more once it has so many.
+inline void takeNoMoreThan(int rows, const QString& table, const QString& place)
+{
+    RawDatabase raw(place);
+    if (!onServer()) {
+        raw.run(
+            QStringLiteral("CREATE TRIGGER refuse BEFORE INSERT ON %1 WHEN (SELECT COUNT(*) FROM %1) >= %2 "
+                           "BEGIN SELECT RAISE(ABORT, 'no'); END")
+                .arg(table)
+                .arg(rows));
+        return;
+    }
+    raw.run(QStringLiteral("CREATE FUNCTION refuse() RETURNS trigger LANGUAGE plpgsql AS $$BEGIN "
+                           "IF (SELECT COUNT(*) FROM %1) >= %2 THEN RAISE 'no'; END IF; RETURN NEW; END$$")
+                .arg(table)
+                .arg(rows));
+    raw.run(QStringLiteral("CREATE TRIGGER refuse BEFORE INSERT ON %1 FOR EACH ROW EXECUTE FUNCTION refuse()")
+                .arg(table));
+}
+
 } // namespace gripscope::test
