@@ -9103,6 +9103,10 @@ m  %3</translation>
         <source>a step of it failed on the server</source>
         <translation>ein Schritt davon ist auf dem Server gescheitert</translation>
     </message>
+    <message>
+        <source>libraries are merged file into file so far, not with one on a server: let its stations work on the server itself</source>
+        <translation>zusammengeführt wird bisher Datei mit Datei, nicht mit einer Bibliothek auf einem Server: deren Stationen arbeiten am besten auf dem Server selbst</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>

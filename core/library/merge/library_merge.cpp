@@ -9,6 +9,7 @@
 #include "core/library/merge/row_taker.h"
 #include "core/library/merge/settlement.h"
 #include "core/library/plant/plant_state.h"
+#include "core/library/sql/library_location.h"
 #include "core/library/sql/statement.h"
 #include "core/library/tables/audit_table.h"
 #include "core/library/tables/tally_table.h"
@@ -195,6 +196,11 @@ Expected<MergeReport> mergeLibrary(Database& source, Database& target, const Cha
 
 Expected<std::unique_ptr<Database>> openToMerge(const QString& file, const Database& target)
 {
+    if (target.isOnServer() || LibraryLocation::isOnServer(file))
+        return failure(
+            ErrorCode::StorageOpen,
+            {file, Words::tr("libraries are merged file into file so far, not with one on a server: "
+                             "let its stations work on the server itself")});
     const QString canonical = QFileInfo(file).canonicalFilePath();
     if (!canonical.isEmpty() && canonical == QFileInfo(target.file()).canonicalFilePath())
         return failure(ErrorCode::StorageOpen, {file, Words::tr("it is this library itself")});

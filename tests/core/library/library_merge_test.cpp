@@ -409,6 +409,8 @@ private slots:
         writeBytes(folder.filePath(u"text"_s), "this is no library at all");
         QVERIFY(!here.library->mergeLibrary(folder.filePath(u"text"_s), why));
         QVERIFY(!here.library->mergeLibrary(folder.filePath(u"none"_s), why));
+        const auto onServer = here.library->mergeLibrary(u"postgresql://one@db.example/plant"_s, why);
+        QVERIFY(!onServer && onServer.error().describe().contains(u"file into file"_s));
         QVERIFY(!here.library->mergeLibrary(here.file(), why));
         QCOMPARE(RawDatabase(here.file()).count(u"ledger"_s), links);
     }
