@@ -106,9 +106,9 @@ public:
         const QString broker = u"192.0.2.1:1883"_s; // an address of RFC 5737: nobody has it
         {
             MqttOutbox waiting(mqttFile(bench.library().file()));
-            for (int i = 0; i < 5000; ++i) {
+            for (int i = 0; i < 2000; ++i) {
                 waiting.offer(LineReport{});
-                waitUntil([&] { return waiting.status().waiting > std::size_t(i) / 256 * 256; }, 60);
+                waitUntil([&] { return waiting.status().waiting > std::size_t(i) / 128 * 128; }, 60);
             }
         }
         Settings& settings = bench.settings();

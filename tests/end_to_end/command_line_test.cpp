@@ -185,7 +185,7 @@ private slots:
     void aServerThatDoesNotAnswerIsNamed()
     {
         const ProgramRun run =
-            m_work.cli({u"types"_s, u"--library"_s, u"postgresql://me@127.0.0.1:1/name"_s});
+            m_work.cli({u"types"_s, u"list"_s, u"--library"_s, u"postgresql://me@127.0.0.1:1/name"_s});
         QCOMPARE(run.exit, 5);
         QVERIFY2(run.err.contains("no server answers at 127.0.0.1:1"), run.err.constData());
     }

@@ -194,7 +194,8 @@ private slots:
             const QString page = textOf(installed().path(u"share/man/man1/"_s + name));
             const QRegularExpressionMatch match = request.match(page);
             QVERIFY2(!match.hasMatch(), qPrintable(name + u": "_s + page.mid(match.capturedStart(), 60)));
-            QVERIFY2(!page.contains(u'@'), qPrintable(name)); // no place was left open
+            static const QRegularExpression place(u"@[A-Z]+@"_s);
+            QVERIFY2(!page.contains(place), qPrintable(name)); // none was left open
         }
     }
 
