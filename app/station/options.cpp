@@ -105,9 +105,7 @@ Expected<void> takeMqtt(const QCommandLineParser& parser, StationOptions& option
     mqtt.user = parser.value(u"mqtt-user"_s);
     mqtt.passwordFile = parser.value(u"mqtt-password-file"_s);
     mqtt.jsonTopic = parser.value(u"mqtt-topic"_s);
-    const QString sparkplug = parser.value(u"sparkplug"_s);
-    mqtt.group = sparkplug.section(u'/', 0, 0);
-    mqtt.node = sparkplug.section(u'/', 1);
+    setSparkplug(parser.value(u"sparkplug"_s), mqtt);
     mqtt.primaryHost = parser.value(u"primary-host"_s);
     RETURN_IF_ERROR(checkOptions(mqtt));
     options.mqtt = mqtt;

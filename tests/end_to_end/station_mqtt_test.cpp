@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/line/line_values.h"
 #include "tests/devices/mqtt_broker.h"
-#include "tests/end_to_end/program_run.h"
 #include "tests/end_to_end/small_plc.h"
+#include "tests/end_to_end/station_console.h"
 #include "tests/support/mqtt_reader.h"
 #include "tests/support/test_registry.h"
 
@@ -24,7 +24,7 @@ public:
                       u"virtual:?object=A&seed=7&speed=0"_s, u"--modbus"_s, u"127.0.0.1:%1"_s.arg(m_port),
                       u"--console"_s, work.path(u"console"_s), u"--heartbeat"_s, u"60"_s, u"--mqtt"_s,
                       u"127.0.0.1:%1"_s.arg(broker), u"--mqtt-topic"_s, u"plant/results"_s});
-        m_station.setProgram(QStringLiteral(GRIPSCOPE_BIN_DIR "/gripscope-station"));
+        m_station.setProgram(stationProgram());
         m_station.setProcessChannelMode(QProcess::ForwardedErrorChannel);
         m_station.start();
     }
@@ -32,17 +32,7 @@ public:
     MqttStationRun(const MqttStationRun&) = delete;
     MqttStationRun& operator=(const MqttStationRun&) = delete;
 
-    [[nodiscard]] ProgramRun ask(const QString& command) const
-    {
-        QProcess process;
-        m_work.prepare(process, {command, u"--console"_s, m_work.path(u"console"_s), u"--library"_s,
-                                 m_work.path(u"parts.db"_s)});
-        process.setProgram(m_station.program());
-        process.start();
-        const bool ended = process.waitForFinished(longEnough_ms);
-        return {ended ? process.exitCode() : -1, process.readAllStandardOutput(),
-                process.readAllStandardError()};
-    }
+    [[nodiscard]] ProgramRun ask(const QString& command) const { return askStation(m_work, command); }
     [[nodiscard]] bool says(const QString& key, const QString& words) const
     {
         return QTest::qWaitFor([&] { return ask(u"status"_s).json()[key].toString().contains(words); },

@@ -2,6 +2,7 @@
 #include "devices/line/register_map.h"
 #include "tests/end_to_end/program_run.h"
 #include "tests/end_to_end/small_plc.h"
+#include "tests/end_to_end/station_console.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_registry.h"
 
@@ -57,18 +58,7 @@ class StationProgramTest : public QObject {
     Q_OBJECT
     Workplace m_work;
 
-    static QString stationProgram() { return QStringLiteral(GRIPSCOPE_BIN_DIR "/gripscope-station"); }
-    ProgramRun ask(const QString& command) const
-    {
-        QProcess process;
-        m_work.prepare(process, {command, u"--console"_s, m_work.path(u"console"_s), u"--library"_s,
-                                 m_work.path(u"parts.db"_s)});
-        process.setProgram(stationProgram());
-        process.start();
-        const bool ended = process.waitForFinished(longEnough_ms);
-        return {ended ? process.exitCode() : -1, process.readAllStandardOutput(),
-                process.readAllStandardError()};
-    }
+    ProgramRun ask(const QString& command) const { return askStation(m_work, command); }
 
 private slots:
     void whatMakesNoSenseIsSaid()

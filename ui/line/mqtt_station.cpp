@@ -23,9 +23,7 @@ Expected<MqttOptions> mqttOptions(const Settings& settings)
     options.user = settings.get(setting::mqttUser);
     options.passwordFile = settings.get(setting::mqttPasswordFile);
     options.jsonTopic = settings.get(setting::mqttTopic).trimmed();
-    const QString sparkplug = settings.get(setting::mqttSparkplug).trimmed();
-    options.group = sparkplug.section(u'/', 0, 0);
-    options.node = sparkplug.section(u'/', 1);
+    setSparkplug(settings.get(setting::mqttSparkplug).trimmed(), options);
     options.primaryHost = settings.get(setting::mqttPrimaryHost).trimmed();
     RETURN_IF_ERROR(checkOptions(options));
     return options;

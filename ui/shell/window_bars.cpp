@@ -163,14 +163,14 @@ void StatusLine::refresh()
             parts << tr("silent");
         parts << standing();
     }
-    if (const LineStation& line = LineStation::of(*m_workbench); line.on()) {
-        const LineWords words = line.words();
+    const auto tell = [&parts](const auto& station) {
+        if (!station.on())
+            return;
+        const LineWords words = station.words();
         parts << words.headline.describe() << described(words.problems);
-    }
-    if (const MqttStation& broker = MqttStation::of(*m_workbench); broker.on()) {
-        const LineWords words = broker.words();
-        parts << words.headline.describe() << described(words.problems);
-    }
+    };
+    tell(LineStation::of(*m_workbench));
+    tell(MqttStation::of(*m_workbench));
     const QString place = m_workbench->library().file();
     const QString library =
         Library::isOnServer(place) ? Library::shortName(place) : QFileInfo(place).completeBaseName();

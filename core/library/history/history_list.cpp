@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 #include "core/library/history/history_view.h"
+#include "core/library/sql/rows.h"
 
 #include <algorithm>
 
@@ -46,11 +47,9 @@ Expected<HistoryMark> newestSqueeze(Database& database)
 
 Expected<qint64> lastStored(Database& database)
 {
-    qint64 place = 0;
     Statement query(database, readingHistory(),
                     u"SELECT COALESCE(MAX(%1), 0) FROM grasps"_s.arg(Database::orderOfInsertion()));
-    RETURN_IF_ERROR(query.forEach([&](Statement& row) { place = row.takeInteger(); }));
-    return place;
+    return numberOf(query);
 }
 
 /// What a query finds, up to one more than a list collects.

@@ -4,7 +4,7 @@
 #include "core/base/vector_registers.h"
 #include "core/base/words.h"
 #include "core/library/sql/row_cursor.h"
-#include "core/library/sql/statement.h"
+#include "core/library/sql/rows.h"
 #include "core/library/tables/type_state_table.h"
 #include "core/signal/recording/units.h"
 
@@ -166,10 +166,8 @@ qint64 millisecondsOf(std::string_view text)
 
 Expected<qint64> numberOf(Database& database, const QString& sql)
 {
-    qint64 number = 0;
     Statement query(database, readingProcess(), sql);
-    RETURN_IF_ERROR(query.forEach([&](Statement& row) { number = row.takeInteger(); }));
-    return number;
+    return gripscope::numberOf(query);
 }
 
 Expected<std::shared_ptr<const std::vector<qint64>>> voidedNumbers(Database& database)

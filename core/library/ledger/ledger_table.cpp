@@ -15,6 +15,8 @@ QString readingLedger()
     return Words::tr("read its ledger");
 }
 
+} // namespace
+
 LedgerLink takeLink(Statement& row)
 {
     LedgerLink link;
@@ -27,8 +29,6 @@ LedgerLink takeLink(Statement& row)
         *bytes = row.takeBytes();
     return link;
 }
-
-} // namespace
 
 Expected<void> insert(Database& database, const LedgerLink& link)
 {

@@ -11,7 +11,8 @@
 
 namespace gripscope {
 class Database;
-}
+class Statement;
+} // namespace gripscope
 
 namespace gripscope::ledger_table {
 
@@ -19,6 +20,8 @@ namespace gripscope::ledger_table {
 [[nodiscard]] Expected<LedgerHead> head(Database& database, const QString& chain);
 /// The link that was put in first, of whatever chain, which never changes; nothing where there is none yet.
 [[nodiscard]] Expected<std::optional<ChainEnd>> birth(Database& database);
+/// Of a row with chain, number, kind, format, created_utc, leaves, previous_hash, hash, signer, signature.
+[[nodiscard]] LedgerLink takeLink(Statement& row);
 /// Where each chain ends, by name.
 [[nodiscard]] Expected<std::map<QString, ChainEnd>> ends(Database& database);
 /// The links of one chain behind a number, in order.

@@ -3,7 +3,7 @@
 
 #include "core/base/words.h"
 #include "core/library/ledger/ledger_table.h"
-#include "core/library/sql/statement.h"
+#include "core/library/sql/rows.h"
 
 namespace gripscope {
 
@@ -76,36 +76,22 @@ Expected<void> since(Database& database, const LibraryChain& chain, qint64 numbe
 {
     Statement query(
         database, readingOthers(),
-        u"SELECT number, kind, format, created_utc, leaves, previous_hash, hash, signer, signature "
+        u"SELECT chain, number, kind, format, created_utc, leaves, previous_hash, hash, signer, signature "
         "FROM merged_ledger WHERE library = ? AND chain = ? AND number > ? ORDER BY number"_s);
     query.bind(chain.first).bind(chain.second).bind(number);
-    return query.forEach([&](Statement& row) {
-        LedgerLink link;
-        link.chain = chain.second;
-        link.number = row.takeInteger();
-        link.kind = ledgerKindFrom(row.takeText());
-        link.format = static_cast<int>(row.takeInteger());
-        link.utc = row.takeText();
-        for (QByteArray* bytes :
-             {&link.leaves, &link.previousHash, &link.hash, &link.signer, &link.signature})
-            *bytes = row.takeBytes();
-        take(link);
-    });
+    return query.forEach([&](Statement& row) { take(ledger_table::takeLink(row)); });
 }
 
 Expected<qint64> ofOtherKinds(Database& database)
 {
-    qint64 number = 0;
     if (database.isOnServer()) // a column there takes nothing else
-        return number;
+        return 0;
     Statement query(database, readingOthers(),
                     u"SELECT COUNT(*) FROM merged_ledger WHERE typeof(library) || typeof(chain) || "
                     "typeof(number) || typeof(kind) || typeof(format) || typeof(created_utc) <> "
                     "'texttextintegertextintegertext' OR typeof(leaves) || typeof(previous_hash) || "
                     "typeof(hash) || typeof(signer) || typeof(signature) <> 'blobblobblobblobblob'"_s);
-    if (auto done = query.forEach([&](Statement& row) { number = row.takeInteger(); }); !done)
-        return tl::unexpected(done.error());
-    return number;
+    return numberOf(query);
 }
 
 } // namespace merged_ledger

@@ -132,27 +132,21 @@ Expected<std::map<QString, qint64>> numbers(Database& database, const QString& l
 
 Expected<qint64> count(Database& database)
 {
-    qint64 number = 0;
     Statement query(database, readingViews(), u"SELECT COUNT(*) FROM merged_rows"_s);
-    if (auto done = query.forEach([&](Statement& row) { number = row.takeInteger(); }); !done)
-        return tl::unexpected(done.error());
-    return number;
+    return numberOf(query);
 }
 
 Expected<qint64> ofOtherKinds(Database& database)
 {
-    qint64 number = 0;
     if (database.isOnServer()) // a column there takes nothing else
-        return number;
+        return 0;
     Statement query(
         database, readingViews(),
         u"SELECT COUNT(*) FROM merged_rows WHERE typeof(library) || typeof(table_code) || "
         "typeof(row_key) || typeof(number) || typeof(is_origin) || typeof(whole) || typeof(content) "
         "<> 'textintegertextintegerintegerintegertext' OR is_origin NOT IN (0, 1) OR whole NOT IN "
         "(0, 1)"_s);
-    if (auto done = query.forEach([&](Statement& row) { number = row.takeInteger(); }); !done)
-        return tl::unexpected(done.error());
-    return number;
+    return numberOf(query);
 }
 
 QString contentOf(const std::vector<Column>& columns, const TableRows::Row& row)
@@ -197,6 +191,20 @@ Cell cellIn(const std::vector<Column>& columns, const TableRows::Row& row, QStri
         if (columns[i].name == column)
             return row[i];
     return {};
+}
+
+qint64 integerIn(const std::vector<Column>& columns, const TableRows::Row& row, QStringView column)
+{
+    const Cell cell = cellIn(columns, row, column);
+    const auto* integer = std::get_if<qint64>(&cell);
+    return integer != nullptr ? *integer : 0;
+}
+
+QString textIn(const std::vector<Column>& columns, const TableRows::Row& row, QStringView column)
+{
+    const Cell cell = cellIn(columns, row, column);
+    const auto* text = std::get_if<QString>(&cell);
+    return text != nullptr ? *text : QString();
 }
 
 void setCell(const std::vector<Column>& columns, TableRows::Row& row, QStringView column, const Cell& value)

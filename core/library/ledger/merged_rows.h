@@ -72,6 +72,11 @@ private:
 
 /// The value of a column; NULL where there is none of that name.
 [[nodiscard]] Cell cellIn(const std::vector<Column>& columns, const TableRows::Row& row, QStringView column);
+/// The same of a column of whole numbers, or of texts; 0 and an empty one for any other value.
+[[nodiscard]] qint64 integerIn(const std::vector<Column>& columns, const TableRows::Row& row,
+                               QStringView column);
+[[nodiscard]] QString textIn(const std::vector<Column>& columns, const TableRows::Row& row,
+                             QStringView column);
 /// Nothing happens where there is no such column.
 void setCell(const std::vector<Column>& columns, TableRows::Row& row, QStringView column, const Cell& value);
 

@@ -137,14 +137,9 @@ Expected<void> readMeetings(Database& database, PlantHistory& history)
         TableRows::Row cells(columns->size());
         if (!merged_rows::apply(row.takeText(), *columns, cells))
             return;
-        const auto text = [&](QStringView column) {
-            const Cell cell = cellIn(*columns, cells, column);
-            const auto* value = std::get_if<QString>(&cell);
-            return value ? *value : QString();
-        };
-        const Cell version = cellIn(*columns, cells, u"version");
-        const auto* number = std::get_if<qint64>(&version);
-        history.meetings.push_back({text(u"library"), number ? *number : 0, versionsFrom(text(u"seen"))});
+        history.meetings.push_back({textIn(*columns, cells, u"library"),
+                                    integerIn(*columns, cells, u"version"),
+                                    versionsFrom(textIn(*columns, cells, u"seen"))});
     });
 }
 

@@ -10,7 +10,7 @@
 #include "core/library/merge/settlement.h"
 #include "core/library/plant/plant_state.h"
 #include "core/library/sql/library_location.h"
-#include "core/library/sql/statement.h"
+#include "core/library/sql/rows.h"
 #include "core/library/tables/audit_table.h"
 #include "core/library/tables/tally_table.h"
 #include "core/library/tables/type_writer.h"
@@ -92,7 +92,8 @@ Expected<qint64> rowsOf(Database& database)
         if (table.kind != TakenTable::Kind::Taken)
             continue;
         Statement query(database, merging(), u"SELECT COUNT(*) FROM "_s + table.name);
-        RETURN_IF_ERROR(query.forEach([&](Statement& row) { rows += row.takeInteger(); }));
+        ASSIGN_OR_RETURN(const qint64 ofTable, numberOf(query));
+        rows += ofTable;
     }
     return rows;
 }

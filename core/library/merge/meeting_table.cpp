@@ -4,7 +4,7 @@
 #include "core/base/words.h"
 #include "core/library/ledger/merged_ledger.h"
 #include "core/library/merge/known_history.h"
-#include "core/library/sql/statement.h"
+#include "core/library/sql/rows.h"
 #include "core/library/tables/change_table.h"
 
 #include <QJsonDocument>
@@ -55,11 +55,8 @@ Expected<void> insert(Database& database, const Meeting& meeting)
 
 Expected<bool> isAnyThere(Database& database)
 {
-    bool there = false;
     Statement query(database, Words::tr("read its merges"), u"SELECT 1 FROM library_meetings LIMIT 1"_s);
-    if (auto done = query.forEach([&](Statement&) { there = true; }); !done)
-        return tl::unexpected(done.error());
-    return there;
+    return numberOf(query).map([](qint64 found) { return found != 0; });
 }
 
 Expected<void> insertSeen(Database& database, const QString& conflict, const QString& operatorName)

@@ -4,7 +4,7 @@
 #include "core/base/words.h"
 #include "core/library/ledger/row_digest.h"
 #include "core/library/plant/plant_history.h"
-#include "core/library/sql/statement.h"
+#include "core/library/sql/rows.h"
 
 #include <algorithm>
 
@@ -31,20 +31,6 @@ void bindCell(Statement& statement, const Cell& cell)
         statement.bindBytes(*bytes);
     else
         statement.bindOptional(std::optional<QString>());
-}
-
-qint64 integerIn(const std::vector<Column>& columns, const TableRows::Row& row, QStringView column)
-{
-    const Cell cell = cellIn(columns, row, column);
-    const auto* integer = std::get_if<qint64>(&cell);
-    return integer ? *integer : 0;
-}
-
-QString textIn(const std::vector<Column>& columns, const TableRows::Row& row, QStringView column)
-{
-    const Cell cell = cellIn(columns, row, column);
-    const auto* text = std::get_if<QString>(&cell);
-    return text ? *text : QString();
 }
 
 /// Rows by which types and enrolled squeezes become other than they were.
@@ -259,24 +245,15 @@ Expected<void> RowTaker::insert(const TakenTable& table, const Columns& columns,
 
 Expected<bool> RowTaker::isThere(const QString& sql, const std::vector<Cell>& values)
 {
-    bool there = false;
-    Statement query(m_target, takingRows(), sql);
-    for (const Cell& value : values)
-        bindCell(query, value);
-    if (auto done = query.forEach([&](Statement&) { there = true; }); !done)
-        return tl::unexpected(done.error());
-    return there;
+    return number(sql, values).map([](qint64 found) { return found != 0; });
 }
 
 Expected<qint64> RowTaker::number(const QString& sql, const std::vector<Cell>& values)
 {
-    qint64 number = 0;
     Statement query(m_target, takingRows(), sql);
     for (const Cell& value : values)
         bindCell(query, value);
-    if (auto done = query.forEach([&](Statement& row) { number = row.takeInteger(); }); !done)
-        return tl::unexpected(done.error());
-    return number;
+    return numberOf(query);
 }
 
 Expected<qint64> RowTaker::next(const QString& table, const QString& column)

@@ -49,6 +49,7 @@ private:
                                       const TableRows::Row& there, const TableRows::Row& here);
     [[nodiscard]] Expected<void> keepForTheRecord(const TakenTable& table, const NewLeaf& leaf,
                                                   const Columns& columns, const TableRows::Row& there);
+    /// `sql`: SELECT 1 FROM ...
     [[nodiscard]] Expected<bool> isThere(const QString& sql, const std::vector<Cell>& values);
     [[nodiscard]] Expected<qint64> number(const QString& sql, const std::vector<Cell>& values = {});
     /// One more than the highest of a column.

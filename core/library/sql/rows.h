@@ -49,4 +49,11 @@ template <typename Taken>
     });
 }
 
+/// The whole number that the last row begins with; 0 where there is no row.
+[[nodiscard]] inline Expected<qint64> numberOf(Statement& query)
+{
+    qint64 number = 0;
+    return query.forEach([&](Statement& row) { number = row.takeInteger(); }).map([&] { return number; });
+}
+
 } // namespace gripscope

@@ -238,12 +238,9 @@ Expected<std::vector<AuditEntry>> page(Database& database, const AuditFilter& fi
 
 Expected<qint64> count(Database& database, const AuditFilter& filter)
 {
-    qint64 number = 0;
     Statement query(database, readingTrail(), u"SELECT COUNT(*) FROM audit_entries"_s + condition(filter));
     bindFilter(query, filter);
-    if (auto done = query.forEach([&](Statement& row) { number = row.takeInteger(); }); !done)
-        return tl::unexpected(done.error());
-    return number;
+    return numberOf(query);
 }
 
 Expected<void> forEach(Database& database, const std::function<void(const AuditEntry&)>& taken)

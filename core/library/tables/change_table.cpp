@@ -2,6 +2,7 @@
 #include "core/library/tables/change_table.h"
 
 #include "core/base/words.h"
+#include "core/library/sql/rows.h"
 #include "core/library/tables/audit_table.h"
 
 #include <algorithm>
@@ -62,12 +63,8 @@ Expected<qint64> insertUntold(Database& database, const LibraryChange& change)
 
 Expected<qint64> newestVersion(Database& database)
 {
-    qint64 version = 0;
     Statement query(database, readingVersions(), u"SELECT COALESCE(MAX(version), 0) FROM library_changes"_s);
-    const auto done = query.forEach([&](Statement& row) { version = row.takeInteger(); });
-    if (!done)
-        return tl::unexpected(done.error());
-    return version;
+    return numberOf(query);
 }
 
 Expected<std::vector<LibraryChange>> page(Database& database, int limit, int offset)

@@ -2,7 +2,7 @@
 #include "core/library/tables/tally_table.h"
 
 #include "core/base/words.h"
-#include "core/library/sql/statement.h"
+#include "core/library/sql/rows.h"
 #include "core/library/tables/inspection_tables.h"
 
 #include <array>
@@ -50,12 +50,8 @@ Expected<Tally> tallied(Database& database, const QString& sql)
 
 Expected<qint64> numberOf(Database& database, const QString& sql)
 {
-    qint64 number = 0;
     Statement query(database, countingInspections(), sql);
-    const auto done = query.forEach([&](Statement& row) { number = row.takeInteger(); });
-    if (!done)
-        return tl::unexpected(done.error());
-    return number;
+    return gripscope::numberOf(query);
 }
 
 } // namespace

@@ -90,9 +90,7 @@ private:
         if (table.name != u"inspections" && table.name != u"library_changes" &&
             table.name != u"type_versions")
             return 0;
-        const Cell number = cellIn(columns, row, table.name == u"inspections" ? u"number" : u"version");
-        const auto* integer = std::get_if<qint64>(&number);
-        return integer == nullptr ? 0 : *integer;
+        return integerIn(columns, row, table.name == u"inspections" ? u"number" : u"version");
     }
 
     void checkNumber(const LedgeredTable& table, const MergedRow& merged, qint64 number, bool madeThere)
@@ -132,15 +130,9 @@ void checkHeads(Database& database, LibraryVerification& found)
 
 AuditEntry auditEntryIn(const std::vector<Column>& columns, const TableRows::Row& row)
 {
-    const auto text = [&](QStringView column) {
-        const Cell cell = cellIn(columns, row, column);
-        const auto* value = std::get_if<QString>(&cell);
-        return value ? *value : QString();
-    };
-    const Cell number = cellIn(columns, row, u"number");
-    const auto* integer = std::get_if<qint64>(&number);
+    const auto text = [&](QStringView column) { return textIn(columns, row, column); };
     AuditEntry entry;
-    entry.number = integer ? *integer : 0;
+    entry.number = integerIn(columns, row, u"number");
     entry.utc = text(u"created_utc");
     entry.station = text(u"station");
     entry.person = text(u"person");

@@ -81,6 +81,12 @@ Expected<void> parseBroker(const QString& text, MqttOptions& options)
     return {};
 }
 
+void setSparkplug(const QString& text, MqttOptions& options)
+{
+    options.group = text.section(u'/', 0, 0);
+    options.node = text.section(u'/', 1);
+}
+
 QByteArray clientId(const MqttOptions& options)
 {
     // 23 letters and digits, which every broker takes.

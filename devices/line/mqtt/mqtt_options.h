@@ -32,6 +32,8 @@ struct MqttOptions {
 [[nodiscard]] Expected<void> checkOptions(const MqttOptions& options);
 /// "HOST:PORT" or "HOST", whose port is that of MQTT, or of MQTT over TLS.
 [[nodiscard]] Expected<void> parseBroker(const QString& text, MqttOptions& options);
+/// "GROUP/NODE"; empty: no Sparkplug. checkOptions() says what is wrong with them.
+void setSparkplug(const QString& text, MqttOptions& options);
 /// The same for each station, and unlike that of any other.
 [[nodiscard]] QByteArray clientId(const MqttOptions& options);
 /// Nothing where no file is named. FileUnreadable; Usage: others than its owner may read it.
