@@ -26,6 +26,7 @@ namespace gripscope {
 
 struct Acting;
 struct ChainEnd;
+struct ExchangeStep;
 struct SensorCalibration;
 class HistoryKeys;
 struct HistoryList;
@@ -184,6 +185,12 @@ public:
     /// and only read. Twice is the same as once. StorageOpen: it is not whole, or a copy that was gone on
     /// with.
     [[nodiscard]] Expected<MergeReport> mergeLibrary(const QString& file, const ChangeNote& note);
+    /// One step of keeping this library, a station's, in step with its plant's on a server
+    /// (exchange/library_exchange.h): at most `mostLinks` links go there, or, when all are there, what is new
+    /// comes from there. `marks`: of the step before; empty: of none. A server that does not answer leaves
+    /// this library free to be written to. StorageOpen: one of the two is an older copy, or another server's.
+    [[nodiscard]] Expected<ExchangeStep> exchangeWith(Library& server, const QString& marks,
+                                                      qint64 mostLinks);
     /// The stations whose inspections it has, by name.
     [[nodiscard]] Expected<std::vector<StationStanding>> stations() const;
     /// What stations decided apart, until somebody who may decide it has seen it.

@@ -112,6 +112,7 @@ int runLibrary(const QStringList& arguments)
          {u"backup"_s, u"copies a library that may be in use, and verifies the copy"_s, backUp},
          {u"restore"_s, u"puts a backup in the place of a library, which is kept"_s, restore},
          {u"merge"_s, u"brings in what the library of another station has"_s, mergeStations},
+         {u"sync"_s, u"brings it in step with the library of its plant on a server"_s, syncWithServer},
          {u"status"_s, u"says which stations are in it, and what they decided apart"_s, stationStatus},
          {u"take-back"_s, u"stores inspections that were kept aside"_s, takeBack},
          {u"examples"_s, u"adds types to look at"_s, addExamples}},

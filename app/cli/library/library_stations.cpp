@@ -7,6 +7,7 @@
 #include "app/cli/line/exit_code.h"
 #include "app/cli/line/output.h"
 #include "app/cli/options/shared_options.h"
+#include "core/library/exchange/library_exchange.h"
 #include "core/library/merge/library_merge.h"
 
 #include <QJsonArray>
@@ -97,7 +98,83 @@ Expected<Standing> standing(const CommandLine& line)
     return found;
 }
 
+/// All steps together.
+struct Exchanged {
+    QString server;
+    qint64 links = 0, rows = 0, taken = 0, version = 0;
+    std::vector<PlantConflict> conflicts;
+};
+
+Expected<Exchanged> exchange(const CommandLine& line)
+{
+    Exchanged all;
+    ASSIGN_OR_RETURN(const QString file, libraryFile(line));
+    ASSIGN_OR_RETURN(all.server, Library::placeFrom(line.text(u"server"_s)));
+    if (Library::isOnServer(file) || !Library::isOnServer(all.server))
+        return failure(ErrorCode::Usage,
+                       {u"Bring a station's library, a file, in step with one on a server: library sync "
+                        "--library FILE --server postgresql://USER@HOST/NAME."_s});
+    ASSIGN_OR_RETURN(const auto station, openExistingLibrary(file));
+    ASSIGN_OR_RETURN(const auto server, Library::open(all.server));
+    for (ExchangeStep step; !step.inStep;) {
+        ASSIGN_OR_RETURN(step, station->exchangeWith(*server, step.marks, linksOfStep));
+        all.links += step.delivered.links;
+        all.rows += step.delivered.rows;
+        all.taken += step.fetched.rows;
+        all.version = step.fetched.version > 0 ? step.fetched.version : all.version;
+        if (!step.conflicts.empty())
+            all.conflicts = step.conflicts;
+    }
+    return all;
+}
+
+QString inWords(const Exchanged& all)
+{
+    if (all.links == 0 && all.taken == 0)
+        return u"In step with %1 already."_s.arg(all.server);
+    return u"In step with %1: %2 transactions with %3 rows were brought there, %4 rows of types and "
+           "calibrations were taken from there."_s.arg(all.server)
+               .arg(all.links)
+               .arg(all.rows)
+               .arg(all.taken);
+}
+
 } // namespace
+
+int syncWithServer(const QStringList& arguments)
+{
+    CommandLine line(
+        u"library sync"_s,
+        u"Brings the library of a station, a file, in step with the library of its plant on a "
+        "server: all that the station has written goes there, and what all stations have in common "
+        "(types, their enrolled squeezes, calibrations, limits) comes from there. Again takes "
+        "nothing twice."_s);
+    line.option(u"server"_s, u"ADDRESS"_s, u"The plant's library: postgresql://USER@HOST:PORT/NAME."_s);
+    addLibraryOption(line);
+    if (const auto exit = parseWith(line, arguments))
+        return *exit;
+    if (line.text(u"server"_s).isEmpty())
+        line.reject(u"Name the plant's library: --server postgresql://USER@HOST/NAME."_s);
+    if (const auto exit = line.finish())
+        return *exit;
+    const bool json = line.isSet(u"json"_s);
+    const auto all = exchange(line);
+    if (!all)
+        return fail(all.error(), json);
+    if (json) {
+        printJson({{u"server"_s, all->server},
+                   {u"transactions"_s, all->links},
+                   {u"rows"_s, all->rows},
+                   {u"taken"_s, all->taken},
+                   {u"version"_s, all->version > 0 ? QJsonValue(all->version) : QJsonValue::Null},
+                   {u"conflicts"_s, toJson(all->conflicts)}});
+        return static_cast<int>(Exit::Done);
+    }
+    print(inWords(*all));
+    for (const PlantConflict& conflict : all->conflicts)
+        print(gripscope::inWords(conflict));
+    return static_cast<int>(Exit::Done);
+}
 
 int mergeStations(const QStringList& arguments)
 {

@@ -9,5 +9,7 @@ namespace gripscope::cli {
 int mergeStations(const QStringList& arguments);
 /// `library status`: which stations are in a library, and what they decided apart.
 int stationStatus(const QStringList& arguments);
+/// `library sync --server postgresql://...`: brings a station's library and its plant's in step.
+int syncWithServer(const QStringList& arguments);
 
 } // namespace gripscope::cli

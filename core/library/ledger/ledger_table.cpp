@@ -119,13 +119,13 @@ Expected<void> forEach(Database& database, const std::function<void(const Ledger
     return query.forEach([&](Statement& row) { take(takeLink(row)); });
 }
 
-Expected<void> since(Database& database, const QString& chain, qint64 number,
+Expected<void> since(Database& database, const QString& chain, qint64 after, qint64 last,
                      const std::function<void(const LedgerLink&)>& take)
 {
     Statement query(database, readingLedger(),
                     u"SELECT chain, number, kind, format, created_utc, leaves, previous_hash, hash, signer, "
-                    "signature FROM ledger WHERE chain = ? AND number > ? ORDER BY number"_s);
-    return query.bind(chain).bind(number).forEach([&](Statement& row) { take(takeLink(row)); });
+                    "signature FROM ledger WHERE chain = ? AND number > ? AND number <= ? ORDER BY number"_s);
+    return query.bind(chain).bind(after).bind(last).forEach([&](Statement& row) { take(takeLink(row)); });
 }
 
 Expected<QStringList> ofOtherKinds(Database& database)

@@ -24,8 +24,8 @@ namespace gripscope::ledger_table {
 [[nodiscard]] LedgerLink takeLink(Statement& row);
 /// Where each chain ends, by name.
 [[nodiscard]] Expected<std::map<QString, ChainEnd>> ends(Database& database);
-/// The links of one chain behind a number, in order.
-[[nodiscard]] Expected<void> since(Database& database, const QString& chain, qint64 number,
+/// The links of one chain behind `after`, up to `last`, in order.
+[[nodiscard]] Expected<void> since(Database& database, const QString& chain, qint64 after, qint64 last,
                                    const std::function<void(const LedgerLink&)>& take);
 /// The hash of a link as stored; empty when there is none.
 [[nodiscard]] Expected<QByteArray> hashOf(Database& database, const QString& chain, qint64 number);

@@ -9,7 +9,9 @@
 #include "core/library/ledger/station_key.h"
 #include "core/library/sql/statement.h"
 
+#include <algorithm>
 #include <map>
+#include <span>
 
 namespace gripscope {
 
@@ -17,6 +19,7 @@ namespace {
 
 /// Of the rows that are found: small enough to be read and written at once.
 constexpr std::size_t leavesOfLink = 4096;
+constexpr std::size_t rowsAtOnce = 500;
 
 tl::unexpected<Error> rowIsGone(const LedgeredTable& table)
 {
@@ -32,6 +35,35 @@ LedgerLeaf leafOf(const LedgeredTable& table, const TableRows& rows, const Table
         if (rows.columns()[i].name == table.key)
             leaf.key = row[i];
     return leaf;
+}
+
+/// Those of rows that were put in, in that order; each table is read once.
+Expected<void> addLeaves(Database& database, std::map<QString, TableRows>& tables,
+                         std::span<const InsertedRow> inserted, std::vector<LedgerLeaf>& leaves)
+{
+    std::map<QString, std::vector<qint64>> numbers;
+    for (const InsertedRow& one : inserted)
+        if (ledgeredTable(one.table) != nullptr)
+            numbers[one.table].push_back(one.rowNumber);
+    std::map<QString, std::map<qint64, TableRows::Row>> rows;
+    for (const auto& [table, ofTable] : numbers) {
+        auto opened = tables.find(table);
+        if (opened == tables.end()) {
+            ASSIGN_OR_RETURN(TableRows read, TableRows::of(database, table, ledgeredTable(table)->key));
+            opened = tables.emplace(table, std::move(read)).first;
+        }
+        ASSIGN_OR_RETURN(rows[table], opened->second.withRowNumbers(ofTable));
+    }
+    for (const InsertedRow& one : inserted) {
+        const LedgeredTable* table = ledgeredTable(one.table);
+        if (table == nullptr)
+            continue;
+        const auto row = rows[one.table].find(one.rowNumber);
+        if (row == rows[one.table].end())
+            return rowIsGone(*table);
+        leaves.push_back(leafOf(*table, tables.at(one.table), row->second));
+    }
+    return {};
 }
 
 Expected<ChainEnd> addLink(Database& database, LedgerKind kind, const std::vector<LedgerLeaf>& leaves)
@@ -59,20 +91,11 @@ Expected<std::optional<ChainEnd>> continueLedger(Database& database)
 {
     std::vector<LedgerLeaf> leaves;
     std::map<QString, TableRows> tables;
-    for (const InsertedRow& inserted : database.takeInserted()) {
-        const LedgeredTable* table = ledgeredTable(inserted.table);
-        if (table == nullptr)
-            continue;
-        auto rows = tables.find(table->name);
-        if (rows == tables.end()) {
-            ASSIGN_OR_RETURN(TableRows opened, TableRows::of(database, table->name, table->key));
-            rows = tables.emplace(table->name, std::move(opened)).first;
-        }
-        ASSIGN_OR_RETURN(const auto row, rows->second.withRowNumber(inserted.rowNumber));
-        if (!row)
-            return rowIsGone(*table);
-        leaves.push_back(leafOf(*table, rows->second, *row));
-    }
+    const std::vector<InsertedRow> inserted = database.takeInserted();
+    for (std::size_t first = 0; first < inserted.size(); first += rowsAtOnce)
+        RETURN_IF_ERROR(addLeaves(
+            database, tables,
+            std::span(inserted).subspan(first, std::min(rowsAtOnce, inserted.size() - first)), leaves));
     if (leaves.empty())
         return std::nullopt;
     ASSIGN_OR_RETURN(ChainEnd end, addLink(database, LedgerKind::Written, leaves));

@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 #include "core/library/ledger/ledger_table.h"
+#include "core/library/ledger/merged_rows.h"
 #include "core/library/sql/rows.h"
 
 namespace gripscope {
@@ -27,17 +28,49 @@ Expected<QString> libraryId(Database& database)
 
 namespace merged_ledger {
 
-Expected<void> insert(Database& database, const QString& library, const LedgerLink& link)
+Expected<void> insert(Database& database, const QString& library, const std::vector<LedgerLink>& links)
 {
-    Statement row(database, Words::tr("take the ledger of another station"),
-                  u"INSERT INTO merged_ledger (library, chain, number, kind, format, created_utc, leaves, "
-                  "previous_hash, hash, signer, signature) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
-    row.bind(library).bind(link.chain).bind(link.number).bind(toString(link.kind)).bind(link.format);
-    row.bind(link.utc);
-    for (const QByteArray* bytes :
-         {&link.leaves, &link.previousHash, &link.hash, &link.signer, &link.signature})
-        row.bindBytes(*bytes);
-    return row.run();
+    const QString doing = Words::tr("take the ledger of another station");
+    ASSIGN_OR_RETURN(TableRows table, TableRows::of(database, u"merged_ledger"_s, u"rowid"_s));
+    std::vector<TableRows::Row> rows;
+    rows.reserve(links.size());
+    for (const LedgerLink& link : links) {
+        TableRows::Row& row = rows.emplace_back(table.columns().size());
+        const auto set = [&](QStringView column, const Cell& value) {
+            setCell(table.columns(), row, column, value);
+        };
+        set(u"library", library);
+        set(u"chain", link.chain);
+        set(u"number", link.number);
+        set(u"kind", toString(link.kind));
+        set(u"format", qint64(link.format));
+        set(u"created_utc", link.utc);
+        set(u"leaves", link.leaves);
+        set(u"previous_hash", link.previousHash);
+        set(u"hash", link.hash);
+        set(u"signer", link.signer);
+        set(u"signature", link.signature);
+    }
+    ASSIGN_OR_RETURN(const auto inserted, table.insert(rows, doing));
+    if (inserted.size() != links.size())
+        return failure(ErrorCode::StorageFailed, {doing, Words::tr("it is there already")});
+    return {};
+}
+
+Expected<ChainEnd> endOf(Database& database, const LibraryChain& chain)
+{
+    ChainEnd end;
+    end.chain = chain.second;
+    Statement query(database, readingOthers(),
+                    u"SELECT number, hash FROM merged_ledger WHERE library = ? AND chain = ? ORDER BY number "
+                    "DESC LIMIT 1"_s);
+    const auto done = query.bind(chain.first).bind(chain.second).forEach([&](Statement& row) {
+        end.links = row.takeInteger();
+        end.hash = row.takeBytes();
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return end;
 }
 
 Expected<std::map<LibraryChain, ChainEnd>> ends(Database& database)
@@ -71,14 +104,14 @@ Expected<QByteArray> hashOf(Database& database, const LibraryChain& chain, qint6
     return hash;
 }
 
-Expected<void> since(Database& database, const LibraryChain& chain, qint64 number,
+Expected<void> since(Database& database, const LibraryChain& chain, qint64 after, qint64 last,
                      const std::function<void(const LedgerLink&)>& take)
 {
     Statement query(
         database, readingOthers(),
         u"SELECT chain, number, kind, format, created_utc, leaves, previous_hash, hash, signer, signature "
-        "FROM merged_ledger WHERE library = ? AND chain = ? AND number > ? ORDER BY number"_s);
-    query.bind(chain.first).bind(chain.second).bind(number);
+        "FROM merged_ledger WHERE library = ? AND chain = ? AND number > ? AND number <= ? ORDER BY number"_s);
+    query.bind(chain.first).bind(chain.second).bind(after).bind(last);
     return query.forEach([&](Statement& row) { take(ledger_table::takeLink(row)); });
 }
 

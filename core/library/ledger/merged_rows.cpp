@@ -97,13 +97,31 @@ bool isOfMerge(const std::vector<LedgerLeaf>& link)
 
 namespace merged_rows {
 
-Expected<void> insert(Database& database, const MergedRow& row)
+Expected<void> insert(Database& database, const std::vector<MergedRow>& rows)
 {
-    Statement statement(database, Words::tr("take a row of another station"),
-                        u"INSERT INTO merged_rows (library, table_code, row_key, number, is_origin, whole, "
-                        "content) VALUES (?, ?, ?, ?, ?, ?, ?)"_s);
-    statement.bind(row.library).bind(int(row.table)).bind(row.key).bind(row.number);
-    return statement.bind(row.isOrigin ? 1 : 0).bind(row.whole ? 1 : 0).bind(row.content).run();
+    if (rows.empty())
+        return {};
+    const QString doing = Words::tr("take a row of another station");
+    ASSIGN_OR_RETURN(TableRows table, TableRows::of(database, u"merged_rows"_s, u"rowid"_s));
+    std::vector<TableRows::Row> cells;
+    cells.reserve(rows.size());
+    for (const MergedRow& row : rows) {
+        TableRows::Row& one = cells.emplace_back(table.columns().size());
+        const auto set = [&](QStringView column, const Cell& value) {
+            setCell(table.columns(), one, column, value);
+        };
+        set(u"library", row.library);
+        set(u"table_code", qint64(row.table));
+        set(u"row_key", row.key);
+        set(u"number", row.number);
+        set(u"is_origin", qint64(row.isOrigin));
+        set(u"whole", qint64(row.whole));
+        set(u"content", row.content);
+    }
+    ASSIGN_OR_RETURN(const auto inserted, table.insert(cells, doing));
+    if (inserted.size() != rows.size())
+        return failure(ErrorCode::StorageFailed, {doing, Words::tr("it is there already")});
+    return {};
 }
 
 Expected<std::optional<MergedRow>> find(Database& database, const QString& library, quint8 table,

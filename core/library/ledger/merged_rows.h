@@ -27,7 +27,8 @@ struct MergedRow {
 
 namespace merged_rows {
 
-[[nodiscard]] Expected<void> insert(Database& database, const MergedRow& row);
+/// StorageFailed: one of them is there already.
+[[nodiscard]] Expected<void> insert(Database& database, const std::vector<MergedRow>& rows);
 [[nodiscard]] Expected<std::optional<MergedRow>> find(Database& database, const QString& library,
                                                       quint8 table, const QString& key);
 /// By key the numbers of the rows of a table as one library has them.

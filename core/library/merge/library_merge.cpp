@@ -2,18 +2,15 @@
 #include "core/library/merge/library_merge.h"
 
 #include "core/base/words.h"
-#include "core/library/ledger/merged_ledger.h"
 #include "core/library/merge/known_history.h"
 #include "core/library/merge/library_news.h"
 #include "core/library/merge/meeting_table.h"
-#include "core/library/merge/row_taker.h"
 #include "core/library/merge/settlement.h"
+#include "core/library/merge/taken_news.h"
 #include "core/library/plant/plant_state.h"
 #include "core/library/sql/library_location.h"
 #include "core/library/sql/rows.h"
 #include "core/library/tables/audit_table.h"
-#include "core/library/tables/tally_table.h"
-#include "core/library/tables/type_writer.h"
 #include "core/library/verification/library_verification.h"
 
 #include <QFileInfo>
@@ -27,61 +24,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-using LeavesByTable = std::map<quint8, std::vector<NewLeaf>>;
-
 QString merging()
 {
     return Words::tr("merge another library");
-}
-
-/// All rows of links that are new; the links themselves are carried along as they are.
-Expected<LeavesByTable> takeLinks(Database& source, Database& target, const std::vector<ChainNews>& news)
-{
-    LeavesByTable leaves;
-    std::optional<Error> problem;
-    for (const ChainNews& chain : news) {
-        RETURN_IF_ERROR(forEachLink(source, chain, [&](const LedgerLink& link) {
-            const auto unpacked = unpackedLeaves(link.leaves);
-            const auto kept = merged_ledger::insert(target, chain.library, link);
-            if (!problem && !kept)
-                problem = kept.error();
-            if (!problem && !unpacked)
-                problem = failure(ErrorCode::StorageCorrupt,
-                                  {source.file(), Words::tr("a link of its ledger cannot be read")})
-                              .value();
-            const auto rows = unpacked.value_or(std::vector<LedgerLeaf>());
-            const bool madeThere = !isOfMerge(rows);
-            for (const LedgerLeaf& leaf : rows)
-                leaves[leaf.table].push_back({chain.library, leaf, madeThere});
-        }));
-        if (problem)
-            return tl::unexpected(*problem);
-    }
-    return leaves;
-}
-
-/// The types of a library can be compared with each other.
-Expected<void> requireComparableTypes(Database& source, Database& target)
-{
-    using Units = std::pair<QString, QString>;
-    const auto unitsOf = [](Database& database) -> Expected<std::vector<Units>> {
-        std::vector<Units> units;
-        Statement query(database, merging(),
-                        u"SELECT DISTINCT force_unit, position_unit FROM type_versions"_s);
-        const auto done = query.forEach([&](Statement& row) {
-            const QString force = row.takeText();
-            units.emplace_back(force, row.takeText());
-        });
-        if (!done)
-            return tl::unexpected(done.error());
-        return units;
-    };
-    ASSIGN_OR_RETURN(const auto there, unitsOf(source));
-    ASSIGN_OR_RETURN(const auto here, unitsOf(target));
-    for (const Units& other : there)
-        for (const Units& own : here)
-            RETURN_IF_ERROR(requireComparableUnits(other.first, other.second, own.first, own.second));
-    return {};
 }
 
 /// How many rows of the tables that are taken a library has.
@@ -130,6 +75,18 @@ Expected<std::vector<PlantConflict>> unseenOf(Database& database, const PlantSta
     return conflicts;
 }
 
+/// What a library takes from a server has no ledger beside it, by which others could follow it.
+Expected<void> refuseInStep(Database& database)
+{
+    ASSIGN_OR_RETURN(const auto server, meeting_table::serverInStep(database));
+    if (!server)
+        return {};
+    return failure(
+        ErrorCode::StorageOpen,
+        {database.file(), Words::tr("it is kept in step with a server, which has all that is in it: bring "
+                                    "the other library to the same server with \"library sync\"")});
+}
+
 Expected<void> requireWhole(const QString& file)
 {
     ASSIGN_OR_RETURN(const LibraryVerification found, verifyLibrary(file));
@@ -164,33 +121,25 @@ QString inWords(const MergeReport& report)
 Expected<MergeReport> mergeLibrary(Database& source, Database& target, const ChangeNote& note)
 {
     ASSIGN_OR_RETURN(const auto oneState, ReadTransaction::begin(source, merging()));
+    RETURN_IF_ERROR(refuseInStep(source));
+    RETURN_IF_ERROR(refuseInStep(target));
     MergeReport report;
     report.file = source.file();
-    ASSIGN_OR_RETURN(const QString sourceId, libraryId(source));
-    ASSIGN_OR_RETURN(const QString targetId, libraryId(target));
     ASSIGN_OR_RETURN(const auto news, newsOf(source, target));
-    RETURN_IF_ERROR(requireComparableTypes(source, target));
-    ASSIGN_OR_RETURN(LeavesByTable leaves, takeLinks(source, target, news));
-    for (const ChainNews& chain : news)
-        report.links += chain.links - chain.after;
-    RowTaker taker(source, sourceId, target, targetId);
-    RETURN_IF_ERROR(taker.giveVersions(leaves[ledgeredTable(u"library_changes"_s)->code]));
-    for (const TakenTable& table : takenTables())
-        RETURN_IF_ERROR(taker.take(table, leaves[table.ledgered().code]));
-    report.taken = taker.taken().byTable;
-    report.forTheRecord = taker.taken().forTheRecord;
+    ASSIGN_OR_RETURN(const TakenNews taken, takeNews(source, target, news));
+    report.links = taken.links;
+    report.taken = taken.rows.byTable;
+    report.forTheRecord = taken.rows.forTheRecord;
     ASSIGN_OR_RETURN(const qint64 rows, rowsOf(source));
     report.alreadyThere = std::max(qint64(0), rows - report.rows());
     ASSIGN_OR_RETURN(const PlantHistory history, knownHistory(target));
     const PlantState state = plantState(history);
-    if (taker.taken().hasChanges) {
+    if (taken.rows.hasChanges) {
         ASSIGN_OR_RETURN(report.version, settle(target, state, report.file, note));
     }
     ASSIGN_OR_RETURN(report.conflicts, unseenOf(target, state));
     if (report.rows() == 0) // what was carried along is news to nobody
         return report;
-    if (report.taken.contains(u"inspections"_s))
-        RETURN_IF_ERROR(tally_table::keepUp(target));
     RETURN_IF_ERROR(tell(source, target, report, note));
     return report;
 }
@@ -200,8 +149,9 @@ Expected<std::unique_ptr<Database>> openToMerge(const QString& file, const Datab
     if (target.isOnServer() || LibraryLocation::isOnServer(file))
         return failure(
             ErrorCode::StorageOpen,
-            {file, Words::tr("libraries are merged file into file so far, not with one on a server: "
-                             "let its stations work on the server itself")});
+            {file,
+             Words::tr("libraries are merged file into file; a station is kept in step with a library on a "
+                       "server with \"library sync\"")});
     const QString canonical = QFileInfo(file).canonicalFilePath();
     if (!canonical.isEmpty() && canonical == QFileInfo(target.file()).canonicalFilePath())
         return failure(ErrorCode::StorageOpen, {file, Words::tr("it is this library itself")});
@@ -232,7 +182,8 @@ Expected<std::vector<StationStanding>> stationsOf(Database& database)
 Expected<std::vector<PlantConflict>> unseenConflicts(Database& database)
 {
     ASSIGN_OR_RETURN(const bool anyMeeting, meeting_table::isAnyThere(database));
-    if (!anyMeeting)
+    ASSIGN_OR_RETURN(const auto server, meeting_table::serverInStep(database));
+    if (!anyMeeting || server) // a server tells them to its stations
         return std::vector<PlantConflict>();
     ASSIGN_OR_RETURN(const PlantHistory history, knownHistory(database));
     return unseenOf(database, plantState(history));

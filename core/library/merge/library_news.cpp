@@ -14,20 +14,30 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// What one file knows of ledgers.
+/// What one library knows of ledgers.
 struct KnownChains {
     Database& database;
     QString own; ///< libraryId()
-    std::map<merged_ledger::LibraryChain, ChainEnd> ends;
 
     [[nodiscard]] static Expected<KnownChains> of(Database& database)
     {
         ASSIGN_OR_RETURN(const QString own, libraryId(database));
+        return KnownChains{database, own};
+    }
+    [[nodiscard]] Expected<std::map<merged_ledger::LibraryChain, ChainEnd>> ends() const
+    {
         ASSIGN_OR_RETURN(auto ends, merged_ledger::ends(database));
         ASSIGN_OR_RETURN(const auto ownEnds, ledger_table::ends(database));
         for (const auto& [chain, end] : ownEnds)
             ends[{own, chain}] = end;
-        return KnownChains{database, own, std::move(ends)};
+        return ends;
+    }
+    /// Of one chain, however many there are.
+    [[nodiscard]] Expected<qint64> linksOf(const merged_ledger::LibraryChain& chain) const
+    {
+        if (chain.first == own)
+            return ledger_table::head(database, chain.second).map(&LedgerHead::links);
+        return merged_ledger::endOf(database, chain).map(&ChainEnd::links);
     }
     [[nodiscard]] Expected<QByteArray> hashOf(const merged_ledger::LibraryChain& chain, qint64 number) const
     {
@@ -65,10 +75,10 @@ Expected<std::vector<ChainNews>> newsOf(Database& source, Database& target)
 {
     ASSIGN_OR_RETURN(const KnownChains there, KnownChains::of(source));
     ASSIGN_OR_RETURN(const KnownChains here, KnownChains::of(target));
+    ASSIGN_OR_RETURN(const auto ends, there.ends());
     std::vector<ChainNews> news;
-    for (const auto& [chain, end] : there.ends) {
-        const auto known = here.ends.find(chain);
-        const qint64 links = known == here.ends.end() ? 0 : known->second.links;
+    for (const auto& [chain, end] : ends) {
+        ASSIGN_OR_RETURN(const qint64 links, here.linksOf(chain));
         const qint64 common = std::min(links, end.links);
         if (common > 0) {
             ASSIGN_OR_RETURN(const QByteArray one, there.hashOf(chain, common));
@@ -87,12 +97,20 @@ Expected<std::vector<ChainNews>> newsOf(Database& source, Database& target)
     return news;
 }
 
+std::vector<ChainNews> firstOf(std::vector<ChainNews> news, qint64 most)
+{
+    if (news.size() == 1)
+        news.front().links = std::min(news.front().links, news.front().after + most);
+    return news;
+}
+
 Expected<void> forEachLink(Database& source, const ChainNews& news,
                            const std::function<void(const LedgerLink&)>& take)
 {
     ASSIGN_OR_RETURN(const QString own, libraryId(source));
-    return news.library == own ? ledger_table::since(source, news.chain, news.after, take)
-                               : merged_ledger::since(source, {news.library, news.chain}, news.after, take);
+    return news.library == own
+               ? ledger_table::since(source, news.chain, news.after, news.links, take)
+               : merged_ledger::since(source, {news.library, news.chain}, news.after, news.links, take);
 }
 
 } // namespace gripscope

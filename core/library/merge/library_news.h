@@ -24,6 +24,10 @@ struct ChainNews {
 /// said.
 [[nodiscard]] Expected<std::vector<ChainNews>> newsOf(Database& source, Database& target);
 
+/// As many links as `most` where all are of one chain. Rows of one may point to those of another: several
+/// come whole.
+[[nodiscard]] std::vector<ChainNews> firstOf(std::vector<ChainNews> news, qint64 most);
+
 [[nodiscard]] Expected<void> forEachLink(Database& source, const ChainNews& news,
                                          const std::function<void(const LedgerLink&)>& take);
 

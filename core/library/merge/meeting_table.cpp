@@ -22,22 +22,33 @@ QString text(const QJsonObject& object)
 
 } // namespace
 
-Expected<Meeting> meetingWith(Database& source, Database& target, qint64 taken, const QString& operatorName)
+Expected<Meeting> meetingOf(Database& source, Database& target, qint64 taken, const QString& operatorName)
 {
     Meeting meeting;
     ASSIGN_OR_RETURN(meeting.library, libraryId(target));
     ASSIGN_OR_RETURN(meeting.other, libraryId(source));
     ASSIGN_OR_RETURN(meeting.version, change_table::newestVersion(target));
+    meeting.taken = taken;
+    meeting.operatorName = operatorName;
+    return meeting;
+}
+
+Expected<Meeting> meetingWith(Database& source, Database& target, qint64 taken, const QString& operatorName)
+{
+    ASSIGN_OR_RETURN(Meeting meeting, meetingOf(source, target, taken, operatorName));
     ASSIGN_OR_RETURN(const auto seen, seenVersions(target));
     for (const auto& [library, version] : seen)
         meeting.seen.insert(library, version);
     ASSIGN_OR_RETURN(const auto ends, merged_ledger::ends(target));
     for (const auto& [chain, end] : ends)
-        meeting.heads.insert(chain.first + u' ' + chain.second,
-                             u"%1 %2"_s.arg(end.links).arg(QString::fromLatin1(end.hash.toHex())));
-    meeting.taken = taken;
-    meeting.operatorName = operatorName;
+        meeting.addHead(chain.first, end);
     return meeting;
+}
+
+void Meeting::addHead(const QString& ofLibrary, const ChainEnd& end)
+{
+    heads.insert(ofLibrary + u' ' + end.chain,
+                 u"%1 %2"_s.arg(end.links).arg(QString::fromLatin1(end.hash.toHex())));
 }
 
 namespace meeting_table {
@@ -57,6 +68,14 @@ Expected<bool> isAnyThere(Database& database)
 {
     Statement query(database, Words::tr("read its merges"), u"SELECT 1 FROM library_meetings LIMIT 1"_s);
     return numberOf(query).map([](qint64 found) { return found != 0; });
+}
+
+Expected<std::optional<QString>> serverInStep(Database& database)
+{
+    Statement query(database, Words::tr("read its merges"),
+                    u"SELECT other FROM library_meetings WHERE heads = '{}' ORDER BY id DESC LIMIT 1"_s);
+    return firstRow(
+        query, +[](Statement& row) { return row.takeText(); });
 }
 
 Expected<void> insertSeen(Database& database, const QString& conflict, const QString& operatorName)

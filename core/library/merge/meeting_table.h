@@ -2,9 +2,12 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/library/ledger/library_witness.h"
 
 #include <QJsonObject>
 #include <QSet>
+
+#include <optional>
 
 namespace gripscope {
 
@@ -15,10 +18,14 @@ struct Meeting {
     QString library, other; ///< libraryId() of this and of the other
     qint64 version = 0;     ///< of this one; what is changed after it was changed knowing the others
     QJsonObject seen;       ///< by library the newest version of which changes are known
-    QJsonObject heads;      ///< by library and chain how far its ledger goes: "links hash"
+    QJsonObject heads; ///< by library and chain how far its ledger goes: "links hash"; empty: of a server
     qint64 taken = 0;
     QString operatorName;
+    void addHead(const QString& ofLibrary, const ChainEnd& end);
 };
+/// Of two libraries, with neither what is seen nor heads.
+[[nodiscard]] Expected<Meeting> meetingOf(Database& source, Database& target, qint64 taken,
+                                          const QString& operatorName);
 /// As it is now, within the transaction that merges.
 [[nodiscard]] Expected<Meeting> meetingWith(Database& source, Database& target, qint64 taken,
                                             const QString& operatorName);
@@ -27,6 +34,9 @@ namespace meeting_table {
 
 [[nodiscard]] Expected<void> insert(Database& database, const Meeting& meeting);
 [[nodiscard]] Expected<bool> isAnyThere(Database& database);
+/// libraryId() of the server whose types are taken here; nothing where none are. Such a meeting holds no
+/// heads, as no ledger came along.
+[[nodiscard]] Expected<std::optional<QString>> serverInStep(Database& database);
 [[nodiscard]] Expected<void> insertSeen(Database& database, const QString& conflict,
                                         const QString& operatorName);
 [[nodiscard]] Expected<QSet<QString>> seenConflicts(Database& database); ///< PlantConflict::id()

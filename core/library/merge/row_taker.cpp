@@ -33,11 +33,46 @@ void bindCell(Statement& statement, const Cell& cell)
         statement.bindOptional(std::optional<QString>());
 }
 
+constexpr std::size_t rowsOfStretch = 200;
+
 /// Rows by which types and enrolled squeezes become other than they were.
 bool isChange(const QString& table)
 {
     return table == u"library_changes" || table == u"type_states" || table == u"types" ||
            table == u"placements";
+}
+
+/// How a row is there, where it differs from the row here; nothing where it does not, and no number is its
+/// own.
+std::optional<MergedRow> keptOf(const TakenTable& table, const NewLeaf& leaf,
+                                const std::vector<Column>& columns, const TableRows::Row& there,
+                                const TableRows::Row& here)
+{
+    MergedRow merged;
+    merged.content = merged_rows::difference(columns, there, here);
+    if (merged.content.isEmpty() && table.number.isEmpty())
+        return {};
+    merged.library = leaf.library;
+    merged.table = table.ledgered().code;
+    merged.key = keyText(leaf.leaf.key);
+    if (!table.number.isEmpty()) {
+        merged.number = integerIn(columns, there, table.number);
+        merged.isOrigin = leaf.madeThere;
+    }
+    return merged;
+}
+
+MergedRow forTheRecord(const TakenTable& table, const NewLeaf& leaf, const std::vector<Column>& columns,
+                       const TableRows::Row& there)
+{
+    MergedRow merged;
+    merged.library = leaf.library;
+    merged.table = table.ledgered().code;
+    merged.key = keyText(leaf.leaf.key);
+    merged.number = table.number.isEmpty() ? 0 : integerIn(columns, there, table.number);
+    merged.whole = true;
+    merged.content = merged_rows::contentOf(columns, there);
+    return merged;
 }
 
 } // namespace
@@ -50,9 +85,8 @@ qint64 TakenRows::sum() const
     return sum;
 }
 
-RowTaker::RowTaker(Database& source, const QString& sourceId, Database& target, const QString& targetId)
-    : m_source(source), m_target(target), m_there(source, sourceId), m_here(target, targetId),
-      m_views(source, sourceId)
+RowTaker::RowTaker(Database& source, const QString& sourceId, Database& target)
+    : m_source(source), m_target(target), m_there(source, sourceId), m_views(source, sourceId)
 {
 }
 
@@ -60,7 +94,7 @@ Expected<TableRows::Row> RowTaker::rowThere(const LedgeredTable& table, const Ne
 {
     ASSIGN_OR_RETURN(const auto columns, m_there.columns(table));
     ASSIGN_OR_RETURN(auto view, m_there.rowIn(leaf.library, table, leaf.leaf.key));
-    if (view && rowDigest(*columns, view->row) == leaf.leaf.digest)
+    if (view && (!m_hasLedger || rowDigest(*columns, view->row) == leaf.leaf.digest))
         return std::move(view->row);
     return failure(
         ErrorCode::StorageCorrupt,
@@ -70,6 +104,8 @@ Expected<TableRows::Row> RowTaker::rowThere(const LedgeredTable& table, const Ne
 
 Expected<void> RowTaker::giveVersions(const std::vector<NewLeaf>& changes)
 {
+    if (std::ranges::none_of(changes, &NewLeaf::madeThere))
+        return {};
     const TakenTable& table = *std::ranges::find(takenTables(), u"library_changes"_s, &TakenTable::name);
     Statement known(m_target, takingRows(), u"SELECT id, version FROM library_changes"_s);
     qint64 newest = 0;
@@ -102,78 +138,127 @@ Expected<void> RowTaker::giveVersions(const std::vector<NewLeaf>& changes)
 
 Expected<void> RowTaker::take(const TakenTable& table, const std::vector<NewLeaf>& leaves)
 {
-    for (const NewLeaf& leaf : leaves)
-        RETURN_IF_ERROR(takeOne(table, leaf));
+    // What is in the order of its rows here, or told from them by its name, is looked up row by row.
+    const bool oneByOne =
+        table.name == u"types" || table.name == u"type_versions" || table.name == u"calibrations";
+    const std::size_t stretch = oneByOne ? 1 : rowsOfStretch;
+    for (std::size_t first = 0; first < leaves.size(); first += stretch)
+        RETURN_IF_ERROR(
+            takeStretch(table, std::span(leaves).subspan(first, std::min(stretch, leaves.size() - first))));
     return {};
 }
 
-Expected<void> RowTaker::takeOne(const TakenTable& table, const NewLeaf& leaf)
+Expected<bool> RowTaker::followsOnly(const TakenTable& table, const QString& library, const Columns& columns,
+                                     const TableRows::Row& row)
 {
-    const LedgeredTable& ledgered = table.ledgered();
-    ASSIGN_OR_RETURN(const auto columns, m_there.columns(ledgered));
-    ASSIGN_OR_RETURN(const TableRows::Row there, rowThere(ledgered, leaf));
-    ASSIGN_OR_RETURN(const LibraryView* view, m_views.of(leaf.library));
-    const bool followsOnly =
-        (table.name == u"library_changes" &&
-         textIn(*columns, there, u"kind") == toString(ChangeKind::Meeting)) ||
-        (table.version == u"version" && view->meetings.contains(integerIn(*columns, there, u"version")));
-    if (table.kind == TakenTable::Kind::ForTheRecord || followsOnly)
-        return keepForTheRecord(table, leaf, *columns, there);
-    ASSIGN_OR_RETURN(auto here, m_here.own(ledgered, leaf.leaf.key));
-    if (!here) {
-        TableRows::Row adapted = there;
-        RETURN_IF_ERROR(adapt(table, leaf.library, *columns, adapted));
-        RETURN_IF_ERROR(insert(table, *columns, adapted));
-        ASSIGN_OR_RETURN(here, m_here.own(ledgered, leaf.leaf.key));
-        if (!here) // something here excludes it, such as two ends of one batch
-            return keepForTheRecord(table, leaf, *columns, there);
-        ++m_taken.byTable[table.name];
+    if (table.name == u"library_changes")
+        return textIn(columns, row, u"kind") == toString(ChangeKind::Meeting);
+    if (table.version != u"version")
+        return false;
+    ASSIGN_OR_RETURN(const LibraryView* view, m_views.of(library));
+    return view->meetings.contains(integerIn(columns, row, u"version"));
+}
+
+Expected<std::vector<RowTaker::Arrival>>
+RowTaker::arrivalsOf(const TakenTable& table, std::span<const NewLeaf> leaves, std::vector<MergedRow>& kept)
+{
+    ASSIGN_OR_RETURN(const auto columns, m_there.columns(table.ledgered()));
+    std::vector<Arrival> arrivals;
+    for (const NewLeaf& leaf : leaves) {
+        ASSIGN_OR_RETURN(TableRows::Row there, rowThere(table.ledgered(), leaf));
+        ASSIGN_OR_RETURN(const bool follows, followsOnly(table, leaf.library, *columns, there));
+        if (table.kind != TakenTable::Kind::ForTheRecord && !follows)
+            arrivals.push_back({leaf, std::move(there)});
+        else
+            kept.push_back(forTheRecord(table, leaf, *columns, there));
+    }
+    return arrivals;
+}
+
+Expected<void> RowTaker::takeStretch(const TakenTable& table, std::span<const NewLeaf> leaves)
+{
+    ASSIGN_OR_RETURN(const auto columns, m_there.columns(table.ledgered()));
+    std::vector<MergedRow> kept;
+    ASSIGN_OR_RETURN(std::vector<Arrival> arrivals, arrivalsOf(table, leaves, kept));
+    RETURN_IF_ERROR(bringIn(table, *columns, arrivals));
+    for (const Arrival& arrival : arrivals) {
+        if (!arrival.here)
+            kept.push_back(forTheRecord(table, arrival.leaf, *columns, arrival.there));
+        else if (auto row = keptOf(table, arrival.leaf, *columns, arrival.there, *arrival.here))
+            kept.push_back(std::move(*row));
+    }
+    m_taken.forTheRecord += std::ranges::count_if(kept, &MergedRow::whole);
+    return m_hasLedger ? merged_rows::insert(m_target, kept) : Expected<void>();
+}
+
+Expected<void> RowTaker::bringIn(const TakenTable& table, const Columns& columns,
+                                 std::vector<Arrival>& arrivals)
+{
+    std::vector<Cell> keys;
+    for (const Arrival& arrival : arrivals)
+        keys.push_back(arrival.leaf.leaf.key);
+    ASSIGN_OR_RETURN(TableRows rows, TableRows::of(m_target, table.name, table.ledgered().key));
+    ASSIGN_OR_RETURN(auto here, rows.withKeys(keys));
+    std::vector<TableRows::Row> news;
+    std::set<Cell> newKeys;
+    for (const Arrival& arrival : arrivals) {
+        const Cell& key = arrival.leaf.leaf.key;
+        if (here.contains(key)) // or another library brought it in this same stretch
+            continue;
+        TableRows::Row adapted = arrival.there;
+        RETURN_IF_ERROR(adapt(table, arrival.leaf.library, columns, adapted));
+        news.push_back(adapted);
+        newKeys.insert(key);
+        here[key] = std::move(adapted);
+    }
+    ASSIGN_OR_RETURN(const auto inserted, rows.insert(news, takingRows()));
+    if (table.name == u"grasps")
+        for (const Cell& key : inserted)
+            m_newSqueezes.insert(keyText(key));
+    if (!inserted.empty()) {
+        m_taken.byTable[table.name] += static_cast<qint64>(inserted.size());
         m_taken.hasChanges = m_taken.hasChanges || isChange(table.name);
     }
-    return keep(table, leaf, *columns, there, *here);
-}
-
-Expected<void> RowTaker::keep(const TakenTable& table, const NewLeaf& leaf, const Columns& columns,
-                              const TableRows::Row& there, const TableRows::Row& here)
-{
-    MergedRow merged;
-    merged.content = merged_rows::difference(columns, there, here);
-    if (merged.content.isEmpty() && table.number.isEmpty())
-        return {};
-    merged.library = leaf.library;
-    merged.table = table.ledgered().code;
-    merged.key = keyText(leaf.leaf.key);
-    if (!table.number.isEmpty()) {
-        merged.number = integerIn(columns, there, table.number);
-        merged.isOrigin = leaf.madeThere;
+    for (Arrival& arrival : arrivals) {
+        const Cell& key = arrival.leaf.leaf.key;
+        if (!newKeys.contains(key) || inserted.contains(key)) // else, such as two ends of one batch
+            arrival.here = here.at(key);
     }
-    return merged_rows::insert(m_target, merged);
+    return {};
 }
 
-Expected<void> RowTaker::keepForTheRecord(const TakenTable& table, const NewLeaf& leaf,
-                                          const Columns& columns, const TableRows::Row& there)
+Expected<qint64> RowTaker::versionHere(const QString& change)
 {
-    ++m_taken.forTheRecord;
-    MergedRow merged;
-    merged.library = leaf.library;
-    merged.table = table.ledgered().code;
-    merged.key = keyText(leaf.leaf.key);
-    merged.number = table.number.isEmpty() ? 0 : integerIn(columns, there, table.number);
-    merged.whole = true;
-    merged.content = merged_rows::contentOf(columns, there);
-    return merged_rows::insert(m_target, merged);
+    if (change.isEmpty())
+        return 0;
+    auto known = m_versions.find(change);
+    if (known == m_versions.end()) {
+        ASSIGN_OR_RETURN(const qint64 version,
+                         number(u"SELECT version FROM library_changes WHERE id = ?"_s, {change}));
+        known = m_versions.emplace(change, version).first;
+    }
+    return known->second;
 }
 
 Expected<void> RowTaker::adapt(const TakenTable& table, const QString& library, const Columns& columns,
                                TableRows::Row& row)
 {
     ASSIGN_OR_RETURN(const LibraryView* view, m_views.of(library));
-    const auto integer = [&](QStringView column) { return integerIn(columns, row, column); };
     const auto set = [&](QStringView column, const Cell& value) { setCell(columns, row, column, value); };
-    const QString key = textIn(columns, row, u"id");
-    if (!table.version.isEmpty() && integer(table.version) > 0) {
-        const auto here = m_versions.find(view->changeAt(integer(table.version)));
-        set(table.version, here == m_versions.end() ? qint64(0) : here->second);
+    if (table.name == u"library_changes") {
+        ASSIGN_OR_RETURN(const qint64 version, versionHere(textIn(columns, row, u"id")));
+        if (version == 0)
+            return failure(
+                ErrorCode::StorageOpen,
+                {m_target.file(),
+                 Words::tr("a change that %1 has from here is no longer here: an older copy was put "
+                           "back. Put back the newest copy there is")
+                     .arg(m_source.file())});
+        set(u"version", version);
+    } else if (!table.version.isEmpty() && integerIn(columns, row, table.version) > 0) {
+        ASSIGN_OR_RETURN(const qint64 version,
+                         versionHere(view->changeAt(integerIn(columns, row, table.version))));
+        set(table.version, version);
     }
     if (table.serial == TakenTable::Serial::Oldest) {
         set(u"serial", qint64(0));
@@ -181,42 +266,12 @@ Expected<void> RowTaker::adapt(const TakenTable& table, const QString& library, 
         ASSIGN_OR_RETURN(const qint64 serial, next(table.name, u"serial"_s));
         set(u"serial", serial);
     }
-    if (table.name == u"types") {
-        const Cell name = cellIn(columns, row, u"name");
-        ASSIGN_OR_RETURN(const bool taken, isThere(u"SELECT 1 FROM types WHERE name = ?"_s, {name}));
-        if (taken)
-            set(u"name", textIn(columns, row, u"name") + u' ' + key);
-    } else if (table.name == u"library_changes") {
-        set(u"version", m_versions.at(key));
-    } else if (table.name == u"type_versions") {
-        ASSIGN_OR_RETURN(
-            const qint64 version,
-            number(u"SELECT COALESCE(MAX(version), 0) + 1 FROM type_versions WHERE type_id = ?"_s,
-                   {cellIn(columns, row, u"type_id")}));
-        set(u"version", version);
-    } else if (table.name == u"type_states") {
-        const auto recipe =
-            view->recipes.find({textIn(columns, row, u"type_id"), integer(u"recipe_version")});
-        if (recipe != view->recipes.end()) {
-            ASSIGN_OR_RETURN(const qint64 version,
-                             number(u"SELECT COALESCE(MAX(version), 0) FROM type_versions WHERE id = ?"_s,
-                                    {recipe->second}));
-            set(u"recipe_version", version);
-        }
-    } else if (table.name == u"estimates") {
-        const Cell grasp = cellIn(columns, row, u"grasp_id");
-        ASSIGN_OR_RETURN(const bool taken,
-                         isThere(u"SELECT 1 FROM estimates WHERE grasp_id = ? AND rank = ?"_s,
-                                 {grasp, cellIn(columns, row, u"rank")}));
-        if (taken) {
-            ASSIGN_OR_RETURN(const qint64 rank,
-                             number(u"SELECT MAX(rank) + 1 FROM estimates WHERE grasp_id = ?"_s, {grasp}));
-            set(u"rank", rank);
-        }
-    } else if (table.name == u"inspections") {
+    if (table.name == u"inspections") {
         ASSIGN_OR_RETURN(const qint64 number, next(table.name, u"number"_s));
         set(u"number", number);
-    } else if (table.name == u"calibrations" && integer(u"certificate_number") > 0) {
+    } else if (table.name == u"estimates") {
+        return adaptRank(columns, row);
+    } else if (table.name == u"calibrations" && integerIn(columns, row, u"certificate_number") > 0) {
         // Two libraries of one station may have counted the same; which it was stands beside the row.
         ASSIGN_OR_RETURN(
             const bool taken,
@@ -225,22 +280,55 @@ Expected<void> RowTaker::adapt(const TakenTable& table, const QString& library, 
         if (taken)
             set(u"certificate_number", qint64(0));
     }
+    return adaptType(table, *view, columns, row);
+}
+
+Expected<void> RowTaker::adaptType(const TakenTable& table, const LibraryView& view, const Columns& columns,
+                                   TableRows::Row& row)
+{
+    if (table.name == u"types") {
+        ASSIGN_OR_RETURN(const bool taken,
+                         isThere(u"SELECT 1 FROM types WHERE name = ?"_s, {cellIn(columns, row, u"name")}));
+        if (taken)
+            setCell(columns, row, u"name",
+                    textIn(columns, row, u"name") + u' ' + textIn(columns, row, u"id"));
+    } else if (table.name == u"type_versions") {
+        ASSIGN_OR_RETURN(
+            const qint64 version,
+            number(u"SELECT COALESCE(MAX(version), 0) + 1 FROM type_versions WHERE type_id = ?"_s,
+                   {cellIn(columns, row, u"type_id")}));
+        setCell(columns, row, u"version", version);
+    } else if (table.name == u"type_states") {
+        const auto recipe =
+            view.recipes.find({textIn(columns, row, u"type_id"), integerIn(columns, row, u"recipe_version")});
+        if (recipe == view.recipes.end())
+            return {};
+        ASSIGN_OR_RETURN(
+            const qint64 version,
+            number(u"SELECT COALESCE(MAX(version), 0) FROM type_versions WHERE id = ?"_s, {recipe->second}));
+        setCell(columns, row, u"recipe_version", version);
+    }
     return {};
 }
 
-Expected<void> RowTaker::insert(const TakenTable& table, const Columns& columns, const TableRows::Row& row)
+Expected<void> RowTaker::adaptRank(const Columns& columns, TableRows::Row& row)
 {
-    QStringList names, places;
-    for (const Column& column : columns) {
-        names += column.name;
-        places += u"?"_s;
+    const QString grasp = textIn(columns, row, u"grasp_id");
+    auto ranks = m_ranks.find(grasp);
+    if (ranks == m_ranks.end()) {
+        ranks = m_ranks.emplace(grasp, std::set<qint64>()).first;
+        // A squeeze that has just come in can have none here.
+        if (!m_newSqueezes.contains(grasp)) {
+            Statement query(m_target, takingRows(), u"SELECT rank FROM estimates WHERE grasp_id = ?"_s);
+            RETURN_IF_ERROR(query.bind(grasp).forEach(
+                [&](Statement& found) { ranks->second.insert(found.takeInteger()); }));
+        }
     }
-    Statement statement(m_target, takingRows(),
-                        u"INSERT INTO %1 (%2) VALUES (%3) ON CONFLICT DO NOTHING"_s.arg(
-                            table.name, names.join(u", "_s), places.join(u", "_s)));
-    for (const Cell& cell : row)
-        bindCell(statement, cell);
-    return statement.run();
+    const qint64 rank = integerIn(columns, row, u"rank");
+    const qint64 here = ranks->second.contains(rank) ? *ranks->second.rbegin() + 1 : rank;
+    ranks->second.insert(here);
+    setCell(columns, row, u"rank", here);
+    return {};
 }
 
 Expected<bool> RowTaker::isThere(const QString& sql, const std::vector<Cell>& values)

@@ -6,12 +6,15 @@
 #include "core/library/merge/library_views.h"
 #include "core/library/merge/taken_tables.h"
 
+#include <set>
+#include <span>
+
 namespace gripscope {
 
 /// A row in a link that is new here, as `library` has it.
 struct NewLeaf {
     QString library;
-    LedgerLeaf leaf;
+    LedgerLeaf leaf;       ///< without a digest where no ledger comes with it
     bool madeThere = true; ///< not by a merge
 };
 
@@ -23,12 +26,14 @@ struct TakenRows {
     [[nodiscard]] qint64 sum() const;
 };
 
-/// Brings rows of another library in. Each is as it was but for what is numbered in each library by itself;
-/// how it is there is kept beside it (MergedRow), so that the ledger it comes from goes on to prove it.
-/// Within the write transaction of the caller.
+/// Brings rows of another library in, a stretch of them at a time. Each is as it was but for what is numbered
+/// in each library by itself; how it is there is kept beside it (MergedRow), so that the ledger it comes from
+/// goes on to prove it. Within the write transaction of the caller.
 class RowTaker {
 public:
-    RowTaker(Database& source, const QString& sourceId, Database& target, const QString& targetId);
+    RowTaker(Database& source, const QString& sourceId, Database& target);
+    /// Rows of a library whose ledger does not come with them: how they are there is not kept.
+    void takeWithoutLedger() { m_hasLedger = false; }
 
     /// Gives the changes that are new here their versions, in the order that all stations compute alike.
     /// Before all else.
@@ -39,16 +44,27 @@ public:
 
 private:
     using Columns = std::vector<Column>;
-    [[nodiscard]] Expected<void> takeOne(const TakenTable& table, const NewLeaf& leaf);
+    /// A row on its way.
+    struct Arrival {
+        NewLeaf leaf;
+        TableRows::Row there;
+        std::optional<TableRows::Row> here = {}; ///< nothing: something here excludes it
+    };
+    [[nodiscard]] Expected<void> takeStretch(const TakenTable& table, std::span<const NewLeaf> leaves);
+    [[nodiscard]] Expected<std::vector<Arrival>>
+    arrivalsOf(const TakenTable& table, std::span<const NewLeaf> leaves, std::vector<MergedRow>& kept);
+    [[nodiscard]] Expected<void> bringIn(const TakenTable& table, const Columns& columns,
+                                         std::vector<Arrival>& arrivals);
     [[nodiscard]] Expected<TableRows::Row> rowThere(const LedgeredTable& table, const NewLeaf& leaf);
+    /// It only follows from changes of other libraries.
+    [[nodiscard]] Expected<bool> followsOnly(const TakenTable& table, const QString& library,
+                                             const Columns& columns, const TableRows::Row& row);
     [[nodiscard]] Expected<void> adapt(const TakenTable& table, const QString& library,
                                        const Columns& columns, TableRows::Row& row);
-    [[nodiscard]] Expected<void> insert(const TakenTable& table, const Columns& columns,
-                                        const TableRows::Row& row);
-    [[nodiscard]] Expected<void> keep(const TakenTable& table, const NewLeaf& leaf, const Columns& columns,
-                                      const TableRows::Row& there, const TableRows::Row& here);
-    [[nodiscard]] Expected<void> keepForTheRecord(const TakenTable& table, const NewLeaf& leaf,
-                                                  const Columns& columns, const TableRows::Row& there);
+    [[nodiscard]] Expected<void> adaptType(const TakenTable& table, const LibraryView& view,
+                                           const Columns& columns, TableRows::Row& row);
+    [[nodiscard]] Expected<void> adaptRank(const Columns& columns, TableRows::Row& row);
+    [[nodiscard]] Expected<qint64> versionHere(const QString& change);
     /// `sql`: SELECT 1 FROM ...
     [[nodiscard]] Expected<bool> isThere(const QString& sql, const std::vector<Cell>& values);
     [[nodiscard]] Expected<qint64> number(const QString& sql, const std::vector<Cell>& values = {});
@@ -57,11 +73,14 @@ private:
 
     Database& m_source;
     Database& m_target;
-    RowViews m_there, m_here;
+    RowViews m_there;
     LibraryViews m_views;
-    std::map<QString, qint64> m_versions; ///< of changes here, by key
+    std::map<QString, qint64> m_versions; ///< of changes here, by key; as far as they were asked for
     std::map<QString, qint64> m_next;
+    std::set<QString> m_newSqueezes;
+    std::map<QString, std::set<qint64>> m_ranks; ///< by squeeze, of its estimates
     TakenRows m_taken;
+    bool m_hasLedger = true;
 };
 
 } // namespace gripscope

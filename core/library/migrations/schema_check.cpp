@@ -40,24 +40,10 @@ Expected<Parts> partsOf(Database& database)
     return parts;
 }
 
-Expected<void> makeAll(Database& database)
-{
-    QStringList statements{migrationTable()};
-    for (const Migration& step : migrations())
-        statements += step.statements;
-    for (QString& statement : statements)
-        statement = database.dialect().ofMigration(statement);
-    if (database.isOnServer()) // at once: each would cost a way to the server and back
-        return database.execute(statements.join(u";\n"_s), comparing());
-    for (const QString& statement : statements)
-        RETURN_IF_ERROR(database.execute(statement, comparing()));
-    return {};
-}
-
 Expected<Parts> makeExpected()
 {
     ASSIGN_OR_RETURN(const auto empty, Database::inMemory());
-    RETURN_IF_ERROR(makeAll(*empty));
+    RETURN_IF_ERROR(makeTables(*empty));
     return partsOf(*empty);
 }
 
@@ -67,7 +53,7 @@ Expected<Parts> makeExpected(const QString& place)
 {
     ASSIGN_OR_RETURN(const auto connected, Database::open(place));
     RETURN_IF_ERROR(connected->execute(u"BEGIN; SET LOCAL search_path = pg_temp"_s, comparing()));
-    RETURN_IF_ERROR(makeAll(*connected));
+    RETURN_IF_ERROR(makeTables(*connected));
     auto parts = partsOf(*connected);
     RETURN_IF_ERROR(connected->execute(u"ROLLBACK"_s, comparing()));
     return parts;
@@ -90,6 +76,20 @@ Expected<Parts> expectedOf(const Database& database)
 }
 
 } // namespace
+
+Expected<void> makeTables(Database& database)
+{
+    QStringList statements{migrationTable()};
+    for (const Migration& step : migrations())
+        statements += step.statements;
+    for (QString& statement : statements)
+        statement = database.dialect().ofMigration(statement);
+    if (database.isOnServer()) // at once: each would cost a way to the server and back
+        return database.execute(statements.join(u";\n"_s), comparing());
+    for (const QString& statement : statements)
+        RETURN_IF_ERROR(database.execute(statement, comparing()));
+    return {};
+}
 
 QString inWords(SchemaDifference::What what)
 {

@@ -11,6 +11,10 @@ namespace gripscope {
 
 class Database;
 
+/// The tables of a library in an empty database, as the migrations of this program make them, without a row
+/// in them: it is no library yet, and its file is told to nobody.
+[[nodiscard]] Expected<void> makeTables(Database& database);
+
 struct SchemaDifference {
     enum class What { Missing, Different, Unknown };
     What what = What::Different;

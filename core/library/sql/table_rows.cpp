@@ -9,6 +9,7 @@
 #include <QVariant>
 
 #include <algorithm>
+#include <span>
 
 namespace gripscope {
 
@@ -38,6 +39,10 @@ QVariant variantOf(const Cell& cell)
         []<typename T>(const T& value) {
             if constexpr (std::is_same_v<T, std::monostate>)
                 return QVariant();
+            else if constexpr (std::is_same_v<T, QString>)
+                return QVariant(value.isNull() ? u""_s : value); // Qt takes a null one for NULL
+            else if constexpr (std::is_same_v<T, QByteArray>)
+                return QVariant(value.isNull() ? QByteArray("") : value);
             else
                 return QVariant(value);
         },
@@ -47,6 +52,31 @@ QVariant variantOf(const Cell& cell)
 QString quoted(QString name)
 {
     return u'"' + name.replace(u'"', u"\"\""_s) + u'"';
+}
+
+/// At most so many values go into one statement, of which SQLite takes 32,766; and of their bytes, so many.
+constexpr std::size_t valuesOfStatement = 8'000;
+constexpr std::size_t bytesOfStatement = 1 << 20;
+constexpr std::size_t keysOfQuery = 500;
+
+QString places(std::size_t number)
+{
+    QStringList places;
+    for (std::size_t i = 0; i < number; ++i)
+        places += u"?"_s;
+    return u'(' + places.join(u", "_s) + u')';
+}
+
+std::size_t bytesOf(const TableRows::Row& row)
+{
+    qsizetype bytes = 0;
+    for (const Cell& cell : row) {
+        if (const auto* text = std::get_if<QString>(&cell))
+            bytes += text->size();
+        else if (const auto* blob = std::get_if<QByteArray>(&cell))
+            bytes += blob->size();
+    }
+    return static_cast<std::size_t>(bytes);
 }
 
 /// The value of each default as the schema spells it.
@@ -100,25 +130,60 @@ struct TableRows::Private {
     Database& database;
     const std::vector<Column>& columns;
     QString table, key;
-    /// Each prepared when it is first asked: who writes a row wants it by its number alone.
-    std::optional<QSqlQuery> byKey, byNumber;
+    std::optional<QSqlQuery> byKey; ///< prepared when it is first asked
 
-    [[nodiscard]] Expected<QSqlQuery*> prepared(std::optional<QSqlQuery>& query, const QString& where) const
+    [[nodiscard]] Expected<QSqlQuery*> prepared()
     {
-        if (query)
-            return &*query;
+        if (byKey)
+            return &*byKey;
+        byKey.emplace(database.connection());
+        byKey->setForwardOnly(database.dialect().streams());
+        if (byKey->prepare(selecting() + quoted(key) + u" = ?"_s))
+            return &*byKey;
+        const auto problem = database.error(byKey->lastError(), Words::tr("be read"));
+        byKey.reset();
+        return problem;
+    }
+
+    [[nodiscard]] QString selecting() const
+    {
         QStringList names;
         for (const Column& column : columns)
             names += quoted(column.name);
-        query.emplace(database.connection());
-        query->setForwardOnly(database.dialect().streams());
-        if (query->prepare(
-                u"SELECT %1 FROM %2 WHERE %3 = ?"_s.arg(names.join(u", "_s), quoted(table), where)))
-            return &*query;
-        const auto problem = database.error(query->lastError(), Words::tr("be read"));
-        query.reset();
-        return problem;
+        return u"SELECT %1, rowid FROM %2 WHERE "_s.arg(names.join(u", "_s), quoted(table));
     }
+    [[nodiscard]] Row rowOf(const QSqlQuery& query) const
+    {
+        Row row;
+        row.reserve(columns.size());
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            row.push_back(cellOf(query.value(static_cast<int>(i))));
+        return row;
+    }
+    [[nodiscard]] std::size_t indexOfKey() const
+    {
+        const auto found = std::ranges::find(columns, key, &Column::name);
+        return static_cast<std::size_t>(found - columns.begin());
+    }
+    /// Each row that `where` is true of, with its number.
+    [[nodiscard]] Expected<void> forEach(const QString& where, std::span<const Cell> values,
+                                         const std::function<void(Row, qint64)>& take) const
+    {
+        QSqlQuery query(database.connection());
+        query.setForwardOnly(database.dialect().streams());
+        query.prepare(selecting() + where);
+        for (const Cell& value : values)
+            query.addBindValue(variantOf(value));
+        if (!query.exec())
+            return database.error(query.lastError(), Words::tr("be read"));
+        while (query.next())
+            take(rowOf(query), query.value(static_cast<int>(columns.size())).toLongLong());
+        if (query.lastError().isValid())
+            return database.error(query.lastError(), Words::tr("be read"));
+        return {};
+    }
+    [[nodiscard]] Expected<void> insert(std::span<const Row> rows, const QString& doing,
+                                        std::set<Cell>& inserted) const;
 
     [[nodiscard]] Expected<std::optional<Row>> first(const Expected<QSqlQuery*>& asked,
                                                      const QVariant& value) const
@@ -131,10 +196,7 @@ struct TableRows::Private {
             return database.error(query.lastError(), Words::tr("be read"));
         std::optional<Row> row;
         if (query.next()) {
-            row.emplace();
-            row->reserve(columns.size());
-            for (std::size_t i = 0; i < columns.size(); ++i)
-                row->push_back(cellOf(query.value(static_cast<int>(i))));
+            row = rowOf(query);
         } else if (query.lastError().isValid()) {
             return database.error(query.lastError(), Words::tr("be read"));
         }
@@ -142,6 +204,39 @@ struct TableRows::Private {
         return row;
     }
 };
+
+Expected<void> TableRows::Private::insert(std::span<const Row> rows, const QString& doing,
+                                          std::set<Cell>& inserted) const
+{
+    QStringList names, valuesOfRows;
+    for (const Column& column : columns)
+        names += quoted(column.name);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        valuesOfRows += places(columns.size());
+    const SqlDialect& dialect = database.dialect();
+    QSqlQuery query(database.connection());
+    query.setForwardOnly(dialect.streams());
+    query.prepare(u"INSERT INTO %1 (%2) VALUES %3 ON CONFLICT DO NOTHING RETURNING %4, rowid"_s.arg(
+        quoted(table), names.join(u", "_s), valuesOfRows.join(u", "_s), quoted(key)));
+    for (const Row& row : rows)
+        for (const Cell& cell : row) {
+            if (const auto* text = std::get_if<QString>(&cell); text && !dialect.takesText(*text))
+                return failure(
+                    ErrorCode::StorageFailed,
+                    {doing, Words::tr("a text in it holds the sign NUL, which the server cannot store")});
+            const auto* number = std::get_if<double>(&cell);
+            query.addBindValue(number ? dialect.bound(*number) : variantOf(cell));
+        }
+    if (!query.exec())
+        return database.error(query.lastError(), doing);
+    while (query.next()) {
+        inserted.insert(cellOf(query.value(0)));
+        database.noteInserted({table, query.value(1).toLongLong()});
+    }
+    if (query.lastError().isValid())
+        return database.error(query.lastError(), doing);
+    return {};
+}
 
 TableRows::TableRows(std::unique_ptr<Private> p) : d(std::move(p)) {}
 TableRows::~TableRows() = default;
@@ -153,7 +248,7 @@ Expected<TableRows> TableRows::of(Database& database, const QString& table, cons
     if (columns->empty())
         return failure(ErrorCode::StorageCorrupt,
                        {database.file(), Words::tr("it has no table %1").arg(table)});
-    return TableRows(std::make_unique<Private>(Private{database, *columns, table, key, {}, {}}));
+    return TableRows(std::make_unique<Private>(Private{database, *columns, table, key, {}}));
 }
 
 const std::vector<Column>& TableRows::columns() const
@@ -163,12 +258,49 @@ const std::vector<Column>& TableRows::columns() const
 
 Expected<std::optional<TableRows::Row>> TableRows::withKey(const Cell& key)
 {
-    return d->first(d->prepared(d->byKey, quoted(d->key)), variantOf(key));
+    return d->first(d->prepared(), variantOf(key));
 }
 
-Expected<std::optional<TableRows::Row>> TableRows::withRowNumber(qint64 rowNumber)
+Expected<std::map<Cell, TableRows::Row>> TableRows::withKeys(const std::vector<Cell>& keys)
 {
-    return d->first(d->prepared(d->byNumber, u"rowid"_s), QVariant(rowNumber));
+    std::map<Cell, Row> found;
+    const std::size_t index = d->indexOfKey();
+    for (std::size_t first = 0; first < keys.size(); first += keysOfQuery) {
+        const std::span<const Cell> some(keys.data() + first, std::min(keysOfQuery, keys.size() - first));
+        RETURN_IF_ERROR(
+            d->forEach(quoted(d->key) + u" IN "_s + places(some.size()), some, [&](Row row, qint64) {
+                const Cell key = row[index];
+                found[key] = std::move(row);
+            }));
+    }
+    return found;
+}
+
+Expected<std::map<qint64, TableRows::Row>> TableRows::withRowNumbers(const std::vector<qint64>& rowNumbers)
+{
+    std::map<qint64, Row> found;
+    for (std::size_t first = 0; first < rowNumbers.size(); first += keysOfQuery) {
+        QStringList numbers;
+        for (std::size_t i = first; i < std::min(first + keysOfQuery, rowNumbers.size()); ++i)
+            numbers += QString::number(rowNumbers[i]);
+        RETURN_IF_ERROR(d->forEach(u"rowid IN ("_s + numbers.join(u',') + u')', {},
+                                   [&](Row row, qint64 number) { found[number] = std::move(row); }));
+    }
+    return found;
+}
+
+Expected<std::set<Cell>> TableRows::insert(const std::vector<Row>& rows, const QString& doing)
+{
+    std::set<Cell> inserted;
+    const std::size_t most = std::max(std::size_t(1), valuesOfStatement / d->columns.size());
+    for (std::size_t first = 0; first < rows.size();) {
+        std::size_t number = 0, bytes = 0;
+        while (first + number < rows.size() && number < most && (number == 0 || bytes < bytesOfStatement))
+            bytes += bytesOf(rows[first + number++]);
+        RETURN_IF_ERROR(d->insert(std::span(rows).subspan(first, number), doing, inserted));
+        first += number;
+    }
+    return inserted;
 }
 
 Expected<void> TableRows::forEachKey(const std::function<bool(const Cell&)>& take)

@@ -7,8 +7,10 @@
 #include <QString>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <variant>
 #include <vector>
 
@@ -42,9 +44,15 @@ public:
     [[nodiscard]] const std::vector<Column>& columns() const;
     /// Nothing where there is none.
     [[nodiscard]] Expected<std::optional<Row>> withKey(const Cell& key);
-    [[nodiscard]] Expected<std::optional<Row>> withRowNumber(qint64 rowNumber);
+    /// Many in few queries; those that are not there are left out.
+    [[nodiscard]] Expected<std::map<Cell, Row>> withKeys(const std::vector<Cell>& keys);
+    [[nodiscard]] Expected<std::map<qint64, Row>> withRowNumbers(const std::vector<qint64>& rowNumbers);
     /// Until `take` says false.
     [[nodiscard]] Expected<void> forEachKey(const std::function<bool(const Cell&)>& take);
+
+    /// Puts rows in, many in one statement, and leaves out those that something there excludes. Returns the
+    /// keys of those that were put in. Each has a cell for each of columns().
+    [[nodiscard]] Expected<std::set<Cell>> insert(const std::vector<Row>& rows, const QString& doing);
 
 private:
     struct Private;

@@ -27,11 +27,11 @@ public:
     {
     }
 
-    void checkChain(const merged_ledger::LibraryChain& chain)
+    void checkChain(const merged_ledger::LibraryChain& chain, qint64 last)
     {
         LedgerHead end = emptyLedgerHead();
         MergedChain told{chain.first, chain.second, 0, true};
-        const auto read = merged_ledger::since(m_database, chain, 0, [&](const LedgerLink& link) {
+        const auto read = merged_ledger::since(m_database, chain, 0, last, [&](const LedgerLink& link) {
             for (const QString& problem : problemsOf(link, end))
                 m_found.differs(u"merged_ledger"_s, u"%1/%2"_s.arg(link.chain).arg(link.number), problem);
             end = {link.number, link.hash, link.signature};
@@ -186,7 +186,7 @@ void checkMerged(Database& database, LibraryVerification& found)
                           Words::tr("holds a value of another kind than the program writes"));
     MergedCheck check(database, *own, found);
     for (const auto& [chain, end] : *ends)
-        check.checkChain(chain);
+        check.checkChain(chain, end.links);
     check.finish();
     checkHeads(database, found);
     if (const auto read = checkTrails(database, found); !read)

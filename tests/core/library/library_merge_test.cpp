@@ -8,21 +8,19 @@
 #include "core/library/sql/statement.h"
 #include "core/library/verification/library_verification.h"
 #include "tests/core/library/full_library.h"
+#include "tests/core/library/plant_actions.h"
 #include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
 
 #include <QJsonDocument>
 
 #include <algorithm>
-#include <random>
 #include <set>
 
 using namespace gripscope;
 using namespace gripscope::test;
 
 namespace {
-
-const ChangeNote why{u"Ada"_s, u"one plant"_s};
 
 /// A library of its own, open.
 struct Station {
@@ -75,27 +73,6 @@ QByteArray computed(const Station& station)
     return QJsonDocument(canonicalJson(plantState(historyOf(station)))).toJson();
 }
 
-/// What the program works with, by names: types in use and retired with all that is in force, and their
-/// squeezes.
-QStringList inForce(const Station& station)
-{
-    QStringList lines;
-    for (const auto& types : {valueOf(station.library->types()), valueOf(station.library->retiredTypes())})
-        for (const TypeRecord& type : types) {
-            QStringList squeezes;
-            for (const GraspRecord& grasp : valueOf(station.library->grasps(type.id)))
-                squeezes += grasp.id + (grasp.accepted ? u""_s : u" dropped"_s);
-            squeezes.sort();
-            lines += u"%1 %2 %3 %4 %5 %6 %7: %8"_s
-                         .arg(type.id, type.name, toString(type.status), type.code, toText(type.limits))
-                         .arg(type.recipe.peak_N)
-                         .arg(type.squeezes)
-                         .arg(squeezes.join(u' '));
-        }
-    lines.sort();
-    return lines;
-}
-
 /// The keys of rows of changes, of all stations.
 std::set<QString> changeRows(const Station& station)
 {
@@ -106,60 +83,6 @@ std::set<QString> changeRows(const Station& station)
     for (const SqueezeChange& change : history.squeezes)
         rows.insert(change.stamp.row);
     return rows;
-}
-
-void doSomething(const Station& station, std::mt19937& random)
-{
-    Library& library = *station.library;
-    const auto below = [&](std::size_t end) { return std::size_t(random() % end); };
-    const QString word = u"name %1"_s.arg(below(5));
-    std::vector<TypeRecord> types = valueOf(library.types());
-    if (types.empty() || below(6) == 0) {
-        if (!valueOf(library.findType(word)))
-            static_cast<void>(station.enrol(word));
-        return;
-    }
-    const TypeRecord type = types[below(types.size())];
-    Recipe recipe = type.recipe;
-    PartLimits limits;
-    limits.quantities[2] = toleranceLimitsFromText(u"%1:20000"_s.arg(1000 + below(100)));
-    const auto squeezes = valueOf(library.grasps(type.id));
-    // What is refused, such as a name that is taken, changes nothing.
-    switch (below(10)) {
-    case 0:
-        static_cast<void>(library.renameType(type.id, word, why));
-        break;
-    case 1:
-        static_cast<void>(library.approveType(type.id, u"Ada"_s));
-        break;
-    case 2:
-        static_cast<void>(library.retireType(type.id, why));
-        break;
-    case 3:
-        recipe.peak_N = 1.0 + double(below(9));
-        static_cast<void>(library.reviseType(type.id, recipe, why));
-        break;
-    case 4:
-        static_cast<void>(library.setTypeLimits(type.id, limits, why));
-        break;
-    case 5:
-        static_cast<void>(library.setTypeCode(type.id, u"code %1"_s.arg(below(3)), why));
-        break;
-    case 6:
-        if (!squeezes.empty())
-            static_cast<void>(library.dropGrasp(squeezes[below(squeezes.size())].id, u"slipped"_s, u"Ada"_s));
-        break;
-    case 7:
-        static_cast<void>(library.mergeTypes(type.id, types[below(types.size())].id, why));
-        break;
-    case 8:
-        static_cast<void>(
-            library.restoreVersion(qint64(below(std::size_t(valueOf(library.version()) + 1))), why));
-        break;
-    default:
-        static_cast<void>(library.addGrasp(aGrasp(type.id, 8000 + double(below(2000)))));
-        break;
-    }
 }
 
 } // namespace
@@ -252,7 +175,7 @@ private slots:
         QCOMPARE(one.merge(other).rows(), 0); // that it has merged is carried along
         QCOMPARE(other.merge(one).rows(), 0);
         QCOMPARE(one.merge(other).links, 0);
-        QCOMPARE(inForce(one), inForce(other));
+        QCOMPARE(inForce(*one.library), inForce(*other.library));
         QVERIFY(isWhole(one) && isWhole(other));
     }
     void aRowOfEveryTableComesAndIsStillProven()
@@ -271,7 +194,7 @@ private slots:
         const Station third;
         third.merge(here);
         QVERIFY(isWhole(third));
-        QCOMPARE(inForce(third), inForce(here));
+        QCOMPARE(inForce(*third.library), inForce(*here.library));
         QCOMPARE(third.merge(there).rows(), 0);
     }
     void bothNamesAreKeptAndTheConflictIsTold()
@@ -307,7 +230,7 @@ private slots:
         one.merge(other);
         other.merge(one);
         QCOMPARE(valueOf(one.library->types()).size(), std::size_t(2));
-        QCOMPARE(inForce(one), inForce(other));
+        QCOMPARE(inForce(*one.library), inForce(*other.library));
         QCOMPARE(one.type(u"Cola"_s).squeezes + one.type(u"Cola (%1)"_s.arg(stationId())).squeezes, 5);
         for (const Station* station : {&one, &other})
             valueOf(station->library->addInspection(anInspection()));
@@ -337,7 +260,7 @@ private slots:
             if (random() % 10 == 0 && &station != &other)
                 station.merge(other);
             else
-                doSomething(station, random);
+                changeSomething(*station.library, random);
         }
         std::set<QString> all;
         for (const auto& station : stations)
@@ -356,7 +279,7 @@ private slots:
         for (const auto& station : stations) {
             QCOMPARE(changeRows(*station), all);
             QCOMPARE(computed(*station), computed(first));
-            QCOMPARE(inForce(*station), inForce(first));
+            QCOMPARE(inForce(*station->library), inForce(*first.library));
             QVERIFY(isWhole(*station));
             for (const auto& other : stations)
                 if (station != other)

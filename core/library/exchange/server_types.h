@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/library/plant/plant_state.h"
+#include "core/library/sql/table_rows.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace gripscope {
+
+class Database;
+
+/// What a plant has in common, as a server's library has it at one moment, and a station's has not: types
+/// with their recipes, enrolled squeezes and pictures, calibrations, references, control limits and
+/// adjustments. Read once, so that the station's write transaction waits for no network.
+struct ServerTypes {
+    std::shared_ptr<Database> rows;            ///< in memory, as they are there
+    std::map<QString, std::vector<Cell>> keys; ///< of those that are new, by table
+    QString server, place;                     ///< libraryId(), and where it is
+    qint64 version = 0;                        ///< of the server's library
+    std::map<QString, qint64> seen;            ///< by library the newest version that the server knows
+    PlantState state;                          ///< in force there: types and squeezes
+    [[nodiscard]] bool anyNew() const { return !keys.empty(); }
+};
+
+/// A text that is the same as long as none of it can have changed; cheap to ask for.
+[[nodiscard]] Expected<QString> marksOf(Database& server);
+
+[[nodiscard]] Expected<ServerTypes> readServerTypes(Database& server, Database& station);
+
+/// What came of it.
+struct FetchedTypes {
+    qint64 rows = 0;
+    qint64 version = 0;  ///< of the station's library; 0: types are as they were
+    bool isLate = false; ///< the station has changed types meanwhile: nothing was done; deliver, then again
+};
+
+/// Puts them into the station's library, whose types and squeezes are then as at the server. Within its open
+/// write transaction. `delivered`: the version of the station's library up to which the server had its
+/// changes before it was read.
+[[nodiscard]] Expected<FetchedTypes> takeServerTypes(const ServerTypes& types, Database& station,
+                                                     qint64 delivered);
+
+} // namespace gripscope

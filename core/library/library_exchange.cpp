@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/exchange/library_exchange.h"
+
+#include "core/base/words.h"
+#include "core/library/library_private.h"
+#include "core/library/merge/library_merge.h"
+
+namespace gripscope {
+
+Expected<ExchangeStep> Library::exchangeWith(Library& server, const QString& marks, qint64 mostLinks)
+{
+    Database& here = *d->database;
+    Database& there = *server.d->database;
+    ExchangeStep step;
+    step.marks = marks;
+    ASSIGN_OR_RETURN(step.delivered.version, version()); // before it is asked what waits
+    ASSIGN_OR_RETURN(const qint64 waiting, waitingLinks(here, there));
+    if (waiting > 0) {
+        ASSIGN_OR_RETURN(step.delivered,
+                         server.d->write<Delivery>(Words::tr("take what a station has written"),
+                                                   [&] { return deliver(here, there, mostLinks); }));
+        if (step.delivered.waiting > 0)
+            return step;
+    }
+    ASSIGN_OR_RETURN(const QString now, marksOf(there));
+    step.inStep = now == marks;
+    if (step.inStep)
+        return step;
+    ASSIGN_OR_RETURN(const ServerTypes types, readServerTypes(there, here));
+    if (types.anyNew()) {
+        ASSIGN_OR_RETURN(step.fetched, d->write<FetchedTypes>(Words::tr("take the types of the server"), [&] {
+            return takeServerTypes(types, here, step.delivered.version);
+        }));
+    }
+    if (step.fetched.isLate)
+        return step;
+    step.marks = now;
+    step.inStep = step.fetched.rows == 0; // else what came is told to the server first
+    ASSIGN_OR_RETURN(step.conflicts, server.conflicts());
+    return step;
+}
+
+} // namespace gripscope

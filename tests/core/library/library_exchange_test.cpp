@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/exchange/library_exchange.h"
+#include "core/library/merge/library_merge.h"
+#include "core/library/sql/statement.h"
+#include "core/library/verification/library_verification.h"
+#include "tests/core/library/full_library.h"
+#include "tests/core/library/plant_actions.h"
+#include "tests/core/library/raw_database.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/why_not.h"
+
+#include <set>
+
+using namespace gripscope;
+using namespace gripscope::test;
+
+namespace {
+
+/// A station's own file, open; a server's library is a file here too, or a database where the tests run on
+/// one.
+struct LinkedStation {
+    QTemporaryDir folder;
+    std::unique_ptr<Library> library = valueOf(Library::open(file()));
+    QString marks;
+    [[nodiscard]] QString file() const { return folder.filePath(u"station.db"_s); }
+
+    ExchangeStep step(Library& server, qint64 most = linksOfStep)
+    {
+        ExchangeStep taken = valueOf(library->exchangeWith(server, marks, most));
+        marks = taken.marks;
+        return taken;
+    }
+    /// Until both know the same. Returns what nobody has seen.
+    std::vector<PlantConflict> bringInStep(Library& server)
+    {
+        std::vector<PlantConflict> conflicts;
+        for (int i = 0; i < 100; ++i) {
+            const ExchangeStep taken = step(server);
+            if (!taken.conflicts.empty())
+                conflicts = taken.conflicts;
+            if (taken.inStep)
+                return conflicts;
+        }
+        qFatal("it does not come in step");
+    }
+    [[nodiscard]] QString enrol(const QString& name, int squeezes = 1) const
+    {
+        const QString id = valueOf(library->addType(name, {}, u"N"_s, u"m"_s, u"Ada"_s)).id;
+        for (int i = 0; i < squeezes; ++i)
+            valueOf(library->addGrasp(aGrasp(id, 9000 + i)));
+        return id;
+    }
+};
+
+bool isWhole(const QString& place)
+{
+    const LibraryVerification found = valueOf(verifyLibrary(place));
+    for (const LibraryDifference& difference : found.differences)
+        qWarning("%s", qPrintable(inWords(difference)));
+    return found.whole();
+}
+
+/// The keys of a library's inspections, each as often as it is there.
+std::multiset<QString> inspectionKeys(const QString& place)
+{
+    std::multiset<QString> keys;
+    const auto database = valueOf(Database::open(place));
+    Statement query(*database, u"be read"_s, u"SELECT id FROM inspections"_s);
+    valueOf(query.forEach([&](Statement& row) { keys.insert(row.takeText()); }));
+    return keys;
+}
+
+} // namespace
+
+class LibraryExchangeTest : public QObject {
+    Q_OBJECT
+private slots:
+    void whatAStationWritesIsAtTheServerOnce()
+    {
+        const LibraryFolder server;
+        const auto plant = server.open();
+        LinkedStation station;
+        const QString cola = station.enrol(u"Cola"_s, 3);
+        for (int i = 0; i < 40; ++i)
+            valueOf(station.library->addInspection(anInspection(VerdictKind::Type, u"Cola"_s)));
+        qint64 links = 0, waiting = std::numeric_limits<qint64>::max();
+        for (ExchangeStep taken; !taken.inStep;) {
+            taken = station.step(*plant, 7); // batches that end anywhere
+            QVERIFY(taken.delivered.waiting < waiting || taken.inStep);
+            waiting = taken.delivered.waiting;
+            links += taken.delivered.links;
+        }
+        QVERIFY(links >= 44);
+        QCOMPARE(inspectionKeys(server.file()), inspectionKeys(station.file()));
+        QCOMPARE(valueOf(plant->inspectionCounts()).total, 40);
+        QCOMPARE(inForce(*plant), inForce(*station.library));
+        const QString squeeze = valueOf(plant->grasps(cola))[0].id;
+        QCOMPARE(valueOf(plant->recording(squeeze)), valueOf(station.library->recording(squeeze)));
+        const ExchangeStep again = station.step(*plant);
+        QCOMPARE(again.delivered.links, 0);
+        QVERIFY(again.inStep);
+        QVERIFY(isWhole(server.file()));
+        QVERIFY(isWhole(station.file()));
+    }
+    void typesComeToAllStationsAndInspectionsToTheServerAlone()
+    {
+        const LibraryFolder server;
+        const auto plant = server.open();
+        LinkedStation one, other;
+        const QString cola = one.enrol(u"Cola"_s, 3);
+        valueOf(one.library->approveType(cola, u"Ada"_s));
+        valueOf(one.library->addCalibration(aCalibration()));
+        valueOf(one.library->addInspection(anInspection()));
+        valueOf(other.library->addInspection(anInspection()));
+        QVERIFY(one.bringInStep(*plant).empty());
+        QVERIFY(other.bringInStep(*plant).empty());
+        QCOMPARE(inForce(*other.library), inForce(*one.library));
+        QVERIFY(valueOf(other.library->findType(u"Cola"_s))->approved);
+        const QString squeeze = valueOf(one.library->grasps(cola))[0].id;
+        QCOMPARE(valueOf(other.library->recording(squeeze)), valueOf(one.library->recording(squeeze)));
+        QCOMPARE(valueOf(other.library->calibrations(u"0001"_s, 10)).size(), std::size_t(1));
+        QCOMPARE(valueOf(other.library->inspectionCounts()).total, 1);
+        QCOMPARE(valueOf(plant->inspectionCounts()).total, 2);
+
+        // What one changes next comes to the other as a change of this state.
+        valueOf(other.library->renameType(cola, u"Cola 330"_s, why));
+        QVERIFY(other.bringInStep(*plant).empty());
+        QVERIFY(one.bringInStep(*plant).empty());
+        QVERIFY(valueOf(one.library->findType(u"Cola 330"_s)));
+        for (const QString& place : {server.file(), one.file(), other.file()})
+            QVERIFY(isWhole(place));
+    }
+    void whatTwoDecideApartIsOneStateAndTold()
+    {
+        const LibraryFolder server;
+        const auto plant = server.open();
+        LinkedStation one, other;
+        const QString cola = one.enrol(u"Cola"_s, 2);
+        one.bringInStep(*plant);
+        other.bringInStep(*plant);
+        valueOf(one.library->renameType(cola, u"Cola small"_s, why));
+        valueOf(other.library->renameType(cola, u"Cola 330"_s, why));
+        one.bringInStep(*plant);
+        const auto told = other.bringInStep(*plant);
+        QCOMPARE(told.size(), std::size_t(1));
+        QVERIFY(told[0].kind == PlantConflict::Kind::Name);
+        one.bringInStep(*plant);
+        QCOMPARE(inForce(*one.library), inForce(*plant));
+        QCOMPARE(inForce(*other.library), inForce(*plant));
+        valueOf(plant->noteConflictsSeen(told, {u"Ada"_s, {}}));
+        QVERIFY(valueOf(plant->conflicts()).empty());
+    }
+    void randomStationsEndInOneState()
+    {
+        constexpr int histories = 6;
+        for (unsigned seed = 1; seed <= histories; ++seed) {
+            std::mt19937 random(seed);
+            const LibraryFolder server;
+            const auto plant = server.open();
+            std::array<LinkedStation, 3> stations;
+            for (int i = 0; i < 25; ++i) {
+                LinkedStation& station = stations[random() % stations.size()];
+                if (random() % 5 == 0)
+                    station.bringInStep(*plant);
+                else if (random() % 4 == 0)
+                    valueOf(station.library->addInspection(anInspection()));
+                else
+                    changeSomething(*station.library, random);
+            }
+            for (int round = 0; round < 2; ++round)
+                for (LinkedStation& station : stations)
+                    station.bringInStep(*plant);
+            std::multiset<QString> inspections;
+            for (LinkedStation& station : stations) {
+                QVERIFY2(inForce(*station.library) == inForce(*plant), qPrintable(QString::number(seed)));
+                inspections.merge(inspectionKeys(station.file()));
+                QVERIFY(isWhole(station.file()));
+            }
+            QCOMPARE(inspectionKeys(server.file()), inspections);
+            QVERIFY(isWhole(server.file()));
+        }
+    }
+    void aChangeMadeWhileTheServerIsReadGoesThereFirst()
+    {
+        const LibraryFolder server;
+        const auto plant = server.open();
+        LinkedStation one, other;
+        const QString cola = one.enrol(u"Cola"_s);
+        one.bringInStep(*plant);
+        other.bringInStep(*plant);
+        valueOf(one.library->renameType(cola, u"Cola 330"_s, why));
+        one.bringInStep(*plant);
+
+        const auto there = valueOf(Database::open(server.file()));
+        const auto here = valueOf(Database::open(other.file()));
+        const qint64 delivered = valueOf(other.library->version());
+        const ServerTypes read = valueOf(readServerTypes(*there, *here));
+        QVERIFY(read.anyNew());
+        valueOf(other.library->approveType(cola, u"Ben"_s));
+        const FetchedTypes late = valueOf(takeServerTypes(read, *here, delivered));
+        QVERIFY(late.isLate);
+        QCOMPARE(late.rows, 0);
+        other.bringInStep(*plant);
+        one.bringInStep(*plant);
+        QCOMPARE(inForce(*other.library), inForce(*one.library));
+        QVERIFY(valueOf(one.library->findType(u"Cola 330"_s)));
+    }
+    void anOlderCopyOfAStationIsRefused()
+    {
+        const LibraryFolder server;
+        const auto plant = server.open();
+        LinkedStation station;
+        static_cast<void>(station.enrol(u"Cola"_s));
+        const QString copy = station.folder.filePath(u"copy.db"_s);
+        station.library.reset();
+        QVERIFY(QFile::copy(station.file(), copy));
+        station.library = valueOf(Library::open(station.file()));
+        valueOf(station.library->addInspection(anInspection()));
+        station.bringInStep(*plant);
+        const auto old = valueOf(Library::open(copy));
+        valueOf(old->addInspection(anInspection()));
+        const auto refused = old->exchangeWith(*plant, {}, linksOfStep);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::StorageOpen);
+        QCOMPARE(valueOf(plant->inspectionCounts()).total, 1);
+    }
+    void anotherServerAndAnotherFileAreRefused()
+    {
+        LinkedStation first, second; // as servers
+        LinkedStation one, other;
+        static_cast<void>(one.enrol(u"Cola"_s));
+        one.bringInStep(*first.library);
+        other.bringInStep(*first.library);
+        const auto elsewhere = other.library->exchangeWith(*second.library, {}, linksOfStep);
+        QVERIFY(!elsewhere);
+        QVERIFY2(elsewhere.error().describe().contains(u"another server"), qPrintable(whyNot(elsewhere)));
+        const auto merged = one.library->mergeLibrary(other.file(), why);
+        QVERIFY(!merged);
+        QVERIFY2(merged.error().describe().contains(u"library sync"), qPrintable(whyNot(merged)));
+    }
+};
+
+GRIPSCOPE_TEST(LibraryExchangeTest)
+#include "library_exchange_test.moc"
