@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the History page asks of a library with 100,000 inspections, each on the library's thread; and storing
 // one more with the counters behind it. GRIPSCOPE_BENCH_INSPECTIONS: another number; a million takes a
-// gigabyte and a half, their recordings left out, which no list or chart reads.
+// gigabyte and a half, their recordings left out, which no list or chart reads. GRIPSCOPE_BENCH_LIBRARY: the
+// address of a library on a server, which is taken as it is (ten_million.sh).
 #include "core/library/library.h"
 #include "core/library/records/history_list.h"
 #include "tests/core/library/many_inspections.h"
@@ -16,23 +17,26 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-const int inspections = qEnvironmentVariableIntValue("GRIPSCOPE_BENCH_INSPECTIONS") > 0
-                            ? qEnvironmentVariableIntValue("GRIPSCOPE_BENCH_INSPECTIONS")
-                            : 100'000;
+const int fewInspections = qEnvironmentVariableIntValue("GRIPSCOPE_BENCH_INSPECTIONS") > 0
+                               ? qEnvironmentVariableIntValue("GRIPSCOPE_BENCH_INSPECTIONS")
+                               : 100'000;
 
 /// One library for all; opened once.
 Library& library()
 {
+    const QString onServer = qEnvironmentVariable("GRIPSCOPE_BENCH_LIBRARY");
     static int argc = 1;
     static char name[] = "bench";
     static char* argv[] = {name, nullptr};
     static const QCoreApplication application(argc, argv);
     static const QTemporaryDir folder;
-    static const std::unique_ptr<Library> opened = [] {
+    static const std::unique_ptr<Library> opened = [&onServer] {
+        if (!onServer.isEmpty())
+            return std::move(*Library::open(onServer));
         const QString file = folder.filePath(u"large.db"_s);
         if (!Library::open(file))
             qFatal("the library was not made");
-        test::addManyInspections(file, inspections);
+        test::addManyInspections(file, fewInspections);
         return std::move(*Library::open(file));
     }();
     return *opened;
@@ -73,15 +77,24 @@ void sorted(benchmark::State& state)
     list(state, query);
 }
 
+/// What there is to choose from: of many_inspections.h or of fill_server.sql.
+const HistoryChoices& chosen()
+{
+    static const HistoryChoices choices = *library().historyChoices();
+    return choices;
+}
+
 std::vector<HistoryQuery> filters()
 {
+    const HistoryChoices& of = chosen();
     return {{.kind = SqueezeKind::Inspection},
             {.outcome = InspectionOutcome::Unknown},
-            {.validity = ValidityVerdict::Suspect}, // none: all rows are looked at
-            {.type = u"B"_s},
-            {.expected = u"A"_s},
-            {.operatorName = u"Ada"_s},
-            {.device = u"Gripper 0001"_s},
+            {.validity = ValidityVerdict::Suspect}, // none in a file: all rows are looked at
+            {.type = of.types.back()},
+            {.expected = of.expected.front()},
+            {.operatorName = of.operators.front()},
+            {.device = of.devices.value(1)},
+            {.batch = of.batches.value(of.batches.size() / 2, u"none"_s)},
             {.from = QDateTime(QDate(2024, 2, 1), QTime(0, 0), Qt::UTC),
              .to = QDateTime(QDate(2024, 2, 8), QTime(0, 0), Qt::UTC)}};
 }
@@ -91,26 +104,41 @@ void filtered(benchmark::State& state)
     list(state, filters()[std::size_t(state.range(0))]);
 }
 
-/// An operator (half of all), a source (another one in each row), a number, nothing.
+/// An operator (of many), a source (another one in each row of a file), a number, a part number, nothing.
 void searched(benchmark::State& state)
 {
-    const QStringList texts{u"bob"_s, u"file 99990"_s, u"99990"_s, u"no such text"_s};
+    const QStringList texts{chosen().operators.back().toLower(), u"file 99990"_s, u"99990"_s, u"P000099990"_s,
+                            u"no such text"_s};
     list(state, {.text = texts[state.range(0)]});
 }
 
 /// The longest that storing waits behind the counting of a filter.
 void oneStretch(benchmark::State& state)
 {
-    const HistoryList begin = listOf({.operatorName = u"Ada"_s});
+    const HistoryList begin = listOf(filters()[5]);
     for (auto _ : state)
         benchmark::DoNotOptimize(library().historyStretch(begin));
+}
+
+/// Until all that a filter finds is counted, while its first page is long there.
+void counted(benchmark::State& state)
+{
+    for (auto _ : state)
+        benchmark::DoNotOptimize(goneThrough(filters()[std::size_t(state.range(0))]));
+}
+
+/// For a report.
+void inForce(benchmark::State& state)
+{
+    for (auto _ : state)
+        benchmark::DoNotOptimize(library().historyInForce({}));
 }
 
 void jumpToTheMiddle(benchmark::State& state)
 {
     const HistoryList list = listOf({});
     for (auto _ : state)
-        benchmark::DoNotOptimize(library().historyPage(list, inspections / 2, 200));
+        benchmark::DoNotOptimize(library().historyPage(list, list.rows / 2, 200));
 }
 
 void counts(benchmark::State& state)
@@ -128,8 +156,7 @@ void choices(benchmark::State& state)
 /// All of them, and those of an operator once they are counted.
 void points(benchmark::State& state)
 {
-    const HistoryQuery query{.operatorName = state.range(0) == 0 ? u""_s : u"Ada"_s};
-    const HistoryList list = goneThrough(query);
+    const HistoryList list = goneThrough(state.range(0) == 0 ? HistoryQuery{} : filters()[5]);
     for (auto _ : state)
         benchmark::DoNotOptimize(library().historyPoints(list));
 }
@@ -168,20 +195,26 @@ void storeAndCount(benchmark::State& state)
 /// The counters of a shift: the inspections behind a number.
 void countSinceANumber(benchmark::State& state)
 {
+    const qint64 last = library().historyCounts({})->inspections;
     for (auto _ : state)
-        benchmark::DoNotOptimize(library().inspectionCounts(inspections - 400));
+        benchmark::DoNotOptimize(library().inspectionCounts(last - 400));
 }
 
-BENCHMARK(storeAndCount)->Unit(benchmark::kMillisecond);
-BENCHMARK(countSinceANumber)->Unit(benchmark::kMillisecond);
-BENCHMARK(firstPage)->Unit(benchmark::kMillisecond);
-BENCHMARK(sorted)->DenseRange(0, int(HistoryColumn::Conformity))->Unit(benchmark::kMillisecond);
-BENCHMARK(filtered)->DenseRange(0, 7)->Unit(benchmark::kMillisecond);
-BENCHMARK(searched)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
-BENCHMARK(oneStretch)->Unit(benchmark::kMillisecond);
-BENCHMARK(jumpToTheMiddle)->Unit(benchmark::kMillisecond);
-BENCHMARK(counts)->Unit(benchmark::kMillisecond);
-BENCHMARK(choices)->Unit(benchmark::kMillisecond);
-BENCHMARK(points)->DenseRange(0, 1)->Unit(benchmark::kMillisecond);
+BENCHMARK(storeAndCount)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(countSinceANumber)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(firstPage)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(sorted)
+    ->DenseRange(0, int(HistoryColumn::Conformity))
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(filtered)->DenseRange(0, 8)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(searched)->DenseRange(0, 4)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(oneStretch)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(counted)->Arg(5)->Arg(8)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(inForce)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(jumpToTheMiddle)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(counts)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(choices)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(points)->DenseRange(0, 1)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 } // namespace

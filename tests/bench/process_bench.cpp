@@ -2,8 +2,11 @@
 // Control charts and capability of a type with a million inspections: what is read, what is drawn, and both
 // as the Quality page has them, side by side in a pool. GRIPSCOPE_BENCH_INSPECTIONS: another number. The
 // library is made by SQL, its recordings left out, which no chart reads; it takes a gigabyte and a half, and
-// three minutes. GRIPSCOPE_BENCH_LIBRARY: the file to keep it in, which is taken as it is where it exists.
+// three minutes. GRIPSCOPE_BENCH_LIBRARY: the file to keep it in, which is taken as it is where it exists; or
+// the address of a library on a server (ten_million.sh), of whose first type the charts are.
 #include "core/library/library.h"
+#include "core/library/records/history.h"
+#include "core/library/sql/library_location.h"
 #include "core/session/process/process_session.h"
 #include "tests/core/library/many_inspections.h"
 
@@ -35,7 +38,7 @@ const QString& benchFile()
     static const QString file = [] {
         const QString kept = qEnvironmentVariable("GRIPSCOPE_BENCH_LIBRARY");
         const QString path = kept.isEmpty() ? folder.filePath(u"process.db"_s) : kept;
-        if (QFile::exists(path))
+        if (LibraryLocation::isOnServer(path) || QFile::exists(path))
             return path;
         if (!Library::open(path))
             qFatal("the library was not made");
@@ -58,6 +61,12 @@ Library& library()
     return *opened;
 }
 
+const QString& type()
+{
+    static const QString first = library().historyChoices()->types.value(0);
+    return first;
+}
+
 ProcessValues readAll(const ProcessQuery& query)
 {
     ProcessValues values;
@@ -69,7 +78,7 @@ ProcessValues readAll(const ProcessQuery& query)
 
 const ProcessValues& values()
 {
-    static const ProcessValues read = readAll({.type = u"A"_s});
+    static const ProcessValues read = readAll({.type = type()});
     return read;
 }
 
@@ -85,21 +94,30 @@ ProcessOptions optionsOf(ProcessKind kind)
 void reading(benchmark::State& state)
 {
     for (auto _ : state)
-        benchmark::DoNotOptimize(readAll({.type = u"A"_s}));
+        benchmark::DoNotOptimize(readAll({.type = type()}));
 }
 
 /// Which takes the squeezes' own rows, too.
 void readingOfAGripper(benchmark::State& state)
 {
     for (auto _ : state)
-        benchmark::DoNotOptimize(readAll({.type = u"A"_s, .gripper = u"Gripper 0001"_s}));
+        benchmark::DoNotOptimize(
+            readAll({.type = type(), .gripper = library().historyChoices()->devices.value(1)}));
+}
+
+/// Of which there are fewest.
+void readingOfARareType(benchmark::State& state)
+{
+    const QString rare = library().historyChoices()->types.back();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(readAll({.type = rare}));
 }
 
 void oneStretch(benchmark::State& state)
 {
     for (auto _ : state) {
         ProcessValues some;
-        benchmark::DoNotOptimize(library().processStretch({.type = u"A"_s}, {}, some));
+        benchmark::DoNotOptimize(library().processStretch({.type = type()}, {}, some));
     }
 }
 
@@ -129,12 +147,12 @@ void everything(benchmark::State& state)
     for (auto _ : state) {
         ProcessSession session(service);
         session.setOptions(optionsOf(ProcessKind(state.range(0))));
-        session.setQuery({.type = u"A"_s});
+        session.setQuery({.type = type()});
         while (session.state() != ProcessSession::State::Shown) {
             session.poll();
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
-        if (session.picture()->values->size() != std::size_t(inspections))
+        if (session.picture()->values->size() != values().size())
             qFatal("not all was read");
     }
 }
@@ -145,7 +163,7 @@ void oneMore(benchmark::State& state)
     LibraryService service(benchFile());
     ProcessSession session(service);
     session.setOptions(optionsOf(ProcessKind::Individuals));
-    session.setQuery({.type = u"A"_s});
+    session.setQuery({.type = type()});
     const auto wait = [&session] {
         while (session.state() != ProcessSession::State::Shown) {
             session.poll();
@@ -161,6 +179,7 @@ void oneMore(benchmark::State& state)
 
 BENCHMARK(reading)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(readingOfAGripper)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(readingOfARareType)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(oneStretch)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(drawing)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(capability)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();

@@ -5,6 +5,7 @@
 #   postgresql.sh stop FILE        ends it and removes all that was its
 #   postgresql.sh run COMMAND...   runs COMMAND with GRIPSCOPE_TEST_SERVER set, as in
 #                                  tests/support/postgresql.sh run build/dev/bin/test_core_library LedgerTest
+# GRIPSCOPE_SERVER_SETTINGS: further ones, as "-c shared_buffers=1GB"
 set -euo pipefail
 
 programs=$(ls -d /usr/lib/postgresql/*/bin 2>/dev/null | sort -V | tail -n 1)
@@ -40,7 +41,7 @@ begin() {
   # One user has to say a password.
   sed -i '1i local all asked_for_a_password scram-sha-256' "$folder/data/pg_hba.conf"
   (cd "$folder" && "${as[@]}" "$programs/pg_ctl" -D "$folder/data" -w -l "$folder/log" -o "-k $folder -F \
-    -c listen_addresses='' -c full_page_writes=off -c autovacuum=off -c shared_buffers=64MB -c max_connections=60" \
+    -c listen_addresses='' -c full_page_writes=off -c autovacuum=off -c shared_buffers=64MB -c max_connections=60 ${GRIPSCOPE_SERVER_SETTINGS:-}" \
     start >>"$folder.log" 2>&1) || { cat "$folder.log" "$folder/log" >&2; exit 1; }
   rm -f "$folder.log"
   address="postgresql://gripscope@/postgres?host=$folder&port=5432"
@@ -77,7 +78,7 @@ run)
   GRIPSCOPE_TEST_SERVER=$address "$@"
   ;;
 *)
-  sed -n '3,8p' "$0" >&2
+  sed -n '3,9p' "$0" >&2
   exit 2
   ;;
 esac

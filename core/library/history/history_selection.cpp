@@ -75,9 +75,9 @@ HistorySelection::HistorySelection(const HistoryQuery& query, int needs, TextBy 
                              ? u"g.type_id > ''"_s // not NULL, in a form that an index is used for
                              : u"g.type_id IS NULL"_s);
     if (query.from.isValid())
-        add(u"g.recorded_utc >= ?"_s, {utcText(query.from)});
+        addBound(m_lower, {{0, utcText(query.from), {}}, true, u"g.recorded_utc >= ?"_s});
     if (query.to.isValid())
-        add(u"g.recorded_utc < ?"_s, {utcText(query.to)});
+        addBound(m_upper, {{0, utcText(query.to), {}}, false, u"g.recorded_utc < ?"_s});
     if (!query.operatorName.isEmpty())
         add(u"g.operator_name = ?"_s, {query.operatorName});
     if (!query.device.isEmpty())
@@ -157,16 +157,30 @@ void HistorySelection::withoutVoided()
     m_conditions << u"(i.id IS NULL OR i.id NOT IN (SELECT inspection_id FROM inspection_voids))"_s;
 }
 
+void HistorySelection::addBound(std::optional<Bound>& known, const Bound& bound)
+{
+    if (known) {
+        const auto place = [](const Bound& of) { return std::pair(of.at.time, of.at.key); };
+        const bool same = place(bound) == place(*known);
+        const bool earlier = place(bound) < place(*known);
+        if (same ? bound.inclusive : earlier != (&known == &m_upper))
+            return;
+    }
+    known = bound;
+}
+
 void HistorySelection::onlyBehind(const HistoryMark& mark, bool backwards)
 {
     if (!mark.key.isEmpty())
-        add(u"(g.recorded_utc, g.id) %1 (?, ?)"_s.arg(backwards ? u"<"_s : u">"_s), {mark.time, mark.key});
+        addBound(backwards ? m_upper : m_lower,
+                 {mark, false, u"(g.recorded_utc, g.id) %1 (?, ?)"_s.arg(backwards ? u"<"_s : u">"_s)});
 }
 
 void HistorySelection::onlyUpTo(const HistoryMark& mark, bool backwards)
 {
     if (!mark.key.isEmpty())
-        add(u"(g.recorded_utc, g.id) %1 (?, ?)"_s.arg(backwards ? u">="_s : u"<="_s), {mark.time, mark.key});
+        addBound(backwards ? m_lower : m_upper,
+                 {mark, true, u"(g.recorded_utc, g.id) %1 (?, ?)"_s.arg(backwards ? u">="_s : u"<="_s)});
 }
 
 void HistorySelection::onlyOf(const HistoryList& list)
@@ -177,9 +191,10 @@ void HistorySelection::onlyOf(const HistoryList& list)
 
 void HistorySelection::onlyOneIn(qint64 every)
 {
-    // The numbers first: an index holds them, and the rows of the others are not read.
+    // Each number is looked up: to go through all of them takes seconds of ten million.
     m_conditions << u"g.id IN (SELECT y.grasp_id FROM inspections y WHERE y.number IN "
-                    "(SELECT z.number FROM inspections z WHERE z.number % %1 = 0) "
+                    "(WITH RECURSIVE n(v) AS (SELECT CAST(%1 AS BIGINT) UNION ALL SELECT v + %1 FROM n "
+                    "WHERE v + %1 <= (SELECT MAX(number) FROM inspections)) SELECT v FROM n) "
                     "UNION ALL SELECT h.id FROM grasps h WHERE h.type_id > '')"_s.arg(every);
 }
 
@@ -212,6 +227,9 @@ QString HistorySelection::from(int needs)
 QString HistorySelection::fromWhere() const
 {
     QStringList conditions = m_conditions;
+    for (const std::optional<Bound>* bound : {&m_lower, &m_upper})
+        if (*bound)
+            conditions << (*bound)->sql;
     QString joins = from(m_needs);
     if (m_voided) { // few: they lead to their squeezes, in this order
         joins = u"FROM inspection_voids x CROSS JOIN inspections i CROSS JOIN grasps g "_s +
@@ -247,6 +265,12 @@ void HistorySelection::bind(Statement& statement) const
         statement.bind(value);
     for (const QString& value : m_values)
         statement.bind(value);
+    for (const std::optional<Bound>* bound : {&m_lower, &m_upper})
+        if (*bound) {
+            statement.bind((*bound)->at.time);
+            if (!(*bound)->at.key.isEmpty())
+                statement.bind((*bound)->at.key);
+        }
 }
 
 } // namespace gripscope

@@ -89,6 +89,14 @@ public:
     void bind(Statement& statement) const;
 
 private:
+    /// A side of a period. The closest of each side alone is asked for: PostgreSQL begins at one of several
+    /// as it comes, and goes through all rows from there to the closest.
+    struct Bound {
+        HistoryMark at; ///< without a key: before all of that time
+        bool inclusive = false;
+        QString sql;
+    };
+    void addBound(std::optional<Bound>& known, const Bound& bound);
     void add(const QString& condition, const QStringList& values);
     void addText(const QString& text);
     void addSearch(const QString& text);
@@ -98,6 +106,7 @@ private:
     int m_needs;
     bool m_voided = false;
     QStringList m_conditions, m_values;
+    std::optional<Bound> m_lower, m_upper;
     QString m_named;
     QStringList m_namedValues;
 };

@@ -28,16 +28,16 @@ QString readingProcess()
 /// Rows of an index by their first column, a squeeze's key, for one key after another.
 class KeyedRows {
 public:
-    explicit KeyedRows(RowCursor cursor) : m_cursor(std::move(cursor)) {}
+    explicit KeyedRows(RowCursor cursor) : m_cursor(std::move(cursor)), m_stepsAtMost(m_cursor.stepsALookUp())
+    {
+    }
 
     /// On the row of this key; false where there is none. Keys ascend.
     bool find(std::string_view key)
     {
-        // To look a key up takes as long as some steps.
-        constexpr int stepsAtMost = 8;
         int order = m_onRow ? m_cursor.text(0).compare(key) : 0;
         for (int step = 0; m_onRow && order < 0; ++step) {
-            if (step == stepsAtMost) {
+            if (step == m_stepsAtMost) {
                 m_onRow = false;
                 break;
             }
@@ -57,6 +57,7 @@ public:
 
 private:
     RowCursor m_cursor;
+    int m_stepsAtMost;
     bool m_onRow = false;
 };
 

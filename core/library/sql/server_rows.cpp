@@ -71,12 +71,15 @@ bool ServerRows::fetch()
     }
     m_left = m_atOnce;
     m_atOnce = manyRows;
+    if (m_texts.empty()) // to ask for each row takes longer than to read it
+        m_texts.resize(std::size_t(m_rows.record().count()));
     return true;
 }
 
 bool ServerRows::next()
 {
-    m_texts.clear();
+    for (QByteArray& text : m_texts)
+        text.clear();
     if (m_error || !m_declared)
         return false;
     if (m_left == 0 && !fetch())
@@ -90,8 +93,6 @@ bool ServerRows::next()
 
 std::string_view ServerRows::text(int column) const
 {
-    if (m_texts.empty())
-        m_texts.resize(std::size_t(m_rows.record().count()));
     QByteArray& text = m_texts[std::size_t(column)];
     if (text.isNull())
         text = m_rows.value(column).toString().toUtf8();

@@ -134,6 +134,21 @@ private slots:
         QCOMPARE(valueOf(library->historyCounts({})).voided, 4);
         QCOMPARE(valueOf(library->historyCounts({})).enrolled, 1);
     }
+    void aPeriodIsWalkedFromItsOwnEnds()
+    {
+        const QDateTime start(QDate(2024, 1, 1), QTime(0, 0), Qt::UTC); // number n: n minutes later
+        for (const bool descending : {true, false}) {
+            const HistoryQuery query{.from = start.addSecs(60 * 30'000),
+                                     .to = start.addSecs(60 * 90'000),
+                                     .descending = descending};
+            const HistoryList list = goneThrough(*m_library, query);
+            QVERIFY(list.walked && list.rows == 60'000);
+            const Numbers ends = descending ? Numbers({89'999, 30'000}) : Numbers({30'000, 89'999});
+            QCOMPARE(numbersAt(*m_library, list, 0, 1), Numbers({ends[0]}));
+            QCOMPARE(numbersAt(*m_library, list, 45'000, 1), Numbers({descending ? 44'999 : 75'000}));
+            QCOMPARE(numbersAt(*m_library, list, 59'999, 9), Numbers({ends[1]}));
+        }
+    }
     void anotherFilterIsCountedStretchByStretch()
     {
         const HistoryQuery query{.operatorName = u"Ada"_s}; // every other one

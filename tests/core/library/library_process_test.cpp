@@ -111,6 +111,28 @@ private slots:
         QVERIFY(some.size() > values.size() / 4 && some.size() < values.size() / 2);
         QVERIFY(std::ranges::all_of(some.numbers, [](qint64 number) { return number % 3 == 1; }));
     }
+    /// Few of many: their estimates are stepped to, looked up, or on a server stepped to over several
+    /// fetches.
+    void aRareTypesEstimatesAreFoundAmongMany()
+    {
+        const LibraryFolder folder;
+        folder.open();
+        addManyInspections(folder.file(), 5000);
+        {
+            RawDatabase raw(folder.file());
+            raw.run(u"UPDATE inspections SET type_name = 'C', verdict = 'type' WHERE number IN (5, 12, 22, "
+                    u"400, 812, "
+                    "2900, 5000)"_s);
+            raw.run(u"DELETE FROM estimates WHERE k = 812"_s);
+        }
+        const ProcessValues values = valuesOf(*folder.open(), {.type = u"C"_s});
+        QCOMPARE(values.numbers.toVector(), (std::vector<qint64>{5, 12, 22, 400, 812, 2900, 5000}));
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (values.numbers[i] == 812)
+                QVERIFY(std::isnan(values.quantities[2][i]));
+            else
+                QCOMPARE(values.quantities[2][i], double(values.numbers[i]));
+    }
     void limitsStayFixedUntilTheyAreReleased()
     {
         const LibraryFolder folder;
