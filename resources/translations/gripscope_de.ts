@@ -9104,8 +9104,44 @@ m  %3</translation>
         <translation>ein Schritt davon ist auf dem Server gescheitert</translation>
     </message>
     <message>
-        <source>libraries are merged file into file so far, not with one on a server: let its stations work on the server itself</source>
-        <translation>zusammengeführt wird bisher Datei mit Datei, nicht mit einer Bibliothek auf einem Server: deren Stationen arbeiten am besten auf dem Server selbst</translation>
+        <source>it has taken types from another server&apos;s library than %1, which it would have to be brought in step with</source>
+        <translation>sie hat Typen aus der Bibliothek eines anderen Servers als %1 übernommen und müsste mit jenem abgeglichen werden</translation>
+    </message>
+    <message>
+        <source>be brought to the server</source>
+        <translation>zum Server gebracht werden</translation>
+    </message>
+    <message>
+        <source>read the types of the server</source>
+        <translation>die Typen des Servers lesen</translation>
+    </message>
+    <message>
+        <source>it is there already</source>
+        <translation>es ist schon da</translation>
+    </message>
+    <message>
+        <source>take what a station has written</source>
+        <translation>übernehmen, was eine Station geschrieben hat</translation>
+    </message>
+    <message>
+        <source>take the types of the server</source>
+        <translation>die Typen des Servers übernehmen</translation>
+    </message>
+    <message>
+        <source>it is kept in step with a server, which has all that is in it: bring the other library to the same server with &quot;library sync&quot;</source>
+        <translation>sie wird mit einem Server abgeglichen, der alles hat, was in ihr ist: die andere Bibliothek mit „library sync“ zum selben Server bringen</translation>
+    </message>
+    <message>
+        <source>libraries are merged file into file; a station is kept in step with a library on a server with &quot;library sync&quot;</source>
+        <translation>Bibliotheken werden von Datei zu Datei zusammengeführt; mit einer auf einem Server wird eine Station mit „library sync“ abgeglichen</translation>
+    </message>
+    <message>
+        <source>a change that %1 has from here is no longer here: an older copy was put back. Put back the newest copy there is</source>
+        <translation>eine Änderung, die %1 von hier hat, ist nicht mehr hier: Eine ältere Kopie wurde zurückgespielt. Die neueste Kopie zurückspielen, die es gibt</translation>
+    </message>
+    <message>
+        <source>compare the units of its types</source>
+        <translation>die Einheiten ihrer Typen vergleichen</translation>
     </message>
 </context>
 <context>
