@@ -3,6 +3,7 @@
 # A PostgreSQL server of the tests' own, in a folder of its own under /tmp, reached by a socket there alone.
 #   postgresql.sh start FILE       starts one and writes its address into FILE; it ends with the caller, however that ends
 #   postgresql.sh stop FILE        ends it and removes all that was its
+#   postgresql.sh kill FILE        ends all its processes at once, as a crash does, and starts it again
 #   postgresql.sh run COMMAND...   runs COMMAND with GRIPSCOPE_TEST_SERVER set, as in
 #                                  tests/support/postgresql.sh run build/dev/bin/test_core_library LedgerTest
 # GRIPSCOPE_SERVER_SETTINGS: further ones, as "-c shared_buffers=1GB"
@@ -70,6 +71,9 @@ stop)
   end "$(folder_of "$2")"
   rm -f "$2"
   ;;
+kill)
+  "${as[@]}" "$programs/pg_ctl" -D "$(folder_of "$2")/data" -m immediate -w restart >/dev/null
+  ;;
 run)
   shift
   begin
@@ -78,7 +82,7 @@ run)
   GRIPSCOPE_TEST_SERVER=$address "$@"
   ;;
 *)
-  sed -n '3,9p' "$0" >&2
+  sed -n '3,10p' "$0" >&2
   exit 2
   ;;
 esac
