@@ -192,6 +192,8 @@ Expected<FetchedTypes> takeServerTypes(const ServerTypes& types, Database& stati
     for (const TakenTable& table : takenTables())
         RETURN_IF_ERROR(taker.take(table, leavesOf(table.name)));
     fetched.rows = taker.taken().sum();
+    if (fetched.rows == 0) // what is here excludes the rest
+        return fetched;
     if (taker.taken().hasChanges) {
         ASSIGN_OR_RETURN(fetched.version, settle(station, types.state, types.place, {}));
     }

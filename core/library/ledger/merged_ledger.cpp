@@ -34,23 +34,18 @@ Expected<void> insert(Database& database, const QString& library, const std::vec
     ASSIGN_OR_RETURN(TableRows table, TableRows::of(database, u"merged_ledger"_s, u"rowid"_s));
     std::vector<TableRows::Row> rows;
     rows.reserve(links.size());
-    for (const LedgerLink& link : links) {
-        TableRows::Row& row = rows.emplace_back(table.columns().size());
-        const auto set = [&](QStringView column, const Cell& value) {
-            setCell(table.columns(), row, column, value);
-        };
-        set(u"library", library);
-        set(u"chain", link.chain);
-        set(u"number", link.number);
-        set(u"kind", toString(link.kind));
-        set(u"format", qint64(link.format));
-        set(u"created_utc", link.utc);
-        set(u"leaves", link.leaves);
-        set(u"previous_hash", link.previousHash);
-        set(u"hash", link.hash);
-        set(u"signer", link.signer);
-        set(u"signature", link.signature);
-    }
+    for (const LedgerLink& link : links)
+        rows.push_back(rowWith(table.columns(), {{u"library", library},
+                                                 {u"chain", link.chain},
+                                                 {u"number", link.number},
+                                                 {u"kind", toString(link.kind)},
+                                                 {u"format", qint64(link.format)},
+                                                 {u"created_utc", link.utc},
+                                                 {u"leaves", link.leaves},
+                                                 {u"previous_hash", link.previousHash},
+                                                 {u"hash", link.hash},
+                                                 {u"signer", link.signer},
+                                                 {u"signature", link.signature}}));
     ASSIGN_OR_RETURN(const auto inserted, table.insert(rows, doing));
     if (inserted.size() != links.size())
         return failure(ErrorCode::StorageFailed, {doing, Words::tr("it is there already")});

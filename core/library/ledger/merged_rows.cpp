@@ -105,19 +105,14 @@ Expected<void> insert(Database& database, const std::vector<MergedRow>& rows)
     ASSIGN_OR_RETURN(TableRows table, TableRows::of(database, u"merged_rows"_s, u"rowid"_s));
     std::vector<TableRows::Row> cells;
     cells.reserve(rows.size());
-    for (const MergedRow& row : rows) {
-        TableRows::Row& one = cells.emplace_back(table.columns().size());
-        const auto set = [&](QStringView column, const Cell& value) {
-            setCell(table.columns(), one, column, value);
-        };
-        set(u"library", row.library);
-        set(u"table_code", qint64(row.table));
-        set(u"row_key", row.key);
-        set(u"number", row.number);
-        set(u"is_origin", qint64(row.isOrigin));
-        set(u"whole", qint64(row.whole));
-        set(u"content", row.content);
-    }
+    for (const MergedRow& row : rows)
+        cells.push_back(rowWith(table.columns(), {{u"library", row.library},
+                                                  {u"table_code", qint64(row.table)},
+                                                  {u"row_key", row.key},
+                                                  {u"number", row.number},
+                                                  {u"is_origin", qint64(row.isOrigin)},
+                                                  {u"whole", qint64(row.whole)},
+                                                  {u"content", row.content}}));
     ASSIGN_OR_RETURN(const auto inserted, table.insert(cells, doing));
     if (inserted.size() != rows.size())
         return failure(ErrorCode::StorageFailed, {doing, Words::tr("it is there already")});
@@ -223,6 +218,15 @@ QString textIn(const std::vector<Column>& columns, const TableRows::Row& row, QS
     const Cell cell = cellIn(columns, row, column);
     const auto* text = std::get_if<QString>(&cell);
     return text != nullptr ? *text : QString();
+}
+
+TableRows::Row rowWith(const std::vector<Column>& columns,
+                       std::initializer_list<std::pair<QStringView, Cell>> values)
+{
+    TableRows::Row row(columns.size());
+    for (const auto& [column, value] : values)
+        setCell(columns, row, column, value);
+    return row;
 }
 
 void setCell(const std::vector<Column>& columns, TableRows::Row& row, QStringView column, const Cell& value)

@@ -78,6 +78,9 @@ private:
                                QStringView column);
 [[nodiscard]] QString textIn(const std::vector<Column>& columns, const TableRows::Row& row,
                              QStringView column);
+/// With these values, and NULL in the columns that are not named.
+[[nodiscard]] TableRows::Row rowWith(const std::vector<Column>& columns,
+                                     std::initializer_list<std::pair<QStringView, Cell>> values);
 /// Nothing happens where there is no such column.
 void setCell(const std::vector<Column>& columns, TableRows::Row& row, QStringView column, const Cell& value);
 
