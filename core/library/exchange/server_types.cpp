@@ -2,6 +2,7 @@
 #include "core/library/exchange/server_types.h"
 
 #include "core/base/words.h"
+#include "core/library/ledger/merged_ledger.h"
 #include "core/library/merge/known_history.h"
 #include "core/library/merge/meeting_table.h"
 #include "core/library/merge/settlement.h"
@@ -92,6 +93,7 @@ Expected<void> copyRows(Database& server, Database& copy, const QString& table,
     }
     ASSIGN_OR_RETURN(const auto found, there.withKeys(wanted));
     std::vector<TableRows::Row> rows;
+    rows.reserve(found.size());
     for (const auto& [one, row] : found)
         rows.push_back(row);
     return here.insert(rows, readingServer()).map([](const auto&) {});

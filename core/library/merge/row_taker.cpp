@@ -195,6 +195,7 @@ Expected<void> RowTaker::bringIn(const TakenTable& table, const Columns& columns
                                  std::vector<Arrival>& arrivals)
 {
     std::vector<Cell> keys;
+    keys.reserve(arrivals.size());
     for (const Arrival& arrival : arrivals)
         keys.push_back(arrival.leaf.leaf.key);
     ASSIGN_OR_RETURN(TableRows rows, TableRows::of(m_target, table.name, table.ledgered().key));
