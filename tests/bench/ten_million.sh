@@ -29,11 +29,11 @@ uptime
 times history_bench # which stores some inspections with recordings
 times process_bench
 uptime
-psql "$GRIPSCOPE_BENCH_LIBRARY" <<'SQL'
+psql -v ON_ERROR_STOP=1 "$GRIPSCOPE_BENCH_LIBRARY" <<'SQL'
 SELECT relname AS "table", pg_relation_size(c.oid) / 1000000 AS "rows, MB", pg_indexes_size(c.oid) / 1000000 AS "indexes, MB",
        pg_total_relation_size(c.oid) / (SELECT COUNT(*) FROM inspections) AS "bytes an inspection"
 FROM pg_class c WHERE relname IN ('grasps', 'estimates', 'inspections');
-SELECT relname AS "index", pg_relation_size(indexrelid) / 1000000 AS "MB" FROM pg_stat_user_indexes i
+SELECT c.relname AS "index", pg_relation_size(indexrelid) / 1000000 AS "MB" FROM pg_stat_user_indexes i
 JOIN pg_class c ON c.oid = i.indexrelid ORDER BY 2 DESC LIMIT 30;
 SELECT pg_database_size(current_database()) / 1000000 AS "all, MB";
 SELECT AVG(pg_column_size(packed))::int AS "bytes a recording of 2,000 samples" FROM recordings;
