@@ -13,7 +13,7 @@ Expected<ExchangeStep> Library::exchangeWith(Library& server, const QString& mar
     Database& there = *server.d->database;
     ExchangeStep step;
     step.marks = marks;
-    ASSIGN_OR_RETURN(step.delivered.version, version()); // before it is asked what waits
+    ASSIGN_OR_RETURN(const qint64 delivered, version()); // before it is asked what waits: it is there then
     ASSIGN_OR_RETURN(const qint64 waiting, waitingLinks(here, there));
     if (waiting > 0) {
         ASSIGN_OR_RETURN(step.delivered,
@@ -29,7 +29,7 @@ Expected<ExchangeStep> Library::exchangeWith(Library& server, const QString& mar
     ASSIGN_OR_RETURN(const ServerTypes types, readServerTypes(there, here));
     if (types.anyNew()) {
         ASSIGN_OR_RETURN(step.fetched, d->write<FetchedTypes>(Words::tr("take the types of the server"), [&] {
-            return takeServerTypes(types, here, step.delivered.version);
+            return takeServerTypes(types, here, delivered);
         }));
     }
     if (step.fetched.isLate)

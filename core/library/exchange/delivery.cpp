@@ -9,7 +9,6 @@
 #include "core/library/merge/taken_news.h"
 #include "core/library/plant/plant_state.h"
 #include "core/library/tables/audit_table.h"
-#include "core/library/tables/change_table.h"
 
 namespace gripscope {
 
@@ -43,7 +42,8 @@ Expected<void> requireThisServer(Database& station, Database& server)
 Expected<void> record(Database& station, Database& server, const std::vector<ChainNews>& news,
                       const TakenRows& taken)
 {
-    ASSIGN_OR_RETURN(Meeting meeting, meetingOf(station, server, taken.sum(), {}));
+    ASSIGN_OR_RETURN(const QString other, libraryId(station));
+    ASSIGN_OR_RETURN(Meeting meeting, meetingOf(other, server, taken.sum(), {}));
     if (taken.hasChanges) {
         ASSIGN_OR_RETURN(const auto seen, seenVersions(server));
         for (const auto& [library, version] : seen)
@@ -71,7 +71,6 @@ Expected<Delivery> deliver(Database& station, Database& server, qint64 most)
     ASSIGN_OR_RETURN(const auto all, newsOf(station, server));
     const std::vector<ChainNews> news = firstOf(all, most);
     Delivery delivery;
-    ASSIGN_OR_RETURN(delivery.version, change_table::newestVersion(station));
     ASSIGN_OR_RETURN(const TakenNews taken, takeNews(station, server, news));
     if (taken.rows.hasChanges) {
         ASSIGN_OR_RETURN(const PlantHistory history, knownHistory(server));

@@ -12,7 +12,6 @@ struct Delivery {
     qint64 links = 0;   ///< of its ledger, brought now
     qint64 rows = 0;    ///< that are in the server's tables since
     qint64 waiting = 0; ///< links that are still to be brought
-    qint64 version = 0; ///< of the station's library, when it was looked at
 };
 
 /// Links of a station's ledger that a server has not. The outbox of a station is its ledger: each link is

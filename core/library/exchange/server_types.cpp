@@ -15,6 +15,7 @@
 #include "core/library/tables/type_state_table.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 namespace gripscope {
@@ -96,7 +97,7 @@ Expected<void> copyRows(Database& server, Database& copy, const QString& table,
     rows.reserve(found.size());
     for (const auto& [one, row] : found)
         rows.push_back(row);
-    return here.insert(rows, readingServer()).map([](const auto&) {});
+    return here.insertAll(rows, readingServer());
 }
 
 /// What is in force, as the server itself has worked it out.
@@ -162,14 +163,16 @@ Expected<ServerTypes> readServerTypes(Database& server, Database& station)
         return types;
     ASSIGN_OR_RETURN(types.rows, emptyCopy());
     // By these the versions and recipes of the server are told.
-    for (const QString& table : {u"library_changes"_s, u"type_versions"_s})
+    const std::array whole{u"library_changes"_s, u"type_versions"_s};
+    for (const QString& table : whole)
         RETURN_IF_ERROR(copyRows(server, *types.rows, table, {}));
     for (const auto& [table, keys] : types.keys)
-        RETURN_IF_ERROR(copyRows(server, *types.rows, table, keys));
-    ASSIGN_OR_RETURN(types.version, change_table::newestVersion(server));
+        if (std::ranges::find(whole, table) == whole.end())
+            RETURN_IF_ERROR(copyRows(server, *types.rows, table, keys));
+    ASSIGN_OR_RETURN(const qint64 version, change_table::newestVersion(server));
     ASSIGN_OR_RETURN(types.seen, seenVersions(server));
-    types.seen[types.server] = types.version;
-    ASSIGN_OR_RETURN(types.state, stateAt(server, types.version));
+    types.seen[types.server] = version;
+    ASSIGN_OR_RETURN(types.state, stateAt(server, version));
     return types;
 }
 
@@ -199,8 +202,7 @@ Expected<FetchedTypes> takeServerTypes(const ServerTypes& types, Database& stati
     if (taker.taken().hasChanges) {
         ASSIGN_OR_RETURN(fetched.version, settle(station, types.state, types.place, {}));
     }
-    ASSIGN_OR_RETURN(Meeting meeting, meetingOf(*types.rows, station, fetched.rows, {}));
-    meeting.other = types.server;
+    ASSIGN_OR_RETURN(Meeting meeting, meetingOf(types.server, station, fetched.rows, {}));
     for (const auto& [library, newest] : types.seen)
         meeting.seen.insert(library, newest);
     RETURN_IF_ERROR(meeting_table::insert(station, meeting));

@@ -20,7 +20,6 @@ struct ServerTypes {
     std::shared_ptr<Database> rows;            ///< in memory, as they are there
     std::map<QString, std::vector<Cell>> keys; ///< of those that are new, by table
     QString server, place;                     ///< libraryId(), and where it is
-    qint64 version = 0;                        ///< of the server's library
     std::map<QString, qint64> seen;            ///< by library the newest version that the server knows
     PlantState state;                          ///< in force there: types and squeezes
     [[nodiscard]] bool anyNew() const { return !keys.empty(); }

@@ -30,7 +30,6 @@ namespace merged_ledger {
 
 Expected<void> insert(Database& database, const QString& library, const std::vector<LedgerLink>& links)
 {
-    const QString doing = Words::tr("take the ledger of another station");
     ASSIGN_OR_RETURN(TableRows table, TableRows::of(database, u"merged_ledger"_s, u"rowid"_s));
     std::vector<TableRows::Row> rows;
     rows.reserve(links.size());
@@ -46,10 +45,7 @@ Expected<void> insert(Database& database, const QString& library, const std::vec
                                                  {u"hash", link.hash},
                                                  {u"signer", link.signer},
                                                  {u"signature", link.signature}}));
-    ASSIGN_OR_RETURN(const auto inserted, table.insert(rows, doing));
-    if (inserted.size() != links.size())
-        return failure(ErrorCode::StorageFailed, {doing, Words::tr("it is there already")});
-    return {};
+    return table.insertAll(rows, Words::tr("take the ledger of another station"));
 }
 
 Expected<ChainEnd> endOf(Database& database, const LibraryChain& chain)

@@ -101,7 +101,6 @@ Expected<void> insert(Database& database, const std::vector<MergedRow>& rows)
 {
     if (rows.empty())
         return {};
-    const QString doing = Words::tr("take a row of another station");
     ASSIGN_OR_RETURN(TableRows table, TableRows::of(database, u"merged_rows"_s, u"rowid"_s));
     std::vector<TableRows::Row> cells;
     cells.reserve(rows.size());
@@ -113,10 +112,7 @@ Expected<void> insert(Database& database, const std::vector<MergedRow>& rows)
                                                   {u"is_origin", qint64(row.isOrigin)},
                                                   {u"whole", qint64(row.whole)},
                                                   {u"content", row.content}}));
-    ASSIGN_OR_RETURN(const auto inserted, table.insert(cells, doing));
-    if (inserted.size() != rows.size())
-        return failure(ErrorCode::StorageFailed, {doing, Words::tr("it is there already")});
-    return {};
+    return table.insertAll(cells, Words::tr("take a row of another station"));
 }
 
 Expected<std::optional<MergedRow>> find(Database& database, const QString& library, quint8 table,

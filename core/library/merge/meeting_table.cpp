@@ -22,11 +22,11 @@ QString text(const QJsonObject& object)
 
 } // namespace
 
-Expected<Meeting> meetingOf(Database& source, Database& target, qint64 taken, const QString& operatorName)
+Expected<Meeting> meetingOf(const QString& other, Database& target, qint64 taken, const QString& operatorName)
 {
     Meeting meeting;
     ASSIGN_OR_RETURN(meeting.library, libraryId(target));
-    ASSIGN_OR_RETURN(meeting.other, libraryId(source));
+    meeting.other = other;
     ASSIGN_OR_RETURN(meeting.version, change_table::newestVersion(target));
     meeting.taken = taken;
     meeting.operatorName = operatorName;
@@ -35,7 +35,8 @@ Expected<Meeting> meetingOf(Database& source, Database& target, qint64 taken, co
 
 Expected<Meeting> meetingWith(Database& source, Database& target, qint64 taken, const QString& operatorName)
 {
-    ASSIGN_OR_RETURN(Meeting meeting, meetingOf(source, target, taken, operatorName));
+    ASSIGN_OR_RETURN(const QString other, libraryId(source));
+    ASSIGN_OR_RETURN(Meeting meeting, meetingOf(other, target, taken, operatorName));
     ASSIGN_OR_RETURN(const auto seen, seenVersions(target));
     for (const auto& [library, version] : seen)
         meeting.seen.insert(library, version);

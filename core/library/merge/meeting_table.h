@@ -23,8 +23,8 @@ struct Meeting {
     QString operatorName;
     void addHead(const QString& ofLibrary, const ChainEnd& end);
 };
-/// Of two libraries, with neither what is seen nor heads.
-[[nodiscard]] Expected<Meeting> meetingOf(Database& source, Database& target, qint64 taken,
+/// With another library, without what is seen and heads.
+[[nodiscard]] Expected<Meeting> meetingOf(const QString& other, Database& target, qint64 taken,
                                           const QString& operatorName);
 /// As it is now, within the transaction that merges.
 [[nodiscard]] Expected<Meeting> meetingWith(Database& source, Database& target, qint64 taken,

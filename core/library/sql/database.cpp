@@ -244,6 +244,14 @@ Expected<void> Database::requireSameFile(const QString& doing) const
                     .arg(m_file)});
 }
 
+std::optional<Error> Database::whyNotStored(const QString& text, const QString& doing) const
+{
+    if (m_dialect.takesText(text))
+        return {};
+    return Error{ErrorCode::StorageFailed,
+                 {doing, Words::tr("a text in it holds the sign NUL, which the server cannot store")}};
+}
+
 Expected<void> Database::execute(const QString& sql, const QString& doing)
 {
     RETURN_IF_ERROR(reconnectIfLost());

@@ -17,6 +17,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 class QSqlError;
 class QTemporaryDir;
@@ -78,6 +79,8 @@ public:
 
     /// The error as a value. `doing` completes "the library could not ...".
     [[nodiscard]] tl::unexpected<Error> error(const QSqlError& error, const QString& doing) const;
+    /// StorageFailed: the text cannot be stored. Nothing: it can.
+    [[nodiscard]] std::optional<Error> whyNotStored(const QString& text, const QString& doing) const;
     /// Connects again where the connection was lost and no transaction was under way. StorageOpen: it cannot.
     [[nodiscard]] Expected<void> reconnectIfLost();
     /// error() has been given one that ended the connection, and reconnectIfLost() has not mended it yet.

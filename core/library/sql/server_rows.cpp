@@ -25,7 +25,7 @@ QString literal(std::string_view text)
 
 } // namespace
 
-ServerRows::ServerRows(Database& database, QString doing, QString sql)
+ServerRows::ServerRows(Database& database, QString doing, const QString& sql)
     : m_database(database), m_doing(std::move(doing)), m_sql(database.dialect().spelled(sql)),
       m_rows(database.connection())
 {

@@ -15,7 +15,7 @@ namespace gripscope {
 /// that neither a look-up nor a million rows cost more than they have to. Within a transaction.
 class ServerRows {
 public:
-    ServerRows(Database& database, QString doing, QString sql);
+    ServerRows(Database& database, QString doing, const QString& sql);
     ~ServerRows();
     ServerRows(const ServerRows&) = delete;
     ServerRows& operator=(const ServerRows&) = delete;

@@ -57,10 +57,8 @@ bool Statement::prepare(const QString& sql)
 
 void Statement::refuseUnlessTaken(const QString& text)
 {
-    if (!m_problem && !m_database.dialect().takesText(text))
-        m_problem =
-            Error{ErrorCode::StorageFailed,
-                  {m_doing, Words::tr("a text in it holds the sign NUL, which the server cannot store")}};
+    if (!m_problem)
+        m_problem = m_database.whyNotStored(text, m_doing);
 }
 
 Statement& Statement::bind(const QString& text)

@@ -61,10 +61,8 @@ constexpr std::size_t keysOfQuery = 500;
 
 QString places(std::size_t number)
 {
-    QStringList places;
-    for (std::size_t i = 0; i < number; ++i)
-        places += u"?"_s;
-    return u'(' + places.join(u", "_s) + u')';
+    const QStringList marks(static_cast<qsizetype>(number), u"?"_s);
+    return u'(' + marks.join(u", "_s) + u')';
 }
 
 std::size_t bytesOf(const TableRows::Row& row)
@@ -145,12 +143,16 @@ struct TableRows::Private {
         return problem;
     }
 
-    [[nodiscard]] QString selecting() const
+    [[nodiscard]] QString names() const
     {
         QStringList names;
         for (const Column& column : columns)
             names += quoted(column.name);
-        return u"SELECT %1, rowid FROM %2 WHERE "_s.arg(names.join(u", "_s), quoted(table));
+        return names.join(u", "_s);
+    }
+    [[nodiscard]] QString selecting() const
+    {
+        return u"SELECT %1, rowid FROM %2 WHERE "_s.arg(names(), quoted(table));
     }
     [[nodiscard]] Row rowOf(const QSqlQuery& query) const
     {
@@ -208,22 +210,17 @@ struct TableRows::Private {
 Expected<void> TableRows::Private::insert(std::span<const Row> rows, const QString& doing,
                                           std::set<Cell>& inserted) const
 {
-    QStringList names, valuesOfRows;
-    for (const Column& column : columns)
-        names += quoted(column.name);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        valuesOfRows += places(columns.size());
+    const QStringList valuesOfRows(static_cast<qsizetype>(rows.size()), places(columns.size()));
     const SqlDialect& dialect = database.dialect();
     QSqlQuery query(database.connection());
     query.setForwardOnly(dialect.streams());
     query.prepare(u"INSERT INTO %1 (%2) VALUES %3 ON CONFLICT DO NOTHING RETURNING %4, rowid"_s.arg(
-        quoted(table), names.join(u", "_s), valuesOfRows.join(u", "_s), quoted(key)));
+        quoted(table), names(), valuesOfRows.join(u", "_s), quoted(key)));
     for (const Row& row : rows)
         for (const Cell& cell : row) {
-            if (const auto* text = std::get_if<QString>(&cell); text && !dialect.takesText(*text))
-                return failure(
-                    ErrorCode::StorageFailed,
-                    {doing, Words::tr("a text in it holds the sign NUL, which the server cannot store")});
+            const auto* text = std::get_if<QString>(&cell);
+            if (const auto refused = text ? database.whyNotStored(*text, doing) : std::nullopt)
+                return tl::unexpected(*refused);
             const auto* number = std::get_if<double>(&cell);
             query.addBindValue(number ? dialect.bound(*number) : variantOf(cell));
         }
@@ -301,6 +298,14 @@ Expected<std::set<Cell>> TableRows::insert(const std::vector<Row>& rows, const Q
         first += number;
     }
     return inserted;
+}
+
+Expected<void> TableRows::insertAll(const std::vector<Row>& rows, const QString& doing)
+{
+    ASSIGN_OR_RETURN(const auto inserted, insert(rows, doing));
+    if (inserted.size() != rows.size())
+        return failure(ErrorCode::StorageFailed, {doing, Words::tr("it is there already")});
+    return {};
 }
 
 Expected<void> TableRows::forEachKey(const std::function<bool(const Cell&)>& take)

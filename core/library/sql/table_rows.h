@@ -53,6 +53,8 @@ public:
     /// Puts rows in, many in one statement, and leaves out those that something there excludes. Returns the
     /// keys of those that were put in. Each has a cell for each of columns().
     [[nodiscard]] Expected<std::set<Cell>> insert(const std::vector<Row>& rows, const QString& doing);
+    /// StorageFailed: something there excludes one of them.
+    [[nodiscard]] Expected<void> insertAll(const std::vector<Row>& rows, const QString& doing);
 
 private:
     struct Private;

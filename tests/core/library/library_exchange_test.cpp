@@ -2,7 +2,6 @@
 #include "core/library/exchange/library_exchange.h"
 #include "core/library/merge/library_merge.h"
 #include "core/library/sql/statement.h"
-#include "core/library/verification/library_verification.h"
 #include "tests/core/library/full_library.h"
 #include "tests/core/library/plant_actions.h"
 #include "tests/core/library/raw_database.h"
@@ -43,22 +42,7 @@ struct LinkedStation {
         }
         qFatal("it does not come in step");
     }
-    [[nodiscard]] QString enrol(const QString& name, int squeezes = 1) const
-    {
-        const QString id = valueOf(library->addType(name, {}, u"N"_s, u"m"_s, u"Ada"_s)).id;
-        for (int i = 0; i < squeezes; ++i)
-            valueOf(library->addGrasp(aGrasp(id, 9000 + i)));
-        return id;
-    }
 };
-
-bool isWhole(const QString& place)
-{
-    const LibraryVerification found = valueOf(verifyLibrary(place));
-    for (const LibraryDifference& difference : found.differences)
-        qWarning("%s", qPrintable(inWords(difference)));
-    return found.whole();
-}
 
 /// The keys of a library's inspections, each as often as it is there.
 std::multiset<QString> inspectionKeys(const QString& place)
@@ -80,7 +64,7 @@ private slots:
         const LibraryFolder server;
         const auto plant = server.open();
         LinkedStation station;
-        const QString cola = station.enrol(u"Cola"_s, 3);
+        const QString cola = enrol(*station.library, u"Cola"_s, 3);
         for (int i = 0; i < 40; ++i)
             valueOf(station.library->addInspection(anInspection(VerdictKind::Type, u"Cola"_s)));
         qint64 links = 0, waiting = std::numeric_limits<qint64>::max();
@@ -107,7 +91,7 @@ private slots:
         const LibraryFolder server;
         const auto plant = server.open();
         LinkedStation one, other;
-        const QString cola = one.enrol(u"Cola"_s, 3);
+        const QString cola = enrol(*one.library, u"Cola"_s, 3);
         valueOf(one.library->approveType(cola, u"Ada"_s));
         valueOf(one.library->addCalibration(aCalibration()));
         valueOf(one.library->addInspection(anInspection()));
@@ -135,7 +119,7 @@ private slots:
         const LibraryFolder server;
         const auto plant = server.open();
         LinkedStation one, other;
-        const QString cola = one.enrol(u"Cola"_s, 2);
+        const QString cola = enrol(*one.library, u"Cola"_s, 2);
         one.bringInStep(*plant);
         other.bringInStep(*plant);
         valueOf(one.library->renameType(cola, u"Cola small"_s, why));
@@ -185,7 +169,7 @@ private slots:
         const LibraryFolder server;
         const auto plant = server.open();
         LinkedStation one, other;
-        const QString cola = one.enrol(u"Cola"_s);
+        const QString cola = enrol(*one.library, u"Cola"_s);
         one.bringInStep(*plant);
         other.bringInStep(*plant);
         valueOf(one.library->renameType(cola, u"Cola 330"_s, why));
@@ -210,7 +194,7 @@ private slots:
         const LibraryFolder server;
         const auto plant = server.open();
         LinkedStation station;
-        static_cast<void>(station.enrol(u"Cola"_s));
+        static_cast<void>(enrol(*station.library, u"Cola"_s));
         const QString copy = station.folder.filePath(u"copy.db"_s);
         station.library.reset();
         QVERIFY(QFile::copy(station.file(), copy));
@@ -228,7 +212,7 @@ private slots:
     {
         LinkedStation first, second; // as servers
         LinkedStation one, other;
-        static_cast<void>(one.enrol(u"Cola"_s));
+        static_cast<void>(enrol(*one.library, u"Cola"_s));
         one.bringInStep(*first.library);
         other.bringInStep(*first.library);
         const auto elsewhere = other.library->exchangeWith(*second.library, {}, linksOfStep);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/library/verification/library_verification.h"
 #include "tests/core/library/library_fixture.h"
 
 #include <random>
@@ -8,6 +9,22 @@
 namespace gripscope::test {
 
 inline const ChangeNote why{u"Ada"_s, u"one plant"_s};
+
+[[nodiscard]] inline QString enrol(Library& library, const QString& name, int squeezes = 1)
+{
+    const QString id = valueOf(library.addType(name, {}, u"N"_s, u"m"_s, u"Ada"_s)).id;
+    for (int i = 0; i < squeezes; ++i)
+        valueOf(library.addGrasp(aGrasp(id, 9000 + i)));
+    return id;
+}
+
+[[nodiscard]] inline bool isWhole(const QString& place)
+{
+    const LibraryVerification found = valueOf(verifyLibrary(place));
+    for (const LibraryDifference& difference : found.differences)
+        qWarning("%s", qPrintable(inWords(difference)));
+    return found.whole();
+}
 
 /// What the program works with, by names: types in use and retired with all that is in force, and their
 /// squeezes.
@@ -38,8 +55,7 @@ inline void changeSomething(Library& library, std::mt19937& random)
     std::vector<TypeRecord> types = valueOf(library.types());
     if (types.empty() || below(6) == 0) {
         if (!valueOf(library.findType(word)))
-            valueOf(library.addGrasp(
-                aGrasp(valueOf(library.addType(word, {}, u"N"_s, u"m"_s, u"Ada"_s)).id, 9000)));
+            static_cast<void>(enrol(library, word));
         return;
     }
     const TypeRecord type = types[below(types.size())];
