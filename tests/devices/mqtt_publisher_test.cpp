@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/line/mqtt/mqtt_publisher.h"
 #include "tests/devices/mqtt_broker.h"
+#include "tests/support/mqtt_reader.h"
 #include "tests/support/test_registry.h"
 
 #include <QJsonArray>
@@ -148,6 +149,27 @@ private slots:
                                 int(patience.count())));
         QCOMPARE(outbox->newest(), 3u);
         QVERIFY(publisher.end(patience));
+    }
+    /// The file is read late, here since another program has it; what is in it has waited all the same.
+    void whatWaitedIsHistoricalHoweverLateItIsRead()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(u"mqtt"_s);
+        auto other = std::make_unique<MqttOutbox>(file);
+        other->offer(reportOfPart(1));
+        QTRY_COMPARE(other->waiting(0, 9).size(), 1u);
+        Broker broker;
+        QVERIFY(broker.start());
+        MqttReader reader(broker.port(), optionsFor(broker).jsonTopic);
+        QVERIFY(reader.subscribed());
+        const auto outbox = std::make_shared<MqttOutbox>(file);
+        MqttPublisher publisher(optionsFor(broker), outbox);
+        QTRY_VERIFY(publisher.link().stored.has_value());
+        QTest::qWait(200); // long enough for a session that does not heed it
+        other.reset();
+        const std::vector<QJsonObject> seen = reader.messages(1);
+        QCOMPARE(seen.size(), std::size_t(1));
+        QCOMPARE(seen[0][u"historical"_s].toBool(), true);
     }
     void aPrimaryHostThatIsNotThereIsWaitedFor()
     {

@@ -24,8 +24,8 @@ struct MqttOutbox::Private {
     QString name;
     Limits limits;
     mutable std::mutex mutex;
-    std::condition_variable news, answered;
-    bool ending = false;
+    mutable std::condition_variable news, answered;
+    bool ending = false, isRead = false;
     std::deque<LineReport> handed, waiting;
     quint64 newest = 0, acknowledged = 0, written = 0; ///< acknowledged: by the broker; written: in the file
     bool birthAsked = false;
@@ -89,10 +89,12 @@ bool MqttOutbox::Private::openFile()
     note(problem);
     if (!file)
         return false;
+    isRead = true;
     status.damaged = damaged;
     waiting = std::move(kept);
     newest = file->contents().next - 1;
     written = acknowledged = waiting.empty() ? newest : waiting.front().sequence - 1;
+    answered.notify_all();
     if (wake)
         wake();
     return true;
@@ -182,6 +184,13 @@ void MqttOutbox::offer(const LineReport& report)
     }
     d->handed.push_back(report);
     d->news.notify_all();
+}
+
+bool MqttOutbox::waitUntilRead() const
+{
+    std::unique_lock lock(d->mutex);
+    d->answered.wait(lock, [this] { return d->ending || d->isRead || d->status.problem; });
+    return d->isRead;
 }
 
 std::vector<LineReport> MqttOutbox::waiting(quint64 behind, std::size_t most) const

@@ -30,6 +30,9 @@ public:
     void offer(const LineReport& report);
 
     // The sender's side.
+    /// Waits for the disk until it is known what an earlier program left: before, nothing below is. False
+    /// where the file cannot be had, for now; see status().
+    [[nodiscard]] bool waitUntilRead() const;
     /// At most so many that wait, in their order, behind this sequence.
     [[nodiscard]] std::vector<LineReport> waiting(quint64 behind, std::size_t most) const;
     [[nodiscard]] quint64 newest() const; ///< the last sequence of what was handed over

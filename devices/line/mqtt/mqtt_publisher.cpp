@@ -122,11 +122,11 @@ void MqttPublisher::Shared::run()
 
 Expected<void> MqttPublisher::Shared::attempt()
 {
-    std::optional<std::uint8_t> birth = 0;
-    if (options.sparkplug())
-        birth = outbox->nextBirth();
+    std::optional<std::uint8_t> birth;
+    if (outbox->waitUntilRead()) // what an earlier program left waits, and is to be known as such
+        birth = options.sparkplug() ? outbox->nextBirth() : 0;
     if (!birth)
-        return failure(ErrorCode::Usage, outbox->status().problem.value_or(Error()).arguments);
+        return tl::make_unexpected(outbox->status().problem.value_or(Error()));
     MqttConnection connection(options);
     MqttSession session(options, *birth, connection);
     RETURN_IF_ERROR(connection.open(session));

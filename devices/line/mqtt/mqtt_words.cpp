@@ -89,7 +89,7 @@ LineWords mqttWords(const MqttLink& link)
     const QString since = link.since.toLocalTime().toString(u"HH:mm"_s);
     if (link.stored)
         words.problems.push_back(Finding(link.stored->describe()));
-    if (link.problem)
+    if (link.problem && link.problem != link.stored)
         words.problems.push_back(Finding(link.problem->describe()));
     if (link.waitsForHost)
         words.problems.push_back(
