@@ -50,6 +50,10 @@ void describeOptions(QCommandLineParser& parser)
         {u"mqtt-user"_s, u"Who the station is for the broker."_s, u"NAME"_s},
         {u"mqtt-password-file"_s,
          u"The first line of this file is the password; only its owner may read it."_s, u"FILE"_s},
+        {u"plant"_s,
+         u"Keeps the library, a file, in step with that of the plant on a server: "
+         "postgresql://USER@HOST:PORT/DATABASE."_s,
+         u"ADDRESS"_s},
         {u"heartbeat"_s, u"A PLC whose heartbeat stands still for so long is lost. Default: 2."_s,
          u"SECONDS"_s},
         {u"types"_s, u"Names of types by their number from 1 on, with semicolons."_s, u"LIST"_s},
@@ -112,6 +116,18 @@ Expected<void> takeMqtt(const QCommandLineParser& parser, StationOptions& option
     return {};
 }
 
+Expected<void> takePlant(const QCommandLineParser& parser, StationOptions& options)
+{
+    if (!parser.isSet(u"plant"_s))
+        return {};
+    PlantLinkOptions plant;
+    plant.station = options.library;
+    plant.server = parser.value(u"plant"_s);
+    RETURN_IF_ERROR(checkOptions(plant));
+    options.plant = plant;
+    return {};
+}
+
 Expected<void> takeLine(const QCommandLineParser& parser, StationOptions& options)
 {
     if (parser.isSet(u"modbus"_s)) {
@@ -167,6 +183,7 @@ Expected<StationOptions> parseStationOptions(const QStringList& arguments)
     RETURN_IF_ERROR(takeRates(parser, options.rates));
     RETURN_IF_ERROR(takeLine(parser, options));
     RETURN_IF_ERROR(takeMqtt(parser, options));
+    RETURN_IF_ERROR(takePlant(parser, options));
     if (options.answer.isEmpty() && options.command.isEmpty() &&
         (options.address.isEmpty() || !options.modbus))
         return failure(ErrorCode::Usage,

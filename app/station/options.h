@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/library/link/plant_link.h"
 #include "core/recognition/verdict/verdict.h"
 #include "devices/line/modbus_server.h"
 #include "devices/line/mqtt/mqtt_options.h"
@@ -16,7 +17,8 @@ struct StationOptions {
     QString library, address, expectedType;
     QStringList types; ///< by number
     std::optional<ModbusServerOptions> modbus;
-    std::optional<MqttOptions> mqtt; ///< where results are sent as well
+    std::optional<MqttOptions> mqtt;       ///< where results are sent as well
+    std::optional<PlantLinkOptions> plant; ///< the server that the library is kept in step with
     double heartbeat_s = 2;
     VerdictOptions rates;
 };

@@ -5,6 +5,7 @@
 #include "core/library/people/people_register.h"
 #include "core/people/audit_entry.h"
 #include "core/people/secret.h"
+#include "core/session/line/plant_words.h"
 
 #include <QDateTime>
 #include <QFileInfo>
@@ -56,6 +57,14 @@ Expected<QString> consentToArm(Library& library, const QString& name, QString se
     return person;
 }
 
+void tellProblems(LineWords& known, LineWords now)
+{
+    if (now.problems != known.problems)
+        for (const QString& problem : described(now.problems))
+            tellLog(problem);
+    known = std::move(now);
+}
+
 QJsonObject refusal(const Error& error)
 {
     return {{u"done"_s, false}, {u"message"_s, error.describe()}};
@@ -101,6 +110,8 @@ Expected<void> Station::start()
     m_server = std::make_unique<ModbusServer>(*m_options.modbus, m_desk);
     if (m_options.mqtt)
         m_sender.begin(*m_options.mqtt, m_options.library);
+    if (m_options.plant)
+        m_plant = std::make_unique<PlantLink>(*m_options.plant);
     m_timer.start();
     return {};
 }
@@ -114,6 +125,8 @@ Expected<void> Station::end()
     m_connection.disarm();
     m_connection.disconnect();
     static_cast<void>(m_sender.end(brokerPatience));
+    if (m_plant)
+        static_cast<void>(m_plant->end(brokerPatience));
     if (m_connection.stopState() == StopState::NotObeyed)
         return failure(ErrorCode::StopNotObeyed, {});
     return {};
@@ -129,6 +142,7 @@ void Station::tick()
     m_asking.poll();
     m_arming.poll();
     followArming();
+    notePlant();
     tellNews();
     const QString status = words().headline.describe();
     if (!m_ready && m_inspection.state() == InspectSession::State::Ready &&
@@ -180,13 +194,22 @@ void Station::tellNews()
         tellLog(news.describe());
     noticeError(m_connectionError, m_connection.lastError());
     noticeError(m_inspectionError, m_inspection.lastError());
-    if (!m_sender.on())
+    if (m_sender.on())
+        tellProblems(m_mqttWords, mqttWords(m_sender.link()));
+    if (m_plant)
+        tellProblems(m_plantWords, plantWords(m_plant->status(), QDateTime::currentDateTimeUtc()));
+}
+
+void Station::notePlant()
+{
+    // What is in force stays so for a squeeze.
+    if (!m_plant || m_inspection.state() != InspectSession::State::Ready)
         return;
-    const LineWords mqtt = mqttWords(m_sender.link());
-    if (mqtt.problems != m_mqttWords.problems)
-        for (const QString& problem : described(mqtt.problems))
-            tellLog(problem);
-    m_mqttWords = mqtt;
+    const qint64 taken = m_plant->status().typesTaken;
+    if (std::exchange(m_typesTaken, taken) == taken)
+        return;
+    m_inspection.reload();
+    m_known.clear(); // its calibrations are asked for again
 }
 
 LineWords Station::words() const
@@ -215,7 +238,9 @@ QJsonObject Station::status() const
             {u"overruns"_s, qint64(view.overruns)},
             {u"unstored"_s, qint64(m_inspection.unstored())},
             {u"mqtt"_s, m_mqttWords.headline.describe()},
-            {u"mqttProblems"_s, QJsonArray::fromStringList(described(m_mqttWords.problems))}};
+            {u"mqttProblems"_s, QJsonArray::fromStringList(described(m_mqttWords.problems))},
+            {u"plant"_s, m_plantWords.headline.describe()},
+            {u"plantProblems"_s, QJsonArray::fromStringList(described(m_plantWords.problems))}};
 }
 
 void Station::answer(const QJsonObject& request, const Console::Answer& answer)

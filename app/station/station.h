@@ -33,6 +33,7 @@ private:
     void noticeGripper();
     void applyKnown(const QString& serial);
     void tellNews();
+    void notePlant();
     void noticeError(std::optional<Error>& known, const std::optional<Error>& now);
     void answer(const QJsonObject& request, const Console::Answer& answer);
     void arm(const QJsonObject& request, const Console::Answer& answer);
@@ -50,6 +51,7 @@ private:
     LineSession m_line;
     std::unique_ptr<ModbusServer> m_server;
     ResultSender m_sender;
+    std::unique_ptr<PlantLink> m_plant;
     Console m_console;
     ServiceNotice m_notice;
     QTimer m_timer;
@@ -59,7 +61,8 @@ private:
     Console::Answer m_armed; ///< to be told once the gripper is
     std::chrono::steady_clock::time_point m_armBy;
     std::optional<Error> m_connectionError, m_inspectionError;
-    LineWords m_mqttWords; ///< as they were told last
+    LineWords m_mqttWords, m_plantWords; ///< as they were told last
+    qint64 m_typesTaken = 0;             ///< from the plant
 };
 
 } // namespace gripscope

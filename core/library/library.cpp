@@ -127,14 +127,19 @@ QString Library::shortName(const QString& place)
     return shortLibraryName(place);
 }
 
-Expected<std::unique_ptr<Library>> Library::open(const QString& place)
+Expected<std::unique_ptr<Library>> Library::open(const QString& place, const std::shared_ptr<Hangup>& hangup)
 {
     if (!isOnServer(place))
         RETURN_IF_ERROR(prepareFile(place));
-    ASSIGN_OR_RETURN(auto database, Database::open(place));
+    ASSIGN_OR_RETURN(auto database, Database::open(place, hangup));
     RETURN_IF_ERROR(migrate(*database));
     RETURN_IF_ERROR(refuseForeignSchema(*database));
     return std::unique_ptr<Library>(new Library(std::make_unique<Private>(std::move(database))));
+}
+
+bool Library::hasLostServer() const
+{
+    return d->database->isLost();
 }
 
 QString Library::file() const

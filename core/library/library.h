@@ -18,6 +18,7 @@
 #include <QString>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -65,7 +66,10 @@ struct MergeReport;
 struct PlantConflict;
 struct StationStanding;
 class AuditTrail;
+class Hangup;
 class PeopleRegister;
+class WaitingCount;
+struct Waiting;
 
 /// The library of types, squeezes and inspections, in one SQLite file or in a PostgreSQL database. Rows are
 /// appended, never overwritten; keys are UUIDs in time order; every write is one transaction, so a squeeze is
@@ -83,9 +87,10 @@ class PeopleRegister;
 class Library {
 public:
     /// Opens or creates the file, or opens the database on the server that is named
-    /// (sql/library_location.h), and brings an older one up to date. StorageOpen, StorageNewer,
-    /// StorageCorrupt.
-    [[nodiscard]] static Expected<std::unique_ptr<Library>> open(const QString& place);
+    /// (sql/library_location.h), and brings an older one up to date. `hangup` (sql/hangup.h) ends what waits
+    /// for a server. StorageOpen, StorageNewer, StorageCorrupt.
+    [[nodiscard]] static Expected<std::unique_ptr<Library>> open(const QString& place,
+                                                                 const std::shared_ptr<Hangup>& hangup = {});
     /// The user's own library when no file is named.
     [[nodiscard]] static QString defaultFile();
     /// "postgresql://..." or "postgres://...".
@@ -104,6 +109,8 @@ public:
 
     [[nodiscard]] QString file() const; ///< or the address, without a password
     [[nodiscard]] int schemaVersion() const;
+    /// The server ended the connection; what is asked for next connects again.
+    [[nodiscard]] bool hasLostServer() const;
     /// The first link of its ledger, by which a library is told from any other; nothing before its first row.
     [[nodiscard]] Expected<std::optional<ChainEnd>> birth() const;
     /// All that `work` asks of this library is one transaction: when it fails, nothing of it is stored.
@@ -191,6 +198,9 @@ public:
     /// this library free to be written to. StorageOpen: one of the two is an older copy, or another server's.
     [[nodiscard]] Expected<ExchangeStep> exchangeWith(Library& server, const QString& marks,
                                                       qint64 mostLinks);
+    /// What this library, a station's, has written and its plant's server has not (exchange/waiting_count.h).
+    [[nodiscard]] Expected<Waiting> countWaiting(WaitingCount& count,
+                                                 const std::map<QString, qint64>& delivered) const;
     /// The stations whose inspections it has, by name.
     [[nodiscard]] Expected<std::vector<StationStanding>> stations() const;
     /// What stations decided apart, until somebody who may decide it has seen it.

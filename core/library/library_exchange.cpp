@@ -2,6 +2,7 @@
 #include "core/library/exchange/library_exchange.h"
 
 #include "core/base/words.h"
+#include "core/library/exchange/waiting_count.h"
 #include "core/library/library_private.h"
 #include "core/library/merge/library_merge.h"
 
@@ -19,9 +20,12 @@ Expected<ExchangeStep> Library::exchangeWith(Library& server, const QString& mar
         ASSIGN_OR_RETURN(step.delivered,
                          server.d->write<Delivery>(Words::tr("take what a station has written"),
                                                    [&] { return deliver(here, there, mostLinks); }));
-        if (step.delivered.waiting > 0)
-            return step;
     }
+    if (waiting > 0 || marks.isEmpty()) {
+        ASSIGN_OR_RETURN(step.there, deliveredLinks(here, there));
+    }
+    if (step.delivered.waiting > 0)
+        return step;
     ASSIGN_OR_RETURN(const QString now, marksOf(there));
     step.inStep = now == marks;
     if (step.inStep)
@@ -38,6 +42,11 @@ Expected<ExchangeStep> Library::exchangeWith(Library& server, const QString& mar
     step.inStep = step.fetched.rows == 0; // else what came is told to the server first
     ASSIGN_OR_RETURN(step.conflicts, server.conflicts());
     return step;
+}
+
+Expected<Waiting> Library::countWaiting(WaitingCount& count, const DeliveredLinks& delivered) const
+{
+    return count.count(*d->database, delivered);
 }
 
 } // namespace gripscope

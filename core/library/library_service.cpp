@@ -22,10 +22,11 @@ struct Job {
 
 struct LibraryService::Private {
     QString file;
-    mutable std::mutex mutex; ///< guards jobs, acting and ending
+    mutable std::mutex mutex; ///< guards jobs, acting, guest and ending
     std::condition_variable wake;
     std::deque<Job> jobs;
     Acting acting;
+    std::weak_ptr<LibraryGuest> guest;
     bool ending = false;
     std::thread thread;
 
@@ -41,6 +42,21 @@ struct LibraryService::Private {
         return job;
     }
 
+    /// While nobody in this program has the file open.
+    void runAlone(const Job& job)
+    {
+        std::shared_ptr<LibraryGuest> other;
+        {
+            const std::lock_guard lock(mutex);
+            other = guest.lock();
+        }
+        if (other)
+            other->leave();
+        job.closed(job.acting);
+        if (other)
+            other->comeBack();
+    }
+
     /// A library that does not open is tried again with the next job: a disk may have come back. A server
     /// that does not answer takes seconds to say so: who has asked meanwhile has that answer.
     void loop()
@@ -51,7 +67,7 @@ struct LibraryService::Private {
         while (auto job = next()) {
             if (job->closed) {
                 library.reset();
-                job->closed(job->acting);
+                runAlone(*job);
                 continue;
             }
             if (!library) {
@@ -93,6 +109,12 @@ LibraryService::~LibraryService()
 QString LibraryService::file() const
 {
     return d->file;
+}
+
+void LibraryService::setGuest(std::weak_ptr<LibraryGuest> guest)
+{
+    const std::lock_guard lock(d->mutex);
+    d->guest = std::move(guest);
 }
 
 void LibraryService::actAs(const Acting& acting)

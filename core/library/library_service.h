@@ -3,6 +3,7 @@
 
 #include "core/base/pending.h"
 #include "core/library/library.h"
+#include "core/library/library_guest.h"
 #include "core/people/acting.h"
 
 #include <functional>
@@ -31,8 +32,8 @@ public:
         return answer.pending();
     }
 
-    /// Runs `work` on that thread while this service does not have the library open: for what needs its file
-    /// alone. What is asked for next opens it again.
+    /// Runs `work` on that thread while neither this service nor its guest has the library open: for what
+    /// needs its file alone. What is asked for next opens it again.
     template <typename T>
     [[nodiscard]] Pending<Expected<T>> runClosed(std::function<Expected<T>(const Acting&)> work)
     {
@@ -42,6 +43,9 @@ public:
     }
 
     [[nodiscard]] QString file() const;
+
+    /// Who else has its file open; the last one that was named counts.
+    void setGuest(std::weak_ptr<LibraryGuest> guest);
 
     /// Who asks for what is asked for from now on.
     void actAs(const Acting& acting);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Squeezes and Stop with the PLC's server off, on, flooded, and flooded beside a broker that is out of reach,
-// side by side: how long from a squeeze's start to its verdict, how late samples are taken over, and how long
-// until the gripper has obeyed Stop.
+// Squeezes and Stop with the PLC's server off, on, flooded, and flooded beside a broker and a plant's server
+// that are out of reach, side by side: how long from a squeeze's start to its verdict, how late samples are
+// taken over, and how long until the gripper has obeyed Stop.
 //   build/bench/bin/line_flood_bench [ROUNDS]
+#include "core/library/link/plant_link.h"
 #include "core/session/line/line_session.h"
 #include "devices/factory/gripper_factory.h"
 #include "devices/line/modbus_server.h"
@@ -188,7 +189,9 @@ int main(int argc, char** argv)
         broker.host = QStringLiteral("192.0.2.1"); // an address of RFC 5737: nobody has it
         broker.jsonTopic = QStringLiteral("plant/results");
         station.sender.begin(broker, folder.filePath(QStringLiteral("bench.db")));
-        std::printf("server flooded, results to a broker that no packet reaches\n");
+        const PlantLink plant({folder.filePath(QStringLiteral("bench.db")),
+                               QStringLiteral("postgresql://station@192.0.2.1/plant")});
+        std::printf("server flooded, a broker and a plant's server that no packet reaches\n");
         if (!measure(station, rounds))
             return 1;
         std::printf("  %zu results wait\n", station.sender.link().waiting);

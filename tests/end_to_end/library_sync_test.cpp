@@ -2,6 +2,7 @@
 // A station's library, a file, brought in step with its plant's on a PostgreSQL server, by the program.
 #include "core/library/library.h"
 #include "tests/end_to_end/program_run.h"
+#include "tests/support/plant_server.h"
 #include "tests/support/test_registry.h"
 
 #include <cmath>
@@ -11,34 +12,6 @@ using namespace gripscope::test;
 using namespace Qt::StringLiterals;
 
 namespace {
-
-/// A server of this test's own.
-class PlantServer {
-public:
-    PlantServer() { run({u"start"_s, m_folder.filePath(u"address"_s)}); }
-    ~PlantServer() { run({u"stop"_s, m_folder.filePath(u"address"_s)}); }
-    PlantServer(const PlantServer&) = delete;
-    PlantServer& operator=(const PlantServer&) = delete;
-
-    [[nodiscard]] QString address() const
-    {
-        QFile file(m_folder.filePath(u"address"_s));
-        return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()).trimmed() : QString();
-    }
-    void crash() const { run({u"kill"_s, m_folder.filePath(u"address"_s)}); }
-
-private:
-    static void run(const QStringList& arguments)
-    {
-        QProcess script;
-        script.setStandardOutputFile(QProcess::nullDevice()); // the server inherits it
-        script.setStandardErrorFile(QProcess::nullDevice());
-        script.start(QStringLiteral(GRIPSCOPE_SOURCE_DIR "/tests/support/postgresql.sh"), arguments);
-        if (!script.waitForFinished(120'000) || script.exitCode() != 0)
-            qFatal("the server did not %s", qPrintable(arguments.front()));
-    }
-    QTemporaryDir m_folder;
-};
 
 void inspect(const QString& file, int inspections)
 {

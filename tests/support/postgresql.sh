@@ -4,6 +4,10 @@
 #   postgresql.sh start FILE       starts one and writes its address into FILE; it ends with the caller, however that ends
 #   postgresql.sh stop FILE        ends it and removes all that was its
 #   postgresql.sh kill FILE        ends all its processes at once, as a crash does, and starts it again
+#   postgresql.sh halt FILE        ends it, and keeps all that it has
+#   postgresql.sh go FILE          starts what halt ended
+#   postgresql.sh pause FILE       it answers nobody any more, and ends no connection
+#   postgresql.sh resume FILE      it goes on
 #   postgresql.sh run COMMAND...   runs COMMAND with GRIPSCOPE_TEST_SERVER set, as in
 #                                  tests/support/postgresql.sh run build/dev/bin/test_core_library LedgerTest
 # GRIPSCOPE_SERVER_SETTINGS: further ones, as "-c shared_buffers=1GB"
@@ -74,6 +78,20 @@ stop)
 kill)
   "${as[@]}" "$programs/pg_ctl" -D "$(folder_of "$2")/data" -m immediate -w restart >/dev/null
   ;;
+halt)
+  "${as[@]}" "$programs/pg_ctl" -D "$(folder_of "$2")/data" -m fast -w stop >/dev/null
+  ;;
+go)
+  # With the options that it had.
+  "${as[@]}" "$programs/pg_ctl" -D "$(folder_of "$2")/data" -w -l "$(folder_of "$2")/log" restart >/dev/null 2>&1
+  ;;
+pause | resume)
+  server=$(head -n 1 "$(folder_of "$2")/data/postmaster.pid")
+  signal=STOP
+  [ "$1" = resume ] && signal=CONT
+  kill "-$signal" "$server"
+  pkill "-$signal" -P "$server" || true # nobody is connected
+  ;;
 run)
   shift
   begin
@@ -82,7 +100,7 @@ run)
   GRIPSCOPE_TEST_SERVER=$address "$@"
   ;;
 *)
-  sed -n '3,10p' "$0" >&2
+  sed -n '3,14p' "$0" >&2
   exit 2
   ;;
 esac

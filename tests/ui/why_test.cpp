@@ -103,6 +103,27 @@ private slots:
         QVERIFY(done);
         QTRY_COMPARE_WITH_TIMEOUT(newestEntry(f).reason, u"audit of May"_s, longEnough_ms);
     }
+    /// What binds a station to its plant: each change is on record, with its reason.
+    void everySettingOfTheLineBrokerAndPlantIsOnRecord()
+    {
+        WindowFixture f(false, QString());
+        int changed = 0;
+        for (const Setting& one : allSettings()) {
+            if (one.group != SettingGroup::Line && one.group != SettingGroup::Broker &&
+                one.group != SettingGroup::Plant)
+                continue;
+            QVERIFY2(one.needsSupervisor && one.needsReason && !one.shownName().isEmpty(), one.key);
+            const QString key = QString::fromLatin1(one.key), reason = u"line 3, %1"_s.arg(++changed);
+            changeSettings(*f.bench, f.window.get(), {{key, one.fallback, u"another"_s}}, [] {});
+            f.sayWhy(reason);
+            QTRY_COMPARE_WITH_TIMEOUT(newestEntry(f).reason, reason, longEnough_ms);
+            const AuditEntry entry = newestEntry(f);
+            QCOMPARE(entry.action, u"setting.changed"_s);
+            QCOMPARE(entry.subject, key);
+            QVERIFY(entry.details.contains(u"another"_s));
+        }
+        QVERIFY(changed >= 16);
+    }
 };
 
 GRIPSCOPE_TEST(WhyTest)

@@ -308,6 +308,13 @@ void Workbench::tellLibraryChanged()
     emit libraryChanged();
 }
 
+void Workbench::tellPlantChanged()
+{
+    tellLibraryChanged();
+    if (d->seen.state == ConnectSession::State::Connected)
+        applyKnown(d->seen.serial);
+}
+
 void Workbench::tick()
 {
     d->connection.poll();

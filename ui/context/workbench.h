@@ -78,6 +78,8 @@ public:
 
     /// Types or squeezes in the library were changed by a page.
     void tellLibraryChanged();
+    /// Types, calibrations or limits came from another station.
+    void tellPlantChanged();
     /// A calibration of the connected gripper was stored, and is in force.
     void tellCalibrationChanged()
     {

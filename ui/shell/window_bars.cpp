@@ -11,6 +11,7 @@
 #include "ui/format/study_due_words.h"
 #include "ui/line/line_station.h"
 #include "ui/line/mqtt_station.h"
+#include "ui/line/plant_station.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/elided_label.h"
@@ -171,6 +172,7 @@ void StatusLine::refresh()
     };
     tell(LineStation::of(*m_workbench));
     tell(MqttStation::of(*m_workbench));
+    tell(PlantStation::of(*m_workbench));
     const QString place = m_workbench->library().file();
     const QString library =
         Library::isOnServer(place) ? Library::shortName(place) : QFileInfo(place).completeBaseName();

@@ -122,8 +122,8 @@ Expected<Exchanged> exchange(const CommandLine& line)
         all.rows += step.delivered.rows;
         all.taken += step.fetched.rows;
         all.version = step.fetched.version > 0 ? step.fetched.version : all.version;
-        if (!step.conflicts.empty())
-            all.conflicts = step.conflicts;
+        if (step.conflicts)
+            all.conflicts = *step.conflicts;
     }
     return all;
 }

@@ -2,6 +2,7 @@
 #include "core/library/exchange/delivery.h"
 
 #include "core/base/words.h"
+#include "core/library/ledger/ledger_table.h"
 #include "core/library/ledger/merged_ledger.h"
 #include "core/library/merge/known_history.h"
 #include "core/library/merge/meeting_table.h"
@@ -57,6 +58,18 @@ Expected<void> record(Database& station, Database& server, const std::vector<Cha
 }
 
 } // namespace
+
+Expected<DeliveredLinks> deliveredLinks(Database& station, Database& server)
+{
+    DeliveredLinks links;
+    ASSIGN_OR_RETURN(const QString library, libraryId(station));
+    ASSIGN_OR_RETURN(const auto own, ledger_table::ends(station));
+    for (const auto& [chain, end] : own) {
+        ASSIGN_OR_RETURN(const ChainEnd there, merged_ledger::endOf(server, {library, chain}));
+        links[chain] = there.links;
+    }
+    return links;
+}
 
 Expected<qint64> waitingLinks(Database& station, Database& server)
 {

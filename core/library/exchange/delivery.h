@@ -3,6 +3,8 @@
 
 #include "core/base/error.h"
 
+#include <map>
+
 namespace gripscope {
 
 class Database;
@@ -13,6 +15,10 @@ struct Delivery {
     qint64 rows = 0;    ///< that are in the server's tables since
     qint64 waiting = 0; ///< links that are still to be brought
 };
+
+/// By chain of a station's own ledger how many of its links a server has.
+using DeliveredLinks = std::map<QString, qint64>;
+[[nodiscard]] Expected<DeliveredLinks> deliveredLinks(Database& station, Database& server);
 
 /// Links of a station's ledger that a server has not. The outbox of a station is its ledger: each link is
 /// numbered, holds the digests of its rows and is written in the transaction of these rows; what the server

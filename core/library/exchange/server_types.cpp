@@ -135,7 +135,8 @@ Expected<std::shared_ptr<Database>> emptyCopy()
 
 Expected<QString> marksOf(Database& server)
 {
-    QStringList marks{u"(SELECT COALESCE(MAX(version), 0) FROM library_changes)"_s};
+    QStringList marks{u"(SELECT COALESCE(MAX(version), 0) FROM library_changes)"_s,
+                      u"(SELECT COUNT(*) FROM conflicts_seen)"_s};
     for (const CommonTable& table : commonTables())
         if (table.marked)
             marks += u"(SELECT COALESCE(MAX(rowid), 0) FROM %1)"_s.arg(table.name);

@@ -110,7 +110,7 @@ Database::Database(QString file, const SqlDialect& dialect, const QString& name)
 Database::~Database()
 {
     const QString name = m_connection.connectionName();
-    m_connection.close();
+    closeConnection();
     m_connection = {}; // the last handle has to be gone before the name is given back
     QSqlDatabase::removeDatabase(name);
     m_inUse.reset();
@@ -141,11 +141,11 @@ Expected<std::unique_ptr<Database>> Database::connect(const QString& file, const
     return database;
 }
 
-Expected<std::unique_ptr<Database>> Database::open(const QString& file)
+Expected<std::unique_ptr<Database>> Database::open(const QString& file, const std::shared_ptr<Hangup>& hangup)
 {
     ASSIGN_OR_RETURN(const LibraryLocation location, LibraryLocation::parse(file));
     if (location.server())
-        return connectToServer(location, false);
+        return connectToServer(location, false, hangup);
     if (const auto reason = reasonNotToOpen(file))
         return failure(ErrorCode::StorageOpen, {file, *reason});
     ASSIGN_OR_RETURN(auto database, connect(file, file));

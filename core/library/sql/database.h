@@ -24,6 +24,8 @@ class QTemporaryDir;
 
 namespace gripscope {
 
+class Hangup;
+
 /// A row that the open transaction has put in.
 struct InsertedRow {
     QString table;
@@ -38,8 +40,10 @@ struct InsertedRow {
 class Database {
 public:
     /// Opens or creates the file and changes nothing in it; or connects to the server (LibraryLocation),
-    /// where the database has to be there. StorageOpen, StorageCorrupt.
-    [[nodiscard]] static Expected<std::unique_ptr<Database>> open(const QString& place);
+    /// where the database has to be there. `hangup`: ends what waits for a server. StorageOpen,
+    /// StorageCorrupt.
+    [[nodiscard]] static Expected<std::unique_ptr<Database>> open(const QString& place,
+                                                                  const std::shared_ptr<Hangup>& hangup = {});
     /// A file to look at: nothing is written, not beside it either. What another process is writing, or left
     /// behind half written, is seen as it stood. Its schema may be anybody's (schemaDifferences()), and its
     /// views are not to be read before that was looked at. StorageOpen, StorageCorrupt.
@@ -115,9 +119,10 @@ private:
         friend bool operator==(const Written&, const Written&) = default;
     };
     Database(QString file, const SqlDialect& dialect, const QString& name);
-    [[nodiscard]] static Expected<std::unique_ptr<Database>> connectToServer(const LibraryLocation& location,
-                                                                             bool toRead);
+    [[nodiscard]] static Expected<std::unique_ptr<Database>>
+    connectToServer(const LibraryLocation& location, bool toRead, const std::shared_ptr<Hangup>& hangup = {});
     [[nodiscard]] Expected<void> openConnection();
+    void closeConnection();
     /// Begins a transaction; where the connection turns out to be lost, on a new one.
     [[nodiscard]] Expected<void> begin(const QStringList& statements, const QString& doing);
     [[nodiscard]] Expected<void> commit(const QString& doing);
@@ -132,6 +137,8 @@ private:
     QString m_file;
     const SqlDialect& m_dialect;
     std::optional<ServerAddress> m_server;
+    std::shared_ptr<Hangup> m_hangup;
+    int m_socket = -1; ///< that m_hangup knows
     bool m_toRead = false;
     mutable bool m_lost = false;   ///< the connection, and nobody has connected again yet
     mutable bool m_failed = false; ///< a statement of the transaction that is open on a server

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/words.h"
 #include "core/library/sql/database.h"
+#include "core/library/sql/hangup.h"
 #include "core/library/sql/server_words.h"
 #include "core/library/sql/unique_connection.h"
 
+#include <QSqlDriver>
 #include <QSqlError>
 #include <QSqlQuery>
+
+#include <libpq-fe.h>
 
 namespace gripscope {
 
@@ -59,9 +63,19 @@ std::optional<QString> notFit(const QSqlDatabase& connection)
     return {};
 }
 
+/// By which libpq talks to the server; -1: none.
+int socketOf(const QSqlDatabase& connection)
+{
+    const QVariant handle = connection.driver()->handle();
+    return qstrcmp(handle.typeName(), "pg_conn*") == 0 // a PGconn*
+               ? PQsocket(*static_cast<PGconn* const*>(handle.constData()))
+               : -1;
+}
+
 } // namespace
 
-Expected<std::unique_ptr<Database>> Database::connectToServer(const LibraryLocation& location, bool toRead)
+Expected<std::unique_ptr<Database>> Database::connectToServer(const LibraryLocation& location, bool toRead,
+                                                              const std::shared_ptr<Hangup>& hangup)
 {
     const SqlDialect& dialect = SqlDialect::postgresql();
     if (!QSqlDatabase::isDriverAvailable(dialect.driver()))
@@ -70,6 +84,7 @@ Expected<std::unique_ptr<Database>> Database::connectToServer(const LibraryLocat
     const ServerAddress& server = *location.server();
     database->m_server = server;
     database->m_toRead = toRead;
+    database->m_hangup = hangup;
     database->m_connection.setHostName(server.host);
     database->m_connection.setPort(server.port);
     database->m_connection.setDatabaseName(server.database);
@@ -84,6 +99,8 @@ Expected<void> Database::openConnection()
     if (!m_connection.open())
         return failure(ErrorCode::StorageOpen,
                        {m_file, whyNotConnected(*m_server, m_connection.lastError())});
+    if (m_hangup && (m_socket = socketOf(m_connection)) >= 0)
+        m_hangup->note(m_socket);
     if (const auto reason = notFit(m_connection))
         return failure(ErrorCode::StorageOpen, {m_file, *reason});
     m_lost = false;
@@ -95,6 +112,13 @@ Expected<void> Database::openConnection()
     return {};
 }
 
+void Database::closeConnection()
+{
+    if (m_hangup && m_socket >= 0)
+        m_hangup->forget(std::exchange(m_socket, -1));
+    m_connection.close();
+}
+
 Expected<void> Database::reconnectIfLost()
 {
     if (!m_lost)
@@ -102,7 +126,7 @@ Expected<void> Database::reconnectIfLost()
     if (m_inTransaction)
         return failure(ErrorCode::StorageFailed,
                        {Words::tr("go on"), Words::tr("the server ended the connection on the way")});
-    m_connection.close();
+    closeConnection();
     const Expected<void> opened = openConnection();
     m_lost = !opened;
     return opened;

@@ -35,8 +35,8 @@ struct LinkedStation {
         std::vector<PlantConflict> conflicts;
         for (int i = 0; i < 100; ++i) {
             const ExchangeStep taken = step(server);
-            if (!taken.conflicts.empty())
-                conflicts = taken.conflicts;
+            if (taken.conflicts)
+                conflicts = *taken.conflicts;
             if (taken.inStep)
                 return conflicts;
         }

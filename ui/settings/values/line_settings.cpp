@@ -109,4 +109,17 @@ std::vector<Setting> brokerSettings()
     return all;
 }
 
+std::vector<Setting> plantSettings()
+{
+    Setting server = textSetting(
+        setting::plantServer.key, SettingKind::Text, SettingGroup::Plant,
+        QT_TRANSLATE_NOOP("gripscope::Setting", "In step with the server"),
+        QT_TRANSLATE_NOOP("gripscope::Setting",
+                          "The plant's library: postgresql://USER@HOST/NAME. What is stored here goes there, "
+                          "types and calibrations of the plant come from there. Empty: with none."));
+    server.needsSupervisor = server.needsReason = true;
+    server.portable = false; // of this station and its network
+    return {server};
+}
+
 } // namespace gripscope

@@ -190,6 +190,8 @@ QString settingGroupName(SettingGroup group)
         return SettingWords::tr("Line");
     case SettingGroup::Broker:
         return SettingWords::tr("Results to a broker (MQTT)");
+    case SettingGroup::Plant:
+        return SettingWords::tr("Library of the plant");
     }
     return {};
 }

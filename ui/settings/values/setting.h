@@ -20,7 +20,8 @@ enum class SettingGroup {
     People,
     Reports,
     Line,
-    Broker
+    Broker,
+    Plant
 };
 enum class SettingApplies { AtOnce, NextConnection, NextStart };
 
@@ -128,6 +129,7 @@ inline constexpr SettingKey<QString> mqttPasswordFile{"mqtt/passwordFile"}; ///<
 inline constexpr SettingKey<QString> mqttTopic{"mqtt/topic"};               ///< of JSON; empty: none
 inline constexpr SettingKey<QString> mqttSparkplug{"mqtt/sparkplug"};       ///< GROUP/NODE; empty: none
 inline constexpr SettingKey<QString> mqttPrimaryHost{"mqtt/primaryHost"};
+inline constexpr SettingKey<QString> plantServer{"plant/server"};      ///< postgresql://...; empty: none
 inline constexpr SettingKey<double> idleMinutes{"people/idleMinutes"}; ///< 0: never
 } // namespace setting
 

@@ -31,5 +31,7 @@ namespace gripscope {
 [[nodiscard]] std::vector<Setting> lineSettings();
 /// Results over MQTT.
 [[nodiscard]] std::vector<Setting> brokerSettings();
+/// A plant's library on a server.
+[[nodiscard]] std::vector<Setting> plantSettings();
 
 } // namespace gripscope

@@ -327,8 +327,9 @@ const std::vector<Setting>& allSettings()
 {
     static const std::vector<Setting> all = [] {
         std::vector<Setting> made;
-        for (const std::vector<Setting>& group : {appearance(), inspecting(), rates(), studies(), sessions(),
-                                                  start(), reports(), lineSettings(), brokerSettings()})
+        for (const std::vector<Setting>& group :
+             {appearance(), inspecting(), rates(), studies(), sessions(), start(), reports(), lineSettings(),
+              brokerSettings(), plantSettings()})
             made.insert(made.end(), group.begin(), group.end());
         return made;
     }();
