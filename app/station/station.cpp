@@ -205,7 +205,7 @@ void Station::notePlant()
     // What is in force stays so for a squeeze.
     if (!m_plant || m_inspection.state() != InspectSession::State::Ready)
         return;
-    const qint64 taken = m_plant->status().typesTaken;
+    const qint64 taken = m_plant->typesTaken();
     if (std::exchange(m_typesTaken, taken) == taken)
         return;
     m_inspection.reload();

@@ -64,7 +64,8 @@ CheckLine libraryLine(const LibraryFacts& facts)
             Words::tr("%1 is not there yet; it is made when it is first needed").arg(facts.file), {});
     if (facts.error)
         return withOutcome(line, CheckOutcome::Broken, facts.error->describe(), backupAdvice(facts.file));
-    const QString found = Words::tr("%1, version %2 of the schema").arg(facts.file).arg(facts.version);
+    const QString found =
+        Words::tr("%1, version %2 of the schema").arg(facts.file, QString::number(facts.version));
     if (facts.version > facts.newestVersion)
         return withOutcome(
             line, CheckOutcome::Broken, found,

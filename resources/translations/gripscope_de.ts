@@ -9143,6 +9143,78 @@ m  %3</translation>
         <source>compare the units of its types</source>
         <translation>die Einheiten ihrer Typen vergleichen</translation>
     </message>
+    <message>
+        <source>note how far the server is</source>
+        <translation>vermerken, wie weit der Server ist</translation>
+    </message>
+    <message>
+        <source>The plant&apos;s library is on a server: postgresql://USER@HOST:PORT/NAME, not &quot;%1&quot;.</source>
+        <translation>Die Bibliothek des Werks ist auf einem Server: postgresql://USER@HOST:PORT/NAME, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>This station&apos;s library is on a server already. Only a file is kept in step with a server.</source>
+        <translation>Die Bibliothek dieser Station ist schon auf einem Server. Nur eine Datei wird mit einem Server abgeglichen.</translation>
+    </message>
+    <message>
+        <source>The server has not answered for %1 s.</source>
+        <translation>Der Server antwortet seit %1 s nicht.</translation>
+    </message>
+    <message>
+        <source>it is needed alone at this moment</source>
+        <translation>sie wird in diesem Augenblick allein gebraucht</translation>
+    </message>
+    <message>
+        <source>1 result waiting</source>
+        <translation>1 Ergebnis wartet</translation>
+    </message>
+    <message>
+        <source>%1 results waiting</source>
+        <translation>%1 Ergebnisse warten</translation>
+    </message>
+    <message>
+        <source>plant: in step</source>
+        <translation>Werk: abgeglichen</translation>
+    </message>
+    <message>
+        <source>plant: %1</source>
+        <translation>Werk: %1</translation>
+    </message>
+    <message>
+        <source>plant: not in step</source>
+        <translation>Werk: nicht abgeglichen</translation>
+    </message>
+    <message>
+        <source>plant: being brought in step</source>
+        <translation>Werk: wird abgeglichen</translation>
+    </message>
+    <message>
+        <source>plant: server not reached yet</source>
+        <translation>Werk: Server noch nicht erreicht</translation>
+    </message>
+    <message>
+        <source>plant: connecting</source>
+        <translation>Werk: verbindet</translation>
+    </message>
+    <message>
+        <source>plant: server not reached since %1</source>
+        <translation>Werk: Server nicht erreicht seit %1</translation>
+    </message>
+    <message>
+        <source>plant: %1, server not reached since %2</source>
+        <translation>Werk: %1, Server nicht erreicht seit %2</translation>
+    </message>
+    <message>
+        <source>plant: off</source>
+        <translation>Werk: aus</translation>
+    </message>
+    <message>
+        <source>More that stations decided apart: gripscope-cli library status tells all of it.</source>
+        <translation>Mehr, was Stationen getrennt entschieden haben: gripscope-cli library status sagt alles davon.</translation>
+    </message>
+    <message>
+        <source>The clock of this computer is %1 s off: results have wrong times. chronyc makestep sets it.</source>
+        <translation>Die Uhr dieses Rechners geht um %1 s falsch: Ergebnisse haben falsche Zeiten. chronyc makestep stellt sie.</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>
@@ -18258,6 +18330,30 @@ Vorh. %</translation>
     <message>
         <source>Results to a broker (MQTT)</source>
         <translation>Ergebnisse an einen Broker (MQTT)</translation>
+    </message>
+    <message>
+        <source>In step with the server</source>
+        <translation>Abgeglichen mit dem Server</translation>
+    </message>
+    <message>
+        <source>The plant&apos;s library: postgresql://USER@HOST/NAME. What is stored here goes there, types and calibrations of the plant come from there. Empty: with none.</source>
+        <translation>Die Bibliothek des Werks: postgresql://USER@HOST/NAME. Was hier gespeichert wird, geht dorthin; Typen und Kalibrierungen des Werks kommen von dort. Leer: mit keinem.</translation>
+    </message>
+    <message>
+        <source>Library of the plant</source>
+        <translation>Bibliothek des Werks</translation>
+    </message>
+    <message>
+        <source>The plant&apos;s library is on a server: postgresql://USER@HOST/NAME.</source>
+        <translation>Die Bibliothek des Werks ist auf einem Server: postgresql://USER@HOST/NAME.</translation>
+    </message>
+    <message>
+        <source>Name the broker alone, such as broker.example:1883. User and password have places of their own.</source>
+        <translation>Nur den Broker nennen, etwa broker.example:1883. Benutzer und Passwort haben ihre eigenen Stellen.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2.</source>
+        <translation>%1: erwartet wird %2.</translation>
     </message>
 </context>
 <context>

@@ -51,6 +51,7 @@ std::vector<LineReport> allKinds()
     whole.result.utc = QDateTime::fromMSecsSinceEpoch(1'700'000'000'123, Qt::UTC);
     for (auto& quantity : whole.result.quantities)
         quantity = LineQuantity{0.5, 0.01};
+    whole.clock = ClockStanding{-0.25, 1e-3};
     std::vector<LineReport> all;
     for (const ResultState state : {ResultState::Completed, ResultState::Aborted, ResultState::Failed})
         for (const ResultEvaluation evaluation :
@@ -64,6 +65,7 @@ std::vector<LineReport> allKinds()
                 all.push_back(one);
                 one.part = one.expectedType = one.typeFound = QString();
                 one.result.quantities = {};
+                one.clock.reset();
                 one.result.partial = one.result.simulated = true;
                 all.push_back(one);
             }
@@ -87,6 +89,16 @@ private slots:
                 for (auto value = message.begin(); value != message.end(); ++value)
                     QVERIFY2(schema[u"properties"][value.key()].isObject(), qPrintable(value.key()));
             }
+    }
+    void whatWaitsInAFileIsReadAsItWas()
+    {
+        for (const LineReport& report : allKinds())
+            QVERIFY(reportFromJson(reportJson(report, true)) == report);
+        // Of a program that did not know the clock.
+        QJsonObject older = messageOf(allKinds().front(), false);
+        older.remove(u"clock"_s);
+        const auto read = reportFromJson(QJsonDocument(older).toJson());
+        QVERIFY(read.has_value() && !read->clock);
     }
     void whatIsNotAsTheManualHasItIsTold()
     {

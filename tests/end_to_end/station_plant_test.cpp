@@ -47,14 +47,15 @@ private slots:
     void whatCannotBeIsSaidAtTheStart()
     {
         const Workplace work;
-        for (const QString& plant : {u"other.db"_s, u"postgresql://a:secret@host/plant"_s}) {
+        const std::pair<QString, int> wrong[]{{u"other.db"_s, 2}, {u"postgresql://a:secret@host/plant"_s, 5}};
+        for (const auto& [plant, exit] : wrong) {
             QProcess station;
             work.prepare(station, {u"--library"_s, work.path(u"parts.db"_s), u"--address"_s, u"virtual:"_s,
                                    u"--modbus"_s, u"127.0.0.1:%1"_s.arg(freePort()), u"--plant"_s, plant});
             station.setProgram(stationProgram());
             station.start();
             QVERIFY(station.waitForFinished(longEnough_ms));
-            QCOMPARE(station.exitCode(), 2);
+            QCOMPARE(station.exitCode(), exit);
             const QByteArray said = station.readAllStandardError();
             QVERIFY2(said.contains("postgresql://"), said.constData());
             QVERIFY(!said.contains("secret"));

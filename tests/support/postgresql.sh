@@ -3,7 +3,7 @@
 # A PostgreSQL server of the tests' own, in a folder of its own under /tmp, reached by a socket there alone.
 #   postgresql.sh start FILE       starts one and writes its address into FILE; it ends with the caller, however that ends
 #   postgresql.sh stop FILE        ends it and removes all that was its
-#   postgresql.sh kill FILE        ends all its processes at once, as a crash does, and starts it again
+#   postgresql.sh kill FILE        ends all its processes at once (kill -9), and starts it again
 #   postgresql.sh halt FILE        ends it, and keeps all that it has
 #   postgresql.sh go FILE          starts what halt ended
 #   postgresql.sh pause FILE       it answers nobody any more, and ends no connection
@@ -30,6 +30,11 @@ end() {
   case "$folder" in /tmp/gripscope-postgresql.*) ;; *) return 0 ;; esac
   "${as[@]}" "$programs/pg_ctl" -D "$folder/data" -m immediate -w stop >/dev/null 2>&1 || true
   rm -rf "$folder"
+}
+
+# Starts it with the options that it had.
+go() {
+  "${as[@]}" "$programs/pg_ctl" -D "$(folder_of "$1")/data" -w -l "$(folder_of "$1")/log" restart >/dev/null 2>&1
 }
 
 folder_of() {
@@ -76,14 +81,17 @@ stop)
   rm -f "$2"
   ;;
 kill)
-  "${as[@]}" "$programs/pg_ctl" -D "$(folder_of "$2")/data" -m immediate -w restart >/dev/null
+  server=$(head -n 1 "$(folder_of "$2")/data/postmaster.pid")
+  children=$(pgrep -P "$server" || true)
+  kill -KILL "$server" $children 2>/dev/null || true # some ended meanwhile
+  while kill -0 "$server" 2>/dev/null; do sleep 0.05; done
+  go "$2"
   ;;
 halt)
   "${as[@]}" "$programs/pg_ctl" -D "$(folder_of "$2")/data" -m fast -w stop >/dev/null
   ;;
 go)
-  # With the options that it had.
-  "${as[@]}" "$programs/pg_ctl" -D "$(folder_of "$2")/data" -w -l "$(folder_of "$2")/log" restart >/dev/null 2>&1
+  go "$2"
   ;;
 pause | resume)
   server=$(head -n 1 "$(folder_of "$2")/data/postmaster.pid")

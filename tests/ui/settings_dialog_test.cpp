@@ -69,6 +69,39 @@ private slots:
         QTRY_VERIFY(f.window->findChild<SettingsDialog*>());
     }
 
+    /// Nobody is asked why, nothing of it is kept, also not in the audit trail, and it can be mended.
+    void aTextThatCannotBeIsToldAndKeptNowhere_data()
+    {
+        QTest::addColumn<QByteArray>("key");
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<QString>("told");
+        const QByteArray server = setting::plantServer.key, broker = setting::mqttBroker.key;
+        QTest::newRow("a password") << server << u"postgresql://a:secret@host/plant"_s << u"password"_s;
+        QTest::newRow("a file") << server << u"plant.db"_s << u"postgresql://USER@HOST/NAME"_s;
+        QTest::newRow("a broker's") << broker << u"mqtt://a:secret@host"_s << u"places of their own"_s;
+        QTest::newRow("too long") << QByteArray(setting::company.key) << QString(100'000, u'x') << u"up to"_s;
+    }
+    void aTextThatCannotBeIsToldAndKeptNowhere()
+    {
+        QFETCH(QByteArray, key);
+        QFETCH(QString, typed);
+        QFETCH(QString, told);
+        const Opened o;
+        auto* edit = o.find<QLineEdit>(QByteArray("setting-" + key).constData());
+        edit->setMaxLength(int(typed.size()));
+        edit->setText(typed);
+        QTest::keyClick(edit, Qt::Key_Return);
+        auto* words = o.find<QLabel>("settingsTold");
+        QVERIFY(words->isVisible());
+        QVERIFY2(words->text().contains(told), qPrintable(words->text()));
+        QVERIFY(!words->text().contains(u"secret"_s));
+        QCOMPARE(edit->text(), typed);
+        QVERIFY(!o.f.window->findChild<QWidget*>(u"whyQuestion"_s));
+        QVERIFY(o.settings().isDefault(QString::fromLatin1(key)));
+        edit->setText(QString());
+        QTest::keyClick(edit, Qt::Key_Return);
+        QVERIFY(!words->isVisible());
+    }
     void aChoiceTakesEffectAtOnce()
     {
         const Opened o;

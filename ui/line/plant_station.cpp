@@ -52,7 +52,7 @@ void PlantStation::noticeTypes()
     if (!m_link || m_workbench->squeezing() ||
         m_workbench->inspection().state() == InspectSession::State::Judging)
         return;
-    const qint64 taken = m_link->status().typesTaken;
+    const qint64 taken = m_link->typesTaken();
     if (std::exchange(m_typesTaken, taken) != taken)
         m_workbench->tellPlantChanged();
 }

@@ -105,8 +105,8 @@ TypeSpace paperTypeSpace()
         const int number = space.squeezes.empty() || space.squeezes.back().type != int(space.types.size()) - 1
                                ? 1
                                : space.squeezes.back().number + 1;
-        space.squeezes.push_back({u"%1 %2"_s.arg(squeeze.type).arg(number), int(space.types.size()) - 1,
-                                  number, squeeze.parameters, false});
+        space.squeezes.push_back({u"%1 %2"_s.arg(squeeze.type, QString::number(number)),
+                                  int(space.types.size()) - 1, number, squeeze.parameters, false});
     }
     complete(space);
     return space;

@@ -171,6 +171,12 @@ QWidget* SettingRow::makeFileButton()
 
 void SettingRow::store(const QVariant& value)
 {
+    // Before anybody is asked, or told, of it.
+    const bool fits = m_setting->accepted(value).has_value();
+    if (m_teller)
+        m_teller(fits ? QString() : m_setting->whyNot(value));
+    if (!fits)
+        return;
     guarded(value, [this, value] { (void)m_settings->setValue(m_key, value); });
     refresh(); // what is in force, which may still be what it was
 }

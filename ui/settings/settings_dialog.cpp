@@ -158,6 +158,7 @@ void SettingsDialog::addRows(QVBoxLayout* column)
         row->setGuard([this](const SettingChange& change, std::function<void()> apply) {
             changeSettings(*m_workbench, this, {change}, std::move(apply));
         });
+        row->setTeller([this](const QString& words) { tell(words); });
         m_groups.back().rows.push_back(row);
         rows->addWidget(row);
     }
@@ -166,6 +167,12 @@ void SettingsDialog::addRows(QVBoxLayout* column)
     rows->addWidget(m_nothing);
     rows->addStretch(1);
     column->addWidget(makeScroll(card, this), 1);
+}
+
+void SettingsDialog::tell(const QString& words)
+{
+    m_told->setText(words);
+    m_told->setVisible(!words.isEmpty());
 }
 
 void SettingsDialog::addButtons(QVBoxLayout* column)
@@ -223,9 +230,7 @@ void SettingsDialog::exportFile(const QString& file)
     m_workbench->background().compute<Expected<void>>(
         this, [file, bytes = exportedSettings(m_workbench->settings())] { return writeWhole(file, bytes); },
         [this, file](const Expected<void>& done) {
-            m_told->setText(done ? tr("The settings were written to %1.").arg(file)
-                                 : done.error().describe());
-            m_told->show();
+            tell(done ? tr("The settings were written to %1.").arg(file) : done.error().describe());
         });
 }
 
@@ -238,15 +243,13 @@ void SettingsDialog::importFile(const QString& file)
                 bytes ? readSettings(*bytes, file, m_workbench->settings())
                       : Expected<SettingsImport>(tl::unexpected<Error>(bytes.error()));
             if (!import) {
-                m_told->setText(tr("%1 Nothing was changed.").arg(import.error().describe()));
-                m_told->show();
+                tell(tr("%1 Nothing was changed.").arg(import.error().describe()));
                 return;
             }
             auto* dialog = new ImportDialog(*import, this);
             connect(dialog, &QDialog::accepted, this, [this, file, import = *import] {
                 changeSettings(*m_workbench, this, import.changes, [this, file, import] {
-                    m_told->setText(tr("The settings were taken from %1.").arg(file));
-                    m_told->show();
+                    tell(tr("The settings were taken from %1.").arg(file));
                     applyImport(m_workbench->settings(), import);
                 });
             });

@@ -30,6 +30,8 @@ public:
     /// Asked before the setting is changed: does `apply` when it may be.
     using Guard = std::function<void(const SettingChange& change, std::function<void()> apply)>;
     void setGuard(Guard guard) { m_guard = std::move(guard); }
+    /// Told why what was chosen or typed is not taken; what was typed stays to be mended.
+    void setTeller(std::function<void(const QString&)> teller) { m_teller = std::move(teller); }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,6 +52,7 @@ private:
     std::function<void(const QVariant&)> m_show; ///< puts a value into the control
     QPushButton* m_reset;
     Guard m_guard;
+    std::function<void(const QString&)> m_teller;
 };
 
 /// What a file of settings would change, before it does: each setting as it is and as it would be, and what
@@ -85,7 +88,8 @@ private:
     Workbench* m_workbench;
     QLineEdit* m_search;
     QLabel* m_nothing;
-    QLabel* m_told; ///< what came of an export or import
+    void tell(const QString& words);
+    QLabel* m_told; ///< what came of an export or import, or why a setting is not taken
     std::vector<Group> m_groups;
 };
 

@@ -208,10 +208,9 @@ int runEnroll(const QStringList& arguments)
                    {u"rejected"_qs, refused},
                    {u"approved"_qs, added.isEmpty() ? QJsonValue() : QJsonValue(approved.value_or(false))}});
     else
-        print(u"%1 has %2 squeezes; %3 added, %4 rejected."_qs.arg(enrollment.typeName())
-                  .arg(enrollment.squeezes())
-                  .arg(added.size())
-                  .arg(refused.size()));
+        print(u"%1 has %2 squeezes; %3 added, %4 rejected."_qs.arg(
+            enrollment.typeName(), QString::number(enrollment.squeezes()), QString::number(added.size()),
+            QString::number(refused.size())));
     return exit.value();
 }
 

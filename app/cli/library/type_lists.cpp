@@ -51,7 +51,8 @@ void tell(const LibraryState& state, const CommandLine& line)
                                  {u"limits"_qs, jsonText(toText(type.limits))},
                                  {u"key"_qs, type.typeId}});
         if (!line.isSet(u"json"_qs))
-            print(u"%1: %2, %3 squeezes"_qs.arg(type.name, toString(type.status)).arg(type.squeezes));
+            print(u"%1: %2, %3 squeezes"_qs.arg(type.name, toString(type.status),
+                                                QString::number(type.squeezes)));
     }
     if (line.isSet(u"json"_qs))
         printJson({{u"version"_qs, state.version}, {u"types"_qs, types}});

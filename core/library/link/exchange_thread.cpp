@@ -51,14 +51,14 @@ void exchangeUntilEnd(SharedLink& state)
     milliseconds pause{0}, retry = options.every;
     while (state.await(ExchangeThread, pause, [&] { exchange.letGo(); })) {
         state.beginStep();
-        if (const Expected<ExchangeStep> taken = exchange.step()) {
+        const Expected<ExchangeStep> taken = exchange.step();
+        if (taken) {
             state.endStep(*taken);
             retry = options.every;
             pause = taken->inStep ? options.every : milliseconds(0);
             continue;
-        } else {
-            state.endStep(taken.error(), exchange.serverAnswers());
         }
+        state.endStep(taken.error(), exchange.serverAnswers());
         exchange.letGo();
         pause = milliseconds(std::uniform_int_distribution<qint64>(retry.count() / 2, retry.count())(random));
         retry = std::min(2 * retry, options.retryMost);

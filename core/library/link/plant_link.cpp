@@ -42,6 +42,11 @@ PlantStatus PlantLink::status() const
     return m_state->status();
 }
 
+qint64 PlantLink::typesTaken() const
+{
+    return m_state->typesTaken();
+}
+
 void PlantLink::tryNow()
 {
     m_state->tryNow();

@@ -37,6 +37,12 @@ PlantStatus SharedLink::status() const
     return status;
 }
 
+qint64 SharedLink::typesTaken() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_known.typesTaken;
+}
+
 void SharedLink::tryNow()
 {
     const std::lock_guard lock(m_mutex);

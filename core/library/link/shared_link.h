@@ -24,6 +24,7 @@ public:
 
     // For who has the link.
     [[nodiscard]] PlantStatus status() const;
+    [[nodiscard]] qint64 typesTaken() const;
     void tryNow();
     void end(); ///< they are told to
     [[nodiscard]] bool hasEnded(std::chrono::milliseconds patience);

@@ -239,7 +239,7 @@ private:
     {
         QString name = u"%1 (%2)"_s.arg(claim.name, claim.stamp.station);
         for (int number = 2; owners.contains(name); ++number)
-            name = u"%1 (%2, %3)"_s.arg(claim.name, claim.stamp.station).arg(number);
+            name = u"%1 (%2, %3)"_s.arg(claim.name, claim.stamp.station, QString::number(number));
         return name;
     }
 

@@ -130,7 +130,7 @@ struct InspectionSpill::Private {
 QString InspectionSpill::file(const QString& libraryFile, int program)
 {
     const QFileInfo witness(witnessFile(libraryFile));
-    return witness.path() + u"/%1-%2.spill"_s.arg(witness.completeBaseName()).arg(program);
+    return witness.path() + u"/%1-%2.spill"_s.arg(witness.completeBaseName(), QString::number(program));
 }
 
 InspectionSpill::InspectionSpill() : d(std::make_unique<Private>())

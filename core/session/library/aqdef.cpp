@@ -13,6 +13,10 @@ namespace {
 constexpr QChar betweenFields(u'\x14'), betweenCharacteristics(u'\x0F');
 constexpr int counts = 0, countsNot = 255; // K0002
 
+// Letters of a field, as the K-field table of the format has them.
+constexpr int longestPart = 30, longestBatch = 14, longestMachine = 40, longestGauge = 40,
+              longestOperator = 50;
+
 /// Whatever a person named, on one line and without the signs that part the fields.
 QString aqdefText(QString text)
 {
@@ -59,7 +63,8 @@ QString characteristicHead(std::size_t place, const ToleranceLimits& limits, dou
     QString text = u"K2001"_s + at + QString::number(place + 1) + u"\r\n"_s;
     text += u"K2002"_s + at + names[place] + u"\r\n"_s;
     if (limits.lower && limits.upper)
-        text += u"K2101"_s + at + exactText((*limits.lower + *limits.upper) / 2 * toSi) + u"\r\n"_s;
+        text += u"K2101"_s + at + QString::number((*limits.lower + *limits.upper) / 2 * toSi, 'g', 12) +
+                u"\r\n"_s;
     if (limits.lower)
         text += u"K2110"_s + at + exactText(*limits.lower * toSi) + u"\r\n"_s;
     if (limits.upper)
@@ -67,11 +72,11 @@ QString characteristicHead(std::size_t place, const ToleranceLimits& limits, dou
     return text + u"K2142"_s + at + unit[place] + u"\r\n"_s;
 }
 
-QString catalogueHead(const QString& field, const QStringList& names)
+QString catalogueHead(const QString& field, const QStringList& names, int longest)
 {
     QString text;
     for (qsizetype i = 0; i < names.size(); ++i)
-        text += u"%1/%2 %3\r\n"_s.arg(field, QString::number(i + 1), names[i]);
+        text += u"%1/%2 %3\r\n"_s.arg(field, QString::number(i + 1), names[i].left(longest));
     return text;
 }
 
@@ -93,7 +98,7 @@ void AqdefCatalogue::add(const std::vector<HistoryEntry>& entries)
 
 QByteArray AqdefCatalogue::head(const TypeRecord* type) const
 {
-    const QString part = m_type && !m_type->isEmpty() ? aqdefText(*m_type) : u"various"_s;
+    const QString part = m_type && !m_type->isEmpty() ? aqdefText(*m_type).left(longestPart) : u"various"_s;
     QString text = u"K0100 3\r\nK1001 %1\r\nK1002 %1\r\n"_s.arg(part);
     const std::optional<double> toSi =
         type != nullptr ? siFactor(type->forceUnit, type->positionUnit) : std::nullopt;
@@ -101,9 +106,9 @@ QByteArray AqdefCatalogue::head(const TypeRecord* type) const
         text += characteristicHead(
             place, toSi ? type->limits.quantities[place].value_or(ToleranceLimits()) : ToleranceLimits(),
             toSi.value_or(1));
-    text += catalogueHead(u"K4062"_s, m_stations);
-    text += catalogueHead(u"K4072"_s, m_gauges);
-    return aqdefBytes(text + catalogueHead(u"K4092"_s, m_operators));
+    text += catalogueHead(u"K4062"_s, m_stations, longestMachine);
+    text += catalogueHead(u"K4072"_s, m_gauges, longestGauge);
+    return aqdefBytes(text + catalogueHead(u"K4092"_s, m_operators, longestOperator));
 }
 
 QString AqdefCatalogue::line(const HistoryEntry& entry) const
@@ -117,8 +122,9 @@ QString AqdefCatalogue::line(const HistoryEntry& entry) const
                                  QString::number(known ? counts : countsNot),
                                  entry.time.toUTC().toString(u"dd.MM.yyyy/HH:mm:ss"_s),
                                  QString(), // events
-                                 entry.batch.isEmpty() ? QString() : u'#' + aqdefText(entry.batch),
-                                 QString(), // nest
+                                 entry.batch.isEmpty() ? QString()
+                                                       : (u'#' + aqdefText(entry.batch)).left(longestBatch),
+                                 u"0"_s, // nest: a number, which readers want to be there
                                  numberIn(m_operators, aqdefText(entry.operatorName)),
                                  numberIn(m_stations, aqdefText(entry.station)),
                                  QString(), // process parameter

@@ -97,6 +97,10 @@ QJsonObject toJson(const HistoryQuery& query)
 HistoryDocument::HistoryDocument(HistoryQuery query, HistoryFormat format)
     : m_query(std::move(query)), m_format(format)
 {
+    if (format != HistoryFormat::Aqdef)
+        return;
+    m_query.order = HistoryColumn::Time; // a value chart goes as the file goes
+    m_query.descending = false;
 }
 
 QByteArray HistoryDocument::head() const

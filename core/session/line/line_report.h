@@ -3,6 +3,7 @@
 
 #include "core/session/connection/connect_session.h"
 #include "core/session/inspect/inspect_session.h"
+#include "core/session/line/clock_standing.h"
 #include "core/session/line/line_values.h"
 
 namespace gripscope {
@@ -15,6 +16,7 @@ struct LineReport {
     QString expectedType; ///< empty: none
     QString typeFound;    ///< empty: none was named
     LineResult result;    ///< its own sequence and job are of no meaning here
+    std::optional<ClockStanding> clock = {}; ///< of the computer that gave it its time; nothing: unknown
     friend bool operator==(const LineReport&, const LineReport&) = default;
 };
 

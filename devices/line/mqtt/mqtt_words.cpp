@@ -4,6 +4,7 @@
 #include "core/base/words.h"
 
 #include <cerrno>
+#include <cmath>
 #include <mosquitto.h>
 
 namespace gripscope {
@@ -11,6 +12,9 @@ namespace gripscope {
 using namespace Qt::StringLiterals;
 
 namespace {
+
+/// Two results of a line are seldom closer.
+constexpr double mayBeOff_s = 1;
 
 Finding refusalWords(const MqttOptions& options, int code)
 {
@@ -102,6 +106,11 @@ LineWords mqttWords(const MqttLink& link)
         words.problems.push_back(
             Words::say("Some results that waited for the broker could not be read again. The "
                        "library has them."));
+    if (link.clock && std::abs(link.clock->offset_s) > mayBeOff_s)
+        words.problems.push_back(
+            Words::say("The clock of this computer is %1 s off: results have wrong times. "
+                       "chronyc makestep sets it.")
+                .arg(link.clock->offset_s, 'f', 1));
     words.well = link.connected && words.problems.empty();
     if (!link.since.isValid())
         words.headline = Words::say("MQTT: not connected, %1 waiting").arg(link.waiting);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/line/clock_standing.h"
 #include "core/session/line/line_status.h"
 #include "devices/line/mqtt/mqtt_options.h"
 
@@ -23,11 +24,12 @@ struct MqttLink {
     QDateTime since;           ///< connected, or not
     bool waitsForHost = false; ///< the session stands, and the primary host is not there
     QString broker, host;
-    std::size_t waiting = 0;      ///< results that the broker has not acknowledged
-    quint64 refused = 0;          ///< results for which there was no room
-    bool damaged = false;         ///< some of what waited could not be read
-    std::optional<Error> problem; ///< the last refusal, until a session stands
-    std::optional<Error> stored;  ///< why results cannot be kept
+    std::size_t waiting = 0;            ///< results that the broker has not acknowledged
+    quint64 refused = 0;                ///< results for which there was no room
+    bool damaged = false;               ///< some of what waited could not be read
+    std::optional<Error> problem;       ///< the last refusal, until a session stands
+    std::optional<Error> stored;        ///< why results cannot be kept
+    std::optional<ClockStanding> clock; ///< that gives the results their time
 };
 [[nodiscard]] LineWords mqttWords(const MqttLink& link);
 

@@ -41,6 +41,19 @@ std::optional<LineQuantity> quantityFrom(const QJsonValue& json)
     return quantity;
 }
 
+QJsonValue clockJson(const std::optional<ClockStanding>& clock)
+{
+    return clock ? QJsonObject{{u"offset"_s, clock->offset_s}, {u"dispersion"_s, clock->dispersion_s}}
+                 : QJsonValue();
+}
+
+std::optional<ClockStanding> clockFrom(const QJsonValue& json)
+{
+    if (!json["offset"_L1].isDouble() || !json["dispersion"_L1].isDouble())
+        return {};
+    return ClockStanding{json["offset"_L1].toDouble(), json["dispersion"_L1].toDouble()};
+}
+
 /// The one of 0 to `last` that is called so.
 template <typename Word>
 std::optional<Word> wordNamed(const QJsonValue& name, Word last)
@@ -60,6 +73,7 @@ QByteArray reportJson(const LineReport& report, bool historical)
                      {u"sequence"_s, static_cast<qint64>(report.sequence)},
                      {u"historical"_s, historical},
                      {u"time"_s, result.utc.toUTC().toString(Qt::ISODateWithMs)},
+                     {u"clock"_s, clockJson(report.clock)},
                      {u"gripper"_s, report.gripper},
                      {u"part"_s, textOrNull(report.part)},
                      {u"expectedType"_s, textOrNull(report.expectedType)},
@@ -92,6 +106,7 @@ Expected<LineReport> reportFromJson(const QByteArray& bytes)
         !state || !evaluation || !reason)
         return failure(ErrorCode::StorageCorrupt,
                        {Words::say("A result that waits for the broker"), Words::say("it cannot be read")});
+    report.clock = clockFrom(json["clock"_L1]);
     result.state = *state;
     result.evaluation = *evaluation;
     result.reason = *reason;

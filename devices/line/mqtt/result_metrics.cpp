@@ -64,6 +64,10 @@ const MetricOfResult metricsOfResult[] = {
     {u"Damping Standard Uncertainty", SparkplugType::Double, uncertaintyOf<1>},
     {u"Stiffness", SparkplugType::Double, quantityOf<2>},
     {u"Stiffness Standard Uncertainty", SparkplugType::Double, uncertaintyOf<2>},
+    {u"Clock Offset", SparkplugType::Double,
+     [](const LineReport& r) { return r.clock ? MetricValue(r.clock->offset_s) : MetricValue(); }},
+    {u"Clock Dispersion", SparkplugType::Double,
+     [](const LineReport& r) { return r.clock ? MetricValue(r.clock->dispersion_s) : MetricValue(); }},
 };
 static_assert(std::size(metricsOfResult) <= aliasesOfDevice);
 

@@ -27,17 +27,24 @@ bool ResultSender::end(std::chrono::milliseconds patience)
 
 void ResultSender::poll()
 {
-    const std::optional<LineReport> report = m_reporter.next(); // what came while it was off is not sent
+    std::optional<LineReport> report = m_reporter.next(); // what came while it was off is not sent
     if (!m_publisher)
         return;
+    m_clock.poll();
     m_publisher->setGripper(m_reporter.gripper());
-    if (report)
-        m_outbox->offer(*report);
+    if (!report)
+        return;
+    report->clock = m_clock.standing();
+    m_outbox->offer(*report);
 }
 
 MqttLink ResultSender::link() const
 {
-    return m_publisher ? m_publisher->link() : MqttLink();
+    if (!m_publisher)
+        return {};
+    MqttLink link = m_publisher->link();
+    link.clock = m_clock.standing();
+    return link;
 }
 
 } // namespace gripscope

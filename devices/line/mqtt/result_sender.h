@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/session/line/line_report.h"
+#include "devices/line/mqtt/clock_watch.h"
 #include "devices/line/mqtt/mqtt_publisher.h"
 
 #include <memory>
@@ -27,6 +28,7 @@ private:
     QString m_library;
     std::shared_ptr<MqttOutbox> m_outbox;
     std::unique_ptr<MqttPublisher> m_publisher;
+    ClockWatch m_clock;
 };
 
 } // namespace gripscope

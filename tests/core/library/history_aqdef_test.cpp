@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/library/aqdef.h"
+#include "core/session/library/history_document.h"
+#include "tests/core/library/library_fixture.h"
 #include "tests/support/test_registry.h"
 
 #include <QMap>
 #include <QTest>
 
 using namespace gripscope;
+using namespace gripscope::test;
 using namespace Qt::StringLiterals;
 
 namespace {
@@ -97,6 +100,7 @@ private slots:
         QCOMPARE(k[0].toDouble(), 11000.0);
         QCOMPARE(k[1], u"0"_s);
         QCOMPARE(k[2], u"01.03.2026/10:42:07"_s);
+        QCOMPARE(k[5], u"0"_s);    // a number, or some readers stop
         QCOMPARE(k[4], u"#B 9"_s); // what would part fields is none
         QCOMPARE((QStringList{k[6], k[7], k[9]}), (QStringList{u"2"_s, u"1"_s, u"2"_s}));
         QCOMPARE(file.values[0][0][0].toDouble(), 0.04);
@@ -144,6 +148,42 @@ private slots:
         QCOMPARE(file.fields[u"K2101/3"_s].toDouble(), 10500.0);
         QCOMPARE(file.fields[u"K2111/1"_s].toDouble(), 0.05);
         QVERIFY(!file.fields.contains(u"K2110/1"_s) && !file.fields.contains(u"K2101/1"_s));
+    }
+    void textsAreNoLongerThanTheFormatHasThem()
+    {
+        HistoryEntry entry = someEntry(QString(200, u't'), 10);
+        entry.operatorName = QString(200, u'o');
+        entry.station = QString(200, u's');
+        entry.device = QString(200, u'g');
+        entry.batch = QString(200, u'b');
+        const AqdefFile file = fileOf({entry});
+        QCOMPARE(file.fields[u"K1001"_s].size(), 30);
+        QCOMPARE(file.fields[u"K4092/1"_s].size(), 50);
+        QCOMPARE(file.fields[u"K4062/1"_s].size(), 40);
+        QCOMPARE(file.fields[u"K4072/1"_s].size(), 40);
+        QCOMPARE(file.values[0][0][4].size(), 14);
+    }
+    /// A chart of the values goes as the file goes, whatever the list on the screen is ordered by.
+    void theOldestIsFirst()
+    {
+        const LibraryFolder folder;
+        const auto library = folder.open();
+        for (const double k : {3.0, 1.0, 2.0}) {
+            NewInspection inspection = anInspection();
+            inspection.grasp.estimates = {anEstimate(0.04, 43, k)};
+            valueOf(library->addInspection(inspection));
+            QTest::qWait(2); // another time
+        }
+        HistoryQuery query;
+        query.order = HistoryColumn::Stiffness;
+        HistoryDocument document(query, HistoryFormat::Aqdef);
+        QByteArray bytes;
+        while (!document.ended())
+            bytes += valueOf(document.next(*library));
+        const AqdefFile file(bytes);
+        QCOMPARE(file.values.size(), 3);
+        QCOMPARE((QStringList{file.values[0][2][0], file.values[1][2][0], file.values[2][2][0]}),
+                 (QStringList{u"3"_s, u"1"_s, u"2"_s}));
     }
     void severalTypesAreVarious()
     {

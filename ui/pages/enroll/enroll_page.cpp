@@ -268,8 +268,8 @@ void EnrollPage::refresh()
     if (step == EnrollSession::Step::Squeeze)
         d->squeezes->refresh();
     if (step == EnrollSession::Step::Approved) {
-        d->done->setText(
-            tr("%1 is enrolled with %2 squeezes.").arg(session.typeName()).arg(session.acceptedCount()));
+        d->done->setText(tr("%1 is enrolled with %2 squeezes.")
+                             .arg(session.typeName(), QString::number(session.acceptedCount())));
         d->donePicture->setPicture(session.picture());
     }
     refreshUndo();

@@ -375,8 +375,8 @@ void EnrollReviewPanel::fitFacts()
 
 void EnrollReviewPanel::show(const TypeReview& review)
 {
-    m_title->setText(
-        tr("Review of %1: %2 squeezes").arg(m_workbench->enrollment().typeName()).arg(review.squeezes));
+    m_title->setText(tr("Review of %1: %2 squeezes")
+                         .arg(m_workbench->enrollment().typeName(), QString::number(review.squeezes)));
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const auto found =
             std::ranges::find(review.quantities, allQuantities[i], &ReviewedQuantity::quantity);

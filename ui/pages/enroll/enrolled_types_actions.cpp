@@ -203,8 +203,7 @@ void EnrolledTypesDialog::retire()
                                     tr("Parts of %1 are no longer recognised: they will be unknown. Its %2 "
                                        "squeezes are kept, and it can be "
                                        "put back.")
-                                        .arg(type.name)
-                                        .arg(type.squeezes),
+                                        .arg(type.name, QString::number(type.squeezes)),
                                     tr("Retire"), this);
     connect(form, &QDialog::accepted, this, [this, form, type] {
         changeSupervised(

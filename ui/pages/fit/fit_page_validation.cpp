@@ -119,9 +119,9 @@ Expected<std::vector<StoredChoices>> storedChoices(Library& library)
             if (!grasp.hasRecording || !grasp.accepted)
                 continue;
             const QString when = timeText(grasp.recorded);
-            choices.squeezes.push_back({grasp.id,
-                                        ValidationChooser::tr("Squeeze %1, %2").arg(number).arg(when),
-                                        ValidationChooser::tr("%1, squeeze %2").arg(type.name).arg(number)});
+            choices.squeezes.push_back(
+                {grasp.id, ValidationChooser::tr("Squeeze %1, %2").arg(number).arg(when),
+                 ValidationChooser::tr("%1, squeeze %2").arg(type.name, QString::number(number))});
         }
         std::reverse(choices.squeezes.begin(), choices.squeezes.end());
         choices.squeezes.resize(std::min(choices.squeezes.size(), mostOffered));

@@ -80,8 +80,9 @@ void OpenedRecordings::readNext()
     const QString file = m_waiting.takeFirst();
     const QString name = QFileInfo(file).fileName();
     const qsizetype number = m_all - m_waiting.size();
-    emit stateChanged(m_all > 1 ? tr("reading %1 (%2 of %3)…").arg(name).arg(number).arg(m_all)
-                                : tr("reading %1…").arg(name));
+    emit stateChanged(
+        m_all > 1 ? tr("reading %1 (%2 of %3)…").arg(name, QString::number(number), QString::number(m_all))
+                  : tr("reading %1…").arg(name));
     m_opener->open(
         file, [this, name](const Recording& recording) { emit opened(name, recording); },
         [this] { readNext(); },

@@ -1,10 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What binds a station to the line around it.
+#include "core/library/sql/library_location.h"
 #include "ui/settings/values/setting_makers.h"
 
 #include <QCoreApplication>
 
 namespace gripscope {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+std::optional<QString> noServer(const QString& text)
+{
+    if (text.isEmpty())
+        return {};
+    const Expected<LibraryLocation> place = LibraryLocation::parse(text);
+    if (!place)
+        return place.error().describe();
+    if (place->server())
+        return {};
+    return QCoreApplication::translate("gripscope::Setting",
+                                       "The plant's library is on a server: postgresql://USER@HOST/NAME.");
+}
+
+std::optional<QString> noBroker(const QString& text)
+{
+    if (!text.contains(u'@') && !text.contains("//"_L1))
+        return {};
+    return QCoreApplication::translate(
+        "gripscope::Setting", "Name the broker alone, such as broker.example:1883. User and password "
+                              "have places of their own.");
+}
+
+} // namespace
 
 std::vector<Setting> lineSettings()
 {
@@ -102,6 +131,7 @@ std::vector<Setting> brokerSettings()
             QT_TRANSLATE_NOOP("gripscope::Setting", "Primary host"),
             QT_TRANSLATE_NOOP("gripscope::Setting",
                               "Results wait while this host of Sparkplug is not online. Empty: for none."))};
+    all[1].refuses = noBroker;
     for (Setting& one : all) {
         one.needsSupervisor = one.needsReason = true;
         one.portable = false; // of this station and its network
@@ -117,6 +147,7 @@ std::vector<Setting> plantSettings()
         QT_TRANSLATE_NOOP("gripscope::Setting",
                           "The plant's library: postgresql://USER@HOST/NAME. What is stored here goes there, "
                           "types and calibrations of the plant come from there. Empty: with none."));
+    server.refuses = noServer;
     server.needsSupervisor = server.needsReason = true;
     server.portable = false; // of this station and its network
     return {server};

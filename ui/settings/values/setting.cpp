@@ -129,9 +129,17 @@ std::optional<QVariant> Setting::accepted(const QVariant& value) const
     case SettingKind::Folder:
     case SettingKind::Picture:
     case SettingKind::File:
-        return asText(value);
+        return refuses && refuses(value.toString()) ? std::nullopt : asText(value);
     }
     return {};
+}
+
+QString Setting::whyNot(const QVariant& value) const
+{
+    if (refuses)
+        if (const std::optional<QString> why = refuses(value.toString()))
+            return *why;
+    return SettingWords::tr("%1 takes %2.").arg(shownName(), expected());
 }
 
 QString Setting::expected() const

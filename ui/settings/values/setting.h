@@ -53,12 +53,15 @@ struct Setting {
     std::vector<SettingChoice> choices = {}; ///< of a Choice
     bool choicesAreNames = false;            ///< or numbers: the same in every language
     bool needsReason = false;                ///< asked for where verdicts or squeezes depend on it
+    /// Of a text: why it cannot be one, as a sentence. A text with a secret in it is not kept anywhere.
+    std::optional<QString> (*refuses)(const QString& text) = nullptr;
 
     [[nodiscard]] QString shownName() const;
     [[nodiscard]] QString shownExplanation() const;                ///< and when it takes effect
     [[nodiscard]] QString shownValue(const QVariant& value) const; ///< "on", "Dark", "1 %"
     /// The value in the type of this setting, or none where it is not one of its kind or outside its limits.
     [[nodiscard]] std::optional<QVariant> accepted(const QVariant& value) const;
+    [[nodiscard]] QString whyNot(const QVariant& value) const; ///< where accepted() has none, as a sentence
     [[nodiscard]] QString expected() const; ///< what accepted() takes: "a number from 0 to 240 min"
 };
 
