@@ -20,8 +20,9 @@ step "package lists" apt-get update
 # Man pages are kept, which minimal images leave out.
 rm -f /etc/dpkg/dpkg.cfg.d/docker
 step "a display and man, for the test" apt-get install -y --no-install-recommends xvfb xauth man-db sqlite3
+# Also those that it recommends: apt installs them too, and keeps them.
 step "packages that it needs, without itself" \
-  bash -c 'apt-get install -y --no-install-recommends $(dpkg-deb -f new.deb Depends | tr "," "\n" | sed -E "s/[(|].*//; s/ //g" | sort -u)'
+  bash -c 'apt-get install -y --no-install-recommends $( (dpkg-deb -f new.deb Depends; dpkg-deb -f new.deb Recommends) | tr "," "\n" | sed -E "s/[(|].*//; s/ //g" | sort -u)'
 files >before
 step "apt install ./gripscope_0.0.9 (the version before)" apt-get install -y ./old.deb
 version_is 0.0.9

@@ -49,7 +49,7 @@ void exchangeUntilEnd(SharedLink& state)
     Exchange exchange(state);
     std::mt19937 random(std::random_device{}()); // a moment of its own
     milliseconds pause{0}, retry = options.every;
-    while (state.await(ExchangeThread, pause, [&] { exchange.letGo(); })) {
+    while (state.await(pause, [&] { exchange.letGo(); })) {
         state.beginStep();
         const Expected<ExchangeStep> taken = exchange.step();
         if (taken) {

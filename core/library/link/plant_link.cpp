@@ -47,11 +47,6 @@ qint64 PlantLink::typesTaken() const
     return m_state->typesTaken();
 }
 
-void PlantLink::tryNow()
-{
-    m_state->tryNow();
-}
-
 bool PlantLink::end(std::chrono::milliseconds patience)
 {
     if (!m_exchange.joinable())

@@ -39,7 +39,6 @@ public:
 
     [[nodiscard]] PlantStatus status() const;
     [[nodiscard]] qint64 typesTaken() const; ///< of status(), often asked for
-    void tryNow();                           ///< not only when it is time
     /// Where it takes longer, it ends by itself later. True: it is over.
     bool end(std::chrono::milliseconds patience);
     /// For the station's LibraryService; lives as long as somebody has it.

@@ -43,13 +43,6 @@ qint64 SharedLink::typesTaken() const
     return m_known.typesTaken;
 }
 
-void SharedLink::tryNow()
-{
-    const std::lock_guard lock(m_mutex);
-    m_soon = true;
-    m_turn.notify_all();
-}
-
 void SharedLink::end()
 {
     {
@@ -86,11 +79,10 @@ void SharedLink::comeBack()
     m_turn.notify_all();
 }
 
-bool SharedLink::await(LinkThread thread, std::chrono::milliseconds pause, const std::function<void()>& letGo)
+bool SharedLink::await(std::chrono::milliseconds pause, const std::function<void()>& letGo)
 {
     std::unique_lock lock(m_mutex);
-    m_turn.wait_for(lock, pause,
-                    [&] { return m_ending || m_suspended || (m_soon && thread == ExchangeThread); });
+    m_turn.wait_for(lock, pause, [this] { return m_ending || m_suspended; });
     if (m_suspended) {
         lock.unlock();
         letGo();
@@ -127,7 +119,6 @@ void SharedLink::letStationGo(LinkThread thread)
 void SharedLink::beginStep()
 {
     const std::lock_guard lock(m_mutex);
-    m_soon = false;
     m_stepBegan = LinkClock::now();
 }
 

@@ -25,7 +25,6 @@ public:
     // For who has the link.
     [[nodiscard]] PlantStatus status() const;
     [[nodiscard]] qint64 typesTaken() const;
-    void tryNow();
     void end(); ///< they are told to
     [[nodiscard]] bool hasEnded(std::chrono::milliseconds patience);
     void leave() override;
@@ -36,8 +35,7 @@ public:
     [[nodiscard]] const std::shared_ptr<Hangup>& hangup() const { return m_hangup; }
     /// Waits so long, or for what is asked for; calls `letGo` where the station's file is needed alone.
     /// False: it is over.
-    [[nodiscard]] bool await(LinkThread thread, std::chrono::milliseconds pause,
-                             const std::function<void()>& letGo);
+    [[nodiscard]] bool await(std::chrono::milliseconds pause, const std::function<void()>& letGo);
     void noteEnd(); ///< of one of them
     /// StorageOpen: not now.
     [[nodiscard]] Expected<void> holdStation(LinkThread thread);
@@ -57,7 +55,7 @@ private:
     const std::shared_ptr<Hangup> m_hangup = std::make_shared<Hangup>();
     mutable std::mutex m_mutex; ///< guards what follows
     std::condition_variable m_turn, m_quiet;
-    bool m_ending = false, m_suspended = false, m_soon = false;
+    bool m_ending = false, m_suspended = false;
     int m_running = 2;             ///< threads
     std::array<bool, 2> m_holds{}; ///< the station's file, by LinkThread
     PlantStatus m_known;

@@ -69,7 +69,7 @@ void watchUntilEnd(SharedLink& state)
         state.hangUpWhatIsLate();
         watch.writeNote(false);
         watch.count();
-    } while (state.await(WatchThread, state.options().every, [&] { watch.letGo(); }));
+    } while (state.await(state.options().every, [&] { watch.letGo(); }));
     watch.writeNote(true);
     watch.letGo();
     state.noteEnd();
