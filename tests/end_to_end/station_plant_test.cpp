@@ -7,6 +7,17 @@ using namespace gripscope;
 using namespace gripscope::test;
 using namespace Qt::StringLiterals;
 
+namespace {
+
+int inspectionsAt(const Workplace& work, const PlantServer& server)
+{
+    const ProgramRun known =
+        work.cli({u"library"_s, u"status"_s, u"--library"_s, server.address(), u"--json"_s});
+    return known.json()[u"stations"_s][0][u"inspections"_s].toInt();
+}
+
+} // namespace
+
 /// gripscope-station and the library of its plant.
 class StationPlantTest : public QObject {
     Q_OBJECT
@@ -21,7 +32,7 @@ private slots:
             StationRun station(work, toPlant);
             QVERIFY(station.arm());
             QVERIFY(station.inspect(4711));
-            QVERIFY(station.says(u"plant"_s, u"plant: in step"_s));
+            QTRY_COMPARE_WITH_TIMEOUT(inspectionsAt(work, server), 1, longEnough_ms);
             server.halt();
             QVERIFY(station.says(u"plant"_s, u"server not reached since"_s));
             QVERIFY(station.inspect(4712)); // it is not in the way
@@ -38,9 +49,7 @@ private slots:
             server.go();
             QVERIFY(station.says(u"plant"_s, u"plant: in step"_s));
         }
-        const ProgramRun known =
-            work.cli({u"library"_s, u"status"_s, u"--library"_s, server.address(), u"--json"_s});
-        QCOMPARE(known.json()[u"stations"_s][0][u"inspections"_s].toInt(), 2);
+        QCOMPARE(inspectionsAt(work, server), 2);
         for (const QString& place : {server.address(), work.path(u"parts.db"_s)})
             QCOMPARE(work.cli({u"library"_s, u"verify"_s, u"--library"_s, place}).exit, 0);
     }

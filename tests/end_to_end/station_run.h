@@ -30,8 +30,16 @@ public:
     [[nodiscard]] ProgramRun ask(const QString& command) const { return askStation(m_work, command); }
     [[nodiscard]] bool says(const QString& key, const QString& words) const
     {
-        return QTest::qWaitFor([&] { return ask(u"status"_s).json()[key].toString().contains(words); },
-                               longEnough_ms);
+        QString said;
+        const bool found = QTest::qWaitFor(
+            [&] {
+                said = ask(u"status"_s).json()[key].toString();
+                return said.contains(words);
+            },
+            longEnough_ms);
+        if (!found)
+            qWarning("the station says: %s", qPrintable(said));
+        return found;
     }
     [[nodiscard]] bool arm()
     {
