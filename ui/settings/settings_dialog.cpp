@@ -158,7 +158,7 @@ void SettingsDialog::addRows(QVBoxLayout* column)
         row->setGuard([this](const SettingChange& change, std::function<void()> apply) {
             changeSettings(*m_workbench, this, {change}, std::move(apply));
         });
-        row->setTeller([this](const QString& words) { tell(words); });
+        row->setTeller([this](const QString& words) { tell(words, "error"); });
         m_groups.back().rows.push_back(row);
         rows->addWidget(row);
     }
@@ -169,8 +169,9 @@ void SettingsDialog::addRows(QVBoxLayout* column)
     column->addWidget(makeScroll(card, this), 1);
 }
 
-void SettingsDialog::tell(const QString& words)
+void SettingsDialog::tell(const QString& words, const char* role)
 {
+    setRole(m_told, role);
     m_told->setText(words);
     m_told->setVisible(!words.isEmpty());
 }

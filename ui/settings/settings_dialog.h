@@ -88,7 +88,7 @@ private:
     Workbench* m_workbench;
     QLineEdit* m_search;
     QLabel* m_nothing;
-    void tell(const QString& words);
+    void tell(const QString& words, const char* role = "second");
     QLabel* m_told; ///< what came of an export or import, or why a setting is not taken
     std::vector<Group> m_groups;
 };

@@ -35,7 +35,7 @@ Finding headlineOf(const PlantStatus& status, const QDateTime& now)
     if (!status.lastReached.isValid())
         return status.problem ? Words::say("plant: server not reached yet") : Words::say("plant: connecting");
     const QString since = sinceText(status.lastReached, now);
-    if (!status.waiting)
+    if (waiting == 0) // or it is not known
         return Words::say("plant: server not reached since %1").arg(since);
     return Words::say("plant: %1, server not reached since %2").arg(waitingWords(waiting)).arg(since);
 }

@@ -77,6 +77,8 @@ private slots:
         const qint64 before = inspectionsAt(m_server->address()) + 3;
         station.inspect(3);
         QTRY_COMPARE_WITH_TIMEOUT(inspectionsAt(m_server->address()), before, int(patience.count()));
+        const QDateTime then = QDateTime::currentDateTimeUtc();
+        QVERIFY(station.becomes([&](const PlantStatus& now) { return now.lastReached > then; })); // it knows
         m_server->halt();
         QVERIFY(station.becomes([](const PlantStatus& now) { return !now.reached && now.problem; }));
         station.inspect(7);

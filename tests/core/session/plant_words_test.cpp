@@ -24,6 +24,8 @@ private slots:
         QCOMPARE(headline(status), u"plant: server not reached yet"_s);
         status.lastReached = QDateTime(now.date(), QTime(10, 42)).toUTC();
         QCOMPARE(headline(status), u"plant: server not reached since 10:42"_s);
+        status.waiting = 0;
+        QCOMPARE(headline(status), u"plant: server not reached since 10:42"_s);
         status.waiting = 3120;
         QCOMPARE(headline(status), u"plant: 3120 results waiting, server not reached since 10:42"_s);
         status.waiting = 1;
