@@ -150,7 +150,6 @@ int syncWithServer(const QStringList& arguments)
         "(types, their enrolled squeezes, calibrations, limits) comes from there. Again takes "
         "nothing twice."_s);
     line.option(u"server"_s, u"ADDRESS"_s, u"The plant's library: postgresql://USER@HOST:PORT/NAME."_s);
-    addLibraryOption(line);
     if (const auto exit = parseWith(line, arguments))
         return *exit;
     if (line.text(u"server"_s).isEmpty())
