@@ -153,7 +153,7 @@ private slots:
             const QString section = sectionOf(page, command);
             QVERIFY2(!section.isEmpty(), qPrintable(command));
             const ProgramRun help = run(cliProgram(), command.split(u' ') << u"--help"_s);
-            QVERIFY2(help.err.isEmpty(), qPrintable(command + u": " + QString::fromUtf8(help.err)));
+            QVERIFY2(help.err.isEmpty(), qPrintable(command + u": "_s + QString::fromUtf8(help.err)));
             for (const QString& option : optionsIn(help.out.mid(help.out.indexOf("Options:"))))
                 QVERIFY2(section.contains(option), qPrintable(command + u' ' + option));
         }
