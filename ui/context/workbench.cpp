@@ -420,10 +420,7 @@ void Workbench::askAgain(const QString& serial, const Error& reason)
         d->messages.report(told.error().describe(), wanted);
     d->unreadTold = reason;
     QTimer::singleShot(askAgainAfter, this, [this, serial, wanted] {
-        if (wanted())
-            applyKnown(serial);
-        else
-            d->unreadTold.reset();
+        wanted() ? applyKnown(serial) : d->unreadTold.reset();
     });
 }
 
