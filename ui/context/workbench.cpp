@@ -419,9 +419,8 @@ void Workbench::askAgain(const QString& serial, const Error& reason)
     if (d->unreadTold != reason)
         d->messages.report(told.error().describe(), wanted);
     d->unreadTold = reason;
-    QTimer::singleShot(askAgainAfter, this, [this, serial, wanted] {
-        wanted() ? applyKnown(serial) : d->unreadTold.reset();
-    });
+    QTimer::singleShot(askAgainAfter, this,
+                       [this, serial, wanted] { wanted() ? applyKnown(serial) : d->unreadTold.reset(); });
 }
 
 void Workbench::noticeReferenceCheck()
