@@ -26,9 +26,13 @@ one() {
 }
 
 for ((i = 0; i < rounds; ++i)); do
+  # Each behind the same pause: what a server writes as it ends is on the same disk here.
+  sleep 3
   one alone -
+  sleep 3
   one linked "$server"
   "$here/../support/postgresql.sh" halt "$work/address"
+  sleep 3
   one gone "$server"
   "$here/../support/postgresql.sh" go "$work/address"
 done
