@@ -23,7 +23,10 @@ ClockWatch::ClockWatch(QString program) : m_program(std::move(program))
 ClockWatch::~ClockWatch()
 {
     m_process.disconnect();
+    if (m_process.state() == QProcess::NotRunning)
+        return;
     m_process.kill();
+    m_process.waitForFinished(); // what is killed ends at once
 }
 
 void ClockWatch::poll()
