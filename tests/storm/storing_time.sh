@@ -13,12 +13,12 @@ trap '"$here/../support/postgresql.sh" stop "$work/address" || true; rm -rf "$wo
 "$here/../support/postgresql.sh" start "$work/address"
 server=$(cat "$work/address")
 
-# one NAME SERVER: appends the microseconds of so many to NAME.
+# one NAME FILE SERVER: appends the microseconds of so many to NAME.
 one() {
   mkfifo "$work/input"
   sleep infinity >"$work/input" &
   local writer=$!
-  "$bin/storm_station" "$work/$1.db" "$2" "$period_ms" 1 <"$work/input" |
+  "$bin/storm_station" "$work/$2.db" "$3" "$period_ms" 1 <"$work/input" |
     awk -v count="$count" '$1 == "stored" { print $3; if (++n == count) exit }' >>"$work/$1.times" || true
   kill "$writer"
   wait "$writer" 2>/dev/null || true
@@ -28,12 +28,12 @@ one() {
 for ((i = 0; i < rounds; ++i)); do
   # Each behind the same pause: what a server writes as it ends is on the same disk here.
   sleep 3
-  one alone -
+  one alone alone -
   sleep 3
-  one linked "$server"
+  one linked linked "$server"
   "$here/../support/postgresql.sh" halt "$work/address"
   sleep 3
-  one gone "$server"
+  one gone linked "$server" # a station that was in step, and counts what waits
   "$here/../support/postgresql.sh" go "$work/address"
 done
 for name in alone linked gone; do

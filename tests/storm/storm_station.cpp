@@ -13,9 +13,7 @@
 
 #include <atomic>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
-#include <mutex>
 #include <thread>
 
 using namespace gripscope;

@@ -131,8 +131,9 @@ std::vector<Setting> brokerSettings()
             QT_TRANSLATE_NOOP("gripscope::Setting", "Primary host"),
             QT_TRANSLATE_NOOP("gripscope::Setting",
                               "Results wait while this host of Sparkplug is not online. Empty: for none."))};
-    all[1].refuses = noBroker;
     for (Setting& one : all) {
+        if (qstrcmp(one.key, setting::mqttBroker.key) == 0)
+            one.refuses = noBroker;
         one.needsSupervisor = one.needsReason = true;
         one.portable = false; // of this station and its network
     }
