@@ -105,7 +105,6 @@ Expected<std::optional<ChainEnd>> continueLedger(Database& database)
 
 Expected<void> enterFoundRows(Database& database)
 {
-    static_cast<void>(database.takeInserted());
     std::vector<LedgerLeaf> leaves;
     std::optional<Error> problem;
     const auto enter = [&] {

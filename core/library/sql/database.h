@@ -102,7 +102,8 @@ public:
     void setNewAuditHead(std::optional<AuditHead> head) { m_newAuditHead = std::move(head); }
     [[nodiscard]] const std::optional<AuditHead>& newAuditHead() const { return m_newAuditHead; }
 
-    /// What Statement::run() put in since it was taken last, in that order.
+    /// What Statement::run() put in since the transaction began, or since it was taken last, in that order.
+    /// What an earlier transaction left, stored or not, is none of this one's.
     void noteInserted(InsertedRow row) { m_inserted.push_back(std::move(row)); }
     [[nodiscard]] std::vector<InsertedRow> takeInserted() { return std::exchange(m_inserted, {}); }
     /// What columnsOf() has read; to be emptied by whoever changes the tables.

@@ -11,6 +11,8 @@ Expected<void> Database::begin(const QStringList& statements, const QString& doi
     RETURN_IF_ERROR(reconnectIfLost());
     m_inTransaction = true;
     m_failed = false;
+    m_newAuditHead.reset();
+    m_inserted.clear();
     for (const QString& statement : statements) {
         auto begun = execute(statement, doing);
         if (!begun && m_lost) { // an idle connection that the server had ended: nothing was under way

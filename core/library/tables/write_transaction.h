@@ -21,8 +21,6 @@ template <typename T, typename Work>
 Expected<T> writeTo(Database& database, const QString& doing, const Work& work)
 {
     ASSIGN_OR_RETURN(auto transaction, Transaction::begin(database, doing));
-    database.setNewAuditHead({});
-    static_cast<void>(database.takeInserted());
     Expected<T> result = work();
     if (!result)
         return result;

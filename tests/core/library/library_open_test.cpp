@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_record.h"
 #include "core/library/audit/audit_trail.h"
-#include "core/library/migrations/migration.h"
 #include "core/library/people/people_register.h"
 #include "core/library/records/enrollment_draft.h"
 #include "core/library/records/history.h"
 #include "core/library/verification/library_verification.h"
+#include "tests/core/library/earlier_schema.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
 #include "tests/support/ordinary_user.h"
@@ -39,10 +39,8 @@ void makeVersion(const QString& file, int version)
                 raw.run(statement);
         }
     }
-    std::vector<Migration> steps = migrations();
-    std::erase_if(steps, [version](const Migration& step) { return step.version > version; });
     if (version > lastOfSql)
-        valueOf(migrate(*valueOf(Database::open(file)), steps));
+        valueOf(migrate(*valueOf(Database::open(file)), migrationsUpTo(version)));
 }
 
 } // namespace

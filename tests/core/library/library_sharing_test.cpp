@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/verification/library_verification.h"
 #include "tests/core/library/child_process.h"
+#include "tests/core/library/earlier_schema.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
@@ -27,6 +28,31 @@ private slots:
             thread.join();
         QCOMPARE(valueOf(folder.open()->types()).size(), std::size_t(4));
         QCOMPARE(valueOf(folder.open()->enrolledSqueezes()).size(), std::size_t(40));
+        const LibraryVerification verified = valueOf(verifyLibrary(folder.file()));
+        QVERIFY2(verified.whole(), qPrintable(inWords(verified)));
+    }
+    void theyTakeTurnsInBringingItUpToDate_data()
+    {
+        QTest::addColumn<int>("one");
+        QTest::addColumn<int>("other");
+        const int newest = migrations().back().version;
+        for (const int one : {1, 10, 11, 12, 13, 20})
+            for (const int other : {11, 12, 13, 14, newest - 1, newest})
+                if (other > one)
+                    QTest::addRow("to %d, to %d by the other, and on", one, other) << one << other;
+    }
+    /// Each may be overtaken between any two steps; the ledger is made by one of them.
+    void theyTakeTurnsInBringingItUpToDate()
+    {
+        QFETCH(int, one);
+        QFETCH(int, other);
+        const LibraryFolder folder;
+        const auto first = valueOf(Database::open(folder.file()));
+        valueOf(migrate(*first, migrationsUpTo(one)));
+        valueOf(migrate(*valueOf(Database::open(folder.file())), migrationsUpTo(other)));
+        valueOf(migrate(*first));
+        const LibraryVerification verified = valueOf(verifyLibrary(folder.file()));
+        QVERIFY2(verified.whole(), qPrintable(inWords(verified)));
     }
     void twoProcessesWriteAtOnce()
     {
