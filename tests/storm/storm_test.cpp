@@ -21,7 +21,8 @@ namespace {
 /// The storm that every run of the tests has, unless another is asked for.
 struct StormSize {
     int stations = 8, seconds = 120, outages = 4, kills = 8;
-    int period_ms = 500; ///< between two inspections of a station
+    int period_ms = 500;  ///< between two inspections of a station
+    int change_every = 25; ///< inspections: then it changes a type
 
     [[nodiscard]] static StormSize asked()
     {
@@ -30,7 +31,8 @@ struct StormSize {
                                             {u"seconds"_s, &size.seconds},
                                             {u"outages"_s, &size.outages},
                                             {u"kills"_s, &size.kills},
-                                            {u"period_ms"_s, &size.period_ms}};
+                                            {u"period_ms"_s, &size.period_ms},
+                                            {u"change_every"_s, &size.change_every}};
         for (const QString& part : qEnvironmentVariable("GRIPSCOPE_STORM").split(u',', Qt::SkipEmptyParts))
             if (const auto found = known.find(part.section(u'=', 0, 0)); found != known.end())
                 *found->second = part.section(u'=', 1).toInt();
@@ -41,8 +43,8 @@ struct StormSize {
 /// One station: its file, and the program that is started on it again and again.
 class StationProcess {
 public:
-    StationProcess(QString file, QString server, int period_ms, unsigned seed)
-        : m_file(std::move(file)), m_server(std::move(server)), m_period_ms(period_ms), m_seed(seed)
+    StationProcess(QString file, QString server, const StormSize& size, unsigned seed)
+        : m_file(std::move(file)), m_server(std::move(server)), m_size(size), m_seed(seed)
     {
     }
     ~StationProcess() { static_cast<void>(end()); }
@@ -51,12 +53,11 @@ public:
 
     void begin()
     {
-        constexpr int changeEvery = 25;
         m_process = std::make_unique<QProcess>();
         m_process->setProcessChannelMode(QProcess::ForwardedErrorChannel);
         m_process->start(QStringLiteral(GRIPSCOPE_BIN_DIR "/storm_station"),
-                         {m_file, m_server, QString::number(m_period_ms), QString::number(++m_seed),
-                          QString::number(changeEvery)});
+                         {m_file, m_server, QString::number(m_size.period_ms), QString::number(++m_seed),
+                          QString::number(m_size.change_every)});
         m_process->waitForStarted();
     }
     void kill()
@@ -109,7 +110,7 @@ public:
 
 private:
     QString m_file, m_server;
-    int m_period_ms;
+    StormSize m_size;
     unsigned m_seed;
     std::unique_ptr<QProcess> m_process;
     QByteArray m_rest;
@@ -141,7 +142,7 @@ private slots:
         makeTypes(folder.filePath(u"0.db"_s));
         for (int i = 0; i < size.stations; ++i) {
             m_stations.push_back(std::make_unique<StationProcess>(
-                folder.filePath(u"%1.db"_s.arg(i)), server.address(), size.period_ms, 1000u * unsigned(i)));
+                folder.filePath(u"%1.db"_s.arg(i)), server.address(), size, 1000u * unsigned(i)));
             m_stations.back()->begin();
         }
         rage(server);

@@ -91,6 +91,7 @@ public:
         return number == 0 && std::signbit(number) ? QVariant(u"-0"_s) : QVariant(number);
     }
     bool takesText(const QString& text) const override { return !text.contains(QChar::Null); }
+    std::size_t valuesOfStatement() const override { return 8'000; } // each costs a way to the server
 
     QString tablesSql() const override
     {

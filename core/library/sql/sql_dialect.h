@@ -50,6 +50,8 @@ public:
     /// A number to bind, to the last bit.
     [[nodiscard]] virtual QVariant bound(double number) const = 0;
     [[nodiscard]] virtual bool takesText(const QString& text) const = 0;
+    /// At most so many are bound to one statement of several rows.
+    [[nodiscard]] virtual std::size_t valuesOfStatement() const = 0;
 
     [[nodiscard]] virtual QString tablesSql() const = 0;
     /// Name and default, as SQL, of each column of the table that is bound, by name.

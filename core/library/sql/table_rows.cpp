@@ -54,8 +54,7 @@ QString quoted(QString name)
     return u'"' + name.replace(u'"', u"\"\""_s) + u'"';
 }
 
-/// At most so many values go into one statement, of which SQLite takes 32,766; and of their bytes, so many.
-constexpr std::size_t valuesOfStatement = 8'000;
+/// At most so many bytes go into one statement.
 constexpr std::size_t bytesOfStatement = 1 << 20;
 constexpr std::size_t keysOfQuery = 500;
 
@@ -289,7 +288,8 @@ Expected<std::map<qint64, TableRows::Row>> TableRows::withRowNumbers(const std::
 Expected<std::set<Cell>> TableRows::insert(const std::vector<Row>& rows, const QString& doing)
 {
     std::set<Cell> inserted;
-    const std::size_t most = std::max(std::size_t(1), valuesOfStatement / d->columns.size());
+    const std::size_t most =
+        std::max(std::size_t(1), d->database.dialect().valuesOfStatement() / d->columns.size());
     for (std::size_t first = 0; first < rows.size();) {
         std::size_t number = 0, bytes = 0;
         while (first + number < rows.size() && number < most && (number == 0 || bytes < bytesOfStatement))
