@@ -9215,6 +9215,10 @@ m  %3</translation>
         <source>The clock of this computer is %1 s off: results have wrong times. chronyc makestep sets it.</source>
         <translation>Die Uhr dieses Rechners geht um %1 s falsch: Ergebnisse haben falsche Zeiten. chronyc makestep stellt sie.</translation>
     </message>
+    <message>
+        <source>what the changes of a plant are found by</source>
+        <translation>wonach die Änderungen eines Werks gefunden werden</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>

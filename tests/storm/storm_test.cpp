@@ -21,18 +21,16 @@ namespace {
 /// The storm that every run of the tests has, unless another is asked for.
 struct StormSize {
     int stations = 8, seconds = 120, outages = 4, kills = 8;
-    int period_ms = 500;  ///< between two inspections of a station
+    int period_ms = 500;   ///< between two inspections of a station
     int change_every = 25; ///< inspections: then it changes a type
 
     [[nodiscard]] static StormSize asked()
     {
         StormSize size;
-        const std::map<QString, int*> known{{u"stations"_s, &size.stations},
-                                            {u"seconds"_s, &size.seconds},
-                                            {u"outages"_s, &size.outages},
-                                            {u"kills"_s, &size.kills},
-                                            {u"period_ms"_s, &size.period_ms},
-                                            {u"change_every"_s, &size.change_every}};
+        const std::map<QString, int*> known{
+            {u"stations"_s, &size.stations},   {u"seconds"_s, &size.seconds},
+            {u"outages"_s, &size.outages},     {u"kills"_s, &size.kills},
+            {u"period_ms"_s, &size.period_ms}, {u"change_every"_s, &size.change_every}};
         for (const QString& part : qEnvironmentVariable("GRIPSCOPE_STORM").split(u',', Qt::SkipEmptyParts))
             if (const auto found = known.find(part.section(u'=', 0, 0)); found != known.end())
                 *found->second = part.section(u'=', 1).toInt();

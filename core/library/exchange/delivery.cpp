@@ -46,9 +46,7 @@ Expected<void> record(Database& station, Database& server, const std::vector<Cha
     ASSIGN_OR_RETURN(const QString other, libraryId(station));
     ASSIGN_OR_RETURN(Meeting meeting, meetingOf(other, server, taken.sum(), {}));
     if (taken.hasChanges) {
-        ASSIGN_OR_RETURN(const auto seen, seenVersions(server));
-        for (const auto& [library, version] : seen)
-            meeting.seen.insert(library, version);
+        ASSIGN_OR_RETURN(meeting.seen, seenVersions(server));
     }
     for (const ChainNews& chain : news) {
         ASSIGN_OR_RETURN(const ChainEnd end, merged_ledger::endOf(server, {chain.library, chain.chain}));

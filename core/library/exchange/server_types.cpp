@@ -204,8 +204,7 @@ Expected<FetchedTypes> takeServerTypes(const ServerTypes& types, Database& stati
         ASSIGN_OR_RETURN(fetched.version, settle(station, types.state, types.place, {}));
     }
     ASSIGN_OR_RETURN(Meeting meeting, meetingOf(types.server, station, fetched.rows, {}));
-    for (const auto& [library, newest] : types.seen)
-        meeting.seen.insert(library, newest);
+    meeting.seen = types.seen;
     RETURN_IF_ERROR(meeting_table::insert(station, meeting));
     const QJsonObject details{{u"rows"_s, fetched.rows}, {u"version"_s, fetched.version}};
     RETURN_IF_ERROR(audit_table::append(

@@ -5,10 +5,8 @@
 #include "core/library/ledger/ledgered_tables.h"
 #include "core/library/ledger/merged_ledger.h"
 #include "core/library/ledger/merged_rows.h"
+#include "core/library/merge/meeting_table.h"
 #include "core/library/sql/statement.h"
-
-#include <QJsonDocument>
-#include <QJsonObject>
 
 namespace gripscope {
 
@@ -111,35 +109,29 @@ Expected<void> readSqueezes(Database& database, const KnownChanges& changes, con
     });
 }
 
-std::map<QString, qint64> versionsFrom(const QString& json)
-{
-    std::map<QString, qint64> versions;
-    const QJsonObject object = QJsonDocument::fromJson(json.toUtf8()).object();
-    for (auto one = object.begin(); one != object.end(); ++one)
-        versions[one.key()] = one.value().toInteger();
-    return versions;
-}
-
 Expected<void> readMeetings(Database& database, PlantHistory& history)
 {
-    Statement query(database, readingHistory(), u"SELECT library, version, seen FROM library_meetings"_s);
+    // Most brought no change: these are not looked at, and are millions.
+    Statement query(database, readingHistory(),
+                    u"SELECT library, version, seen FROM library_meetings WHERE seen <> '{}'"_s);
     RETURN_IF_ERROR(query.forEach([&](Statement& row) {
         PlantMeeting meeting;
         meeting.library = row.takeText();
         meeting.version = row.takeInteger();
-        meeting.seen = versionsFrom(row.takeText());
+        meeting.seen = seenFromText(row.takeText());
         history.meetings.push_back(std::move(meeting));
     }));
     ASSIGN_OR_RETURN(const auto columns, columnsOf(database, u"library_meetings"_s));
-    Statement others(database, readingHistory(), u"SELECT content FROM merged_rows WHERE table_code = ?"_s);
-    others.bind(int(ledgeredTable(u"library_meetings"_s)->code));
+    Statement others(database, readingHistory(), // the number as it stands in its index
+                     u"SELECT content FROM merged_rows WHERE table_code = %1"_s.arg(
+                         ledgeredTable(u"library_meetings"_s)->code));
     return others.forEach([&](Statement& row) {
         TableRows::Row cells(columns->size());
         if (!merged_rows::apply(row.takeText(), *columns, cells))
             return;
         history.meetings.push_back({textIn(*columns, cells, u"library"),
                                     integerIn(*columns, cells, u"version"),
-                                    versionsFrom(textIn(*columns, cells, u"seen"))});
+                                    seenFromText(textIn(*columns, cells, u"seen"))});
     });
 }
 

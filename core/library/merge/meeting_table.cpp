@@ -9,6 +9,8 @@
 
 #include <QJsonDocument>
 
+#include <algorithm>
+
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
@@ -20,7 +22,37 @@ QString text(const QJsonObject& object)
     return QString::fromUtf8(QJsonDocument(object).toJson(QJsonDocument::Compact));
 }
 
+/// What no meeting of the library knows yet.
+Expected<QJsonObject> newlySeen(Database& database, const Meeting& meeting)
+{
+    std::map<QString, qint64> known;
+    if (!meeting.seen.empty()) {
+        Statement query(database, Words::tr("read its merges"),
+                        u"SELECT library, seen FROM library_meetings WHERE seen <> '{}'"_s);
+        RETURN_IF_ERROR(query.forEach([&](Statement& row) {
+            if (row.takeText() != meeting.library)
+                return;
+            for (const auto& [library, version] : seenFromText(row.takeText()))
+                known[library] = std::max(known[library], version);
+        }));
+    }
+    QJsonObject news;
+    for (const auto& [library, version] : meeting.seen)
+        if (const auto before = known.find(library); before == known.end() || before->second < version)
+            news.insert(library, version);
+    return news;
+}
+
 } // namespace
+
+std::map<QString, qint64> seenFromText(const QString& json)
+{
+    std::map<QString, qint64> versions;
+    const QJsonObject object = QJsonDocument::fromJson(json.toUtf8()).object();
+    for (auto one = object.begin(); one != object.end(); ++one)
+        versions[one.key()] = one.value().toInteger();
+    return versions;
+}
 
 Expected<Meeting> meetingOf(const QString& other, Database& target, qint64 taken, const QString& operatorName)
 {
@@ -37,9 +69,7 @@ Expected<Meeting> meetingWith(Database& source, Database& target, qint64 taken, 
 {
     ASSIGN_OR_RETURN(const QString other, libraryId(source));
     ASSIGN_OR_RETURN(Meeting meeting, meetingOf(other, target, taken, operatorName));
-    ASSIGN_OR_RETURN(const auto seen, seenVersions(target));
-    for (const auto& [library, version] : seen)
-        meeting.seen.insert(library, version);
+    ASSIGN_OR_RETURN(meeting.seen, seenVersions(target));
     ASSIGN_OR_RETURN(const auto ends, merged_ledger::ends(target));
     for (const auto& [chain, end] : ends)
         meeting.addHead(chain.first, end);
@@ -56,12 +86,13 @@ namespace meeting_table {
 
 Expected<void> insert(Database& database, const Meeting& meeting)
 {
+    ASSIGN_OR_RETURN(const QJsonObject seen, newlySeen(database, meeting));
     const RowStamp stamp = RowStamp::now();
     Statement row(database, Words::tr("record the merge"),
                   u"INSERT INTO library_meetings (id, station, created_utc, library, version, other, seen, "
                   "heads, taken, operator_name) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"_s);
     row.bind(stamp.id).bind(stamp.station).bind(stamp.utc).bind(meeting.library).bind(meeting.version);
-    row.bind(meeting.other).bind(text(meeting.seen)).bind(text(meeting.heads)).bind(meeting.taken);
+    row.bind(meeting.other).bind(text(seen)).bind(text(meeting.heads)).bind(meeting.taken);
     return row.bind(meeting.operatorName).run();
 }
 

@@ -7,6 +7,7 @@
 #include <QJsonObject>
 #include <QSet>
 
+#include <map>
 #include <optional>
 
 namespace gripscope {
@@ -17,12 +18,16 @@ class Database;
 struct Meeting {
     QString library, other; ///< libraryId() of this and of the other
     qint64 version = 0;     ///< of this one; what is changed after it was changed knowing the others
-    QJsonObject seen;       ///< by library the newest version of which changes are known
+    /// By library the newest version of which changes are known. Kept of it is what no earlier meeting of
+    /// this library knew: with many stations, all of it each time would be most of a library.
+    std::map<QString, qint64> seen;
     QJsonObject heads; ///< by library and chain how far its ledger goes: "links hash"; empty: of a server
     qint64 taken = 0;
     QString operatorName;
     void addHead(const QString& ofLibrary, const ChainEnd& end);
 };
+/// Meeting::seen as it is stored.
+[[nodiscard]] std::map<QString, qint64> seenFromText(const QString& json);
 /// With another library, without what is seen and heads.
 [[nodiscard]] Expected<Meeting> meetingOf(const QString& other, Database& target, qint64 taken,
                                           const QString& operatorName);

@@ -145,6 +145,8 @@ const std::vector<Migration>& migrations()
         step(27, QT_TRANSLATE_NOOP("Words", "adjustments of grippers"), adjustmentsScript, enterNewRows),
         step(28, QT_TRANSLATE_NOOP("Words", "what stations have of each other"), stationsScript,
              enterNewRows),
+        step(29, QT_TRANSLATE_NOOP("Words", "what the changes of a plant are found by"), plantChangesScript,
+             enterNewRows),
     };
     return steps;
 }

@@ -72,5 +72,6 @@ extern const char* const studiesScript;
 extern const char* const processChartsScript;
 extern const char* const adjustmentsScript;
 extern const char* const stationsScript;
+extern const char* const plantChangesScript;
 
 } // namespace gripscope

@@ -18,12 +18,11 @@ Causality::Causality(std::vector<PlantMeeting> meetings)
         return std::tie(one.library, one.version) < std::tie(other.library, other.version);
     });
     for (const PlantMeeting& meeting : meetings) {
-        auto& ofLibrary = m_seen[meeting.library];
-        std::map<QString, qint64> seen =
-            ofLibrary.empty() ? std::map<QString, qint64>() : ofLibrary.rbegin()->second;
-        for (const auto& [library, version] : meeting.seen)
-            seen[library] = std::max(seen[library], version);
-        ofLibrary[meeting.version] = std::move(seen);
+        for (const auto& [library, version] : meeting.seen) {
+            std::vector<Seen>& seen = m_seen[meeting.library][library];
+            if (seen.empty() || seen.back().version < version)
+                seen.push_back({meeting.version, version});
+        }
     }
 }
 
@@ -36,12 +35,11 @@ bool Causality::hasSeen(const ChangeStamp& later, const ChangeStamp& earlier) co
     const auto ofLibrary = m_seen.find(later.library);
     if (ofLibrary == m_seen.end())
         return false;
-    const auto after = ofLibrary->second.upper_bound(later.version);
-    if (after == ofLibrary->second.begin())
+    const auto seen = ofLibrary->second.find(earlier.library);
+    if (seen == ofLibrary->second.end())
         return false;
-    const auto& seen = std::prev(after)->second;
-    const auto known = seen.find(earlier.library);
-    return known != seen.end() && earlier.version <= known->second;
+    const auto after = std::ranges::upper_bound(seen->second, later.version, {}, &Seen::from);
+    return after != seen->second.begin() && earlier.version <= std::prev(after)->version;
 }
 
 bool Causality::wereApart(const ChangeStamp& one, const ChangeStamp& other) const

@@ -16,8 +16,12 @@ public:
     [[nodiscard]] bool wereApart(const ChangeStamp& one, const ChangeStamp& other) const;
 
 private:
-    /// Of a library, by its version from which on: what was seen of others.
-    std::map<QString, std::map<qint64, std::map<QString, qint64>>> m_seen;
+    /// From a version of a library on: the version of another up to which it has seen it.
+    struct Seen {
+        qint64 from = 0, version = 0;
+    };
+    /// By a library and one that it has seen, both numbers rising.
+    std::map<QString, std::map<QString, std::vector<Seen>>> m_seen;
 };
 
 } // namespace gripscope

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/exchange/library_exchange.h"
+#include "core/library/ledger/ledgered_tables.h"
 #include "core/library/merge/library_merge.h"
+#include "core/library/merge/meeting_table.h"
 #include "core/library/sql/statement.h"
 #include "tests/core/library/full_library.h"
 #include "tests/core/library/plant_actions.h"
@@ -164,6 +166,51 @@ private slots:
             QVERIFY(isWhole(server.file()));
         }
     }
+    /// With fifty stations and a year of changes, all that was seen, each time, would be a gigabyte.
+    void whatWasSeenIsKeptOnce()
+    {
+        const LibraryFolder server;
+        const auto plant = server.open();
+        std::array<LinkedStation, 3> stations;
+        const QString cola = enrol(*stations[0].library, u"Cola"_s);
+        for (int i = 0; i < 4; ++i)
+            for (LinkedStation& station : stations) {
+                station.bringInStep(*plant);
+                Recipe recipe;
+                recipe.peak_N = 5.0 + (++m_revisions % 7);
+                valueOf(station.library->reviseType(cola, recipe, why));
+                station.bringInStep(*plant);
+            }
+        std::vector<QString> places{server.file()};
+        for (const LinkedStation& station : stations)
+            places.push_back(station.file());
+        for (const QString& place : places) {
+            RawDatabase raw(place);
+            std::map<QString, qint64> known;
+            for (const QString& text :
+                 raw.column(u"SELECT seen FROM library_meetings WHERE seen <> '{}' ORDER BY id"_s))
+                for (const auto& [library, version] : seenFromText(text)) {
+                    QVERIFY2(known[library] < version, qPrintable(text));
+                    known[library] = version;
+                }
+            QVERIFY(known.size() >= 2);
+        }
+    }
+    /// Beside the numbers and deliveries of millions of inspections.
+    void changesAreFoundByAnIndex()
+    {
+        GRIPSCOPE_OF_FILES_ALONE("SQLite says how it finds them")
+        const LibraryFolder folder;
+        folder.open();
+        RawDatabase raw(folder.file());
+        const QString meetings = QString::number(ledgeredTable(u"library_meetings"_s)->code);
+        for (const QString& sql :
+             {u"SELECT library, version, seen FROM library_meetings WHERE seen <> '{}'"_s,
+              u"SELECT other FROM library_meetings WHERE heads = '{}' ORDER BY id DESC LIMIT 1"_s,
+              u"SELECT content FROM merged_rows WHERE table_code = "_s + meetings})
+            for (const QString& step : raw.column(u"EXPLAIN QUERY PLAN "_s + sql))
+                QVERIFY2(step.contains(u"INDEX"_s), qPrintable(sql + u": "_s + step));
+    }
     void aChangeMadeWhileTheServerIsReadGoesThereFirst()
     {
         const LibraryFolder server;
@@ -222,6 +269,9 @@ private slots:
         QVERIFY(!merged);
         QVERIFY2(merged.error().describe().contains(u"library sync"), qPrintable(whyNot(merged)));
     }
+
+private:
+    int m_revisions = 0;
 };
 
 GRIPSCOPE_TEST(LibraryExchangeTest)
