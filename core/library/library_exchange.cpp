@@ -17,9 +17,14 @@ Expected<ExchangeStep> Library::exchangeWith(Library& server, const QString& mar
     ASSIGN_OR_RETURN(const qint64 delivered, version()); // before it is asked what waits: it is there then
     ASSIGN_OR_RETURN(const qint64 waiting, waitingLinks(here, there));
     if (waiting > 0) {
-        ASSIGN_OR_RETURN(step.delivered,
-                         server.d->write<Delivery>(Words::tr("take what a station has written"),
-                                                   [&] { return deliver(here, there, mostLinks); }));
+        const auto brought = server.d->write<Delivery>(Words::tr("take what a station has written"), [&] {
+            return deliver(here, there, mostLinks, server.d->meetings);
+        });
+        if (!brought) {
+            server.d->meetings = {}; // it may have read what is not there now
+            return tl::unexpected(brought.error());
+        }
+        step.delivered = *brought;
     }
     if (waiting > 0 || marks.isEmpty()) {
         ASSIGN_OR_RETURN(step.there, deliveredLinks(here, there));

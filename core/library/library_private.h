@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/library/library.h"
+#include "core/library/merge/known_history.h"
 #include "core/library/sql/database.h"
 #include "core/library/tables/permission_check.h"
 #include "core/library/tables/write_transaction.h"
@@ -11,7 +12,8 @@ namespace gripscope {
 struct Library::Private {
     explicit Private(std::unique_ptr<Database> opened) : database(std::move(opened)) {}
     std::unique_ptr<Database> database;
-    bool atOnce = false; ///< a transaction is open, and ends where it began
+    ReadMeetings meetings; ///< what other stations had seen
+    bool atOnce = false;   ///< a transaction is open, and ends where it began
 
     /// Runs `work` in one write transaction: all of it is stored, or, when it or the commit fails, nothing.
     /// Part of the larger one where there is one.

@@ -20,7 +20,7 @@ Expected<std::vector<StationStanding>> Library::stations() const
 
 Expected<std::vector<PlantConflict>> Library::conflicts() const
 {
-    return unseenConflicts(*d->database);
+    return unseenConflicts(*d->database, d->meetings);
 }
 
 Expected<void> Library::noteConflictsSeen(const std::vector<PlantConflict>& conflicts, const ChangeNote& note)

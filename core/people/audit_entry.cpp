@@ -191,6 +191,7 @@ QString actionInWords(const QString& action)
         {"person.secret", QT_TRANSLATE_NOOP("Words", "PIN or password changed")},
         {"person.deactivated", QT_TRANSLATE_NOOP("Words", "Person deactivated")},
         {"person.reactivated", QT_TRANSLATE_NOOP("Words", "Person reactivated")},
+        {"person.taken", QT_TRANSLATE_NOOP("Words", "Person as at the plant")},
         {"rates.changed", QT_TRANSLATE_NOOP("Words", "Rates changed")},
         {"setting.changed", QT_TRANSLATE_NOOP("Words", "Setting changed")},
         {"calibration.accepted", QT_TRANSLATE_NOOP("Words", "Calibration accepted")},

@@ -21,6 +21,7 @@ inline constexpr char16_t personRole[] = u"person.role";
 inline constexpr char16_t personSecret[] = u"person.secret";
 inline constexpr char16_t personDeactivated[] = u"person.deactivated";
 inline constexpr char16_t personReactivated[] = u"person.reactivated";
+inline constexpr char16_t personTaken[] = u"person.taken"; ///< from the plant
 inline constexpr char16_t ratesChanged[] = u"rates.changed";
 inline constexpr char16_t settingChanged[] = u"setting.changed";
 inline constexpr char16_t calibrationAccepted[] = u"calibration.accepted";

@@ -9219,6 +9219,18 @@ m  %3</translation>
         <source>what the changes of a plant are found by</source>
         <translation>wonach die Änderungen eines Werks gefunden werden</translation>
     </message>
+    <message>
+        <source>%1 (plant)</source>
+        <translation>%1 (Werk)</translation>
+    </message>
+    <message>
+        <source>%1 (plant, %2)</source>
+        <translation>%1 (Werk, %2)</translation>
+    </message>
+    <message>
+        <source>Person as at the plant</source>
+        <translation>Person wie im Werk</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>

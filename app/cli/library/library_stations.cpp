@@ -147,8 +147,8 @@ int syncWithServer(const QStringList& arguments)
         u"library sync"_s,
         u"Brings the library of a station, a file, in step with the library of its plant on a "
         "server: all that the station has written goes there, and what all stations have in common "
-        "(types, their enrolled squeezes, calibrations, limits) comes from there. Again takes "
-        "nothing twice."_s);
+        "(types, their enrolled squeezes, calibrations, limits, people) comes from there. Again "
+        "takes nothing twice."_s);
     line.option(u"server"_s, u"ADDRESS"_s, u"The plant's library: postgresql://USER@HOST:PORT/NAME."_s);
     if (const auto exit = parseWith(line, arguments))
         return *exit;

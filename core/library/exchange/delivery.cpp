@@ -74,7 +74,7 @@ Expected<qint64> waitingLinks(Database& station, Database& server)
     return newsOf(station, server).map(linksOf);
 }
 
-Expected<Delivery> deliver(Database& station, Database& server, qint64 most)
+Expected<Delivery> deliver(Database& station, Database& server, qint64 most, ReadMeetings& read)
 {
     ASSIGN_OR_RETURN(const auto oneState,
                      ReadTransaction::begin(station, Words::tr("be brought to the server")));
@@ -84,7 +84,7 @@ Expected<Delivery> deliver(Database& station, Database& server, qint64 most)
     Delivery delivery;
     ASSIGN_OR_RETURN(const TakenNews taken, takeNews(station, server, news));
     if (taken.rows.hasChanges) {
-        ASSIGN_OR_RETURN(const PlantHistory history, knownHistory(server));
+        ASSIGN_OR_RETURN(const PlantHistory history, knownHistory(server, read));
         ASSIGN_OR_RETURN(const qint64 version, settle(server, plantState(history), station.file(), {}));
         const QJsonObject details{{u"rows"_s, taken.rows.sum()}, {u"version"_s, version}};
         RETURN_IF_ERROR(audit_table::append(

@@ -8,6 +8,7 @@
 namespace gripscope {
 
 class Database;
+struct ReadMeetings;
 
 /// How much of what a station has written is at a server.
 struct Delivery {
@@ -27,7 +28,8 @@ using DeliveredLinks = std::map<QString, qint64>;
 
 /// Brings some `most` links with their rows to the server, within its open write transaction. Again is the
 /// same as once. What is in force there is worked out anew where types changed. StorageOpen: the station is
-/// in step with another server, or one of the two is an older copy of itself.
-[[nodiscard]] Expected<Delivery> deliver(Database& station, Database& server, qint64 most);
+/// in step with another server, or one of the two is an older copy of itself. `read`: of the server.
+[[nodiscard]] Expected<Delivery> deliver(Database& station, Database& server, qint64 most,
+                                         ReadMeetings& read);
 
 } // namespace gripscope

@@ -2,6 +2,7 @@
 #include "core/library/exchange/server_types.h"
 
 #include "core/base/words.h"
+#include "core/library/exchange/server_people.h"
 #include "core/library/ledger/merged_ledger.h"
 #include "core/library/merge/known_history.h"
 #include "core/library/merge/meeting_table.h"
@@ -64,6 +65,7 @@ std::span<const CommonTable> commonTables()
         {u"gripper_adjustments"_s, u"study_id IS NULL"_s, true}, // others point to a study, which stays apart
         {u"adjustment_ends"_s,
          u"adjustment_id IN (SELECT id FROM gripper_adjustments WHERE study_id IS NULL)"_s, true},
+        {u"people"_s, {}, true},
     };
     return tables;
 }
@@ -163,8 +165,8 @@ Expected<ServerTypes> readServerTypes(Database& server, Database& station)
     if (!types.anyNew())
         return types;
     ASSIGN_OR_RETURN(types.rows, emptyCopy());
-    // By these the versions and recipes of the server are told.
-    const std::array whole{u"library_changes"_s, u"type_versions"_s};
+    // By these the versions, recipes and people of the server are told.
+    const std::array whole{u"library_changes"_s, u"type_versions"_s, u"people"_s};
     for (const QString& table : whole)
         RETURN_IF_ERROR(copyRows(server, *types.rows, table, {}));
     for (const auto& [table, keys] : types.keys)
@@ -187,7 +189,7 @@ Expected<FetchedTypes> takeServerTypes(const ServerTypes& types, Database& stati
     RETURN_IF_ERROR(requireComparableTypes(*types.rows, station));
     const auto leavesOf = [&types](const QString& table) {
         std::vector<NewLeaf> leaves;
-        if (const auto keys = types.keys.find(table); keys != types.keys.end())
+        if (const auto keys = types.keys.find(table); keys != types.keys.end() && table != u"people")
             for (const Cell& key : keys->second)
                 leaves.push_back({types.server, {ledgeredTable(table)->code, key, {}}});
         return leaves;
@@ -198,6 +200,11 @@ Expected<FetchedTypes> takeServerTypes(const ServerTypes& types, Database& stati
     for (const TakenTable& table : takenTables())
         RETURN_IF_ERROR(taker.take(table, leavesOf(table.name)));
     fetched.rows = taker.taken().sum();
+    if (const auto people = types.keys.find(u"people"_s); people != types.keys.end()) {
+        ASSIGN_OR_RETURN(const qint64 taken,
+                         takeServerPeople(*types.rows, people->second, station, types.place));
+        fetched.rows += taken;
+    }
     if (fetched.rows == 0) // what is here excludes the rest
         return fetched;
     if (taker.taken().hasChanges) {

@@ -14,8 +14,9 @@ namespace gripscope {
 class Database;
 
 /// What a plant has in common, as a server's library has it at one moment, and a station's has not: types
-/// with their recipes, enrolled squeezes and pictures, calibrations, references, control limits and
-/// adjustments. Read once, so that the station's write transaction waits for no network.
+/// with their recipes, enrolled squeezes and pictures, calibrations, references, control limits,
+/// adjustments and the people of the server's own library. Read once, so that the station's write transaction
+/// waits for no network.
 struct ServerTypes {
     std::shared_ptr<Database> rows;            ///< in memory, as they are there
     std::map<QString, std::vector<Cell>> keys; ///< of those that are new, by table

@@ -109,35 +109,37 @@ Expected<void> readSqueezes(Database& database, const KnownChanges& changes, con
     });
 }
 
-Expected<void> readMeetings(Database& database, PlantHistory& history)
+Expected<void> readMeetings(Database& database, ReadMeetings& read)
 {
     // Most brought no change: these are not looked at, and are millions.
     Statement query(database, readingHistory(),
-                    u"SELECT library, version, seen FROM library_meetings WHERE seen <> '{}'"_s);
-    RETURN_IF_ERROR(query.forEach([&](Statement& row) {
+                    u"SELECT rowid, library, version, seen FROM library_meetings WHERE seen <> '{}' AND "
+                    "rowid > ? ORDER BY rowid"_s);
+    RETURN_IF_ERROR(query.bind(read.own).forEach([&](Statement& row) {
+        read.own = row.takeInteger();
         PlantMeeting meeting;
         meeting.library = row.takeText();
         meeting.version = row.takeInteger();
         meeting.seen = seenFromText(row.takeText());
-        history.meetings.push_back(std::move(meeting));
+        read.meetings.push_back(std::move(meeting));
     }));
     ASSIGN_OR_RETURN(const auto columns, columnsOf(database, u"library_meetings"_s));
     Statement others(database, readingHistory(), // the number as it stands in its index
-                     u"SELECT content FROM merged_rows WHERE table_code = %1"_s.arg(
-                         ledgeredTable(u"library_meetings"_s)->code));
-    return others.forEach([&](Statement& row) {
+                     u"SELECT rowid, content FROM merged_rows WHERE table_code = %1 AND rowid > ? ORDER BY "
+                     "rowid"_s.arg(ledgeredTable(u"library_meetings"_s)->code));
+    return others.bind(read.ofOthers).forEach([&](Statement& row) {
+        read.ofOthers = row.takeInteger();
         TableRows::Row cells(columns->size());
         if (!merged_rows::apply(row.takeText(), *columns, cells))
             return;
-        history.meetings.push_back({textIn(*columns, cells, u"library"),
-                                    integerIn(*columns, cells, u"version"),
-                                    seenFromText(textIn(*columns, cells, u"seen"))});
+        read.meetings.push_back({textIn(*columns, cells, u"library"), integerIn(*columns, cells, u"version"),
+                                 seenFromText(textIn(*columns, cells, u"seen"))});
     });
 }
 
 } // namespace
 
-Expected<PlantHistory> knownHistory(Database& database)
+Expected<PlantHistory> knownHistory(Database& database, ReadMeetings& read)
 {
     ASSIGN_OR_RETURN(const QString own, libraryId(database));
     ASSIGN_OR_RETURN(const KnownChanges changes, changesOf(database, own));
@@ -152,7 +154,8 @@ Expected<PlantHistory> knownHistory(Database& database)
                      u"SELECT id, station, created_utc, version, grasp_id, type_id, accepted FROM "
                      "placements"_s,
                      history));
-    RETURN_IF_ERROR(readMeetings(database, history));
+    RETURN_IF_ERROR(readMeetings(database, read));
+    history.meetings = read.meetings;
     return history;
 }
 

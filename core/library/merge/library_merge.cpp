@@ -132,7 +132,8 @@ Expected<MergeReport> mergeLibrary(Database& source, Database& target, const Cha
     report.forTheRecord = taken.rows.forTheRecord;
     ASSIGN_OR_RETURN(const qint64 rows, rowsOf(source));
     report.alreadyThere = std::max(qint64(0), rows - report.rows());
-    ASSIGN_OR_RETURN(const PlantHistory history, knownHistory(target));
+    ReadMeetings read;
+    ASSIGN_OR_RETURN(const PlantHistory history, knownHistory(target, read));
     const PlantState state = plantState(history);
     if (taken.rows.hasChanges) {
         ASSIGN_OR_RETURN(report.version, settle(target, state, report.file, note));
@@ -179,13 +180,13 @@ Expected<std::vector<StationStanding>> stationsOf(Database& database)
     return stations;
 }
 
-Expected<std::vector<PlantConflict>> unseenConflicts(Database& database)
+Expected<std::vector<PlantConflict>> unseenConflicts(Database& database, ReadMeetings& read)
 {
     ASSIGN_OR_RETURN(const bool anyMeeting, meeting_table::isAnyThere(database));
     ASSIGN_OR_RETURN(const auto server, meeting_table::serverInStep(database));
     if (!anyMeeting || server) // a server tells them to its stations
         return std::vector<PlantConflict>();
-    ASSIGN_OR_RETURN(const PlantHistory history, knownHistory(database));
+    ASSIGN_OR_RETURN(const PlantHistory history, knownHistory(database, read));
     return unseenOf(database, plantState(history));
 }
 

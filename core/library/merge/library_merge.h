@@ -11,6 +11,7 @@
 namespace gripscope {
 
 class Database;
+struct ReadMeetings;
 
 /// What a merge has done.
 struct MergeReport {
@@ -45,7 +46,7 @@ struct StationStanding {
 [[nodiscard]] Expected<std::vector<StationStanding>> stationsOf(Database& database);
 
 /// What stations decided apart, and nobody has seen here.
-[[nodiscard]] Expected<std::vector<PlantConflict>> unseenConflicts(Database& database);
+[[nodiscard]] Expected<std::vector<PlantConflict>> unseenConflicts(Database& database, ReadMeetings& read);
 /// Within a write transaction: somebody has seen them.
 [[nodiscard]] Expected<void> noteSeen(Database& database, const std::vector<PlantConflict>& conflicts,
                                       const ChangeNote& note);

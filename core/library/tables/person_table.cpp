@@ -17,11 +17,32 @@ QString readingPeople()
     return Words::tr("read its people");
 }
 
+const auto selectPeople =
+    u"SELECT p.id, p.station, p.created_utc, p.person_id, p.version, p.name, p.role, p.active, "
+    "p.secret_hash, p.secret_version FROM people p"_s;
+
+std::pair<RowStamp, PersonRow> takeRow(Statement& row)
+{
+    RowStamp stamp;
+    stamp.id = row.takeText();
+    stamp.station = row.takeText();
+    stamp.utc = row.takeText();
+    PersonRow found;
+    found.person.since = QDateTime::fromString(stamp.utc, Qt::ISODateWithMs);
+    found.person.id = row.takeText();
+    found.version = int(row.takeInteger());
+    found.person.name = row.takeText();
+    found.person.role = roleFromString(row.takeText()).value_or(Role::Operator);
+    found.person.active = row.takeInteger() != 0;
+    found.secretHash = row.takeText();
+    found.secretVersion = int(row.takeInteger());
+    return {stamp, found};
+}
+
 } // namespace
 
-Expected<void> insert(Database& database, const PersonRow& row)
+Expected<void> insert(Database& database, const PersonRow& row, const RowStamp& stamp)
 {
-    const RowStamp stamp = RowStamp::now();
     Statement statement(
         database, Words::tr("store the person"),
         u"INSERT INTO people (id, station, created_utc, person_id, version, name, role, active, "
@@ -41,25 +62,23 @@ Expected<bool> isAnybodyThere(Database& database)
     return there;
 }
 
+Expected<std::vector<std::pair<RowStamp, PersonRow>>> everyRow(Database& database)
+{
+    std::vector<std::pair<RowStamp, PersonRow>> rows;
+    Statement query(database, readingPeople(), selectPeople + u" ORDER BY p.version, p.id"_s);
+    const auto done = query.forEach([&](Statement& row) { rows.push_back(takeRow(row)); });
+    if (!done)
+        return tl::unexpected(done.error());
+    return rows;
+}
+
 Expected<std::vector<PersonRow>> all(Database& database)
 {
     std::vector<PersonRow> people;
     Statement query(database, readingPeople(),
-                    u"SELECT p.person_id, p.version, p.created_utc, p.name, p.role, p.active, p.secret_hash, "
-                    "p.secret_version FROM people p WHERE p.version = "
-                    "(SELECT MAX(q.version) FROM people q WHERE q.person_id = p.person_id)"_s);
-    const auto done = query.forEach([&](Statement& row) {
-        PersonRow found;
-        found.person.id = row.takeText();
-        found.version = int(row.takeInteger());
-        found.person.since = row.takeUtc();
-        found.person.name = row.takeText();
-        found.person.role = roleFromString(row.takeText()).value_or(Role::Operator);
-        found.person.active = row.takeInteger() != 0;
-        found.secretHash = row.takeText();
-        found.secretVersion = int(row.takeInteger());
-        people.push_back(std::move(found));
-    });
+                    selectPeople + u" WHERE p.version = "
+                                   "(SELECT MAX(q.version) FROM people q WHERE q.person_id = p.person_id)"_s);
+    const auto done = query.forEach([&](Statement& row) { people.push_back(takeRow(row).second); });
     if (!done)
         return tl::unexpected(done.error());
     std::sort(people.begin(), people.end(), [](const PersonRow& one, const PersonRow& other) {

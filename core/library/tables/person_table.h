@@ -17,7 +17,10 @@ struct PersonRow {
 namespace person_table {
 
 /// The next version of a person, or the first.
-[[nodiscard]] Expected<void> insert(Database& database, const PersonRow& row);
+[[nodiscard]] Expected<void> insert(Database& database, const PersonRow& row,
+                                    const RowStamp& stamp = RowStamp::now());
+/// Each version of each person, in the order of the versions.
+[[nodiscard]] Expected<std::vector<std::pair<RowStamp, PersonRow>>> everyRow(Database& database);
 [[nodiscard]] Expected<bool> isAnybodyThere(Database& database);
 /// As they are now, active ones first, by name.
 [[nodiscard]] Expected<std::vector<PersonRow>> all(Database& database);

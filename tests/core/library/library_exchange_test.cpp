@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/exchange/library_exchange.h"
 #include "core/library/ledger/ledgered_tables.h"
+#include "core/library/merge/known_history.h"
 #include "core/library/merge/library_merge.h"
 #include "core/library/merge/meeting_table.h"
 #include "core/library/sql/statement.h"
 #include "tests/core/library/full_library.h"
+#include "tests/core/library/linked_station.h"
 #include "tests/core/library/plant_actions.h"
 #include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
@@ -16,35 +18,6 @@ using namespace gripscope;
 using namespace gripscope::test;
 
 namespace {
-
-/// A station's own file, open; a server's library is a file here too, or a database where the tests run on
-/// one.
-struct LinkedStation {
-    QTemporaryDir folder;
-    std::unique_ptr<Library> library = valueOf(Library::open(file()));
-    QString marks;
-    [[nodiscard]] QString file() const { return folder.filePath(u"station.db"_s); }
-
-    ExchangeStep step(Library& server, qint64 most = linksOfStep)
-    {
-        ExchangeStep taken = valueOf(library->exchangeWith(server, marks, most));
-        marks = taken.marks;
-        return taken;
-    }
-    /// Until both know the same. Returns what nobody has seen.
-    std::vector<PlantConflict> bringInStep(Library& server)
-    {
-        std::vector<PlantConflict> conflicts;
-        for (int i = 0; i < 100; ++i) {
-            const ExchangeStep taken = step(server);
-            if (taken.conflicts)
-                conflicts = *taken.conflicts;
-            if (taken.inStep)
-                return conflicts;
-        }
-        qFatal("it does not come in step");
-    }
-};
 
 /// The keys of a library's inspections, each as often as it is there.
 std::multiset<QString> inspectionKeys(const QString& place)
@@ -195,6 +168,26 @@ private slots:
                 }
             QVERIFY(known.size() >= 2);
         }
+    }
+    void whatIsReadInPartsIsTheSame()
+    {
+        const LibraryFolder server;
+        const auto plant = server.open();
+        std::array<LinkedStation, 2> stations;
+        std::mt19937 random(3);
+        const auto database = valueOf(Database::open(server.file()));
+        ReadMeetings inParts;
+        for (int i = 0; i < 20; ++i) {
+            LinkedStation& station = stations[random() % stations.size()];
+            changeSomething(*station.library, random);
+            station.bringInStep(*plant);
+            ReadMeetings atOnce;
+            const PlantHistory whole = valueOf(knownHistory(*database, atOnce));
+            const PlantHistory history = valueOf(knownHistory(*database, inParts));
+            QCOMPARE(history.meetings.size(), whole.meetings.size());
+            QCOMPARE(canonicalJson(plantState(history)), canonicalJson(plantState(whole)));
+        }
+        QVERIFY(inParts.meetings.size() > 20);
     }
     /// Beside the numbers and deliveries of millions of inspections.
     void changesAreFoundByAnIndex()

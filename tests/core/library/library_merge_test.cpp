@@ -42,7 +42,8 @@ struct Station {
 
 PlantHistory historyOf(const Station& station)
 {
-    return valueOf(knownHistory(*valueOf(Database::openToRead(station.file()))));
+    ReadMeetings read;
+    return valueOf(knownHistory(*valueOf(Database::openToRead(station.file())), read));
 }
 
 QByteArray computed(const Station& station)
