@@ -19,8 +19,8 @@ namespace gripscope {
 struct LibraryFacts {
     QString file;
     bool exists = false;
-    bool driver = true; ///< Qt's driver for SQLite is installed
-    int version = 0;    ///< of its schema; 0 where it could not be read
+    QString missingPackage; ///< of Qt's driver for such a library; empty: it is installed
+    int version = 0;        ///< of its schema; 0 where it could not be read
     int newestVersion = 0;
     std::optional<Error> error;                  ///< why it could not be read
     std::optional<LibraryVerification> verified; ///< nothing where it was not asked for, or not possible

@@ -55,9 +55,10 @@ QString toString(CheckOutcome outcome)
 CheckLine libraryLine(const LibraryFacts& facts)
 {
     const CheckLine line = libraryQuestion(u"library"_s, Words::tr("Library"));
-    if (!facts.driver)
-        return withOutcome(line, CheckOutcome::Broken, Words::tr("Qt's driver for SQLite is missing"),
-                           Words::tr("Type this in a terminal: sudo apt install libqt6sql6-sqlite"));
+    if (!facts.missingPackage.isEmpty())
+        return withOutcome(
+            line, CheckOutcome::Broken, Words::tr("Qt's driver for %1 is missing").arg(facts.file),
+            Words::tr("Type this in a terminal: sudo apt install %1").arg(facts.missingPackage));
     if (!facts.exists)
         return withOutcome(
             line, CheckOutcome::Ok,

@@ -3,6 +3,7 @@
 
 #include "core/library/ledger/station_key.h"
 #include "core/library/migrations/migration.h"
+#include "core/library/sql/sql_dialect.h"
 #include "core/library/sql/statement.h"
 #include "core/library/tables/calibration_tables.h"
 #include "devices/hid/hid_library.h"
@@ -89,9 +90,11 @@ LibraryLook lookAt(const SelfCheckSubject& subject, const std::vector<HidNode>& 
     look.facts.file = subject.libraryFile;
     const bool onServer = LibraryLocation::isOnServer(subject.libraryFile);
     look.facts.exists = onServer || QFileInfo::exists(subject.libraryFile);
-    look.facts.driver = QSqlDatabase::isDriverAvailable(onServer ? u"QPSQL"_s : u"QSQLITE"_s);
+    const SqlDialect& dialect = onServer ? SqlDialect::postgresql() : SqlDialect::sqlite();
+    if (!QSqlDatabase::isDriverAvailable(dialect.driver()))
+        look.facts.missingPackage = dialect.driverPackage();
     look.facts.newestVersion = migrations().back().version;
-    if (look.facts.exists && look.facts.driver) {
+    if (look.facts.exists && look.facts.missingPackage.isEmpty()) {
         if (const auto read = readLibrary(look, grippers); !read)
             look.facts.error = read.error();
         else if (subject.verified && look.facts.version == look.facts.newestVersion) {

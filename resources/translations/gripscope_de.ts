@@ -8408,14 +8408,6 @@ m  %3</translation>
         <translation>Bibliothek</translation>
     </message>
     <message>
-        <source>Qt&apos;s driver for SQLite is missing</source>
-        <translation>Qts Treiber für SQLite fehlt</translation>
-    </message>
-    <message>
-        <source>Type this in a terminal: sudo apt install libqt6sql6-sqlite</source>
-        <translation>In ein Terminal eingeben: sudo apt install libqt6sql6-sqlite</translation>
-    </message>
-    <message>
         <source>%1 is not there yet; it is made when it is first needed</source>
         <translation>%1 gibt es noch nicht; wird angelegt, sobald sie gebraucht wird</translation>
     </message>
@@ -9016,10 +9008,6 @@ m  %3</translation>
         <translation>%1 auf %2</translation>
     </message>
     <message>
-        <source>Qt&apos;s PostgreSQL driver is not installed; on Debian: apt install libqt6sql6-psql</source>
-        <translation>der PostgreSQL-Treiber von Qt ist nicht installiert; unter Debian: apt install libqt6sql6-psql</translation>
-    </message>
-    <message>
         <source>its database has the encoding %1, which does not hold every sign; make it with createdb --encoding=UTF8 --template=template0</source>
         <translation>ihre Datenbank hat die Kodierung %1, in die nicht jedes Zeichen passt; legen Sie sie mit createdb --encoding=UTF8 --template=template0 an</translation>
     </message>
@@ -9230,6 +9218,18 @@ m  %3</translation>
     <message>
         <source>Person as at the plant</source>
         <translation>Person wie im Werk</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s PostgreSQL driver is not installed; on Debian: apt install %1</source>
+        <translation>Qts PostgreSQL-Treiber ist nicht installiert; unter Debian: apt install %1</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s driver for %1 is missing</source>
+        <translation>Qts Treiber für %1 fehlt</translation>
+    </message>
+    <message>
+        <source>Type this in a terminal: sudo apt install %1</source>
+        <translation>In einem Terminal eingeben: sudo apt install %1</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/sql/sql_dialect.h"
 #include "devices/self_check/check_lines.h"
 #include "tests/support/test_registry.h"
 
@@ -23,7 +24,7 @@ void expect(const CheckLine& line, CheckOutcome outcome, const QString& found, c
 
 LibraryFacts goodLibrary()
 {
-    LibraryFacts facts{u"/x/library.db"_s, true, true, 25, 25, {}, LibraryVerification{}};
+    LibraryFacts facts{u"/x/library.db"_s, true, {}, 25, 25, {}, LibraryVerification{}};
     facts.verified->rows = 700;
     facts.verified->chains = {{u"bench-1 0011"_s, 42, true, true}};
     facts.verified->witness = WitnessState::Matched;
@@ -54,12 +55,21 @@ private slots:
 
     void aLibraryThatIsNotThereYetIsNoFault()
     {
-        LibraryFacts facts{u"/x/library.db"_s, false, true, 0, 25, {}, {}};
+        LibraryFacts facts{u"/x/library.db"_s, false, {}, 0, 25, {}, {}};
         expect(libraryLine(facts), CheckOutcome::Ok, u"not there yet"_s);
         expect(integrityLine(facts), CheckOutcome::Ok, u"none yet"_s);
         expect(chainLine(facts), CheckOutcome::Ok, u"none yet"_s);
-        facts.driver = false;
-        expect(libraryLine(facts), CheckOutcome::Broken, u"driver"_s, u"apt install libqt6sql6-sqlite"_s);
+    }
+
+    void aDriverThatIsMissingIsNamed()
+    {
+        LibraryFacts facts = goodLibrary();
+        for (const SqlDialect* dialect : {&SqlDialect::sqlite(), &SqlDialect::postgresql()}) {
+            facts.missingPackage = dialect->driverPackage();
+            expect(libraryLine(facts), CheckOutcome::Broken, u"driver"_s,
+                   u"apt install "_s + dialect->driverPackage());
+        }
+        QVERIFY(SqlDialect::sqlite().driverPackage() != SqlDialect::postgresql().driverPackage());
     }
 
     void aLibraryThatCannotBeRead()

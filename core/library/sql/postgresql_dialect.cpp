@@ -51,8 +51,10 @@ public:
     QString driver() const override { return u"QPSQL"_s; }
     QString driverMissing() const override
     {
-        return Words::tr("Qt's PostgreSQL driver is not installed; on Debian: apt install libqt6sql6-psql");
+        return Words::tr("Qt's PostgreSQL driver is not installed; on Debian: apt install %1")
+            .arg(driverPackage());
     }
+    QString driverPackage() const override { return u"libqt6sql6-psql"_s; }
     QStringList settings() const override
     {
         // Together, since each costs a way to the server and back. What was stored survives a power cut of

@@ -34,6 +34,7 @@ public:
     [[nodiscard]] virtual QString driver() const = 0; ///< Qt's name of it
     /// What Qt lacks where it has no such driver, for a person.
     [[nodiscard]] virtual QString driverMissing() const = 0;
+    [[nodiscard]] virtual QString driverPackage() const = 0; ///< Debian's name of what brings it
     /// Once for each connection.
     [[nodiscard]] virtual QStringList settings() const = 0;
     /// From then on nothing is written through it.

@@ -26,6 +26,7 @@ class SqliteDialect final : public SqlDialect {
 public:
     QString driver() const override { return u"QSQLITE"_s; }
     QString driverMissing() const override { return Words::tr("Qt's SQLite driver is not installed"); }
+    QString driverPackage() const override { return u"libqt6sql6-sqlite"_s; }
     QStringList settings() const override
     {
         // With the usual 2 MB of pages a library of a hundred thousand squeezes is read from the disk again
