@@ -10,8 +10,8 @@ namespace gripscope {
 
 class Database;
 
-/// The meetings of a library as far as they were read: they are only ever added to, and are most of what there
-/// is to read. To be emptied where the transaction in which it was read is not committed.
+/// The meetings of a library as far as they were read: they are only ever added to, and are most of what
+/// there is to read. To be emptied where the transaction in which it was read is not committed.
 struct ReadMeetings {
     std::vector<PlantMeeting> meetings;
     qint64 own = 0, ofOthers = 0; ///< the last row of each
