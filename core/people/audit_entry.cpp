@@ -20,6 +20,7 @@ namespace {
 QString keyInWords(const QString& key)
 {
     static constexpr std::pair<const char*, const char*> words[] = {
+        {"active", QT_TRANSLATE_NOOP("Words", "may sign in")},
         {"address", QT_TRANSLATE_NOOP("Words", "address")},
         {"approval_void", QT_TRANSLATE_NOOP("Words", "its approval is void")},
         {"as_expected", QT_TRANSLATE_NOOP("Words", "as expected")},
@@ -60,6 +61,7 @@ QString keyInWords(const QString& key)
         {"last_fixed_inspection", QT_TRANSLATE_NOOP("Words", "to inspection")},
         {"last_inspection", QT_TRANSLATE_NOOP("Words", "newest inspection of before")},
         {"last_version", QT_TRANSLATE_NOOP("Words", "newest enrolled squeeze of before, by its version")},
+        {"name_there", QT_TRANSLATE_NOOP("Words", "name at the plant")},
         {"names", QT_TRANSLATE_NOOP("Words", "names")},
         {"operator", QT_TRANSLATE_NOOP("Words", "operator")},
         {"other", QT_TRANSLATE_NOOP("Words", "other type")},

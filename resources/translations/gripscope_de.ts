@@ -9231,6 +9231,14 @@ m  %3</translation>
         <source>Type this in a terminal: sudo apt install %1</source>
         <translation>In einem Terminal eingeben: sudo apt install %1</translation>
     </message>
+    <message>
+        <source>may sign in</source>
+        <translation>darf sich anmelden</translation>
+    </message>
+    <message>
+        <source>name at the plant</source>
+        <translation>Name im Werk</translation>
+    </message>
 </context>
 <context>
     <name>Yield</name>

@@ -101,6 +101,13 @@ private slots:
         QCOMPARE(personNamed(*one.library, u"Sam"_s).id, sam);
         QCOMPARE(personNamed(*one.library, u"Sam (plant)"_s).id, people.supervisorId);
         QVERIFY(maySignIn(*one.library, people.supervisorId, pin));
+        const auto told = valueOf(one.library->auditTrail().entries({}));
+        const auto ofSam = std::ranges::find_if(told, [](const AuditEntry& entry) {
+            return entry.action == u"person.taken" && entry.subject == u"Sam (plant)";
+        });
+        QVERIFY(ofSam != told.end());
+        QVERIFY2(detailsInWords(*ofSam).contains(u"name at the plant: Sam"),
+                 qPrintable(detailsInWords(*ofSam)));
         for (Library* library : {plant.get(), other.library.get()}) {
             QCOMPARE(valueOf(library->people().all()).size(), std::size_t(2));
             QVERIFY(!maySignIn(*library, sam, u"13579246"_s));
