@@ -3,6 +3,8 @@
 
 #include "devices/hid/hid_discovery.h"
 
+#include <QStringList>
+
 namespace gripscope {
 
 /// Who asks, and which rules this computer has: what decides over a node beside the node itself.
