@@ -151,6 +151,7 @@ ClockFacts lookAtClock(const SelfCheckSubject& subject, const QDateTime& newestE
 std::vector<GripperNode> lookAtNodes(const SelfCheckSubject& subject, const std::vector<HidNode>& grippers)
 {
     std::vector<GripperNode> nodes;
+    nodes.reserve(grippers.size());
     for (const HidNode& node : grippers)
         nodes.push_back({node, permissionOf(node, subject.access), permissionCommand(node, subject.access)});
     return nodes;
