@@ -16,14 +16,9 @@ namespace {
 
 QString freeName(const std::vector<PersonRow>& people, const PersonRow& wanted)
 {
-    const auto isTaken = [&](const QString& name) {
-        return std::ranges::any_of(people, [&](const PersonRow& row) {
-            return row.person.active && row.person.id != wanted.person.id &&
-                   row.person.name.compare(name, Qt::CaseInsensitive) == 0;
-        });
-    };
     QString name = wanted.person.name;
-    for (int number = 1; wanted.person.active && isTaken(name); ++number)
+    for (int number = 1; wanted.person.active && person_table::isNameTaken(people, name, wanted.person.id);
+         ++number)
         name = number == 1 ? Words::tr("%1 (plant)").arg(wanted.person.name)
                            : Words::tr("%1 (plant, %2)").arg(wanted.person.name, QString::number(number));
     return name;
@@ -67,9 +62,7 @@ Expected<void> putAllAsAt(Database& there, Database& station, const QString& pla
 Expected<bool> hasSupervisor(Database& database)
 {
     ASSIGN_OR_RETURN(const auto people, person_table::all(database));
-    return std::ranges::any_of(people, [](const PersonRow& row) {
-        return row.person.active && row.person.role == Role::Supervisor;
-    });
+    return std::ranges::any_of(people, person_table::isActiveSupervisor, &PersonRow::person);
 }
 
 } // namespace

@@ -189,7 +189,7 @@ Expected<FetchedTypes> takeServerTypes(const ServerTypes& types, Database& stati
     RETURN_IF_ERROR(requireComparableTypes(*types.rows, station));
     const auto leavesOf = [&types](const QString& table) {
         std::vector<NewLeaf> leaves;
-        if (const auto keys = types.keys.find(table); keys != types.keys.end() && table != u"people")
+        if (const auto keys = types.keys.find(table); keys != types.keys.end())
             for (const Cell& key : keys->second)
                 leaves.push_back({types.server, {ledgeredTable(table)->code, key, {}}});
         return leaves;
@@ -198,7 +198,8 @@ Expected<FetchedTypes> takeServerTypes(const ServerTypes& types, Database& stati
     taker.takeWithoutLedger();
     RETURN_IF_ERROR(taker.giveVersions(leavesOf(u"library_changes"_s)));
     for (const TakenTable& table : takenTables())
-        RETURN_IF_ERROR(taker.take(table, leavesOf(table.name)));
+        if (table.kind != TakenTable::Kind::ForTheRecord) // people: see below
+            RETURN_IF_ERROR(taker.take(table, leavesOf(table.name)));
     fetched.rows = taker.taken().sum();
     if (const auto people = types.keys.find(u"people"_s); people != types.keys.end()) {
         ASSIGN_OR_RETURN(const qint64 taken,

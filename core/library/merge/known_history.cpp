@@ -8,6 +8,8 @@
 #include "core/library/merge/meeting_table.h"
 #include "core/library/sql/statement.h"
 
+#include <algorithm>
+
 namespace gripscope {
 
 using namespace Qt::StringLiterals;
@@ -109,14 +111,20 @@ Expected<void> readSqueezes(Database& database, const KnownChanges& changes, con
     });
 }
 
+/// None at first: SQLite would go through the whole table by the number instead of by an index.
+QString behind(qint64 row)
+{
+    return row > 0 ? u" AND rowid > %1"_s.arg(row) : QString();
+}
+
 Expected<void> readMeetings(Database& database, ReadMeetings& read)
 {
     // Most brought no change: these are not looked at, and are millions.
     Statement query(database, readingHistory(),
-                    u"SELECT rowid, library, version, seen FROM library_meetings WHERE seen <> '{}' AND "
-                    "rowid > ? ORDER BY rowid"_s);
-    RETURN_IF_ERROR(query.bind(read.own).forEach([&](Statement& row) {
-        read.own = row.takeInteger();
+                    u"SELECT rowid, library, version, seen FROM library_meetings WHERE seen <> '{}'"_s +
+                        behind(read.own));
+    RETURN_IF_ERROR(query.forEach([&](Statement& row) {
+        read.own = std::max(read.own, row.takeInteger());
         PlantMeeting meeting;
         meeting.library = row.takeText();
         meeting.version = row.takeInteger();
@@ -125,10 +133,11 @@ Expected<void> readMeetings(Database& database, ReadMeetings& read)
     }));
     ASSIGN_OR_RETURN(const auto columns, columnsOf(database, u"library_meetings"_s));
     Statement others(database, readingHistory(), // the number as it stands in its index
-                     u"SELECT rowid, content FROM merged_rows WHERE table_code = %1 AND rowid > ? ORDER BY "
-                     "rowid"_s.arg(ledgeredTable(u"library_meetings"_s)->code));
-    return others.bind(read.ofOthers).forEach([&](Statement& row) {
-        read.ofOthers = row.takeInteger();
+                     u"SELECT rowid, content FROM merged_rows WHERE table_code = %1"_s.arg(
+                         ledgeredTable(u"library_meetings"_s)->code) +
+                         behind(read.ofOthers));
+    return others.forEach([&](Statement& row) {
+        read.ofOthers = std::max(read.ofOthers, row.takeInteger());
         TableRows::Row cells(columns->size());
         if (!merged_rows::apply(row.takeText(), *columns, cells))
             return;

@@ -28,10 +28,8 @@ Expected<QJsonObject> newlySeen(Database& database, const Meeting& meeting)
     std::map<QString, qint64> known;
     if (!meeting.seen.empty()) {
         Statement query(database, Words::tr("read its merges"),
-                        u"SELECT library, seen FROM library_meetings WHERE seen <> '{}'"_s);
-        RETURN_IF_ERROR(query.forEach([&](Statement& row) {
-            if (row.takeText() != meeting.library)
-                return;
+                        u"SELECT seen FROM library_meetings WHERE seen <> '{}' AND library = ?"_s);
+        RETURN_IF_ERROR(query.bind(meeting.library).forEach([&](Statement& row) {
             for (const auto& [library, version] : seenFromText(row.takeText()))
                 known[library] = std::max(known[library], version);
         }));

@@ -42,15 +42,12 @@ Expected<PersonRow> personToManage(Database& database, const QString& personId)
     return requirePerson(database, personId);
 }
 
-/// A name that no active person has: what is signed with has to be one person's.
 Expected<void> requireFreePersonName(const std::vector<PersonRow>& people, const QString& name,
                                      const QString& exceptId = {})
 {
-    for (const PersonRow& row : people)
-        if (row.person.active && row.person.id != exceptId &&
-            row.person.name.compare(name, Qt::CaseInsensitive) == 0)
-            return refused(
-                Words::tr("There is already somebody called %1. Add a second name or a number.").arg(name));
+    if (person_table::isNameTaken(people, name, exceptId))
+        return refused(
+            Words::tr("There is already somebody called %1. Add a second name or a number.").arg(name));
     return {};
 }
 
@@ -58,8 +55,7 @@ Expected<void> requireFreePersonName(const std::vector<PersonRow>& people, const
 Expected<void> requireSupervisorLeft(const std::vector<PersonRow>& people, const PersonRow& next)
 {
     const bool left = std::any_of(people.begin(), people.end(), [&](const PersonRow& row) {
-        const Person& person = row.person.id == next.person.id ? next.person : row.person;
-        return person.active && person.role == Role::Supervisor;
+        return person_table::isActiveSupervisor(row.person.id == next.person.id ? next.person : row.person);
     });
     return left ? Expected<void>()
                 : refused(Words::tr("%1 is the last supervisor. Make somebody else a supervisor first.")

@@ -89,6 +89,19 @@ Expected<std::vector<PersonRow>> all(Database& database)
     return people;
 }
 
+bool isNameTaken(const std::vector<PersonRow>& people, const QString& name, const QString& exceptId)
+{
+    return std::ranges::any_of(people, [&](const PersonRow& row) {
+        return row.person.active && row.person.id != exceptId &&
+               row.person.name.compare(name, Qt::CaseInsensitive) == 0;
+    });
+}
+
+bool isActiveSupervisor(const Person& person)
+{
+    return person.active && person.role == Role::Supervisor;
+}
+
 Expected<std::optional<PersonRow>> find(Database& database, const QString& personId)
 {
     // A plant has tens of people: reading them all costs nothing.

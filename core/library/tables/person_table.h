@@ -24,6 +24,12 @@ namespace person_table {
 [[nodiscard]] Expected<bool> isAnybodyThere(Database& database);
 /// As they are now, active ones first, by name.
 [[nodiscard]] Expected<std::vector<PersonRow>> all(Database& database);
+/// What is signed with has to be one person's: another one who is active has this name, however it is
+/// spelled.
+[[nodiscard]] bool isNameTaken(const std::vector<PersonRow>& people, const QString& name,
+                               const QString& exceptId);
+/// Somebody who may manage people.
+[[nodiscard]] bool isActiveSupervisor(const Person& person);
 [[nodiscard]] Expected<std::optional<PersonRow>> find(Database& database, const QString& personId);
 
 /// A try with the secret that the person has now; `right` once it was found to be right.

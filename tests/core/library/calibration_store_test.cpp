@@ -3,6 +3,7 @@
 #include "core/library/migrations/migration.h"
 #include "core/library/sql/statement.h"
 #include "core/library/verification/library_verification.h"
+#include "tests/core/library/earlier_schema.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
@@ -124,9 +125,7 @@ private slots:
     {
         const LibraryFolder folder;
         {
-            std::vector<Migration> before = migrations();
-            while (before.back().version >= 17)
-                before.pop_back();
+            const std::vector<Migration> before = migrationsUpTo(16);
             const auto database = valueOf(Database::open(folder.file()));
             valueOf(migrate(*database, before));
         }

@@ -3,6 +3,7 @@
 #include "core/library/records/history_list.h"
 #include "core/library/verification/library_verification.h"
 #include "core/session/library/history_document.h"
+#include "tests/core/library/earlier_schema.h"
 #include "tests/core/library/full_library.h"
 #include "tests/core/library/many_inspections.h"
 #include "tests/support/test_registry.h"
@@ -303,9 +304,7 @@ private slots:
                 .toInt();
         };
         {
-            std::vector<Migration> before = migrations();
-            while (before.back().version >= 18)
-                before.pop_back();
+            const std::vector<Migration> before = migrationsUpTo(17);
             const auto database = valueOf(Database::open(folder.file()));
             valueOf(migrate(*database, before));
         }

@@ -7,6 +7,7 @@
 #include "core/library/spill/spilled_inspection.h"
 #include "core/library/verification/library_verification.h"
 #include "core/people/audit_entry.h"
+#include "tests/core/library/earlier_schema.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/people_fixture.h"
 #include "tests/core/library/raw_database.h"
@@ -251,8 +252,7 @@ private slots:
         QFETCH(int, version);
         const LibraryFolder folder;
         {
-            std::vector<Migration> before = migrations();
-            std::erase_if(before, [version](const Migration& step) { return step.version > version; });
+            const std::vector<Migration> before = migrationsUpTo(version);
             const auto database = valueOf(Database::open(folder.file()));
             valueOf(migrate(*database, before));
             QVERIFY(!valueOf(database->tables()).contains(u"gripper_adjustments"_s));

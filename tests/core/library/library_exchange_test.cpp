@@ -198,9 +198,9 @@ private slots:
         RawDatabase raw(folder.file());
         const QString meetings = QString::number(ledgeredTable(u"library_meetings"_s)->code);
         for (const QString& sql :
-             {u"SELECT library, version, seen FROM library_meetings WHERE seen <> '{}'"_s,
+             {u"SELECT rowid, library, version, seen FROM library_meetings WHERE seen <> '{}'"_s,
               u"SELECT other FROM library_meetings WHERE heads = '{}' ORDER BY id DESC LIMIT 1"_s,
-              u"SELECT content FROM merged_rows WHERE table_code = "_s + meetings})
+              u"SELECT rowid, content FROM merged_rows WHERE table_code = "_s + meetings})
             for (const QString& step : raw.column(u"EXPLAIN QUERY PLAN "_s + sql))
                 QVERIFY2(step.contains(u"INDEX"_s), qPrintable(sql + u": "_s + step));
     }

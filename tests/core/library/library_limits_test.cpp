@@ -7,6 +7,7 @@
 #include "core/library/tables/tally_table.h"
 #include "core/library/verification/library_verification.h"
 #include "core/people/audit_entry.h"
+#include "tests/core/library/earlier_schema.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/people_fixture.h"
 #include "tests/core/library/raw_database.h"
@@ -259,8 +260,7 @@ private slots:
     {
         QFETCH(int, version);
         const LibraryFolder folder;
-        std::vector<Migration> before = migrations();
-        std::erase_if(before, [version](const Migration& step) { return step.version > version; });
+        const std::vector<Migration> before = migrationsUpTo(version);
         valueOf(migrate(*valueOf(Database::open(folder.file())), before));
         const auto library = folder.open();
         QCOMPARE(library->schemaVersion(), migrations().back().version);

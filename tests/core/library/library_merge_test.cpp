@@ -7,6 +7,7 @@
 #include "core/library/plant/plant_state.h"
 #include "core/library/sql/statement.h"
 #include "core/library/verification/library_verification.h"
+#include "tests/core/library/earlier_schema.h"
 #include "tests/core/library/full_library.h"
 #include "tests/core/library/plant_actions.h"
 #include "tests/core/library/raw_database.h"
@@ -320,9 +321,7 @@ private slots:
         const Station here;
         const LibraryFolder old;
         {
-            std::vector<Migration> before = migrations();
-            while (before.back().version >= 28)
-                before.pop_back();
+            const std::vector<Migration> before = migrationsUpTo(27);
             const auto database = valueOf(Database::open(old.file()));
             valueOf(migrate(*database, before));
             QVERIFY(!valueOf(database->tables()).contains(u"merged_rows"_s));

@@ -3,6 +3,7 @@
 #include "core/library/migrations/migration.h"
 #include "core/library/records/batch.h"
 #include "core/library/verification/library_verification.h"
+#include "tests/core/library/earlier_schema.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/many_inspections.h"
 #include "tests/core/library/process_inspections.h"
@@ -210,8 +211,7 @@ private slots:
     {
         QFETCH(int, version);
         const LibraryFolder folder;
-        std::vector<Migration> before = migrations();
-        std::erase_if(before, [version](const Migration& step) { return step.version > version; });
+        const std::vector<Migration> before = migrationsUpTo(version);
         valueOf(migrate(*valueOf(Database::open(folder.file())), before));
         const auto library = folder.open();
         QCOMPARE(library->schemaVersion(), migrations().back().version);

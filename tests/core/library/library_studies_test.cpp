@@ -6,6 +6,7 @@
 #include "core/library/sql/time_ordered_id.h"
 #include "core/library/verification/library_verification.h"
 #include "core/people/audit_entry.h"
+#include "tests/core/library/earlier_schema.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
@@ -203,8 +204,7 @@ private slots:
         QFETCH(int, version);
         const LibraryFolder folder;
         {
-            std::vector<Migration> before = migrations();
-            std::erase_if(before, [version](const Migration& step) { return step.version > version; });
+            const std::vector<Migration> before = migrationsUpTo(version);
             const auto database = valueOf(Database::open(folder.file()));
             valueOf(migrate(*database, before));
             QVERIFY(!valueOf(database->tables()).contains(u"studies"_s));

@@ -5,6 +5,7 @@
 #include "core/library/sql/database.h"
 #include "core/recognition/types/type_model.h"
 #include "tests/core/library/child_process.h"
+#include "tests/core/library/earlier_schema.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
@@ -120,9 +121,7 @@ private slots:
     {
         const LibraryFolder folder;
         {
-            std::vector<Migration> before = migrations();
-            while (before.back().version >= 20)
-                before.pop_back();
+            const std::vector<Migration> before = migrationsUpTo(19);
             const auto database = valueOf(Database::open(folder.file()));
             valueOf(migrate(*database, before));
             for (const QString& statement :

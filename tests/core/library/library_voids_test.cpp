@@ -6,6 +6,7 @@
 #include "core/library/records/history.h"
 #include "core/library/verification/library_verification.h"
 #include "core/people/audit_entry.h"
+#include "tests/core/library/earlier_schema.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
@@ -127,9 +128,7 @@ private slots:
     {
         const LibraryFolder folder;
         {
-            std::vector<Migration> before = migrations();
-            while (before.back().version >= 15)
-                before.pop_back();
+            const std::vector<Migration> before = migrationsUpTo(14);
             const auto database = valueOf(Database::open(folder.file()));
             valueOf(migrate(*database, before));
             QVERIFY(!valueOf(database->tables()).contains(u"inspection_voids"_s));

@@ -37,6 +37,15 @@ int activeSupervisors(Library& library)
         people, [](const Person& one) { return one.active && one.role == Role::Supervisor; }));
 }
 
+/// A server's library with people, and a station that has come in step with it.
+struct PlantOfOne {
+    LibraryFolder server;
+    std::unique_ptr<Library> plant = server.open();
+    People people{*plant};
+    LinkedStation station;
+    PlantOfOne() { station.bringInStep(*plant); }
+};
+
 } // namespace
 
 /// Who may do what at the stations of a plant, as the server's own library has it.
@@ -69,11 +78,8 @@ private slots:
     }
     void whatIsChangedAtTheServerIsChangedAtTheStations()
     {
-        const LibraryFolder server;
-        const auto plant = server.open();
-        LinkedStation station;
-        const People people(*plant);
-        station.bringInStep(*plant);
+        PlantOfOne one;
+        auto& [server, plant, people, station] = one;
         plant->actAs(people.supervisor(*plant));
         valueOf(plant->people().setSecret(people.operatorId, Secret(u"ein anderes Wort"_s)));
         valueOf(plant->people().setRole(people.operatorId, Role::Supervisor, u"trained"_s));
@@ -117,11 +123,8 @@ private slots:
     }
     void aStationsOwnChangeHoldsUntilThePlantsNext()
     {
-        const LibraryFolder server;
-        const auto plant = server.open();
-        LinkedStation station;
-        const People people(*plant);
-        station.bringInStep(*plant);
+        PlantOfOne one;
+        auto& [server, plant, people, station] = one;
         station.library->actAs(people.supervisor(*station.library));
         valueOf(station.library->people().setActive(people.operatorId, false));
         valueOf(station.library->people().setSecret(people.operatorId, Secret(u"nur hier gültig"_s)));
@@ -161,11 +164,8 @@ private slots:
     /// Wrong tries with the one secret are none with the next, wherever that was given.
     void aNewSecretHasItsTriesAnew()
     {
-        const LibraryFolder server;
-        const auto plant = server.open();
-        LinkedStation station;
-        const People people(*plant);
-        station.bringInStep(*plant);
+        PlantOfOne one;
+        auto& [server, plant, people, station] = one;
         station.library->actAs(people.supervisor(*station.library));
         valueOf(station.library->people().setSecret(people.operatorId, Secret(u"nur hier gültig"_s)));
         for (int i = 0; i <= SignInTries::free; ++i)

@@ -5,6 +5,7 @@
 #include "core/library/sql/database.h"
 #include "core/library/verification/library_verification.h"
 #include "core/session/library/history_document.h"
+#include "tests/core/library/earlier_schema.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
@@ -137,9 +138,7 @@ private slots:
     {
         const LibraryFolder folder;
         {
-            std::vector<Migration> before = migrations();
-            while (before.back().version >= 19)
-                before.pop_back();
+            const std::vector<Migration> before = migrationsUpTo(18);
             const auto database = valueOf(Database::open(folder.file()));
             valueOf(migrate(*database, before));
             valueOf(
