@@ -39,8 +39,8 @@ public:
     explicit Tree(const QStringList& classes)
     {
         QDir(m_folder.path()).mkpath(u"tests/support"_s);
-        QDir(m_folder.path()).mkpath(u"build"_s);
-        write(u"build/CMakeCache.txt"_s, u"GRIPSCOPE_UI:BOOL=ON\nGRIPSCOPE_SANITIZE:STRING=\n"_s);
+        QDir(m_folder.path()).mkpath(u"build/tests"_s);
+        leaveOut({});
         allowSkips({});
         QFile::copy(QStringLiteral(GRIPSCOPE_SOURCE_DIR "/tests/support/tests_ran.sh"),
                     m_folder.filePath(u"tests/support/tests_ran.sh"_s));
@@ -63,6 +63,7 @@ public:
         QDir(m_folder.path()).mkpath(u"tests/core"_s);
         write(u"tests/core/%1_test.cpp"_s.arg(name.toLower()), u"GRIPSCOPE_TEST(%1Test)\n"_s.arg(name));
     }
+    void leaveOut(const QString& lines) const { write(u"build/tests/left_out.txt"_s, lines); }
     void allowSkips(const QString& lines) const { write(u"tests/support/may_be_skipped.txt"_s, lines); }
 
     [[nodiscard]] Ended ctest() const
@@ -159,6 +160,12 @@ private slots:
         look = tree.lookAtTheRun();
         QCOMPARE(look.status, 1);
         QVERIFY2(look.output.contains(u"core.VanishedTest is not registered"_s), qPrintable(look.output));
+
+        tree.leaveOut(u"cor no folder of ours\n"_s);
+        QCOMPARE(tree.lookAtTheRun().status, 1);
+        tree.leaveOut(u"core this build has no core\n"_s);
+        look = tree.lookAtTheRun();
+        QVERIFY2(look.status == 0, qPrintable(look.output));
     }
 
     void aSkipIsForgivenOnlyWhereItIsAllowed()
