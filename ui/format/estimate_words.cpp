@@ -97,7 +97,6 @@ QString checkName(const QString& id)
         {u"relaxation"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Yielding")},
         {u"preparation"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Recording as such")},
         {u"position_held"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Position renewed slowly")},
-        {u"quantisation"_s, QT_TRANSLATE_NOOP("gripscope::EstimateWords", "Steps of the channels")},
     };
     const char* name = names.value(id, nullptr);
     return name ? estimateWord(name) : id;

@@ -39,6 +39,9 @@ struct CommonTable {
 std::span<const CommonTable> commonTables()
 {
     static const QString ofTypes = u"grasp_id IN (SELECT id FROM grasps WHERE type_id IS NOT NULL)"_s;
+    // A study stays apart, with the squeezes it keeps, unless a gripper was adjusted by it.
+    static const QString adjusting = u"IN (SELECT study_id FROM gripper_adjustments)"_s;
+    static const QString ofAdjusting = u"study_id "_s + adjusting;
     static const QString decided =
         u"version NOT IN (SELECT version FROM library_changes WHERE kind = '%1')"_s.arg(
             toString(ChangeKind::Meeting)); // the others follow from these
@@ -49,7 +52,9 @@ std::span<const CommonTable> commonTables()
         {u"type_states"_s, decided},
         {u"pictures"_s, u"id IN (SELECT picture_id FROM type_pictures)"_s},
         {u"type_pictures"_s, {}, true},
-        {u"draft_squeezes"_s, u"id IN (SELECT draft_squeeze_id FROM recordings WHERE %1)"_s.arg(ofTypes)},
+        {u"draft_squeezes"_s,
+         u"id IN (SELECT draft_squeeze_id FROM recordings WHERE %1) OR "
+         "id IN (SELECT squeeze_id FROM study_measurements WHERE %2)"_s.arg(ofTypes, ofAdjusting)},
         {u"grasps"_s, u"type_id IS NOT NULL"_s},
         {u"placements"_s, decided},
         {u"recordings"_s, ofTypes},
@@ -62,9 +67,13 @@ std::span<const CommonTable> commonTables()
         {u"reference_objects"_s, {}, true},
         {u"reference_checks"_s, {}, true},
         {u"process_limits"_s, {}, true},
-        {u"gripper_adjustments"_s, u"study_id IS NULL"_s, true}, // others point to a study, which stays apart
-        {u"adjustment_ends"_s,
-         u"adjustment_id IN (SELECT id FROM gripper_adjustments WHERE study_id IS NULL)"_s, true},
+        {u"studies"_s, u"id "_s + adjusting},
+        {u"study_ends"_s, ofAdjusting, true},
+        {u"study_measurements"_s, ofAdjusting},
+        {u"study_undos"_s,
+         u"measurement_id IN (SELECT id FROM study_measurements WHERE %1)"_s.arg(ofAdjusting)},
+        {u"gripper_adjustments"_s, {}, true},
+        {u"adjustment_ends"_s, {}, true},
         {u"people"_s, {}, true},
     };
     return tables;

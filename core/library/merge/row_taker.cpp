@@ -261,12 +261,6 @@ Expected<void> RowTaker::adapt(const TakenTable& table, const QString& library, 
                          versionHere(view->changeAt(integerIn(columns, row, table.version))));
         set(table.version, version);
     }
-    if (table.serial == TakenTable::Serial::Oldest) {
-        set(u"serial", qint64(0));
-    } else if (table.serial == TakenTable::Serial::Next) {
-        ASSIGN_OR_RETURN(const qint64 serial, next(table.name, u"serial"_s));
-        set(u"serial", serial);
-    }
     if (table.name == u"inspections") {
         ASSIGN_OR_RETURN(const qint64 number, next(table.name, u"number"_s));
         set(u"number", number);

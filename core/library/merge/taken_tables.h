@@ -13,14 +13,8 @@ struct TakenTable {
         Taken,       ///< into the table itself
         ForTheRecord ///< beside it (MergedRow::whole): it is of its station alone
     };
-    enum class Serial {
-        None,
-        Oldest, ///< what is in force here stays in force
-        Next    ///< in the order in which they come
-    };
     QString name;
     Kind kind = Kind::Taken;
-    Serial serial = Serial::None;
     QString version = {}; ///< the column that names a version of the library; empty: none
     QString number = {};  ///< the column that is numbered in each library by itself; empty: none
     [[nodiscard]] const LedgeredTable& ledgered() const { return *ledgeredTable(name); }

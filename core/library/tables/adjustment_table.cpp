@@ -24,8 +24,10 @@ QString readingAdjustments()
 }
 
 /// That no later one of the same gripper is there, and no end.
-const auto isInForce = u"(x.id IS NULL AND NOT EXISTS (SELECT 1 FROM gripper_adjustments n WHERE "
-                       "n.gripper_serial = a.gripper_serial AND n.serial > a.serial))"_s;
+const auto isInForce =
+    u"(x.id IS NULL AND NOT EXISTS (SELECT 1 FROM gripper_adjustments n WHERE "
+    "n.gripper_serial = a.gripper_serial AND (n.serial > a.serial OR (n.serial = a.serial AND "
+    "n.id > a.id))))"_s;
 
 QString selectAdjustments()
 {

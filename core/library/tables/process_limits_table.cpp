@@ -49,7 +49,8 @@ Expected<std::optional<ProcessLimitsRecord>> newest(Database& database,
         Statement query(database, Words::tr("read the limits of the charts"),
                         u"SELECT type_name, limits, created_utc, operator_name, serial FROM process_limits "
                         "WHERE type_name = ? AND created_utc >= ? AND (? = '' OR created_utc < ?) "
-                        "ORDER BY serial DESC LIMIT 1"_s);
+                        "ORDER BY "_s +
+                            newestFirst + u" LIMIT 1"_s);
         query.bind(span.name).bind(span.from).bind(span.until).bind(span.until);
         ASSIGN_OR_RETURN(const auto found, firstRow(query, takeProcessLimits));
         if (found && (!last || found->serial > last->serial))

@@ -2,8 +2,6 @@
 #include "core/calibration/sensor_calibration.h"
 #include "core/library/audit/audit_trail.h"
 #include "core/library/migrations/migration.h"
-#include "core/library/records/gripper_adjustment.h"
-#include "core/library/records/study_record.h"
 #include "core/library/spill/spilled_inspection.h"
 #include "core/library/verification/library_verification.h"
 #include "core/people/audit_entry.h"
@@ -11,6 +9,7 @@
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/people_fixture.h"
 #include "tests/core/library/raw_database.h"
+#include "tests/core/library/study_fixture.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>
@@ -21,26 +20,6 @@ using namespace gripscope;
 using namespace gripscope::test;
 
 namespace {
-
-NewAdjustment anAdjustment(const QString& serial = u"F-2"_s)
-{
-    NewAdjustment adjustment;
-    adjustment.gripperSerial = serial;
-    adjustment.gripperName = u"Right cell"_s;
-    adjustment.enrolledOn = QStringList{u"F-1"_s};
-    adjustment.types = QStringList{u"A"_s, u"Zoë, \"large\""_s};
-    adjustment.squeezes = 10;
-    adjustment.error.value = Eigen::Vector3d(0.05, 1.0 / 30, -1e-17);
-    adjustment.error.covariance = Eigen::Vector3d(1e-4, 1.0 / 3e4, 2e-5).asDiagonal();
-    adjustment.error.covariance(0, 1) = adjustment.error.covariance(1, 0) = 1e-6;
-    adjustment.error.degreesOfFreedom = 18;
-    adjustment.error.pValue = 1e-9;
-    adjustment.error.agreement = 0.4;
-    adjustment.error.misfit = 2.5;
-    adjustment.operatorName = u"Ada"_s;
-    adjustment.reason = u"second line"_s;
-    return adjustment;
-}
 
 /// A type with squeezes of the gripper F-1.
 QString enrolOn(Library& library, const QString& serial, const QString& name = u"A"_s)

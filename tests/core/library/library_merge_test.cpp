@@ -355,20 +355,37 @@ private slots:
         here.library->actAs(people.supervisor(*here.library));
         QVERIFY(here.merge(there).rows() > 0);
     }
-    void calibrationsInForceHereStayInForce()
+    void theNewestCalibrationIsInForceWhereverItWasMade()
     {
         const Station here, there;
-        SensorCalibration calibration = aCalibration();
-        valueOf(here.library->addCalibration(calibration));
-        calibration.note = u"there"_s;
-        valueOf(there.library->addCalibration(calibration));
-        calibration.gripperSerial = u"0002"_s;
-        valueOf(there.library->addCalibration(calibration));
+        const auto calibrate = [](const Station& station, const QString& note) {
+            SensorCalibration calibration = aCalibration();
+            calibration.note = note;
+            valueOf(station.library->addCalibration(calibration));
+            QTest::qSleep(2); // the clocks have milliseconds
+        };
+        const auto inForceAt = [](const Station& station) {
+            return valueOf(station.library->calibrationsInForce(u"0001"_s)).force->note;
+        };
+        calibrate(there, u"first"_s);
+        calibrate(here, u"second, not knowing of the first"_s);
         here.merge(there);
-        QCOMPARE(valueOf(here.library->calibrationsInForce(u"0001"_s)).force->note, QString());
-        // Of a gripper that nobody calibrated here there is only the other's.
-        QCOMPARE(valueOf(here.library->calibrationsInForce(u"0002"_s)).force->note, u"there"_s);
+        there.merge(here);
+        QCOMPARE(inForceAt(here), u"second, not knowing of the first"_s);
+        QCOMPARE(inForceAt(there), u"second, not knowing of the first"_s);
+        for (const Station* station : {&there, &here, &there}) {
+            calibrate(*station, u"again"_s);
+            const Station& other = station == &here ? there : here;
+            other.merge(*station);
+            QCOMPARE(inForceAt(other), u"again"_s);
+            calibrate(other, u"last"_s);
+            here.merge(there);
+            there.merge(here);
+            QCOMPARE(inForceAt(here), u"last"_s);
+            QCOMPARE(inForceAt(there), u"last"_s);
+        }
         QVERIFY(isWhole(here.file()));
+        QVERIFY(isWhole(there.file()));
     }
     void whatIsChangedOfAnotherStationIsFound()
     {

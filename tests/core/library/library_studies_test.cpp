@@ -2,13 +2,13 @@
 #include "core/base/words.h"
 #include "core/library/audit/audit_trail.h"
 #include "core/library/migrations/migration.h"
-#include "core/library/records/study_record.h"
 #include "core/library/sql/time_ordered_id.h"
 #include "core/library/verification/library_verification.h"
 #include "core/people/audit_entry.h"
 #include "tests/core/library/earlier_schema.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/raw_database.h"
+#include "tests/core/library/study_fixture.h"
 #include "tests/support/test_registry.h"
 
 #include <QJsonArray>
@@ -19,41 +19,6 @@
 
 using namespace gripscope;
 using namespace gripscope::test;
-
-namespace {
-
-NewStudy aStudy(const QString& name = u"Cans, gripper 1"_s)
-{
-    NewStudy study;
-    study.kind = u"gauge"_s;
-    study.name = name;
-    study.plan = {{u"seed"_s, u"18446744073709551615"_s}, {u"rows"_s, QJsonArray{QJsonArray{0, 1, 0, 2}}}};
-    study.options = {{u"tolerances"_s, QJsonArray{1.0 / 3}}};
-    study.recipe.name = u"squeeze-7N"_s;
-    study.recipe.peak_N = 7;
-    study.recipe.kind = ExcitationKind::FourLevel;
-    study.gripperSerial = u"F-1"_s;
-    study.operatorName = u"Zoë"_s;
-    return study;
-}
-
-NewStudyMeasurement aMeasurement(const QString& studyId, qint64 row = 0)
-{
-    NewStudyMeasurement measured;
-    measured.studyId = studyId;
-    measured.row = row;
-    measured.outcome = u"measured"_s;
-    measured.values = {StudyValue{0.04, 1e-17}, std::nullopt, StudyValue{9990 + 1.0 / 3, 2.5}};
-    measured.units = {u"kg"_s, u"N s/m"_s, u"N/m"_s};
-    measured.rating = u"good"_s;
-    measured.validity = u"suspect"_s;
-    measured.reasons = {Words::say("The type needs a name."), Finding(u"its own words"_s)};
-    measured.gripperSerial = u"F-1"_s;
-    measured.operatorName = u"Ada"_s;
-    return measured;
-}
-
-} // namespace
 
 /// Studies of the gripper in the library.
 class LibraryStudiesTest : public QObject {
