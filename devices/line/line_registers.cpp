@@ -22,6 +22,12 @@ std::optional<ModbusException> LineRegisters::read(int first, std::span<std::uin
         std::copy_n(m_written.begin() + (first - commandFirst), values.size(), values.begin());
         return {};
     }
+    if (isWithin(first, values.size(), wantedFirst, resultCount)) {
+        const std::vector<std::uint16_t> result =
+            encodeResult(m_desk->with([this](const JobDesk& desk) { return desk.resultById(m_wanted); }));
+        std::copy_n(result.begin() + (first - wantedFirst), values.size(), values.begin());
+        return {};
+    }
     if (!isWithin(first, values.size(), statusFirst, statusCount + resultCount))
         return ModbusException::IllegalAddress;
     const JobDesk::View view =
@@ -39,6 +45,7 @@ std::optional<ModbusException> LineRegisters::write(int first, std::span<const s
     const std::optional<LineCommands> commands = decodeWrite(first, values);
     if (!commands)
         return ModbusException::IllegalValue;
+    m_wanted = commands->wanted.value_or(m_wanted);
     std::copy(values.begin(), values.end(), m_written.begin() + (first - commandFirst));
     m_desk->with([&](JobDesk& desk) {
         const auto now = std::chrono::steady_clock::now();

@@ -16,6 +16,7 @@ const std::vector<RegisterField>& registerFields()
         {4, Type::UInt16, "trigger", true},
         {5, Type::UInt16, "type", true},
         {6, Type::UInt32, "part token", true},
+        {8, Type::UInt32, "result wanted", true},
         {100, Type::UInt16, "map version"},
         {101, Type::UInt16, "state"},
         {102, Type::Bits, "status bits"},
@@ -171,12 +172,22 @@ void putResult(RegisterWriter& to, const LineResult& result)
 std::vector<std::uint16_t> encodeView(const JobDesk::View& view)
 {
     using namespace line_register;
-    std::vector<std::uint16_t> words(statusCount + resultCount, 0);
+    std::vector<std::uint16_t> words(statusCount, 0);
     RegisterWriter to(words, statusFirst);
     putStatus(to, view);
-    if (view.result)
-        putResult(to, *view.result);
-    to.put16(checksum, registerChecksum(std::span(words).subspan(statusCount, resultCount - 1)));
+    const std::vector<std::uint16_t> result = encodeResult(view.result);
+    words.insert(words.end(), result.begin(), result.end());
+    return words;
+}
+
+std::vector<std::uint16_t> encodeResult(const std::optional<LineResult>& result)
+{
+    using namespace line_register;
+    std::vector<std::uint16_t> words(resultCount, 0);
+    RegisterWriter to(words, resultFirst);
+    if (result)
+        putResult(to, *result);
+    to.put16(checksum, registerChecksum(std::span(words).first(resultCount - 1)));
     return words;
 }
 
@@ -200,6 +211,10 @@ std::optional<LineCommands> decodeWrite(int first, std::span<const std::uint16_t
     if (covers(trigger, partToken + 1))
         commands.job = LineJob{at(trigger), at(type), at32(partToken)};
     else if (touches(trigger, partToken + 1))
+        return {};
+    if (covers(wanted, wanted + 1))
+        commands.wanted = at32(wanted);
+    else if (touches(wanted, wanted + 1))
         return {};
     return commands;
 }

@@ -16,11 +16,12 @@ namespace gripscope {
 
 namespace line_register {
 inline constexpr int mapVersion = 1;
-inline constexpr int commandFirst = 0, commandCount = 8;
+inline constexpr int commandFirst = 0, commandCount = 10;
 inline constexpr int statusFirst = 100, statusCount = 20;
 inline constexpr int resultFirst = 120, resultCount = 28;
-inline constexpr int heartbeat = 0, acknowledge = 1, trigger = 4, type = 5,
-                     partToken = 6; // written by the PLC
+inline constexpr int heartbeat = 0, acknowledge = 1, trigger = 4, type = 5, partToken = 6,
+                     wanted = 8;        // written by the PLC
+inline constexpr int wantedFirst = 200; ///< the result that it wants, laid out as from resultFirst on
 inline constexpr int checksum = resultFirst + resultCount - 1;
 } // namespace line_register
 
@@ -48,15 +49,19 @@ inline constexpr std::uint16_t uncertaintyKnown = 32; ///< of m; the same
 [[nodiscard]] std::uint16_t registerChecksum(std::span<const std::uint16_t> registers);
 
 /// Status and result block: registers statusFirst to checksum, of one moment. Values that are not known are
-/// 0, and their bit says so; nothing is NaN. Without a result its block is zeros with their checksum.
+/// 0, and their bit says so; nothing is NaN.
 [[nodiscard]] std::vector<std::uint16_t> encodeView(const JobDesk::View& view);
 
+/// The registers from resultFirst to checksum. Nothing: zeros with their checksum.
+[[nodiscard]] std::vector<std::uint16_t> encodeResult(const std::optional<LineResult>& result);
+
 /// What a write asks for. Nothing where it leaves a pair or a job in pieces: the job's four registers and the
-/// acknowledge's two are only taken whole, so that no two writes mix.
+/// two of an acknowledge or of a result that is wanted are only taken whole, so that no two writes mix.
 struct LineCommands {
     std::optional<std::uint16_t> beat;
     std::optional<std::uint32_t> release;
     std::optional<LineJob> job;
+    std::optional<std::uint32_t> wanted; ///< GetResultById
 };
 [[nodiscard]] std::optional<LineCommands> decodeWrite(int first, std::span<const std::uint16_t> values);
 

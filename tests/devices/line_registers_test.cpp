@@ -93,7 +93,10 @@ private slots:
         QTest::newRow("job") << 4 << 4 << true;
         QTest::newRow("trigger alone") << 4 << 1 << false;
         QTest::newRow("job without its token's end") << 4 << 3 << false;
-        QTest::newRow("all") << 0 << 8 << true;
+        QTest::newRow("all of a cycle") << 0 << 8 << true;
+        QTest::newRow("result wanted") << 8 << 2 << true;
+        QTest::newRow("half a result wanted") << 0 << 9 << false;
+        QTest::newRow("all") << 0 << 10 << true;
     }
     void pairsAndJobsAreTakenWhole()
     {
@@ -115,6 +118,10 @@ private slots:
         row("write the heartbeat", "06 0000 0005", "06 0000 0005");
         row("write a job", "10 0004 0004 08 0001 0000 0000 0009", "10 0004 0004");
         row("write and read", "17 0068 0001 0004 0004 08 0001 0000 0000 0009", "17 02 0001");
+        row("none is kept of 7", "17 00C8 0001 0008 0002 04 0000 0007", "17 02 0000");
+        row("its checksum", "04 00E3 0001", "04 02 1118"); // as below
+        row("beyond it", "04 00E3 0002", "84 02");
+        row("between the blocks", "04 00C7 0002", "84 02");
         row("none", "04 0064 0000", "84 03");
         row("too many", "04 0064 007E", "84 03");
         row("not there", "04 0010 0001", "84 02");
@@ -136,6 +143,43 @@ private slots:
         QCOMPARE(
             QByteArray(reinterpret_cast<const char*>(answered.data()), qsizetype(answered.size())).toHex(' '),
             answer.toHex(' '));
+    }
+    void anEarlierResultIsGivenByItsNumber()
+    {
+        const auto desk = std::make_shared<SharedJobDesk>(1);
+        LineRegisters registers(desk);
+        constexpr int results = int(JobDesk::mostKept) + 6;
+        desk->with([](JobDesk& jobs) {
+            jobs.setStation({LineState::Ready, true, true, 1});
+            for (int i = 1; i <= results; ++i) {
+                const auto now = std::chrono::steady_clock::now();
+                jobs.beat(std::uint16_t(i), now);
+                jobs.startSingleJob({std::uint16_t(i), 1, 1000U + std::uint32_t(i)}, now);
+                jobs.finish(someResult(), now);
+                if (i < results) // the last one is unread
+                    QVERIFY(jobs.releaseResult(std::uint32_t(i)));
+            }
+        });
+        using namespace line_register;
+        const auto give = [&](std::uint32_t sequence) {
+            const std::array words{std::uint16_t(sequence >> 16U), std::uint16_t(sequence)};
+            if (registers.write(wanted, words))
+                qFatal("it cannot be asked for");
+            std::vector<std::uint16_t> block(resultCount);
+            if (registers.read(wantedFirst, block))
+                qFatal("it cannot be read");
+            return block;
+        };
+        LineResult expected = someResult();
+        for (const int i : {7, 30, results}) { // the oldest that is kept, a released one, the unread one
+            expected.sequence = std::uint32_t(i);
+            expected.job = {std::uint16_t(i), 1, 1000U + std::uint32_t(i)};
+            QCOMPARE(give(expected.sequence), encodeResult(expected));
+        }
+        for (const std::uint32_t none : {0U, 6U, std::uint32_t(results) + 1, 0x10007U})
+            QCOMPARE(give(none), encodeResult({}));
+        // Asking releases nothing.
+        QVERIFY(desk->with([](const JobDesk& jobs) { return jobs.view({}).unread; }));
     }
     void whateverComesIsReadWithinItsBytes()
     {

@@ -19,7 +19,7 @@ PORT, CYCLES, SEED = int(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
 READY, BUSY, RESULT_VALID = 1, 2, 4
 TAKEN, UNREAD, OVERRUN_BUSY = 1, 2, 3
 random.seed(SEED)
-count = dict(cycles=0, doubled=0, lost=0, late=0, reconnects=0, overruns=0, mixed=0, torn=0, requests=0, slow=0)
+count = dict(cycles=0, doubled=0, lost=0, late=0, reconnects=0, overruns=0, mixed=0, torn=0, requests=0, slow=0, again=0)
 
 
 def checksum(registers):
@@ -65,6 +65,17 @@ class Plc:
             count["torn"] += 1
         return registers
 
+    def read_again(self, sequence):
+        """An earlier result by its number, asked for and read in one request."""
+        count["requests"] += 1
+        answer = self.client.readwrite_registers(read_address=200, read_count=28, write_address=8,
+                                                 write_registers=[sequence >> 16, sequence & 0xFFFF], slave=1)
+        if answer.isError():
+            sys.exit(f"read again: {answer}")
+        if checksum(answer.registers[:27]) != answer.registers[27]:
+            count["torn"] += 1
+        return answer.registers
+
     def commands(self, trigger, token):
         """Heartbeat, acknowledge and job in one write, as an I/O scanner has them."""
         self.beat = (self.beat + 1) & 0xFFFF
@@ -82,7 +93,7 @@ class Plc:
 plc = Plc()
 first = plc.read()
 trigger, sequence = first[4], 0
-sent, unread_token = [], None
+sent, results = [], {}
 started = time.time()
 
 for cycle in range(CYCLES):
@@ -130,6 +141,15 @@ for cycle in range(CYCLES):
         count["mixed"] += 1
         print("mixed", cycle, result, token, trigger, sequence, file=sys.stderr)
     count["cycles"] += 1
+    results[sequence] = result
+    results.pop(sequence - 100, None)
+    if random.random() < 0.05:
+        asked = random.randrange(max(sequence - 99, 0), sequence + 2)
+        kept = asked in results and asked > sequence - 64
+        if plc.read_again(asked)[:27] != (results[asked][:27] if kept else [0] * 27):
+            count["mixed"] += 1
+            print("not the result asked for", cycle, asked, file=sys.stderr)
+        count["again"] += 1
 
     if random.random() < 0.05:  # the acknowledge is forgotten: the next trigger has to be refused, and told
         trigger = trigger % 65535 + 1
