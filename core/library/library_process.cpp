@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/words.h"
 #include "core/library/history/process_view.h"
+#include "core/library/ledger/merged_ledger.h"
 #include "core/library/library_private.h"
 #include "core/library/tables/audit_table.h"
 #include "core/library/tables/process_limits_table.h"
@@ -33,6 +34,27 @@ QJsonObject fixedDetails(const QString& limits)
     return details;
 }
 
+/// In the limits as they are stored: by which library's numbers they name inspections.
+constexpr QStringView libraryKey = u"library";
+
+QString withLibrary(const QString& limits, const QString& library)
+{
+    QJsonObject object = QJsonDocument::fromJson(limits.toUtf8()).object();
+    if (object.isEmpty())
+        return limits;
+    object[libraryKey] = library;
+    return QString::fromUtf8(QJsonDocument(object).toJson(QJsonDocument::Compact));
+}
+
+void takeLibrary(ProcessLimitsRecord& record, const QString& own)
+{
+    QJsonObject object = QJsonDocument::fromJson(record.limits.toUtf8()).object();
+    if (!object.contains(libraryKey)) // of an earlier program, which had no others
+        return;
+    record.ofThisLibrary = object.take(libraryKey).toString() == own;
+    record.limits = QString::fromUtf8(QJsonDocument(object).toJson(QJsonDocument::Compact));
+}
+
 } // namespace
 
 Expected<ProcessPlace> Library::processStretch(const ProcessQuery& query, ProcessPlace place,
@@ -53,7 +75,9 @@ Expected<void> Library::fixProcessLimits(const QString& type, const QString& lim
         return failure(ErrorCode::Usage, {Words::tr("The type needs a name.")});
     return d->writeIf<void>(
         Permission::ChangeTypes, Words::tr("fix the limits of the charts"), [&]() -> Expected<void> {
-            RETURN_IF_ERROR(process_limits_table::insert(*d->database, type, limits, operatorName));
+            ASSIGN_OR_RETURN(const QString own, libraryId(*d->database));
+            RETURN_IF_ERROR(
+                process_limits_table::insert(*d->database, type, withLibrary(limits, own), operatorName));
             const auto action = limits.isEmpty() ? audit_action::chartsReleased : audit_action::chartsFixed;
             return audit_table::append(
                 *d->database, {QString::fromUtf16(action), type, {}, fixedDetails(limits), operatorName});
@@ -63,7 +87,12 @@ Expected<void> Library::fixProcessLimits(const QString& type, const QString& lim
 Expected<std::optional<ProcessLimitsRecord>> Library::processLimits(const QString& type) const
 {
     ASSIGN_OR_RETURN(const auto names, type_state_table::nameSpans(*d->database, type));
-    return process_limits_table::newest(*d->database, names);
+    ASSIGN_OR_RETURN(auto record, process_limits_table::newest(*d->database, names));
+    if (record) {
+        ASSIGN_OR_RETURN(const QString own, libraryId(*d->database));
+        takeLibrary(*record, own);
+    }
+    return record;
 }
 
 Expected<QStringList> Library::typeNamesToday(const QStringList& names) const

@@ -619,6 +619,10 @@ m  %3</translation>
         <source>%1: %2 inspections; a chart needs at least %3.</source>
         <translation>%1: %2 Prüfungen; eine Karte braucht mindestens %3.</translation>
     </message>
+    <message>
+        <source>%1 inspections of another station</source>
+        <translation>%1 Prüfungen einer anderen Station</translation>
+    </message>
 </context>
 <context>
     <name>ReferenceWords</name>

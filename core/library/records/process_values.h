@@ -66,6 +66,7 @@ struct ProcessLimitsRecord {
     QString limits; ///< FixedLimits as text (core/session/process/fixed_limits.h); empty: no longer fixed
     QDateTime fixed;
     QString operatorName;
+    bool ofThisLibrary = true; ///< the numbers of inspections in it; else those of another station's
 };
 
 } // namespace gripscope

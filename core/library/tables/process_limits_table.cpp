@@ -53,7 +53,8 @@ Expected<std::optional<ProcessLimitsRecord>> newest(Database& database,
                             newestFirst + u" LIMIT 1"_s);
         query.bind(span.name).bind(span.from).bind(span.until).bind(span.until);
         ASSIGN_OR_RETURN(const auto found, firstRow(query, takeProcessLimits));
-        if (found && (!last || found->serial > last->serial))
+        if (found && (!last || std::pair(found->serial, found->record.fixed) >
+                                   std::pair(last->serial, last->record.fixed)))
             last = found;
     }
     return last ? std::optional(last->record) : std::nullopt;

@@ -115,4 +115,12 @@ std::optional<FixedLimits> fixedLimitsFromText(const QString& text)
     return limits;
 }
 
+std::optional<FixedLimits> fixedLimitsOf(const std::optional<ProcessLimitsRecord>& record)
+{
+    std::optional<FixedLimits> limits = record ? fixedLimitsFromText(record->limits) : std::nullopt;
+    if (limits && !record->ofThisLibrary)
+        limits->first = limits->last = 0;
+    return limits;
+}
+
 } // namespace gripscope

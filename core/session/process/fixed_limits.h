@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/library/records/process_values.h"
 #include "core/session/process/process_options.h"
 
 namespace gripscope {
@@ -10,5 +11,7 @@ namespace gripscope {
 /// Nothing for what toText() does not write: another version, numbers that are not finite, a sigma that is
 /// not above 0, sizes that do not fit.
 [[nodiscard]] std::optional<FixedLimits> fixedLimitsFromText(const QString& text);
+/// The same of a record; where it names inspections of another station's library their numbers are 0.
+[[nodiscard]] std::optional<FixedLimits> fixedLimitsOf(const std::optional<ProcessLimitsRecord>& record);
 
 } // namespace gripscope

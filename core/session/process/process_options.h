@@ -37,7 +37,7 @@ struct FixedLimits {
     ProcessKind kind = ProcessKind::Individuals;
     RunRules rules = RunRules::None;
     int subgroup = 1;
-    qint64 first = 0, last = 0; ///< numbers of the inspections that they come from
+    qint64 first = 0, last = 0; ///< numbers of the inspections that they come from; 0: another station's
     qint64 count = 0;           ///< so many of them
 };
 

@@ -183,7 +183,7 @@ void ProcessSession::store(const QString& limits, const QString& operatorName)
 void ProcessSession::takeRecord(const std::optional<ProcessLimitsRecord>& record)
 {
     m_record = record;
-    m_fixed = record ? fixedLimitsFromText(record->limits) : std::nullopt;
+    m_fixed = fixedLimitsOf(record);
     if (!m_fixed)
         m_record.reset();
 }

@@ -62,7 +62,7 @@ Expected<std::optional<Finding>> processSignalOf(Library& library, const QString
 {
     using Found = std::optional<Finding>;
     ASSIGN_OR_RETURN(const auto record, library.processLimits(type));
-    const auto fixed = record ? fixedLimitsFromText(record->limits) : std::nullopt;
+    const auto fixed = fixedLimitsOf(record);
     if (!fixed)
         return Found();
     ProcessQuery query;

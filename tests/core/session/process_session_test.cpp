@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/merge/library_merge.h"
 #include "core/math/gaussian.h"
 #include "core/session/process/fixed_limits.h"
 #include "core/session/process/process_session.h"
@@ -6,6 +7,7 @@
 #include "core/session/process/process_words.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/core/library/many_inspections.h"
+#include "tests/core/library/plant_actions.h"
 #include "tests/core/library/process_inspections.h"
 #include "tests/core/session/session_driver.h"
 #include "tests/support/test_registry.h"
@@ -315,6 +317,30 @@ private slots:
         QVERIFY((*processSignalOf(*open, u"A"_s))->describe().contains(u"the step from the value before"_s));
         addPart(*open, {.parameters = {0.04, 43, 9990}});
         QVERIFY(!*processSignalOf(*open, u"A"_s));
+    }
+    /// Numbers of inspections are a library's own: those that a station has not come to yet are not passed
+    /// over.
+    void theWatchHoldsAStationAgainstLimitsFixedAtAnother()
+    {
+        const auto open = m_folder->open();
+        addParts(*open, {.count = 40});
+        const ProcessValues values = valuesOf(*open, {.type = u"A"_s});
+        const FixedLimits fixed = *fixLimits(values, processRows(values, {}), 1, 40, ProcessOptions());
+        valueOf(open->fixProcessLimits(u"A"_s, toText(fixed), u"Ada"_s));
+        QCOMPARE(fixedLimitsOf(*open->processLimits(u"A"_s))->last, 40);
+
+        const LibraryFolder elsewhere;
+        const auto other = elsewhere.open();
+        addParts(*other, {.count = 3});
+        valueOf(other->mergeLibrary(m_folder->file(), why));
+        const auto taken = fixedLimitsOf(*other->processLimits(u"A"_s));
+        QVERIFY(taken && taken->quantities == fixed.quantities);
+        QCOMPARE(taken->last, 0);
+        addPart(*other, {.parameters = {0.04, 43, 10100},
+                         .time = QDateTime(QDate(2026, 5, 4), QTime(9, 0), Qt::UTC)});
+        const auto signal = *processSignalOf(*other, u"A"_s);
+        QVERIFY(signal);
+        QVERIFY2(signal->describe().contains(u"above the upper limit"_s), qPrintable(signal->describe()));
     }
     void valuesThatAreNotNormalHaveTheirWay()
     {

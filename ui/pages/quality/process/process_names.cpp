@@ -60,8 +60,10 @@ QString ProcessNames::limits(const ProcessSession& session)
     const std::optional<FixedLimits>& fixed = session.fixedLimits();
     if (!fixed)
         return tr("Limits from the inspections shown.");
-    const QString from =
-        tr("%1 inspections, %2 to %3").arg(formatCount(fixed->count)).arg(fixed->first).arg(fixed->last);
+    const QString count = formatCount(fixed->count);
+    const QString from = fixed->last > 0
+                             ? tr("%1 inspections, %2 to %3").arg(count).arg(fixed->first).arg(fixed->last)
+                             : tr("%1 inspections of another station").arg(count);
     if (!session.usesFixed())
         return tr("Limits from the inspections shown; there are fixed ones, from %1.").arg(from);
     const ProcessLimitsRecord& record = *session.fixedRecord();
