@@ -56,6 +56,15 @@ struct ConnectedProgram {
                    return false;
                });
     }
+    /// For a test that waited in vain.
+    [[nodiscard]] QString whatHolds() const
+    {
+        const LinkCounters counters = connection.counters();
+        return QStringLiteral("state %1, %2 reports (%3 bad), %4 samples; %5")
+            .arg(QString::number(int(connection.state())), QString::number(counters.reports),
+                 QString::number(counters.badReports), QString::number(counters.samples),
+                 connection.lastError() ? connection.lastError()->describe() : QString());
+    }
     /// To its end, good or bad; false: it did not begin.
     bool squeeze(double seconds = 0.2)
     {

@@ -19,9 +19,9 @@ namespace gripscope::test {
 /// Waits until `condition` holds, looking often; false when it never does.
 inline bool waitFor(const std::function<bool()>& condition, std::chrono::milliseconds atMost = patience)
 {
-    const auto deadline = std::chrono::steady_clock::now() + atMost;
+    PatienceLeft left(atMost);
     while (!condition()) {
-        if (std::chrono::steady_clock::now() > deadline)
+        if (left.isOver())
             return false;
         std::this_thread::sleep_for(std::chrono::microseconds(500));
     }

@@ -14,9 +14,9 @@ namespace gripscope::test {
 /// Polls until `done`, as the owner of a session does; false when it takes longer than any of this should.
 inline bool pollUntil(const std::function<void()>& poll, const std::function<bool()>& done)
 {
-    const auto end = std::chrono::steady_clock::now() + patience;
+    PatienceLeft left;
     while (!done()) {
-        if (std::chrono::steady_clock::now() > end)
+        if (left.isOver())
             return false;
         poll();
         std::this_thread::sleep_for(std::chrono::microseconds(200));

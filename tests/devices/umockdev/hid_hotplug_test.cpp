@@ -26,6 +26,8 @@ struct Bench {
 
     Bench()
     {
+        // The device is driven by this same thread, and a busy computer keeps both waiting.
+        program.factory.setLinkLimits(patientLimits());
         program.alsoDrive = [this] {
             if (!grippers.empty())
                 grippers.back()->turn(program.connection.counters().reports);
@@ -76,7 +78,7 @@ private slots:
         Bench bench;
         bench.plugIn(0, 7);
         QVERIFY(bench.program.connectTo(address));
-        QVERIFY(bench.program.arm());
+        QVERIFY2(bench.program.arm(), qPrintable(bench.program.whatHolds()));
         QVERIFY(bench.program.squeeze(0.05));
         QCOMPARE(bench.program.job.state(), SqueezeJob::State::Done);
         QVERIFY(bench.program.job.recording().size() >= 100);
@@ -88,7 +90,7 @@ private slots:
         Bench bench;
         bench.plugIn(0, 7);
         QVERIFY(bench.program.connectTo(u"hid:"_qs));
-        QVERIFY(bench.program.arm());
+        QVERIFY2(bench.program.arm(), qPrintable(bench.program.whatHolds()));
         QVERIFY(bench.program.untilSamples(20));
         bench.unplug();
         QVERIFY(bench.program.untilState(State::Lost));
