@@ -23,8 +23,9 @@ std::optional<ModbusException> LineRegisters::read(int first, std::span<std::uin
         return {};
     }
     if (isWithin(first, values.size(), wantedFirst, resultCount)) {
+        const std::uint32_t sequence = (std::uint32_t(m_written[wanted]) << 16U) | m_written[wanted + 1];
         const std::vector<std::uint16_t> result =
-            encodeResult(m_desk->with([this](const JobDesk& desk) { return desk.resultById(m_wanted); }));
+            encodeResult(m_desk->with([sequence](const JobDesk& desk) { return desk.resultById(sequence); }));
         std::copy_n(result.begin() + (first - wantedFirst), values.size(), values.begin());
         return {};
     }
@@ -45,7 +46,6 @@ std::optional<ModbusException> LineRegisters::write(int first, std::span<const s
     const std::optional<LineCommands> commands = decodeWrite(first, values);
     if (!commands)
         return ModbusException::IllegalValue;
-    m_wanted = commands->wanted.value_or(m_wanted);
     std::copy(values.begin(), values.end(), m_written.begin() + (first - commandFirst));
     m_desk->with([&](JobDesk& desk) {
         const auto now = std::chrono::steady_clock::now();

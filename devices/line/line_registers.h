@@ -10,8 +10,8 @@
 namespace gripscope {
 
 /// The registers over a desk: a read of status and result is one look at it, a write is heartbeat,
-/// acknowledge and job in this order. What was written reads back. The result that is wanted is looked up
-/// when it is read: of the newest JobDesk::mostKept, released or not.
+/// acknowledge and job in this order. What was written reads back. The result that is wanted (GetResultById)
+/// is looked up when it is read: of the newest JobDesk::mostKept, released or not.
 class LineRegisters : public RegisterAccess {
 public:
     explicit LineRegisters(std::shared_ptr<SharedJobDesk> desk) : m_desk(std::move(desk)) {}
@@ -22,7 +22,6 @@ public:
 private:
     std::shared_ptr<SharedJobDesk> m_desk;
     std::array<std::uint16_t, line_register::commandCount> m_written{};
-    std::uint32_t m_wanted = 0;
 };
 
 } // namespace gripscope

@@ -212,9 +212,7 @@ std::optional<LineCommands> decodeWrite(int first, std::span<const std::uint16_t
         commands.job = LineJob{at(trigger), at(type), at32(partToken)};
     else if (touches(trigger, partToken + 1))
         return {};
-    if (covers(wanted, wanted + 1))
-        commands.wanted = at32(wanted);
-    else if (touches(wanted, wanted + 1))
+    if (touches(wanted, wanted + 1) && !covers(wanted, wanted + 1))
         return {};
     return commands;
 }

@@ -61,7 +61,6 @@ struct LineCommands {
     std::optional<std::uint16_t> beat;
     std::optional<std::uint32_t> release;
     std::optional<LineJob> job;
-    std::optional<std::uint32_t> wanted; ///< GetResultById
 };
 [[nodiscard]] std::optional<LineCommands> decodeWrite(int first, std::span<const std::uint16_t> values);
 
